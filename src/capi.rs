@@ -1,0 +1,1 @@
+//! The C ABI: checks, conversions and the panic boundary; no mechanics.

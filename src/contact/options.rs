@@ -1,0 +1,50 @@
+//! Options of an evaluation.
+
+use super::EnergyLaw;
+use crate::Error;
+use crate::overlap::{Estimator, Resolution};
+use crate::sampling::FiberPattern;
+
+/// Options of an evaluation. `Options::new(law)` sets the rest to its defaults.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Energy law and its stiffness.
+    pub law: EnergyLaw,
+    /// How overlap is measured.
+    pub estimator: Estimator,
+    /// Threads; the result does not depend on them. Default 1, as the host may have threads of its own.
+    pub threads: usize,
+    /// Also look for the overlap of each body with itself. Off by default: it sends lines through whole bodies.
+    pub self_contact: bool,
+    /// Check the orientation of every cell at every evaluation. On by default; it costs some ns per cell.
+    pub check_cells: bool,
+}
+
+impl Options {
+    /// Defaults with this law.
+    pub fn new(law: EnergyLaw) -> Self {
+        Self { law, estimator: Estimator::default(), threads: 1, self_contact: false, check_cells: true }
+    }
+
+    /// Checks every value.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        self.law.check()?;
+        let positive = |name, value: f64| {
+            if value.is_finite() && value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
+        };
+        if self.threads == 0 {
+            return Err(Error::NotPositive { name: "threads", value: 0.0 });
+        }
+        if let Estimator::Fibers(fibers) = &self.estimator {
+            match fibers.resolution {
+                Resolution::Auto => {}
+                Resolution::Count(count) => positive("fibers", count as f64)?,
+                Resolution::Spacing(spacing) => positive("spacing", spacing)?,
+            }
+            if let FiberPattern::Isotropic { length: Some(length) } = fibers.pattern {
+                positive("length", length)?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,193 @@
+//! What can go wrong, one variant per cause, holding the facts; the sentence lives in `Display`.
+
+use std::fmt;
+
+/// Why an answer could not be found. After any error, the object that was called is as it was before the call.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// An array's length is not what the counts say (`coords`, `body_ids`, a `conn` not divisible by the cell's node count).
+    Length {
+        /// Name of the array.
+        array: &'static str,
+        /// Length that was needed (for `conn`: the number it must be a multiple of).
+        expected: usize,
+        /// Length that was found.
+        found: usize,
+    },
+    /// A cell type of another dimension than the coordinates.
+    Dimension {
+        /// Block of cells.
+        block: usize,
+        /// Dimension of the coordinates.
+        expected: usize,
+        /// Dimension of the cell type.
+        found: usize,
+    },
+    /// A cell or facet names a node that does not exist.
+    NodeOutOfRange {
+        /// Cell or facet, counted over all blocks.
+        cell: usize,
+        /// The node it names, as given (negative ids wrap when given as signed numbers and are reported as given).
+        node: i64,
+        /// Number of nodes.
+        node_count: usize,
+    },
+    /// A coordinate of a used node is NaN or infinite.
+    NonFiniteCoordinate {
+        /// Node.
+        node: usize,
+        /// Axis.
+        axis: usize,
+    },
+    /// A cell or facet names one node twice.
+    RepeatedNode {
+        /// Cell or facet.
+        cell: usize,
+        /// Node named twice.
+        node: usize,
+    },
+    /// A cell is turned inside out: its orientation is opposite to that of the cells it is connected to, or,
+    /// for `Quad4` and `Hex8`, the Jacobian is negative at a corner while it is positive at another.
+    InvertedCell {
+        /// Cell.
+        cell: usize,
+    },
+    /// A cell or facet has no length, area or volume.
+    ZeroMeasure {
+        /// Cell or facet.
+        cell: usize,
+    },
+    /// A surface given by facets has a border: an edge (3D) or node (2D) that belongs to one facet only.
+    OpenSurface {
+        /// Facet that has the border.
+        facet: usize,
+        /// The nodes of the border edge (2D: the node, twice).
+        nodes: [usize; 2],
+    },
+    /// More than two facets meet at an edge (3D) or node (2D), or more than two cells at a face.
+    NonManifold {
+        /// Facet or cell found third.
+        facet: usize,
+        /// Nodes of the edge (2D: the node, twice), or two nodes of the face.
+        nodes: [usize; 2],
+    },
+    /// Two neighbouring facets, or cells of a body that cannot be oriented, disagree about which side is out.
+    InconsistentOrientation {
+        /// Facet or cell found second.
+        facet: usize,
+        /// Nodes of the edge (2D: the node, twice).
+        nodes: [usize; 2],
+    },
+    /// A body given by facets encloses a negative volume: its facets point inwards.
+    InvertedSurface {
+        /// Body id.
+        body: i64,
+    },
+    /// There is nothing to compute with: no cells and no facets.
+    Empty,
+    /// A parameter that must be positive and finite is not (`k`, `m ≥ 1`, `spacing`, a radius, …).
+    NotPositive {
+        /// Name of the parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A rotation is not orthonormal with determinant +1, or a position or scale is not finite.
+    BadPose {
+        /// Obstacle.
+        obstacle: usize,
+    },
+    /// No such obstacle.
+    ObstacleOutOfRange {
+        /// Obstacle asked for.
+        obstacle: usize,
+        /// Number of obstacles.
+        count: usize,
+    },
+    /// The estimator cannot do this (exact overlap with a curved or signed-distance obstacle).
+    Unsupported {
+        /// What was asked.
+        what: &'static str,
+    },
+    /// A signed-distance function failed, or returned a value that is not finite.
+    SignedDistance {
+        /// Obstacle.
+        obstacle: usize,
+        /// Point, counted within the batch.
+        point: usize,
+    },
+    /// The pattern would need more fibers or crossings than can be counted; the spacing is too small for the bodies.
+    TooManyFibers {
+        /// Number that would be needed.
+        needed: f64,
+        /// The limit.
+        limit: f64,
+    },
+    /// The threads could not be started.
+    Threads {
+        /// Number asked for.
+        threads: usize,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Length { array, expected, found } => {
+                write!(f, "array '{array}' has length {found}, expected {expected}")
+            }
+            Error::Dimension { block, expected, found } => {
+                write!(
+                    f,
+                    "cell block {block} has cells of dimension {found}, but the coordinates have dimension {expected}"
+                )
+            }
+            Error::NodeOutOfRange { cell, node, node_count } => {
+                write!(f, "cell or facet {cell} names node {node}, but there are {node_count} nodes")
+            }
+            Error::NonFiniteCoordinate { node, axis } => write!(f, "coordinate {axis} of node {node} is not finite"),
+            Error::RepeatedNode { cell, node } => write!(f, "cell or facet {cell} names node {node} twice"),
+            Error::InvertedCell { cell } => write!(f, "cell {cell} is inverted"),
+            Error::ZeroMeasure { cell } => write!(f, "cell or facet {cell} has zero measure"),
+            Error::OpenSurface { facet, nodes } => {
+                write!(f, "the surface is open: facet {facet} has no neighbour at nodes {} and {}", nodes[0], nodes[1])
+            }
+            Error::NonManifold { facet, nodes } => {
+                write!(f, "facet or cell {facet} is the third to meet at nodes {} and {}", nodes[0], nodes[1])
+            }
+            Error::InconsistentOrientation { facet, nodes } => write!(
+                f,
+                "facet or cell {facet} is oriented against its neighbour at nodes {} and {}",
+                nodes[0], nodes[1]
+            ),
+            Error::InvertedSurface { body } => {
+                write!(f, "the facets of body {body} point inwards: they enclose a negative volume")
+            }
+            Error::Empty => write!(f, "there are no cells and no facets"),
+            Error::NotPositive { name, value } => write!(f, "'{name}' is {value}, which is not allowed"),
+            Error::BadPose { obstacle } => {
+                write!(f, "the pose of obstacle {obstacle} is not a finite position, a rotation and a positive scale")
+            }
+            Error::ObstacleOutOfRange { obstacle, count } => {
+                write!(f, "there is no obstacle {obstacle}, only {count}")
+            }
+            Error::Unsupported { what } => write!(f, "not supported: {what}"),
+            Error::SignedDistance { obstacle, point } => {
+                write!(
+                    f,
+                    "the signed distance of obstacle {obstacle} failed or is not finite at point {point} of the batch"
+                )
+            }
+            Error::TooManyFibers { needed, limit } => {
+                write!(
+                    f,
+                    "the spacing is too small: {needed:.3e} fibers or crossings would be needed, the limit is {limit:.3e}"
+                )
+            }
+            Error::Threads { threads } => write!(f, "{threads} threads could not be started"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

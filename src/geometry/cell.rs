@@ -1,0 +1,103 @@
+//! Volume pieces and their node order.
+
+/// Type of a cell. Node order is that of VTK, Gmsh and most codes:
+///
+/// ```text
+///   Tri3     2          Quad4  3 --- 2     Tet4       3          Hex8     7 ---- 6
+///           / \                |     |               /|\                 /|     /|
+///          /   \               |     |              / | \               4 ---- 5 |
+///         0 --- 1              0 --- 1             0 -|- 2              | 3 ---| 2
+///                                                   \ | /               |/     |/
+///        counter-clockwise                            1                 0 ---- 1
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum CellType {
+    /// Triangle, 2D.
+    Tri3,
+    /// Quadrilateral, 2D.
+    Quad4,
+    /// Tetrahedron, 3D.
+    Tet4,
+    /// Hexahedron, 3D.
+    Hex8,
+}
+
+/// A corner node and the three it is joined to by edges, in the order that gives a positive triple product.
+type HexCorner = (usize, [usize; 3]);
+
+const HEX_CORNERS: [HexCorner; 8] = [
+    (0, [1, 3, 4]),
+    (1, [2, 0, 5]),
+    (2, [3, 1, 6]),
+    (3, [0, 2, 7]),
+    (4, [7, 5, 0]),
+    (5, [4, 6, 1]),
+    (6, [5, 7, 2]),
+    (7, [6, 4, 3]),
+];
+
+impl CellType {
+    /// Dimension of the space that the cell fills, 2 or 3.
+    pub fn dimension(self) -> usize {
+        match self {
+            CellType::Tri3 | CellType::Quad4 => 2,
+            CellType::Tet4 | CellType::Hex8 => 3,
+        }
+    }
+
+    /// Number of nodes.
+    pub fn node_count(self) -> usize {
+        match self {
+            CellType::Tri3 => 3,
+            CellType::Quad4 | CellType::Tet4 => 4,
+            CellType::Hex8 => 8,
+        }
+    }
+
+    /// Faces as local node numbers: edges in 2D, triangles or quadrilaterals in 3D, seen from outside the cell
+    /// counter-clockwise (2D: with the cell on the left).
+    pub fn faces(self) -> &'static [&'static [usize]] {
+        match self {
+            CellType::Tri3 => &[&[0, 1], &[1, 2], &[2, 0]],
+            CellType::Quad4 => &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]],
+            CellType::Tet4 => &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[0, 3, 2]],
+            CellType::Hex8 => {
+                &[&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]]
+            }
+        }
+    }
+
+    /// For every corner, the nodes whose edges from it span the corner's Jacobian (`[corner, neighbour; dimension]`).
+    pub(crate) fn corners(self) -> Vec<Vec<usize>> {
+        match self {
+            CellType::Tri3 => vec![vec![0, 1, 2]],
+            CellType::Quad4 => (0..4).map(|i| vec![i, (i + 1) % 4, (i + 3) % 4]).collect(),
+            CellType::Tet4 => vec![vec![0, 1, 2, 3]],
+            CellType::Hex8 => HEX_CORNERS.iter().map(|(c, n)| vec![*c, n[0], n[1], n[2]]).collect(),
+        }
+    }
+}
+
+/// Cells of one type: `conn` holds `node_count` node ids per cell, cell after cell. Ids are zero-based.
+///
+/// Cells may be given in either orientation, also mixed, as meshes of simplices often are: the orientation of a body
+/// follows from its connectivity and from the sign of its volume.
+#[derive(Clone, Copy, Debug)]
+pub struct CellBlock<'a> {
+    /// Type of all cells of the block.
+    pub cell_type: CellType,
+    /// Node ids, `[cell_count, node_count]`.
+    pub conn: &'a [u32],
+}
+
+/// Which body a cell (or facet) belongs to.
+#[derive(Clone, Copy, Debug, Default)]
+pub enum Bodies<'a> {
+    /// Bodies are the connected components: cells that share a face, facets that share a node. They are numbered
+    /// 0, 1, … by their first cell.
+    #[default]
+    Connected,
+    /// One id per cell (or facet), counted over all blocks. Any numbers; results are ordered by id.
+    Ids(&'a [i64]),
+}

@@ -1,0 +1,27 @@
+//! Contact mechanics as a plug-in for any finite element code.
+//!
+//! The module is given node coordinates and connectivity and returns nodal contact forces, overlap volumes and what
+//! belongs to them. It has no master and slave, no pair search and no projection: lines ("fibers") are sent through the
+//! bodies, the stretches inside two bodies at once measure their overlap, and the derivative of that measure is the
+//! contact force (Fiber Monte Carlo, Wang, Xu and Xue, "Solving contact problems using Fiber Monte Carlo").
+//!
+//! The floors of the house, each of which imports only from those after it:
+//! [`contact`] (energy law, forces) · [`overlap`] (volume and its gradient, sampled or exact) ·
+//! [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) · [`Error`].
+//!
+//! Same input, same bits, for any number of threads: there is no clock, no global state and no arrival order anywhere.
+
+pub mod contact;
+mod error;
+pub mod geometry;
+pub mod overlap;
+pub mod sampling;
+
+#[allow(unsafe_code)]
+mod capi;
+
+pub use contact::{Contact, ContactForces, EnergyLaw, Options, contact_force};
+pub use error::Error;
+pub use geometry::{Bodies, CellBlock, CellType, Obstacle, Pose, Shape, SignedDistance, Surface};
+pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
+pub use sampling::FiberPattern;

@@ -1,0 +1,78 @@
+//! What an estimator returns.
+
+use super::Warning;
+use crate::geometry::Vector;
+use std::fmt;
+
+/// One side of a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Partner {
+    /// Body of the mesh, by index (0, 1, … in the order of their ids).
+    Body(usize),
+    /// Obstacle, by index.
+    Obstacle(usize),
+}
+
+impl fmt::Display for Partner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Partner::Body(index) => write!(f, "body {index}"),
+            Partner::Obstacle(index) => write!(f, "obstacle {index}"),
+        }
+    }
+}
+
+/// Derivative of an overlap with respect to the pose of a rigid partner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseGradient<const D: usize> {
+    /// ∂V/∂position.
+    pub position: Vector<D>,
+    /// ∂V/∂(rotation about the origin of space), as a vector of three; in 2D only the last entry differs from zero.
+    pub rotation: [f64; 3],
+    /// ∂V/∂scale.
+    pub scale: f64,
+}
+
+/// Overlap of one pair: what both estimators return.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Overlap<const D: usize> {
+    /// First side; always a body of the mesh. Equal to `b` for the overlap of a body with itself.
+    pub a: Partner,
+    /// Second side.
+    pub b: Partner,
+    /// Volume (2D: area) of the overlap.
+    pub volume: f64,
+    /// Standard error of the volume from the spread of independent shifts; 0 for `exact`.
+    pub standard_error: f64,
+    /// Nodes whose gradient may differ from zero, ascending.
+    pub nodes: Vec<u32>,
+    /// ∂V/∂x of those nodes.
+    pub gradient: Vec<Vector<D>>,
+    /// ∂V/∂pose where `b` is an obstacle.
+    pub pose_gradient: Option<PoseGradient<D>>,
+    /// Half of the measure of the overlap's boundary: the area of contact where it is thin.
+    pub contact_area: f64,
+    /// Extent of the overlap along its mean normal: the deepest penetration, or a little more where it is curved.
+    pub penetration: f64,
+    /// Fibers laid.
+    pub fiber_count: usize,
+    /// Crossings that bound the overlap (for `exact`: clipped pieces).
+    pub crossing_count: usize,
+    /// Facets that bound the overlap.
+    pub facet_count: usize,
+    /// Spacing of the fibers; 0 for `exact`.
+    pub spacing: f64,
+    /// What the user should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A fiber, to look at: where it runs and where it crosses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FiberTrace<const D: usize> {
+    /// Start of the piece shown.
+    pub start: [f64; D],
+    /// End of the piece shown.
+    pub end: [f64; D],
+    /// Points at which spans begin and end.
+    pub crossings: Vec<[f64; D]>,
+}

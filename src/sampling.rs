@@ -1,0 +1,5 @@
+//! Where the fibers lie.
+
+mod pattern;
+
+pub use pattern::FiberPattern;
