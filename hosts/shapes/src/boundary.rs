@@ -1,0 +1,74 @@
+//! Boundary of a mesh of cells.
+
+use crate::Mesh;
+use std::collections::HashMap;
+
+/// Faces of a cell as local node numbers, outward.
+fn faces(dimension: usize, nodes_per_cell: usize) -> &'static [&'static [usize]] {
+    match (dimension, nodes_per_cell) {
+        (2, 2) => &[&[0], &[1]],
+        (2, 3) | (3, 3) => &[&[0, 1], &[1, 2], &[2, 0]],
+        (2, 4) => &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]],
+        (3, 4) => &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[0, 3, 2]],
+        (3, 8) => &[&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]],
+        (d, n) => panic!("no cell of dimension {d} with {n} nodes"),
+    }
+}
+
+impl<const D: usize> Mesh<D> {
+    /// Faces that belong to one cell only, outward, in the order of the cells. Empty for a closed surface.
+    pub fn boundary_faces(&self) -> Vec<Vec<u32>> {
+        let local = faces(D, self.nodes_per_cell);
+        let all = || self.cells().flat_map(|cell| local.iter().map(|face| face.iter().map(|&k| cell[k]).collect()));
+        let sorted = |face: &Vec<u32>| {
+            let mut key = face.clone();
+            key.sort_unstable();
+            key
+        };
+        let mut uses: HashMap<Vec<u32>, usize> = HashMap::new();
+        all().for_each(|face| *uses.entry(sorted(&face)).or_default() += 1);
+        all().filter(|face| uses[&sorted(face)] == 1).collect()
+    }
+
+    /// Boundary as a surface of its own, with the nodes it uses.
+    ///
+    /// # Panics
+    /// For `Hex8`, whose faces are no triangles.
+    pub fn boundary(&self) -> Self {
+        let faces = self.boundary_faces();
+        assert!(faces.iter().all(|face| face.len() == D), "faces of a hexahedron are not facets");
+        Self { coords: self.coords.clone(), conn: faces.concat(), nodes_per_cell: D }.without_unused_nodes()
+    }
+
+    /// Euler characteristic: nodes − edges (+ faces) of a surface in 3D or of cells in 2D; 2 for a sphere, 1 for a disc.
+    pub fn euler_characteristic(&self) -> i64 {
+        assert!(self.nodes_per_cell <= if D == 2 { 4 } else { 3 }, "only for surfaces and plane meshes");
+        let local = faces(D, self.nodes_per_cell);
+        let mut edges: Vec<[u32; 2]> = self
+            .cells()
+            .flat_map(|cell| local.iter().map(|e| [cell[e[0]].min(cell[e[1]]), cell[e[0]].max(cell[e[1]])]))
+            .collect();
+        edges.sort_unstable();
+        edges.dedup();
+        self.coords.len() as i64 - edges.len() as i64 + self.cell_count() as i64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{cuboid_hex8, cuboid_tet4, rectangle_quad4};
+
+    #[test]
+    fn boundary_encloses_the_cells() {
+        let mesh = cuboid_tet4([0.0; 3], [1.0, 2.0, 3.0], [2, 3, 4]);
+        let surface = mesh.boundary();
+        assert_eq!(surface.cell_count(), 2 * 2 * (6 + 8 + 12));
+        assert!((surface.measure() - 6.0).abs() < 1e-13);
+        assert!(surface.boundary_faces().is_empty());
+        assert_eq!(surface.euler_characteristic(), 2);
+        let mesh = rectangle_quad4([0.0; 2], [2.0, 3.0], [4, 5]);
+        assert!((mesh.boundary().measure() - 6.0).abs() < 1e-13);
+        assert_eq!(mesh.boundary().cell_count(), 18);
+        assert_eq!(cuboid_hex8([0.0; 3], [1.0; 3], [2, 3, 4]).boundary_faces().len(), 52);
+    }
+}
