@@ -1,1 +1,37 @@
-//! The C ABI: checks, conversions and the panic boundary; no mechanics.
+//! The C ABI: checks, conversions and the panic boundary; no mechanics. `include/fmc_contact.h` is made from it.
+//!
+//! Every entry runs in [`boundary`]: a panic becomes a status, an error leaves its text behind, nothing is printed.
+//! Pointers become slices in [`pointer`] and [`view`], once, at the entry; ids, options and poses become the types of
+//! the crate in [`mesh`], [`options`] and [`pose`]; from there on it is safe Rust. A `Session` hides the dimension.
+//! Results are kept in the context as plain C structs until the next successful evaluation.
+//!
+//! The library has no state but two: the text of a thread's last error, and the panic hook (see [`boundary`]).
+
+// C names, so that a search for a name of the header finds it here.
+#![allow(non_camel_case_types)]
+// The functions are reached through their symbols, not through paths.
+#![allow(unreachable_pub)]
+// Whom a caller in C must obey is in the text of every function; "Safety" headings would go into the header.
+#![allow(clippy::missing_safety_doc)]
+
+mod boundary;
+mod context;
+mod creation;
+mod evaluation;
+mod failure;
+mod mesh;
+mod obstacle;
+mod option_keys;
+mod options;
+mod pointer;
+mod pose;
+mod session;
+mod signed_distance;
+mod stateless;
+mod status;
+mod stiffness;
+mod version;
+mod view;
+
+#[cfg(test)]
+mod tests;

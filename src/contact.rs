@@ -1,9 +1,11 @@
 //! Energy law, forces and their balance.
 
+mod balance;
 mod evaluation;
 mod forces;
 mod law;
 mod options;
+mod partners;
 mod stiffness;
 
 pub use evaluation::{Contact, contact_force};

@@ -1,14 +1,26 @@
 //! Cells, boundary facets, crossings of lines with them, and obstacles. No randomness here.
 
+pub(crate) mod aabb;
 mod cell;
-mod facet;
+pub(crate) mod cells;
+mod chord;
+mod closed;
+pub(crate) mod crossing;
+pub(crate) mod facet;
+mod inside;
+mod march;
 mod obstacle;
 mod pose;
 mod surface;
+pub(crate) mod tree;
 
+pub(crate) use chord::chord;
+pub(crate) use march::{Passage, Stretch, march};
 pub use cell::{Bodies, CellBlock, CellType};
+pub(crate) use facet::moment;
 pub use obstacle::{Obstacle, Shape, SignedDistance};
 pub use pose::Pose;
+pub(crate) use inside::cover_count;
 pub use surface::Surface;
 
 /// Point or vector of `D` components.

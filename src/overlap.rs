@@ -1,9 +1,23 @@
 //! Overlap volume and its gradient, by two estimators that return one type.
 
+mod assembly;
+mod bundle;
+mod clip;
 mod estimate;
+mod exact;
+mod fibers;
+mod implicit;
 mod options;
+mod region;
+mod resolution;
+mod side;
+mod solid;
+mod span;
 mod warning;
 
 pub use estimate::{FiberTrace, Overlap, Partner, PoseGradient};
+pub(crate) use exact::ExactPair;
+pub(crate) use fibers::FiberPair;
+pub(crate) use side::{FacetSide, ImplicitSide, Opponent, Views};
 pub use options::{Estimator, FiberOptions, LineWeights, Resolution};
 pub use warning::Warning;

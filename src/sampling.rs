@@ -1,5 +1,10 @@
-//! Where the fibers lie.
+//! Where the fibers lie: each is a pure function of (seed, family or stream, index).
 
+mod counter;
+mod family;
 mod pattern;
+mod segment;
 
+pub(crate) use family::Family;
 pub use pattern::FiberPattern;
+pub(crate) use segment::Segment;

@@ -1,6 +1,8 @@
 //! What an evaluation returns.
 
-use crate::overlap::{Partner, Warning};
+use super::EnergyLaw;
+use crate::geometry::{Surface, Vector, moment};
+use crate::overlap::{Overlap, Partner, Warning};
 
 /// Resultant on one body of the mesh or on one obstacle.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,4 +72,94 @@ pub struct ContactForces<const D: usize> {
     pub pairs: Vec<PairForces>,
     /// What the user should know.
     pub warnings: Vec<Warning>,
+}
+
+impl<const D: usize> ContactForces<D> {
+    /// Applies the law to every overlap and sums up, in the order of the pairs.
+    pub(crate) fn assemble(
+        surface: &Surface<D>,
+        obstacle_count: usize,
+        coords: &[[f64; D]],
+        law: &EnergyLaw,
+        overlaps: &[Overlap<D>],
+    ) -> Self {
+        let resultant = |id: i64, node_count: usize| Resultant { id, force: [0.0; D], moment: [0.0; 3], node_count };
+        let mut total = Self {
+            forces: vec![[0.0; D]; coords.len()],
+            volume: 0.0,
+            standard_error: 0.0,
+            energy: 0.0,
+            contact_area: 0.0,
+            penetration: 0.0,
+            fiber_count: 0,
+            crossing_count: 0,
+            facet_count: 0,
+            bodies: (surface.body_ids().iter().enumerate())
+                .map(|(body, &id)| resultant(id, surface.surface_node_count(body)))
+                .collect(),
+            obstacles: (0..obstacle_count).map(|o| resultant(o as i64, 0)).collect(),
+            pairs: Vec::with_capacity(overlaps.len()),
+            warnings: Vec::new(),
+        };
+        for overlap in overlaps {
+            total.add(coords, law, overlap);
+        }
+        total.standard_error = total.standard_error.sqrt();
+        total
+    }
+
+    fn add(&mut self, coords: &[[f64; D]], law: &EnergyLaw, overlap: &Overlap<D>) {
+        let pressure = law.energy_gradient(overlap.volume);
+        for ((&node, gradient), &of_b) in overlap.nodes.iter().zip(&overlap.gradient).zip(&overlap.of_b) {
+            let force = gradient * -pressure;
+            for axis in 0..D {
+                self.forces[node as usize][axis] += force[axis];
+            }
+            let x = Vector::from(coords[node as usize]);
+            self.resultant(if of_b { overlap.b } else { overlap.a }).add(&force, &moment(&x, &force));
+        }
+        if let Some(pose) = &overlap.pose_gradient {
+            let moment = pose.rotation.map(|m| -pressure * m);
+            self.resultant(overlap.b).add(&(pose.position * -pressure), &moment);
+        }
+        let pair = PairForces {
+            a: overlap.a,
+            b: overlap.b,
+            volume: overlap.volume,
+            standard_error: overlap.standard_error,
+            energy: law.energy(overlap.volume),
+            pressure,
+            contact_area: overlap.contact_area,
+            penetration: overlap.penetration,
+            spacing: overlap.spacing,
+        };
+        self.volume += pair.volume;
+        self.standard_error += pair.standard_error * pair.standard_error;
+        self.energy += pair.energy;
+        self.contact_area += pair.contact_area;
+        self.penetration = self.penetration.max(pair.penetration);
+        self.fiber_count += overlap.fiber_count;
+        self.crossing_count += overlap.crossing_count;
+        self.facet_count += overlap.facet_count;
+        self.pairs.push(pair);
+        self.warnings.extend(overlap.warnings.iter().cloned());
+    }
+
+    fn resultant(&mut self, partner: Partner) -> &mut Resultant<D> {
+        match partner {
+            Partner::Body(body) => &mut self.bodies[body],
+            Partner::Obstacle(obstacle) => &mut self.obstacles[obstacle],
+        }
+    }
+}
+
+impl<const D: usize> Resultant<D> {
+    fn add(&mut self, force: &Vector<D>, moment: &[f64; 3]) {
+        for axis in 0..D {
+            self.force[axis] += force[axis];
+        }
+        for (sum, m) in self.moment.iter_mut().zip(moment) {
+            *sum += m;
+        }
+    }
 }

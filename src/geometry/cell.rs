@@ -23,20 +23,6 @@ pub enum CellType {
     Hex8,
 }
 
-/// A corner node and the three it is joined to by edges, in the order that gives a positive triple product.
-type HexCorner = (usize, [usize; 3]);
-
-const HEX_CORNERS: [HexCorner; 8] = [
-    (0, [1, 3, 4]),
-    (1, [2, 0, 5]),
-    (2, [3, 1, 6]),
-    (3, [0, 2, 7]),
-    (4, [7, 5, 0]),
-    (5, [4, 6, 1]),
-    (6, [5, 7, 2]),
-    (7, [6, 4, 3]),
-];
-
 impl CellType {
     /// Dimension of the space that the cell fills, 2 or 3.
     pub fn dimension(self) -> usize {
@@ -68,13 +54,22 @@ impl CellType {
         }
     }
 
-    /// For every corner, the nodes whose edges from it span the corner's Jacobian (`[corner, neighbour; dimension]`).
-    pub(crate) fn corners(self) -> Vec<Vec<usize>> {
+    /// For every corner, its node and those whose edges from it span the corner's Jacobian, D + 1 in all.
+    pub(crate) fn corners(self) -> &'static [&'static [usize]] {
         match self {
-            CellType::Tri3 => vec![vec![0, 1, 2]],
-            CellType::Quad4 => (0..4).map(|i| vec![i, (i + 1) % 4, (i + 3) % 4]).collect(),
-            CellType::Tet4 => vec![vec![0, 1, 2, 3]],
-            CellType::Hex8 => HEX_CORNERS.iter().map(|(c, n)| vec![*c, n[0], n[1], n[2]]).collect(),
+            CellType::Tri3 => &[&[0, 1, 2]],
+            CellType::Quad4 => &[&[0, 1, 3], &[1, 2, 0], &[2, 3, 1], &[3, 0, 2]],
+            CellType::Tet4 => &[&[0, 1, 2, 3]],
+            CellType::Hex8 => &[
+                &[0, 1, 3, 4],
+                &[1, 2, 0, 5],
+                &[2, 3, 1, 6],
+                &[3, 0, 2, 7],
+                &[4, 7, 5, 0],
+                &[5, 4, 6, 1],
+                &[6, 5, 7, 2],
+                &[7, 6, 4, 3],
+            ],
         }
     }
 }

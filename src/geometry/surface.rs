@@ -1,25 +1,195 @@
 //! Boundary facets of bodies.
 
-use super::{Bodies, CellBlock};
+use super::cells::{Cells, Components, check_nodes, sorted_ids};
+use super::closed::check_closed;
+use super::{Bodies, CellBlock, Vector, facet::area_vector};
 use crate::Error;
+use std::ops::Range;
 
 /// Boundary facets of the bodies of a mesh, oriented outwards. Topology only: coordinates are not kept.
+///
+/// Facets have *vertices*: the nodes on the surface and, for quadrilateral faces, the face centroid (mean of the four
+/// nodes), about which such a face is split into four triangles.
 #[derive(Clone, Debug)]
 pub struct Surface<const D: usize> {
     node_count: usize,
+    body_ids: Vec<i64>,
+    /// Node of every vertex that is a node, ascending.
+    pub(crate) nodes: Vec<u32>,
+    /// The four vertices whose mean is vertex `nodes.len() + i`.
+    pub(crate) centroids: Vec<[u32; 4]>,
+    /// Vertices of the facets, body after body.
+    pub(crate) facets: Vec<[u32; D]>,
+    /// Facets of every body.
+    pub(crate) ranges: Vec<Range<usize>>,
+    /// Cell of every facet; empty for surfaces given directly.
+    pub(crate) facet_cell: Vec<u32>,
+    /// Number of surface nodes of every body.
+    node_counts: Vec<usize>,
+    /// Cells, where the surface was made from them.
+    pub(crate) cells: Option<Cells>,
 }
 
 impl<const D: usize> Surface<D> {
     /// Boundary of the cells of `blocks`, at node coordinates `coords`, `[node_count, D]`.
+    ///
+    /// A face that belongs to one cell, or to two of different bodies, is boundary. Coordinates serve to tell inside
+    /// from outside: each connected group of cells is turned so that its volume is positive.
+    ///
+    /// # Errors
+    /// [`Error::Empty`], [`Error::Dimension`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
+    /// [`Error::NonFiniteCoordinate`], [`Error::NonManifold`] (more than two cells at a face),
+    /// [`Error::InconsistentOrientation`], [`Error::InvertedCell`], [`Error::ZeroMeasure`].
     pub fn from_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
-        let _ = (blocks, bodies);
-        Ok(Self { node_count: coords.len() })
+        let mut cells = Cells::new::<D>(coords.len(), blocks)?;
+        check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))?;
+        let body_ids = cells.connect(coords, bodies)?;
+        let mut faces: Vec<(u32, u32, Vec<u32>)> = Vec::new();
+        for cell in 0..cells.len() {
+            for face in (0..8).filter(|face| cells.boundary[cell] >> face & 1 == 1) {
+                faces.push((cells.body[cell], cell as u32, cells.face_nodes(cell, face)));
+            }
+        }
+        faces.sort_by_key(|(body, _, _)| *body);
+        let mut surface = Self::empty(coords.len(), body_ids, faces.iter().flat_map(|f| f.2.iter().copied()));
+        for (body, cell, face) in &faces {
+            let vertices: Vec<u32> = face.iter().map(|&n| surface.vertex_of(n)).collect();
+            if let Ok(facet) = <[u32; D]>::try_from(vertices.as_slice()) {
+                surface.push(*body, *cell, facet);
+            } else {
+                let centroid = (surface.nodes.len() + surface.centroids.len()) as u32;
+                surface.centroids.push(std::array::from_fn(|k| vertices[k]));
+                for k in 0..4 {
+                    let corners = [vertices[k], vertices[(k + 1) % 4], centroid];
+                    surface.push(*body, *cell, std::array::from_fn(|c| corners[c]));
+                }
+            }
+        }
+        surface.count_nodes();
+        surface.cells = Some(cells);
+        Ok(surface)
     }
 
-    /// Surface given directly.
+    /// Surface given directly: edges with the body on their left (2D), triangles counter-clockwise seen from outside
+    /// (3D), closed. With [`Bodies::Connected`], a cavity (a component with negative volume) belongs to the smallest
+    /// body around it.
+    ///
+    /// # Errors
+    /// [`Error::Empty`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
+    /// [`Error::NonFiniteCoordinate`], [`Error::ZeroMeasure`], [`Error::OpenSurface`], [`Error::NonManifold`],
+    /// [`Error::InconsistentOrientation`], [`Error::InvertedSurface`].
     pub fn from_facets(coords: &[[f64; D]], facets: &[[u32; D]], bodies: Bodies) -> Result<Self, Error> {
-        let _ = (facets, bodies);
-        Ok(Self { node_count: coords.len() })
+        if facets.is_empty() {
+            return Err(Error::Empty);
+        }
+        for (facet, nodes) in facets.iter().enumerate() {
+            check_nodes(facet, nodes, coords.len())?;
+        }
+        check_finite(coords, facets.iter().flatten().copied())?;
+        for (facet, nodes) in facets.iter().enumerate() {
+            let x: [Vector<D>; D] = nodes.map(|n| coords[n as usize].into());
+            let size = super::aabb::Aabb::of(&x).extent().amax();
+            if area_vector(&x).norm() <= 1e-14 * size.powi(D as i32 - 1) {
+                return Err(Error::ZeroMeasure { cell: facet });
+            }
+        }
+        let labels: Vec<i64> = match bodies {
+            Bodies::Connected => connected_labels(coords, facets),
+            Bodies::Ids(ids) if ids.len() == facets.len() => ids.to_vec(),
+            Bodies::Ids(ids) => {
+                return Err(Error::Length { array: "body_ids", expected: facets.len(), found: ids.len() });
+            }
+        };
+        check_closed(facets, &labels)?;
+        let body_ids = sorted_ids(&labels);
+        let mut order: Vec<usize> = (0..facets.len()).collect();
+        order.sort_by_key(|&f| labels[f]);
+        let mut surface = Self::empty(coords.len(), body_ids, facets.iter().flatten().copied());
+        for facet in order {
+            let body = surface.body_ids.partition_point(|&id| id < labels[facet]) as u32;
+            let vertices = facets[facet].map(|n| surface.vertex_of(n));
+            surface.push(body, facet as u32, vertices);
+        }
+        surface.facet_cell.clear();
+        surface.count_nodes();
+        let points = surface.points(coords);
+        for (body, range) in surface.ranges.iter().enumerate() {
+            if enclosed_volume(&surface.facets[range.clone()], &points) < 0.0 {
+                return Err(Error::InvertedSurface { body: surface.body_ids[body] });
+            }
+        }
+        Ok(surface)
+    }
+
+    fn empty(node_count: usize, body_ids: Vec<i64>, nodes: impl Iterator<Item = u32>) -> Self {
+        let mut nodes: Vec<u32> = nodes.collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        Self {
+            node_count,
+            ranges: vec![0..0; body_ids.len()],
+            body_ids,
+            nodes,
+            centroids: Vec::new(),
+            facets: Vec::new(),
+            facet_cell: Vec::new(),
+            node_counts: Vec::new(),
+            cells: None,
+        }
+    }
+
+    fn count_nodes(&mut self) {
+        let node = |&v: &u32| (v as usize) < self.nodes.len();
+        let count = |range: &Range<usize>| {
+            let mut nodes: Vec<u32> = self.facets[range.clone()].iter().flatten().copied().filter(node).collect();
+            nodes.sort_unstable();
+            nodes.dedup();
+            nodes.len()
+        };
+        self.node_counts = self.ranges.iter().map(count).collect();
+    }
+
+    /// Vertex of a node that is known to lie on the surface.
+    fn vertex_of(&self, node: u32) -> u32 {
+        self.nodes.partition_point(|&n| n < node) as u32
+    }
+
+    fn push(&mut self, body: u32, cell: u32, facet: [u32; D]) {
+        let range = &mut self.ranges[body as usize];
+        if range.start == range.end {
+            range.start = self.facets.len();
+        }
+        range.end = self.facets.len() + 1;
+        self.facets.push(facet);
+        self.facet_cell.push(cell);
+    }
+
+    /// Positions of the vertices at `coords`.
+    pub(crate) fn points(&self, coords: &[[f64; D]]) -> Vec<Vector<D>> {
+        let mut points = Vec::with_capacity(self.nodes.len() + self.centroids.len());
+        points.extend(self.nodes.iter().map(|&n| Vector::<D>::from(coords[n as usize])));
+        for four in &self.centroids {
+            // In the order of node numbers: the same bits from either side of a face.
+            let mut four = *four;
+            four.sort_unstable();
+            let sum = four.iter().fold(Vector::zeros(), |s, &v| s + points[v as usize]);
+            points.push(sum * 0.25);
+        }
+        points
+    }
+
+    /// Checks that coordinates fit and are finite, and on demand that no cell is inverted.
+    pub(crate) fn check(&self, coords: &[[f64; D]], check_cells: bool) -> Result<(), Error> {
+        if coords.len() != self.node_count {
+            return Err(Error::Length { array: "coords", expected: self.node_count, found: coords.len() });
+        }
+        match &self.cells {
+            Some(cells) if check_cells => {
+                check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))?;
+                cells.check(coords)
+            }
+            _ => check_finite(coords, self.nodes.iter().copied()),
+        }
     }
 
     /// Number of nodes of the whole mesh: the length that coordinates must have.
@@ -27,23 +197,103 @@ impl<const D: usize> Surface<D> {
         self.node_count
     }
 
-    /// Number of facets.
+    /// Number of nodes on the surface of a body.
+    pub fn surface_node_count(&self, body: usize) -> usize {
+        self.node_counts[body]
+    }
+
+    /// Number of facets; a quadrilateral face counts as four.
     pub fn facet_count(&self) -> usize {
-        todo!()
+        self.facets.len()
     }
 
     /// Number of bodies.
     pub fn body_count(&self) -> usize {
-        todo!()
+        self.body_ids.len()
     }
 
     /// Ids of the bodies, ascending.
     pub fn body_ids(&self) -> &[i64] {
-        todo!()
+        &self.body_ids
     }
 
-    /// Nodes of the facets, by body: `(body index, nodes)`; a quadrilateral face of a `Hex8` appears once.
+    /// Faces of the surface as nodes, with the index of their body; a quadrilateral face appears once, with four nodes.
     pub fn faces(&self) -> Vec<(usize, Vec<u32>)> {
-        todo!()
+        let mut faces = Vec::new();
+        for (body, range) in self.ranges.iter().enumerate() {
+            for facet in &self.facets[range.clone()] {
+                match facet.map(|v| self.nodes.get(v as usize).copied()) {
+                    nodes if nodes.iter().all(Option::is_some) => {
+                        faces.push((body, nodes.iter().flatten().copied().collect()));
+                    }
+                    // The first of the four triangles about a centroid stands for the face.
+                    _ => {
+                        let four = self.centroids[facet[D - 1] as usize - self.nodes.len()];
+                        if facet[0] == four[0] {
+                            faces.push((body, four.iter().map(|&v| self.nodes[v as usize]).collect()));
+                        }
+                    }
+                }
+            }
+        }
+        faces
     }
+}
+
+/// Volume enclosed by closed, oriented facets.
+pub(crate) fn enclosed_volume<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>]) -> f64 {
+    let origin = facets.first().map_or(Vector::zeros(), |f| points[f[0] as usize]);
+    let moment = |f: &[u32; D]| {
+        let x = f.map(|v| points[v as usize] - origin);
+        area_vector(&x).dot(&x[0])
+    };
+    facets.iter().map(moment).sum::<f64>() / D as f64
+}
+
+/// Number of the component of each facet, with cavities given to the smallest body around them.
+fn connected_labels<const D: usize>(coords: &[[f64; D]], facets: &[[u32; D]]) -> Vec<i64> {
+    let mut groups = Components::new(coords.len());
+    for facet in facets {
+        for &node in &facet[1..] {
+            groups.join(facet[0], node, false);
+        }
+    }
+    let roots: Vec<u32> = facets.iter().map(|f| groups.find(f[0]).0).collect();
+    let mut numbers: Vec<u32> = Vec::new();
+    let mut component = vec![u32::MAX; coords.len()];
+    let mut members: Vec<Vec<[u32; D]>> = Vec::new();
+    for (facet, &root) in facets.iter().zip(&roots) {
+        let number = &mut component[root as usize];
+        if *number == u32::MAX {
+            *number = members.len() as u32;
+            members.push(Vec::new());
+        }
+        members[*number as usize].push(*facet);
+        numbers.push(*number);
+    }
+    let points: Vec<Vector<D>> = coords.iter().map(|&x| x.into()).collect();
+    let volumes: Vec<f64> = members.iter().map(|m| enclosed_volume(m, &points)).collect();
+    let owner: Vec<i64> = (0..members.len())
+        .map(|c| {
+            let x = points[members[c][0][0] as usize];
+            let around = |o: &usize| volumes[*o] > -volumes[c] && super::inside::cover_count(&members[*o], &points, &x) > 0;
+            match volumes[c] {
+                v if v >= 0.0 => c as i64,
+                _ => (0..members.len())
+                    .filter(around)
+                    .min_by(|&p, &q| volumes[p].total_cmp(&volumes[q]))
+                    .map_or(c as i64, |o| o as i64),
+            }
+        })
+        .collect();
+    numbers.iter().map(|&n| owner[n as usize]).collect()
+}
+
+fn check_finite<const D: usize>(coords: &[[f64; D]], nodes: impl Iterator<Item = u32>) -> Result<(), Error> {
+    for node in nodes {
+        if let Some(axis) = coords[node as usize].iter().position(|x| !x.is_finite()) {
+            return Err(Error::NonFiniteCoordinate { node: node as usize, axis });
+        }
+    }
+    Ok(())
 }

@@ -48,6 +48,8 @@ pub struct Overlap<const D: usize> {
     pub nodes: Vec<u32>,
     /// ∂V/∂x of those nodes.
     pub gradient: Vec<Vector<D>>,
+    /// Whether those nodes belong to the second side.
+    pub of_b: Vec<bool>,
     /// ∂V/∂pose where `b` is an obstacle.
     pub pose_gradient: Option<PoseGradient<D>>,
     /// Half of the measure of the overlap's boundary: the area of contact where it is thin.

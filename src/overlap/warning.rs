@@ -50,3 +50,13 @@ impl fmt::Display for Warning {
         }
     }
 }
+
+/// A body that lies inside the other, told by how much boundary each side of a pair contributes to their overlap.
+pub(super) fn swallowed(a: Partner, b: Partner, areas: [f64; 2]) -> Option<Warning> {
+    match areas {
+        _ if a == b => None,
+        [of_a, 0.0] if of_a > 0.0 => Some(Warning::SwallowedBody { inner: a, outer: b }),
+        [0.0, of_b] if of_b > 0.0 => Some(Warning::SwallowedBody { inner: b, outer: a }),
+        _ => None,
+    }
+}

@@ -1,0 +1,280 @@
+//! What an evaluation found, as plain structs, and the getters that hand it out.
+
+use super::boundary::entry;
+use super::context::{fmc_context, read};
+use super::failure::{Failure, c_text};
+use super::pointer::Output;
+use super::status::fmc_status;
+use super::status::fmc_status::FMC_ERROR_INDEX_OUT_OF_RANGE;
+use crate::Warning;
+use crate::contact::{ContactForces, PairForces, Resultant};
+use crate::overlap::Partner;
+use std::ffi::{CString, c_char};
+
+/// What an evaluation says beside the forces. Units follow from the coordinates and the stiffness: with m and Pa,
+/// volumes are m^3 (2D: m^2), areas m^2 (m), energies J (J/m) and forces N (N/m).
+///
+/// The struct keeps its size while fields are added in place of reserved ones.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_result {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// Overlap volume (2D: area), summed over the pairs.
+    pub volume: f64,
+    /// Standard error of the volume; 0 for `exact`.
+    pub volume_standard_error: f64,
+    /// Contact energy, summed over the pairs.
+    pub energy: f64,
+    /// Area of contact (2D: length), summed over the pairs.
+    pub contact_area: f64,
+    /// Largest penetration of any pair.
+    pub penetration: f64,
+    /// Fibers laid.
+    pub fiber_count: usize,
+    /// Crossings that bound an overlap.
+    pub crossing_count: usize,
+    /// Facets that bound an overlap.
+    pub facet_count: usize,
+    /// Overlapping pairs, for `fmc_context_pair`.
+    pub pair_count: usize,
+    /// Bodies, for `fmc_context_body`.
+    pub body_count: usize,
+    /// Obstacles, for `fmc_context_obstacle`.
+    pub obstacle_count: usize,
+    /// Warnings, for `fmc_context_warning`.
+    pub warning_count: usize,
+    /// Zero.
+    pub reserved: [u64; 8],
+}
+
+/// Contact force and moment on one body or obstacle.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_resultant {
+    /// Id of the body as given, or its number among the connected components; index of the obstacle.
+    pub id: i64,
+    /// Sum of the forces; in 2D the last entry is 0.
+    pub force: [f64; 3],
+    /// Moment of the forces about the origin of space; in 2D only the last entry differs from 0.
+    pub moment: [f64; 3],
+    /// Nodes on the body's surface; 0 for an obstacle.
+    pub node_count: usize,
+}
+
+/// Kind of a partner.
+#[repr(C)]
+pub enum fmc_partner {
+    /// A body of the mesh.
+    FMC_PARTNER_BODY = 0,
+    /// An obstacle.
+    FMC_PARTNER_OBSTACLE = 1,
+}
+
+/// One overlapping pair; no side is master or slave.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_pair {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// First side: a value of `fmc_partner`.
+    pub a_kind: i32,
+    /// Second side: a value of `fmc_partner`.
+    pub b_kind: i32,
+    /// First side: index for `fmc_context_body` or `fmc_context_obstacle`.
+    pub a: usize,
+    /// Second side; the same as the first for a body that overlaps itself.
+    pub b: usize,
+    /// Overlap volume (2D: area).
+    pub volume: f64,
+    /// Standard error of the volume; 0 for `exact`.
+    pub volume_standard_error: f64,
+    /// Energy.
+    pub energy: f64,
+    /// Traction dw/dV.
+    pub pressure: f64,
+    /// Area of contact (2D: length).
+    pub contact_area: f64,
+    /// Extent of the overlap along its mean normal.
+    pub penetration: f64,
+    /// Spacing of the fibers; 0 for `exact`. Given back as the option `spacing`, it keeps the pattern.
+    pub spacing: f64,
+    /// Zero.
+    pub reserved: [u64; 8],
+}
+
+/// Kind of a warning.
+#[repr(C)]
+pub enum fmc_warning {
+    /// The fibers are further apart than the facets in contact are wide: nodal forces are noisy.
+    FMC_WARNING_COARSE_FIBERS = 1,
+    /// Only a few fibers met the overlap: it is thinner or smaller than they resolve.
+    FMC_WARNING_UNRESOLVED_OVERLAP = 2,
+    /// One body lies inside the other and is not pushed out.
+    FMC_WARNING_SWALLOWED_BODY = 3,
+}
+
+fn warning_code(warning: &Warning) -> i32 {
+    let code = match warning {
+        Warning::CoarseFibers { .. } => fmc_warning::FMC_WARNING_COARSE_FIBERS,
+        Warning::UnresolvedOverlap { .. } => fmc_warning::FMC_WARNING_UNRESOLVED_OVERLAP,
+        Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
+    };
+    code as i32
+}
+
+/// What an evaluation found, beside the forces.
+#[derive(Debug, Default)]
+pub(super) struct Evaluation {
+    pub(super) result: fmc_result,
+    bodies: Vec<fmc_resultant>,
+    obstacles: Vec<fmc_resultant>,
+    pairs: Vec<fmc_pair>,
+    pub(super) warnings: Vec<(i32, CString)>,
+}
+
+impl<const D: usize> From<&ContactForces<D>> for Evaluation {
+    fn from(forces: &ContactForces<D>) -> Self {
+        Self {
+            result: fmc_result {
+                struct_size: size_of::<fmc_result>(),
+                volume: forces.volume,
+                volume_standard_error: forces.standard_error,
+                energy: forces.energy,
+                contact_area: forces.contact_area,
+                penetration: forces.penetration,
+                fiber_count: forces.fiber_count,
+                crossing_count: forces.crossing_count,
+                facet_count: forces.facet_count,
+                pair_count: forces.pairs.len(),
+                body_count: forces.bodies.len(),
+                obstacle_count: forces.obstacles.len(),
+                warning_count: forces.warnings.len(),
+                reserved: [0; 8],
+            },
+            bodies: forces.bodies.iter().map(resultant).collect(),
+            obstacles: forces.obstacles.iter().map(resultant).collect(),
+            pairs: forces.pairs.iter().map(pair).collect(),
+            warnings: forces.warnings.iter().map(|w| (warning_code(w), c_text(&w.to_string()))).collect(),
+        }
+    }
+}
+
+fn resultant<const D: usize>(found: &Resultant<D>) -> fmc_resultant {
+    let mut force = [0.0; 3];
+    force[..D].copy_from_slice(&found.force);
+    fmc_resultant { id: found.id, force, moment: found.moment, node_count: found.node_count }
+}
+
+fn pair(found: &PairForces) -> fmc_pair {
+    let side = |partner| match partner {
+        Partner::Body(index) => (fmc_partner::FMC_PARTNER_BODY as i32, index),
+        Partner::Obstacle(index) => (fmc_partner::FMC_PARTNER_OBSTACLE as i32, index),
+    };
+    let ((a_kind, a), (b_kind, b)) = (side(found.a), side(found.b));
+    fmc_pair {
+        struct_size: size_of::<fmc_pair>(),
+        a_kind,
+        b_kind,
+        a,
+        b,
+        volume: found.volume,
+        volume_standard_error: found.standard_error,
+        energy: found.energy,
+        pressure: found.pressure,
+        contact_area: found.contact_area,
+        penetration: found.penetration,
+        spacing: found.spacing,
+        reserved: [0; 8],
+    }
+}
+
+/// Writes the entry of a list of the last evaluation.
+///
+/// # Safety
+/// The host guarantees the context, and that `output` may be written.
+unsafe fn hand_out<T: Copy>(
+    context: *const fmc_context,
+    what: &str,
+    index: usize,
+    output: *mut T,
+    list: impl FnOnce(&Evaluation) -> &[T],
+) -> fmc_status {
+    entry(|| {
+        let output = Output::required(what, output)?;
+        // SAFETY: passed on to the caller.
+        let state = unsafe { read(context) }?;
+        let list = list(&state.evaluation);
+        let found = *list.get(index).ok_or_else(|| out_of_range(what, index, list.len()))?;
+        // SAFETY: passed on to the caller.
+        unsafe { output.write(found) };
+        Ok(())
+    })
+}
+
+fn out_of_range(what: &str, index: usize, count: usize) -> Failure {
+    let text = format!("there is no {what} {index} in the last evaluation, only {count}");
+    Failure::new(FMC_ERROR_INDEX_OUT_OF_RANGE, text)
+}
+
+/// Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
+///
+/// `index` counts from 0 to `body_count` of `fmc_result`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_BUSY`. Threads: several at once on one
+/// context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_body(
+    context: *const fmc_context,
+    index: usize,
+    body: *mut fmc_resultant,
+) -> fmc_status {
+    // SAFETY: the host passes a context and an output.
+    unsafe { hand_out(context, "body", index, body, |evaluation| &evaluation.bodies) }
+}
+
+/// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_obstacle(
+    context: *const fmc_context,
+    index: usize,
+    obstacle: *mut fmc_resultant,
+) -> fmc_status {
+    // SAFETY: the host passes a context and an output.
+    unsafe { hand_out(context, "obstacle", index, obstacle, |evaluation| &evaluation.obstacles) }
+}
+
+/// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_pair(
+    context: *const fmc_context,
+    index: usize,
+    pair: *mut fmc_pair,
+) -> fmc_status {
+    // SAFETY: the host passes a context and an output.
+    unsafe { hand_out(context, "pair", index, pair, |evaluation| &evaluation.pairs) }
+}
+
+/// One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
+/// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_warning(
+    context: *const fmc_context,
+    index: usize,
+    code: *mut i32,
+    text: *mut *const c_char,
+) -> fmc_status {
+    entry(|| {
+        let (code, text) = (Output::optional("code", code)?, Output::optional("text", text)?);
+        // SAFETY: the host passes a context.
+        let state = unsafe { read(context) }?;
+        let warnings = &state.evaluation.warnings;
+        let found = warnings.get(index).ok_or_else(|| out_of_range("warning", index, warnings.len()))?;
+        // SAFETY: the outputs, where given, may be written.
+        unsafe {
+            code.write(found.0);
+            text.write(found.1.as_ptr());
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,262 @@
+//! Rigid partners.
+
+use super::boundary::entry;
+use super::context::{fmc_context, write};
+use super::failure::Failure;
+use super::mesh::{Numbering, rows};
+use super::pointer::{Output, check, optional, reference, slice};
+use super::pose::fmc_pose;
+use super::signed_distance::{Callback, fmc_signed_distance};
+use super::status::fmc_status;
+use super::status::fmc_status::FMC_ERROR_NULL_POINTER;
+use super::view::fmc_coords;
+use crate::Shape;
+use std::ffi::c_void;
+use std::sync::Arc;
+
+/// A shape as the host gives it, before its dimension is known.
+pub(super) enum ShapeOf {
+    HalfSpace,
+    Ball { radius: f64 },
+    Cuboid { half_extents: *const f64 },
+    Cylinder { radius: f64, half_height: f64 },
+    Cone { radius: f64, half_height: f64 },
+    Capsule { radius: f64, half_height: f64 },
+    Polytope { points: fmc_coords, facets: Facets, facet_count: usize },
+    SignedDistance(Callback),
+}
+
+/// Node numbers of either width.
+pub(super) enum Facets {
+    Narrow(*const i32),
+    Wide(*const i64),
+}
+
+impl ShapeOf {
+    /// The shape in D dimensions.
+    ///
+    /// # Safety
+    /// The host guarantees D half extents, the points, and D numbers per facet.
+    pub(super) unsafe fn in_dimension<const D: usize>(self, index_base: i32) -> Result<Shape<D>, Failure> {
+        Ok(match self {
+            ShapeOf::HalfSpace => Shape::HalfSpace,
+            ShapeOf::Ball { radius } => Shape::Ball { radius },
+            ShapeOf::Cuboid { half_extents } => {
+                // SAFETY: passed on to the caller.
+                let given = unsafe { slice("half_extents", half_extents, D, 1) }?;
+                Shape::Cuboid { half_extents: std::array::from_fn(|axis| given[axis]) }
+            }
+            ShapeOf::Cylinder { radius, half_height } => Shape::Cylinder { radius, half_height },
+            ShapeOf::Cone { radius, half_height } => Shape::Cone { radius, half_height },
+            ShapeOf::Capsule { radius, half_height } => Shape::Capsule { radius, half_height },
+            ShapeOf::Polytope { points, facets, facet_count } => {
+                let numbering = Numbering { index_base, node_count: points.node_count };
+                // SAFETY: passed on to the caller.
+                let (points, facets) = unsafe {
+                    let points = points.rows("points", &mut Vec::new())?.to_vec();
+                    let facets = match facets {
+                        Facets::Narrow(ids) => numbering.zero_based(slice("facets", ids, facet_count, D)?, D, 0)?,
+                        Facets::Wide(ids) => numbering.zero_based(slice("facets", ids, facet_count, D)?, D, 0)?,
+                    };
+                    (points, facets)
+                };
+                Shape::Polytope { points, facets: rows(&facets) }
+            }
+            ShapeOf::SignedDistance(callback) => Shape::SignedDistance(Arc::new(callback)),
+        })
+    }
+}
+
+/// Adds an obstacle and writes its index.
+///
+/// # Safety
+/// The host guarantees the context, the pose if it is not NULL, the shape's arrays, and the output if it is not NULL.
+unsafe fn add(
+    context: *mut fmc_context,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+    shape: impl FnOnce() -> Result<ShapeOf, Failure>,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            write(context, |state| {
+                let output = Output::optional("obstacle", obstacle)?;
+                let pose = optional("pose", pose)?.copied().unwrap_or_default();
+                let index = state.session.add_obstacle(shape()?, pose, state.index_base)?;
+                output.write(index);
+                Ok(())
+            })
+        }
+    })
+}
+
+/// Adds a half-space: all points of its frame whose last coordinate is at most 0. `fmc_pose_along` places it by a point
+/// and its outward normal.
+///
+/// An obstacle meets every body of the mesh, but no other obstacle. `pose` may be NULL for the origin; `obstacle`, which
+/// may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_half_space(
+    context: *mut fmc_context,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::HalfSpace)) }
+}
+
+/// Adds a ball (2D: a disc) about the origin of its frame. Otherwise as `fmc_context_add_half_space`; also
+/// `FMC_ERROR_NOT_POSITIVE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_ball(
+    context: *mut fmc_context,
+    radius: f64,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::Ball { radius })) }
+}
+
+/// Adds a box about the origin of its frame; `half_extents` are `dim` halves of its sides. Otherwise as
+/// `fmc_context_add_ball`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_cuboid(
+    context: *mut fmc_context,
+    half_extents: *const f64,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, `dim` numbers, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::Cuboid { half_extents })) }
+}
+
+/// Adds a cylinder (2D: a rectangle) about the last axis of its frame, centred. Otherwise as `fmc_context_add_ball`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_cylinder(
+    context: *mut fmc_context,
+    radius: f64,
+    half_height: f64,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::Cylinder { radius, half_height })) }
+}
+
+/// Adds a cone (2D: a triangle) about the last axis of its frame: apex at +half_height, base of the given radius at
+/// -half_height. Otherwise as `fmc_context_add_ball`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_cone(
+    context: *mut fmc_context,
+    radius: f64,
+    half_height: f64,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::Cone { radius, half_height })) }
+}
+
+/// Adds a capsule (2D: a stadium): all points within `radius` of the segment from -half_height to +half_height on the
+/// last axis of its frame. Otherwise as `fmc_context_add_ball`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_capsule(
+    context: *mut fmc_context,
+    radius: f64,
+    half_height: f64,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::Capsule { radius, half_height })) }
+}
+
+/// Adds a closed polygon (2D) or triangle mesh (3D), which is copied.
+///
+/// `points` are its corners, in its frame; `facets`, (facet_count, dim), are numbers of corners counted from the option
+/// `index_base`: in 2D the body lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside.
+///
+/// Errors: those of `fmc_context_add_half_space` and of `fmc_context_new_from_facets`. Threads: one call at a time on a
+/// context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_polytope(
+    context: *mut fmc_context,
+    points: *const fmc_coords,
+    facets: *const i32,
+    facet_count: usize,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, both arrays, a pose or NULL, and an output or NULL.
+    unsafe {
+        add(context, pose, obstacle, || {
+            let points = *reference("points", points)?;
+            Ok(ShapeOf::Polytope { points, facets: Facets::Narrow(facets), facet_count })
+        })
+    }
+}
+
+/// `fmc_context_add_polytope` with 64-bit numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_polytope_i64(
+    context: *mut fmc_context,
+    points: *const fmc_coords,
+    facets: *const i64,
+    facet_count: usize,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, both arrays, a pose or NULL, and an output or NULL.
+    unsafe {
+        add(context, pose, obstacle, || {
+            let points = *reference("points", points)?;
+            Ok(ShapeOf::Polytope { points, facets: Facets::Wide(facets), facet_count })
+        })
+    }
+}
+
+/// Adds a body given by its signed distance; `user` is handed to the callback, and both must outlive the context. They
+/// are used on whichever thread evaluates it. Only the estimator `fibers` can meet such a body.
+///
+/// Errors: those of `fmc_context_add_half_space`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_signed_distance(
+    context: *mut fmc_context,
+    callback: fmc_signed_distance,
+    user: *mut c_void,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, a callback that keeps to its contract, a pose or NULL, and an output or NULL.
+    unsafe {
+        add(context, pose, obstacle, || {
+            let function = callback.ok_or_else(|| Failure::new(FMC_ERROR_NULL_POINTER, "'callback' is NULL"))?;
+            Ok(ShapeOf::SignedDistance(Callback { function, user }))
+        })
+    }
+}
+
+/// Moves an obstacle. The last evaluation stays as it is.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads:
+/// one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_pose(
+    context: *mut fmc_context,
+    obstacle: usize,
+    pose: *const fmc_pose,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and a pose.
+        unsafe {
+            write(context, |state| {
+                check("pose", pose)?;
+                state.session.set_pose(obstacle, *reference("pose", pose)?)
+            })
+        }
+    })
+}

@@ -1,0 +1,108 @@
+//! A mesh in contact, with its dimension hidden.
+
+use super::evaluation::Evaluation;
+use super::failure::Failure;
+use super::obstacle::ShapeOf;
+use super::pose::fmc_pose;
+use super::status::fmc_status::{FMC_ERROR_DIMENSION, FMC_ERROR_OVERFLOW};
+use super::view::{check_node_count, fmc_coords, fmc_forces};
+use crate::{Contact, Obstacle, Options, Pose, Surface};
+
+/// 2 or 3.
+pub(super) fn checked_dimension(dim: i32) -> Result<usize, Failure> {
+    match dim {
+        2 | 3 => Ok(dim as usize),
+        _ => Err(Failure::new(FMC_ERROR_DIMENSION, format!("the dimension is {dim}, not 2 or 3"))),
+    }
+}
+
+/// Number of nodes, facets and bodies.
+pub(super) struct Counts {
+    pub(super) nodes: usize,
+    pub(super) facets: usize,
+    pub(super) bodies: usize,
+}
+
+/// [`Contact`] in either dimension. `Send` and `Sync`, since the header lets a context wander between threads.
+pub(super) trait Session: Send + Sync {
+    fn counts(&self) -> Counts;
+    fn set_options(&mut self, options: Options) -> Result<(), Failure>;
+    fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure>;
+
+    /// Adds an obstacle and returns its index.
+    ///
+    /// # Safety
+    /// The host guarantees the arrays of the shape.
+    unsafe fn add_obstacle(&mut self, shape: ShapeOf, pose: fmc_pose, index_base: i32) -> Result<usize, Failure>;
+
+    /// Evaluates, and writes the forces (if asked for) when all has gone well.
+    ///
+    /// # Safety
+    /// The host guarantees both views.
+    unsafe fn evaluate(
+        &mut self,
+        coords: &fmc_coords,
+        forces: Option<&fmc_forces>,
+        add: bool,
+        index_base: i32,
+    ) -> Result<Evaluation, Failure>;
+}
+
+/// A contact, and room for coordinates that do not lie in dense rows.
+pub(super) struct Resident<const D: usize> {
+    contact: Contact<D>,
+    scratch: Vec<[f64; D]>,
+}
+
+impl<const D: usize> Resident<D> {
+    pub(super) fn new(surface: Surface<D>, options: Options) -> Result<Self, Failure> {
+        Ok(Self { contact: Contact::new(surface, options)?, scratch: Vec::new() })
+    }
+}
+
+impl<const D: usize> Session for Resident<D> {
+    fn counts(&self) -> Counts {
+        let surface = self.contact.surface();
+        Counts { nodes: surface.node_count(), facets: surface.facet_count(), bodies: surface.body_count() }
+    }
+
+    fn set_options(&mut self, options: Options) -> Result<(), Failure> {
+        Ok(self.contact.set_options(options)?)
+    }
+
+    fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure> {
+        Ok(self.contact.set_pose(obstacle, pose.to_pose())?)
+    }
+
+    unsafe fn add_obstacle(&mut self, shape: ShapeOf, pose: fmc_pose, index_base: i32) -> Result<usize, Failure> {
+        // SAFETY: passed on to the caller.
+        let shape = unsafe { shape.in_dimension(index_base) }?;
+        let pose: Pose<D> = pose.to_pose();
+        self.contact.add_obstacle(Obstacle { shape, pose }).map_err(Failure::counted_from(index_base))
+    }
+
+    unsafe fn evaluate(
+        &mut self,
+        coords: &fmc_coords,
+        forces: Option<&fmc_forces>,
+        add: bool,
+        index_base: i32,
+    ) -> Result<Evaluation, Failure> {
+        let node_count = self.contact.surface().node_count();
+        check_node_count(coords.node_count, node_count)?;
+        let output = forces.map(|forces| forces.output::<D>(node_count)).transpose()?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        let found = self.contact.evaluate(rows).map_err(Failure::counted_from(index_base))?;
+        if let Some(node) = found.forces.iter().position(|force| force.iter().any(|f| !f.is_finite())) {
+            let text = format!("the force on node {} is not finite", node + index_base as usize);
+            return Err(Failure::new(FMC_ERROR_OVERFLOW, text));
+        }
+        let evaluation = Evaluation::from(&found);
+        if let Some(output) = output {
+            // SAFETY: the output was checked for as many rows; the caller guarantees that it may be written.
+            unsafe { output.write(&found.forces, add) };
+        }
+        Ok(evaluation)
+    }
+}

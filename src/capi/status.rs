@@ -1,0 +1,191 @@
+//! Status codes, one per cause.
+
+use crate::Error;
+use std::ffi::{CStr, c_char};
+
+/// What a call came to. 0 is success; every cause of failure has a code of its own, and the text that names the
+/// offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
+///
+/// After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum fmc_status {
+    /// Success.
+    FMC_OK = 0,
+    /// A pointer is NULL where the function needs one, or where a length is not zero.
+    FMC_ERROR_NULL_POINTER = 1,
+    /// A pointer is not a multiple of its element's size.
+    FMC_ERROR_MISALIGNED_POINTER = 2,
+    /// The length of an array is not what the mesh says, or cannot be addressed.
+    FMC_ERROR_LENGTH = 3,
+    /// The host's array is shorter than what is to be written into it.
+    FMC_ERROR_BUFFER_TOO_SMALL = 4,
+    /// Strides under which entries of an output fall on one another, or that cannot be addressed.
+    FMC_ERROR_STRIDE = 5,
+    /// A dimension other than 2 and 3, or a cell type of another dimension than the coordinates.
+    FMC_ERROR_DIMENSION = 6,
+    /// Not a value of `fmc_cell_type`.
+    FMC_ERROR_UNKNOWN_CELL_TYPE = 7,
+    /// A cell or facet names a node that does not exist.
+    FMC_ERROR_NODE_OUT_OF_RANGE = 8,
+    /// A coordinate is NaN or infinite.
+    FMC_ERROR_NON_FINITE_COORDINATE = 9,
+    /// A cell or facet names one node twice.
+    FMC_ERROR_REPEATED_NODE = 10,
+    /// A cell is turned inside out.
+    FMC_ERROR_INVERTED_CELL = 11,
+    /// A cell or facet has no length, area or volume.
+    FMC_ERROR_ZERO_MEASURE = 12,
+    /// A surface given by facets has a border.
+    FMC_ERROR_OPEN_SURFACE = 13,
+    /// More than two facets meet at an edge (2D: at a node), or more than two cells at a face.
+    FMC_ERROR_NON_MANIFOLD = 14,
+    /// Two neighbouring facets disagree about which side is out.
+    FMC_ERROR_INCONSISTENT_ORIENTATION = 15,
+    /// The facets of a body point inwards.
+    FMC_ERROR_INVERTED_SURFACE = 16,
+    /// There are no cells and no facets.
+    FMC_ERROR_EMPTY = 17,
+    /// A parameter is not positive and finite, or an exponent not at least 1.
+    FMC_ERROR_NOT_POSITIVE = 18,
+    /// No such option, or no such value of an option.
+    FMC_ERROR_UNKNOWN_OPTION = 19,
+    /// A struct was not initialised by its `_init` function, or comes from a header that this library does not know.
+    FMC_ERROR_STRUCT_SIZE = 20,
+    /// A position or scale is not finite, a scale not positive, or a rotation not orthonormal with determinant +1.
+    FMC_ERROR_BAD_POSE = 21,
+    /// No obstacle of this index.
+    FMC_ERROR_OBSTACLE_OUT_OF_RANGE = 22,
+    /// No body, pair or warning of this index in the last evaluation, or no evaluation yet.
+    FMC_ERROR_INDEX_OUT_OF_RANGE = 23,
+    /// The estimator cannot do this.
+    FMC_ERROR_UNSUPPORTED = 24,
+    /// A signed-distance callback failed, or left a value that is not finite.
+    FMC_ERROR_SIGNED_DISTANCE = 25,
+    /// The spacing is too small for the bodies.
+    FMC_ERROR_TOO_MANY_FIBERS = 26,
+    /// The threads could not be started.
+    FMC_ERROR_THREADS = 27,
+    /// The context is in use by another call: from another thread, or from a callback of this one.
+    FMC_ERROR_BUSY = 28,
+    /// A force came out infinite: stiffness times overlap exceeds the range of a double.
+    FMC_ERROR_OVERFLOW = 29,
+    /// A panic was caught: a defect of this library. The text says where.
+    FMC_ERROR_PANIC = 30,
+}
+
+use fmc_status::*;
+
+/// Code and name of every status, in the order of the codes.
+const NAMES: &[(fmc_status, &CStr)] = &[
+    (FMC_OK, c"FMC_OK"),
+    (FMC_ERROR_NULL_POINTER, c"FMC_ERROR_NULL_POINTER"),
+    (FMC_ERROR_MISALIGNED_POINTER, c"FMC_ERROR_MISALIGNED_POINTER"),
+    (FMC_ERROR_LENGTH, c"FMC_ERROR_LENGTH"),
+    (FMC_ERROR_BUFFER_TOO_SMALL, c"FMC_ERROR_BUFFER_TOO_SMALL"),
+    (FMC_ERROR_STRIDE, c"FMC_ERROR_STRIDE"),
+    (FMC_ERROR_DIMENSION, c"FMC_ERROR_DIMENSION"),
+    (FMC_ERROR_UNKNOWN_CELL_TYPE, c"FMC_ERROR_UNKNOWN_CELL_TYPE"),
+    (FMC_ERROR_NODE_OUT_OF_RANGE, c"FMC_ERROR_NODE_OUT_OF_RANGE"),
+    (FMC_ERROR_NON_FINITE_COORDINATE, c"FMC_ERROR_NON_FINITE_COORDINATE"),
+    (FMC_ERROR_REPEATED_NODE, c"FMC_ERROR_REPEATED_NODE"),
+    (FMC_ERROR_INVERTED_CELL, c"FMC_ERROR_INVERTED_CELL"),
+    (FMC_ERROR_ZERO_MEASURE, c"FMC_ERROR_ZERO_MEASURE"),
+    (FMC_ERROR_OPEN_SURFACE, c"FMC_ERROR_OPEN_SURFACE"),
+    (FMC_ERROR_NON_MANIFOLD, c"FMC_ERROR_NON_MANIFOLD"),
+    (FMC_ERROR_INCONSISTENT_ORIENTATION, c"FMC_ERROR_INCONSISTENT_ORIENTATION"),
+    (FMC_ERROR_INVERTED_SURFACE, c"FMC_ERROR_INVERTED_SURFACE"),
+    (FMC_ERROR_EMPTY, c"FMC_ERROR_EMPTY"),
+    (FMC_ERROR_NOT_POSITIVE, c"FMC_ERROR_NOT_POSITIVE"),
+    (FMC_ERROR_UNKNOWN_OPTION, c"FMC_ERROR_UNKNOWN_OPTION"),
+    (FMC_ERROR_STRUCT_SIZE, c"FMC_ERROR_STRUCT_SIZE"),
+    (FMC_ERROR_BAD_POSE, c"FMC_ERROR_BAD_POSE"),
+    (FMC_ERROR_OBSTACLE_OUT_OF_RANGE, c"FMC_ERROR_OBSTACLE_OUT_OF_RANGE"),
+    (FMC_ERROR_INDEX_OUT_OF_RANGE, c"FMC_ERROR_INDEX_OUT_OF_RANGE"),
+    (FMC_ERROR_UNSUPPORTED, c"FMC_ERROR_UNSUPPORTED"),
+    (FMC_ERROR_SIGNED_DISTANCE, c"FMC_ERROR_SIGNED_DISTANCE"),
+    (FMC_ERROR_TOO_MANY_FIBERS, c"FMC_ERROR_TOO_MANY_FIBERS"),
+    (FMC_ERROR_THREADS, c"FMC_ERROR_THREADS"),
+    (FMC_ERROR_BUSY, c"FMC_ERROR_BUSY"),
+    (FMC_ERROR_OVERFLOW, c"FMC_ERROR_OVERFLOW"),
+    (FMC_ERROR_PANIC, c"FMC_ERROR_PANIC"),
+];
+
+impl From<&Error> for fmc_status {
+    fn from(error: &Error) -> Self {
+        match error {
+            Error::Length { .. } => FMC_ERROR_LENGTH,
+            Error::Dimension { .. } => FMC_ERROR_DIMENSION,
+            Error::NodeOutOfRange { .. } => FMC_ERROR_NODE_OUT_OF_RANGE,
+            Error::NonFiniteCoordinate { .. } => FMC_ERROR_NON_FINITE_COORDINATE,
+            Error::RepeatedNode { .. } => FMC_ERROR_REPEATED_NODE,
+            Error::InvertedCell { .. } => FMC_ERROR_INVERTED_CELL,
+            Error::ZeroMeasure { .. } => FMC_ERROR_ZERO_MEASURE,
+            Error::OpenSurface { .. } => FMC_ERROR_OPEN_SURFACE,
+            Error::NonManifold { .. } => FMC_ERROR_NON_MANIFOLD,
+            Error::InconsistentOrientation { .. } => FMC_ERROR_INCONSISTENT_ORIENTATION,
+            Error::InvertedSurface { .. } => FMC_ERROR_INVERTED_SURFACE,
+            Error::Empty => FMC_ERROR_EMPTY,
+            Error::NotPositive { .. } => FMC_ERROR_NOT_POSITIVE,
+            Error::BadPose { .. } => FMC_ERROR_BAD_POSE,
+            Error::ObstacleOutOfRange { .. } => FMC_ERROR_OBSTACLE_OUT_OF_RANGE,
+            Error::Unsupported { .. } => FMC_ERROR_UNSUPPORTED,
+            Error::SignedDistance { .. } => FMC_ERROR_SIGNED_DISTANCE,
+            Error::TooManyFibers { .. } => FMC_ERROR_TOO_MANY_FIBERS,
+            Error::Threads { .. } => FMC_ERROR_THREADS,
+        }
+    }
+}
+
+/// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for a number that is none.
+///
+/// The text is constant and never freed. Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmc_status_name(status: i32) -> *const c_char {
+    NAMES.iter().find(|(code, _)| *code as i32 == status).map_or(c"FMC_UNKNOWN_STATUS", |(_, name)| name).as_ptr()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_has_its_name() {
+        for (index, (code, name)) in NAMES.iter().enumerate() {
+            assert_eq!(*code as usize, index);
+            assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
+        }
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_PANIC);
+    }
+
+    #[test]
+    fn every_error_has_a_status_of_its_own() {
+        let nodes = [0, 1];
+        let errors = [
+            Error::Length { array: "coords", expected: 1, found: 2 },
+            Error::Dimension { block: 0, expected: 2, found: 3 },
+            Error::NodeOutOfRange { cell: 0, node: -1, node_count: 3 },
+            Error::NonFiniteCoordinate { node: 0, axis: 1 },
+            Error::RepeatedNode { cell: 0, node: 1 },
+            Error::InvertedCell { cell: 0 },
+            Error::ZeroMeasure { cell: 0 },
+            Error::OpenSurface { facet: 0, nodes },
+            Error::NonManifold { facet: 0, nodes },
+            Error::InconsistentOrientation { facet: 0, nodes },
+            Error::InvertedSurface { body: 0 },
+            Error::Empty,
+            Error::NotPositive { name: "k", value: 0.0 },
+            Error::BadPose { obstacle: 0 },
+            Error::ObstacleOutOfRange { obstacle: 0, count: 0 },
+            Error::Unsupported { what: "this" },
+            Error::SignedDistance { obstacle: 0, point: 0 },
+            Error::TooManyFibers { needed: 2.0, limit: 1.0 },
+            Error::Threads { threads: 1 },
+        ];
+        let mut codes: Vec<i32> = errors.iter().map(|error| fmc_status::from(error) as i32).collect();
+        assert!(!codes.contains(&(FMC_OK as i32)));
+        codes.sort_unstable();
+        codes.dedup();
+        assert_eq!(codes.len(), errors.len());
+    }
+}

@@ -1,0 +1,50 @@
+//! Where a stiffness comes from when the user has none.
+
+use super::boundary::entry;
+use super::failure::Failure;
+use super::pointer::Output;
+use super::session::checked_dimension;
+use super::status::fmc_status;
+use crate::contact::{StiffnessFrom, suggest_stiffness};
+
+fn suggest(dim: i32, exponent: f64, from: StiffnessFrom, stiffness: *mut f64) -> fmc_status {
+    entry(|| {
+        let output = Output::required("stiffness", stiffness)?;
+        let suggested = suggest_stiffness(from, checked_dimension(dim)?, exponent).map_err(Failure::from)?;
+        // SAFETY: the host passes a number that may be written.
+        unsafe { output.write(suggested) };
+        Ok(())
+    })
+}
+
+/// Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact (length):
+/// an overlap a tenth of a facet deep over a patch one facet wide is resisted by the traction E. `exponent` is m.
+///
+/// Units of k: Pa / (length^dim)^(m - 1); for m = 1 a pressure, in 2D and in 3D.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_suggest_stiffness_from_modulus(
+    dim: i32,
+    exponent: f64,
+    modulus: f64,
+    facet_size: f64,
+    stiffness: *mut f64,
+) -> fmc_status {
+    suggest(dim, exponent, StiffnessFrom::Modulus { modulus, facet_size }, stiffness)
+}
+
+/// Stiffness k of w = k V^m from the largest contact pressure expected (Pa) and the overlap of one pair that may be
+/// accepted when it is reached (length^dim; not used for m = 1): 1.2 times what resists that pressure. `exponent` is m.
+///
+/// Otherwise as `fmc_suggest_stiffness_from_modulus`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_suggest_stiffness_from_pressure(
+    dim: i32,
+    exponent: f64,
+    pressure: f64,
+    overlap: f64,
+    stiffness: *mut f64,
+) -> fmc_status {
+    suggest(dim, exponent, StiffnessFrom::PeakPressure { pressure, overlap }, stiffness)
+}

@@ -1,0 +1,1 @@
+//! The C functions called as C calls them.

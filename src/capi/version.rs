@@ -1,0 +1,51 @@
+//! What this library is.
+
+use super::boundary::quietly;
+use super::pointer::text;
+use std::ffi::{CStr, c_char};
+
+/// Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
+/// changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
+/// library at run time.
+pub const FMC_ABI_VERSION: i32 = 1;
+
+/// What a host may ask for.
+const FEATURES: &[&str] = &[
+    "2d",
+    "3d",
+    "exact",
+    "fibers",
+    "isotropic",
+    "obstacles",
+    "self_contact",
+    "signed_distance",
+    "threads",
+];
+
+const VERSION: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
+    Ok(version) => version,
+    Err(_) => panic!("the version holds a zero"),
+};
+
+/// Version of the library, such as "0.1.0". The text is constant and never freed. Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmc_version() -> *const c_char {
+    VERSION.as_ptr()
+}
+
+/// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header that it was built with. Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmc_abi_version() -> i32 {
+    FMC_ABI_VERSION
+}
+
+/// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fibers", "isotropic", "obstacles",
+/// "self_contact", "signed_distance", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_has_feature(name: *const c_char) -> i32 {
+    quietly(0, || {
+        // SAFETY: the host passes a text that ends in zero, or NULL.
+        let name = unsafe { text("name", name) };
+        name.is_ok_and(|name| FEATURES.contains(&name)).into()
+    })
+}

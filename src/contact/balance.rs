@@ -1,0 +1,133 @@
+//! The smallest change of a pair's forces that makes their sum and their moment vanish.
+//!
+//! Exact overlap does not change when both bodies move together, so ΣF = 0 and ΣM = 0; an estimate on fibers fixed in
+//! space has neither. The correction minimises Σ |δ_a|² / |g_a| under Σ (g_a + δ_a) = 0 and Σ x_a × (g_a + δ_a) = 0: a
+//! node gives in proportion to what it carries, δ_a = |g_a| (λ + μ × x_a), and λ, μ follow from 3 (2D) or 6 equations.
+
+use crate::geometry::{Vector, moment};
+use crate::overlap::Overlap;
+use nalgebra::{SMatrix, SVector};
+use std::iter::Sum;
+
+
+/// Rounds: the later ones remove what rounding left in the first.
+const ROUNDS: usize = 3;
+
+/// A node, or the obstacle, as the correction sees it.
+struct Carrier<const D: usize> {
+    arm: Vector<D>,
+    size: f64,
+    value: Vector<D>,
+    of_b: bool,
+}
+
+/// Corrects the gradient of an overlap, on nodes at `coords` and on the pose of an obstacle.
+///
+/// An obstacle takes part as one more node at the point where its resultant acts. A mode that no node resists (turning
+/// about the line through all of them) is left as it is.
+pub(crate) fn balance<const D: usize>(overlap: &mut Overlap<D>, coords: &[[f64; D]]) {
+    let mut carriers: Vec<Carrier<D>> = (overlap.nodes.iter().zip(&overlap.gradient).zip(&overlap.of_b))
+        .map(|((&node, &value), &of_b)| Carrier { arm: coords[node as usize].into(), size: value.norm(), value, of_b })
+        .collect();
+    let weight = sum_by_side(&carriers, |c| c.size);
+    if weight <= 0.0 {
+        return;
+    }
+    let center = sum_by_side(&carriers, |c| c.arm * c.size) / weight;
+    carriers.iter_mut().for_each(|c| c.arm -= center);
+    let mut couple = [0.0; 3];
+    if let Some(pose) = &overlap.pose_gradient {
+        let value = pose.position;
+        let about_center = subtract(pose.rotation, moment(&center, &value));
+        let arm = acting_point(&value, &about_center);
+        couple = subtract(about_center, moment(&arm, &value));
+        carriers.push(Carrier { arm, size: value.norm(), value, of_b: true });
+    }
+    // Arms in units of the largest, so that the system has one scale.
+    let unit = carriers.iter().filter(|c| c.size > 0.0).map(|c| c.arm.norm()).fold(0.0, f64::max);
+    if unit <= 0.0 {
+        return;
+    }
+    carriers.iter_mut().for_each(|c| c.arm /= unit);
+    let system = sum_by_side(&carriers, |c| {
+        let modes = modes(&c.arm);
+        SMatrix::<f64, 6, 6>::from_fn(|p, q| c.size * modes[p].dot(&modes[q]))
+    });
+    let eigen = system.symmetric_eigen();
+    // 1e-10 of the stiffest mode lies far below any patch of finite width.
+    let cutoff = 1e-10 * eigen.eigenvalues.max();
+    for _ in 0..ROUNDS {
+        let mut residual = sum_by_side(&carriers, |c| {
+            let modes = modes(&c.arm);
+            SVector::<f64, 6>::from_fn(|p, _| modes[p].dot(&c.value))
+        });
+        // What the obstacle carries beside its force, along the rotation modes.
+        for (mode, axis) in (D..6).zip(if D == 2 { 2..3 } else { 0..3 }) {
+            residual[mode] += couple[axis] / unit;
+        }
+        let mut multipliers = eigen.eigenvectors.transpose() * residual;
+        for (m, value) in multipliers.iter_mut().zip(eigen.eigenvalues.iter()) {
+            *m = if *value > cutoff { -*m / value } else { 0.0 };
+        }
+        let multipliers = eigen.eigenvectors * multipliers;
+        for carrier in &mut carriers {
+            for (mode, m) in modes(&carrier.arm).iter().zip(multipliers.iter()) {
+                carrier.value += mode * (*m * carrier.size);
+            }
+        }
+    }
+    for (gradient, carrier) in overlap.gradient.iter_mut().zip(&carriers) {
+        *gradient = carrier.value;
+    }
+    if let (Some(pose), Some(carrier)) = (&mut overlap.pose_gradient, carriers.last()) {
+        let change = carrier.value - pose.position;
+        pose.position = carrier.value;
+        for (sum, m) in pose.rotation.iter_mut().zip(moment(&(carrier.arm * unit + center), &change)) {
+            *sum += m;
+        }
+    }
+}
+
+/// Sum over one side plus sum over the other: a swap of the sides swaps two numbers and changes no bit.
+fn sum_by_side<T: Sum, const D: usize>(
+    carriers: &[Carrier<D>],
+    term: impl Fn(&Carrier<D>) -> T,
+) -> T {
+    let side = |of_b: bool| carriers.iter().filter(|c| c.of_b == of_b).map(&term).sum::<T>();
+    [side(false), side(true)].into_iter().sum()
+}
+
+/// The D translations and the 1 or 3 rotations at a point, as vectors there; unused ones are zero.
+fn modes<const D: usize>(x: &Vector<D>) -> [Vector<D>; 6] {
+    let mut modes = [Vector::zeros(); 6];
+    for axis in 0..D {
+        modes[axis][axis] = 1.0;
+    }
+    if D == 2 {
+        modes[2][0] = -x[1];
+        modes[2][1] = x[0];
+    } else {
+        for (k, (p, q)) in [(1, 2), (2, 0), (0, 1)].into_iter().enumerate() {
+            modes[3 + k][q] = x[p];
+            modes[3 + k][p] = -x[q];
+        }
+    }
+    modes
+}
+
+/// The point nearest to the origin at which a force has the given moment, as far as it can have it.
+fn acting_point<const D: usize>(force: &Vector<D>, about: &[f64; 3]) -> Vector<D> {
+    let squared = force.norm_squared();
+    if squared == 0.0 {
+        return Vector::zeros();
+    }
+    // F × M / F²
+    let f: [f64; 3] = std::array::from_fn(|i| if i < D { force[i] } else { 0.0 });
+    let m = about;
+    let cross = [f[1] * m[2] - f[2] * m[1], f[2] * m[0] - f[0] * m[2], f[0] * m[1] - f[1] * m[0]];
+    Vector::from_fn(|i, _| cross[i] / squared)
+}
+
+fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] - b[i])
+}

@@ -1,0 +1,80 @@
+//! Obstacles in the form in which the estimators take them.
+
+use crate::Error;
+use crate::geometry::{Bodies, Obstacle, Pose, Shape, Surface, Vector};
+
+/// An obstacle whose values have been checked.
+pub(crate) struct Rigid<const D: usize> {
+    pub(crate) obstacle: Obstacle<D>,
+    /// Facets of a polytope, and of a cuboid for the exact estimator, in the shape's frame.
+    facets: Option<(Surface<D>, Vec<Vector<D>>)>,
+}
+
+impl<const D: usize> Rigid<D> {
+    /// Checks shape and pose. `index` is the number that errors name.
+    pub(crate) fn new(obstacle: Obstacle<D>, index: usize) -> Result<Self, Error> {
+        check_pose(&obstacle.pose, index)?;
+        let positive = |name, value: f64| {
+            if value.is_finite() && value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
+        };
+        let facets = match &obstacle.shape {
+            Shape::HalfSpace | Shape::SignedDistance(_) => None,
+            Shape::Ball { radius } => {
+                positive("radius", *radius)?;
+                None
+            }
+            Shape::Cylinder { radius, half_height }
+            | Shape::Cone { radius, half_height }
+            | Shape::Capsule { radius, half_height } => {
+                positive("radius", *radius)?;
+                positive("half_height", *half_height)?;
+                None
+            }
+            Shape::Cuboid { half_extents } => {
+                half_extents.iter().try_for_each(|&h| positive("half_extent", h))?;
+                let (points, facets) = cuboid(half_extents);
+                Some(closed(&points, &facets)?)
+            }
+            Shape::Polytope { points, facets } => Some(closed(points, facets)?),
+        };
+        Ok(Self { obstacle, facets })
+    }
+
+    /// Facets and placed corners, where the estimator is to see this obstacle as facets.
+    pub(crate) fn placed_facets(&self, exact: bool) -> Option<(&[[u32; D]], Vec<Vector<D>>)> {
+        let (surface, points) = self.facets.as_ref()?;
+        if matches!(self.obstacle.shape, Shape::Cuboid { .. }) && !exact {
+            return None;
+        }
+        Some((&surface.facets, points.iter().map(|x| self.obstacle.pose.place(x)).collect()))
+    }
+}
+
+/// Checks a pose.
+pub(crate) fn check_pose<const D: usize>(pose: &Pose<D>, obstacle: usize) -> Result<(), Error> {
+    if pose.is_proper() { Ok(()) } else { Err(Error::BadPose { obstacle }) }
+}
+
+/// A closed surface that is one body, cavities and all.
+fn closed<const D: usize>(points: &[[f64; D]], facets: &[[u32; D]]) -> Result<(Surface<D>, Vec<Vector<D>>), Error> {
+    let surface = Surface::from_facets(points, facets, Bodies::Ids(&vec![0; facets.len()]))?;
+    let placed = surface.points(points);
+    Ok((surface, placed))
+}
+
+/// Corners and facets of a box; corner c has coordinate +half on axis i where bit i of c is set.
+fn cuboid<const D: usize>(half: &[f64; D]) -> (Vec<[f64; D]>, Vec<[u32; D]>) {
+    let points = (0..1u32 << D).map(|c| std::array::from_fn(|i| if c >> i & 1 == 1 { half[i] } else { -half[i] })).collect();
+    const EDGES: [[u32; 2]; 4] = [[0, 1], [1, 3], [3, 2], [2, 0]];
+    const SQUARES: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let facets = match D {
+        2 => EDGES.iter().map(|e| std::array::from_fn(|k| e[k])).collect(),
+        _ => SQUARES
+            .iter()
+            .flat_map(|s| [[s[0], s[1], s[2]], [s[0], s[2], s[3]]])
+            .map(|t| std::array::from_fn(|k| t[k]))
+            .collect(),
+    };
+    (points, facets)
+}

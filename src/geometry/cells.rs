@@ -1,0 +1,271 @@
+//! The cells of a mesh: checked connectivity, neighbours, orientation.
+
+use super::{Bodies, CellBlock, CellType, Vector, facet::determinant};
+use crate::Error;
+
+/// A number that no node has; pads faces with fewer than four nodes.
+const NO_NODE: u32 = u32::MAX;
+
+/// Cells with checked connectivity, whatever their types, in the order given.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Cells {
+    types: Vec<CellType>,
+    offsets: Vec<usize>,
+    conn: Vec<u32>,
+    /// Whether a cell's node order is opposite to the one that encloses a positive volume.
+    flipped: Vec<bool>,
+    /// Body index of every cell.
+    pub(crate) body: Vec<u32>,
+    /// Bit f is set where face f lies on the boundary of the body.
+    pub(crate) boundary: Vec<u8>,
+}
+
+/// Face `face` of cell `cell`, found by its sorted nodes.
+#[derive(Clone, Copy)]
+struct Face {
+    key: [u32; 4],
+    cell: u32,
+    face: u8,
+}
+
+impl Cells {
+    /// Copies and checks connectivity. Orientation, bodies and boundary are still unset.
+    pub(crate) fn new<const D: usize>(node_count: usize, blocks: &[CellBlock]) -> Result<Self, Error> {
+        let mut cells = Self { offsets: vec![0], ..Self::default() };
+        for (block, CellBlock { cell_type, conn }) in blocks.iter().enumerate() {
+            if cell_type.dimension() != D {
+                return Err(Error::Dimension { block, expected: D, found: cell_type.dimension() });
+            }
+            let size = cell_type.node_count();
+            if conn.len() % size != 0 {
+                return Err(Error::Length { array: "conn", expected: size, found: conn.len() });
+            }
+            for nodes in conn.chunks_exact(size) {
+                check_nodes(cells.len(), nodes, node_count)?;
+                cells.types.push(*cell_type);
+                cells.conn.extend_from_slice(nodes);
+                cells.offsets.push(cells.conn.len());
+            }
+        }
+        if cells.len() == 0 { Err(Error::Empty) } else { Ok(cells) }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.types.len()
+    }
+
+    pub(crate) fn cell_type(&self, cell: usize) -> CellType {
+        self.types[cell]
+    }
+
+    /// Whether the node order encloses a negative volume.
+    pub(crate) fn is_flipped(&self, cell: usize) -> bool {
+        self.flipped[cell]
+    }
+
+    pub(crate) fn nodes(&self, cell: usize) -> &[u32] {
+        &self.conn[self.offsets[cell]..self.offsets[cell + 1]]
+    }
+
+    /// Nodes of a face, counter-clockwise seen from outside the body.
+    pub(crate) fn face_nodes(&self, cell: usize, face: usize) -> Vec<u32> {
+        let nodes = self.nodes(cell);
+        let local = self.types[cell].faces()[face].iter().map(|&n| nodes[n]);
+        if self.flipped[cell] { local.rev().collect() } else { local.collect() }
+    }
+
+    /// Sets bodies, orientation and boundary from the neighbours that share a face.
+    pub(crate) fn connect<const D: usize>(&mut self, coords: &[[f64; D]], bodies: Bodies) -> Result<Vec<i64>, Error> {
+        let ids: Option<&[i64]> = match bodies {
+            Bodies::Connected => None,
+            Bodies::Ids(ids) if ids.len() == self.len() => Some(ids),
+            Bodies::Ids(ids) => {
+                return Err(Error::Length { array: "body_ids", expected: self.len(), found: ids.len() });
+            }
+        };
+        let mut faces = self.faces();
+        faces.sort_unstable_by_key(|f| (f.key, f.cell));
+        let mut groups = Components::new(self.len());
+        self.boundary = vec![0; self.len()];
+        for same in faces.chunk_by(|f, g| f.key == g.key) {
+            let nodes = [same[0].key[0] as usize, same[0].key[1] as usize];
+            match same {
+                [f, g] if ids.is_none_or(|ids| ids[f.cell as usize] == ids[g.cell as usize]) => {
+                    let agree = self.cycle(f) != self.cycle(g);
+                    if !groups.join(f.cell, g.cell, !agree) {
+                        return Err(Error::InconsistentOrientation { facet: g.cell as usize, nodes });
+                    }
+                }
+                [] | [_] | [_, _] => {
+                    for f in same {
+                        self.boundary[f.cell as usize] |= 1 << f.face;
+                    }
+                }
+                [_, _, third, ..] => return Err(Error::NonManifold { facet: third.cell as usize, nodes }),
+            }
+        }
+        self.orient(coords, &mut groups)?;
+        let labels: Vec<i64> = match ids {
+            Some(ids) => ids.to_vec(),
+            None => {
+                let mut number = vec![-1; self.len()];
+                let mut count = 0;
+                (0..self.len() as u32)
+                    .map(|cell| {
+                        let root = groups.find(cell).0 as usize;
+                        if number[root] < 0 {
+                            number[root] = count;
+                            count += 1;
+                        }
+                        number[root]
+                    })
+                    .collect()
+            }
+        };
+        let body_ids = sorted_ids(&labels);
+        self.body = labels.iter().map(|id| body_ids.partition_point(|b| b < id) as u32).collect();
+        Ok(body_ids)
+    }
+
+    fn faces(&self) -> Vec<Face> {
+        let mut faces = Vec::new();
+        for cell in 0..self.len() {
+            let nodes = self.nodes(cell);
+            for (face, local) in self.types[cell].faces().iter().enumerate() {
+                let mut key = [NO_NODE; 4];
+                for (k, &n) in local.iter().enumerate() {
+                    key[k] = nodes[n];
+                }
+                key.sort_unstable();
+                faces.push(Face { key, cell: cell as u32, face: face as u8 });
+            }
+        }
+        faces
+    }
+
+    /// Which of the two ways round the face runs, as given by the cell: told by the successor of its lowest node.
+    fn cycle(&self, face: &Face) -> bool {
+        let cell = face.cell as usize;
+        let nodes = self.nodes(cell);
+        let local = self.types[cell].faces()[face.face as usize];
+        let size = local.len();
+        let lowest = (0..size).min_by_key(|&k| nodes[local[k]]).unwrap_or(0);
+        let at = |k: usize| nodes[local[k % size]];
+        if size == 2 { lowest == 0 } else { at(lowest + 1) < at(lowest + size - 1) }
+    }
+
+    /// Turns every connected group of cells so that its volume is positive, then checks each cell.
+    fn orient<const D: usize>(&mut self, coords: &[[f64; D]], groups: &mut Components) -> Result<(), Error> {
+        let mut volume = vec![0.0; self.len()];
+        let relative: Vec<(usize, bool)> = (0..self.len() as u32)
+            .map(|cell| {
+                let (root, turned) = groups.find(cell);
+                (root as usize, turned)
+            })
+            .collect();
+        for (cell, &(root, turned)) in relative.iter().enumerate() {
+            let measure: f64 = self.jacobians(cell, coords).sum();
+            volume[root] += if turned { -measure } else { measure };
+        }
+        self.flipped = relative.iter().map(|&(root, turned)| turned != (volume[root] < 0.0)).collect();
+        self.check(coords)
+    }
+
+    /// Jacobian determinant at every corner of a cell, as given.
+    fn jacobians<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> impl Iterator<Item = f64> {
+        let nodes = self.nodes(cell);
+        let x = move |n: usize| Vector::<D>::from(coords[nodes[n] as usize]);
+        self.types[cell].corners().iter().map(move |corner| {
+            determinant::<D>(&std::array::from_fn(|k| x(corner[k + 1]) - x(corner[0])))
+        })
+    }
+
+    /// Checks that no cell is inverted or without measure at `coords`; the lowest offending cell is named.
+    pub(crate) fn check<const D: usize>(&self, coords: &[[f64; D]]) -> Result<(), Error> {
+        for cell in 0..self.len() {
+            let (mut least, mut sum) = (f64::INFINITY, 0.0);
+            for determinant in self.jacobians(cell, coords) {
+                let determinant = if self.flipped[cell] { -determinant } else { determinant };
+                least = least.min(determinant);
+                sum += determinant;
+            }
+            if least > 0.0 {
+                continue;
+            }
+            let size = self.size(cell, coords).powi(D as i32);
+            // Rounding of a determinant of differences is a few 1e-16 of size^D; slivers in use are far above 1e-13.
+            if sum.abs() <= 1e-13 * size {
+                return Err(Error::ZeroMeasure { cell });
+            }
+            if least < -1e-13 * size {
+                return Err(Error::InvertedCell { cell });
+            }
+        }
+        Ok(())
+    }
+
+    /// Longest side of a cell's bounding box.
+    fn size<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> f64 {
+        let x = |&n: &u32| Vector::<D>::from(coords[n as usize]);
+        super::aabb::Aabb::of(&self.nodes(cell).iter().map(x).collect::<Vec<_>>()).extent().amax()
+    }
+}
+
+/// Checks the ids of one cell or facet.
+pub(crate) fn check_nodes(cell: usize, nodes: &[u32], node_count: usize) -> Result<(), Error> {
+    for (k, &node) in nodes.iter().enumerate() {
+        if node as usize >= node_count {
+            return Err(Error::NodeOutOfRange { cell, node: node.into(), node_count });
+        }
+        if nodes[..k].contains(&node) {
+            return Err(Error::RepeatedNode { cell, node: node as usize });
+        }
+    }
+    Ok(())
+}
+
+/// Ids without repetition, ascending.
+pub(crate) fn sorted_ids(labels: &[i64]) -> Vec<i64> {
+    let mut ids = labels.to_vec();
+    ids.sort_unstable();
+    ids.dedup();
+    ids
+}
+
+/// Disjoint sets whose members are turned, or not, against the root of their set.
+pub(crate) struct Components {
+    parent: Vec<(u32, bool)>,
+}
+
+impl Components {
+    pub(crate) fn new(count: usize) -> Self {
+        Self { parent: (0..count as u32).map(|i| (i, false)).collect() }
+    }
+
+    /// Root of the member's set, and whether the member is turned against it.
+    pub(crate) fn find(&mut self, member: u32) -> (u32, bool) {
+        let (mut root, mut turned) = (member, false);
+        while self.parent[root as usize].0 != root {
+            let (up, flip) = self.parent[root as usize];
+            (root, turned) = (up, turned != flip);
+        }
+        let (mut at, mut rest) = (member, turned);
+        while at != root {
+            let (up, flip) = self.parent[at as usize];
+            self.parent[at as usize] = (root, rest);
+            (at, rest) = (up, rest != flip);
+        }
+        (root, turned)
+    }
+
+    /// Joins two sets, the members being turned against each other or not; false if they are known to be otherwise.
+    pub(crate) fn join(&mut self, a: u32, b: u32, turned: bool) -> bool {
+        let ((root_a, flip_a), (root_b, flip_b)) = (self.find(a), self.find(b));
+        if root_a == root_b {
+            return (flip_a != flip_b) == turned;
+        }
+        let (low, high) = (root_a.min(root_b), root_a.max(root_b));
+        self.parent[high as usize] = (low, flip_a ^ flip_b ^ turned);
+        true
+    }
+}

@@ -1,0 +1,180 @@
+//! From crossings, or clipped pieces, to the gradient on nodes and poses.
+
+use super::estimate::{Overlap, PoseGradient};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::facet::{area_vector, moment};
+use crate::geometry::{Pose, Surface, Vector};
+use super::side::FacetSide;
+
+/// Share of one facet in ∂V/∂x: `shares[a]` times the facet's unit normal belongs to its corner a.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FacetShare<const D: usize> {
+    pub(crate) facet: u32,
+    pub(crate) of_b: bool,
+    pub(crate) shares: [f64; D],
+}
+
+/// Share of a point on an implicit shape: `share` times the unit outward `normal`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PointShare<const D: usize> {
+    pub(crate) point: Vector<D>,
+    pub(crate) normal: Vector<D>,
+    pub(crate) share: f64,
+}
+
+/// Sums shares in the order in which they come.
+pub(crate) struct Assembly<const D: usize> {
+    values: Vec<Vector<D>>,
+    touched: Vec<u32>,
+    seen: Vec<bool>,
+    /// Side of every touched vertex, by vertex.
+    of_b: Vec<bool>,
+    pose: PoseGradient<D>,
+    /// Shares of the first side less those of the second: its direction is the mean normal.
+    resultant: Vector<D>,
+    /// Points of the overlap's boundary.
+    points: Vec<Vector<D>>,
+    facets: Vec<(bool, u32)>,
+    /// Boundary measure by side.
+    area_of: [f64; 2],
+}
+
+impl<const D: usize> Assembly<D> {
+    pub(crate) fn new(vertex_count: usize) -> Self {
+        Self {
+            values: vec![Vector::zeros(); vertex_count],
+            touched: Vec::new(),
+            seen: vec![false; vertex_count],
+            of_b: vec![false; vertex_count],
+            pose: PoseGradient { position: Vector::zeros(), rotation: [0.0; 3], scale: 0.0 },
+            resultant: Vector::zeros(),
+            points: Vec::new(),
+            facets: Vec::new(),
+            area_of: [0.0; 2],
+        }
+    }
+
+    /// Adds a share of a facet of `side`; where that is an obstacle, its `pose` is moved instead of nodes.
+    pub(crate) fn add_facet(&mut self, side: &FacetSide<D>, share: &FacetShare<D>, pose: Option<&Pose<D>>) {
+        let corners = side.corners(share.facet as usize);
+        let Some(normal) = area_vector(&corners).try_normalize(0.0) else { return };
+        let total: f64 = share.shares.iter().sum();
+        if total <= 0.0 {
+            return;
+        }
+        let point = (0..D).fold(Vector::zeros(), |x, a| x + corners[a] * (share.shares[a] / total));
+        self.facets.push((share.of_b, share.facet));
+        match pose {
+            Some(pose) => self.add_point(&PointShare { point, normal, share: total }, pose),
+            None => {
+                for a in 0..D {
+                    let vertex = side.facets[share.facet as usize][a];
+                    if !std::mem::replace(&mut self.seen[vertex as usize], true) {
+                        self.touched.push(vertex);
+                        self.of_b[vertex as usize] = share.of_b;
+                    }
+                    self.values[vertex as usize] += normal * share.shares[a];
+                }
+                self.bound(share.of_b, point, normal, total);
+            }
+        }
+    }
+
+    /// Adds a share of a point that moves with `pose`.
+    pub(crate) fn add_point(&mut self, share: &PointShare<D>, pose: &Pose<D>) {
+        let g = share.normal * share.share;
+        let lever = share.point - Vector::from(pose.position);
+        self.pose.position += g;
+        for (sum, m) in self.pose.rotation.iter_mut().zip(moment(&share.point, &g)) {
+            *sum += m;
+        }
+        self.pose.scale += g.dot(&lever) / pose.scale;
+        self.bound(true, share.point, share.normal, share.share);
+    }
+
+    /// Adds what the plane of a half-space must carry so that the sums of forces and moments vanish: exact, since the
+    /// overlap does not change when both sides move together.
+    pub(crate) fn add_reaction(&mut self, normal: &Vector<D>, points: &[Vector<D>]) {
+        let mut force = Vector::zeros();
+        for &vertex in &self.touched {
+            let g = self.values[vertex as usize];
+            force += g;
+            for (sum, m) in self.pose.rotation.iter_mut().zip(moment(&points[vertex as usize], &g)) {
+                *sum -= m;
+            }
+        }
+        self.pose.position -= force;
+        self.area_of[1] += (-force.dot(normal)).max(0.0);
+    }
+
+    fn bound(&mut self, of_b: bool, point: Vector<D>, normal: Vector<D>, share: f64) {
+        self.area_of[usize::from(of_b)] += share;
+        self.resultant += if of_b { -normal * share } else { normal * share };
+        self.points.push(point);
+    }
+
+    /// Half of the boundary's measure.
+    pub(crate) fn contact_area(&self) -> f64 {
+        0.5 * (self.area_of[0] + self.area_of[1])
+    }
+
+    /// Boundary measure that each side contributes.
+    pub(crate) fn side_areas(&self) -> [f64; 2] {
+        self.area_of
+    }
+
+    /// Number of shares.
+    pub(crate) fn share_count(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Number of different facets.
+    pub(crate) fn facet_count(&mut self) -> usize {
+        self.facets.sort_unstable();
+        self.facets.dedup();
+        self.facets.len()
+    }
+
+    /// Gradient with respect to the pose.
+    pub(crate) fn pose_gradient(&self) -> PoseGradient<D> {
+        self.pose
+    }
+
+    /// Extent of the boundary along the mean normal; where the normals cancel, the smallest extent along an axis.
+    pub(crate) fn penetration(&self) -> f64 {
+        if self.points.is_empty() {
+            return 0.0;
+        }
+        if self.resultant.norm() <= 1e-6 * (self.area_of[0] + self.area_of[1]) {
+            return Aabb::of(&self.points).extent().min();
+        }
+        let normal = self.resultant.normalize();
+        let (low, high) = self.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            let s = x.dot(&normal);
+            (low.min(s), high.max(s))
+        });
+        high - low
+    }
+
+    /// Writes the gradient on nodes, ascending; shares of a face centroid go to the face's four nodes.
+    pub(crate) fn write_nodes(mut self, surface: &Surface<D>, overlap: &mut Overlap<D>) {
+        self.touched.sort_unstable();
+        let first_centroid = self.touched.partition_point(|&v| (v as usize) < surface.nodes.len());
+        for index in first_centroid..self.touched.len() {
+            let centroid = self.touched[index] as usize;
+            let quarter = self.values[centroid] * 0.25;
+            for vertex in surface.centroids[centroid - surface.nodes.len()] {
+                if !std::mem::replace(&mut self.seen[vertex as usize], true) {
+                    self.touched.push(vertex);
+                    self.of_b[vertex as usize] = self.of_b[centroid];
+                }
+                self.values[vertex as usize] += quarter;
+            }
+        }
+        self.touched.retain(|&v| (v as usize) < surface.nodes.len());
+        self.touched.sort_unstable();
+        overlap.nodes = self.touched.iter().map(|&v| surface.nodes[v as usize]).collect();
+        overlap.gradient = self.touched.iter().map(|&v| self.values[v as usize]).collect();
+        overlap.of_b = self.touched.iter().map(|&v| self.of_b[v as usize]).collect();
+    }
+}

@@ -1,0 +1,171 @@
+//! The exact estimator: facets of each side clipped by the simplices of the other.
+//!
+//!     ∂V/∂x_a = Σ_{facets f of one side} Σ_{simplices s of the other} ∫_{f ∩ s} N_a n dA
+//!
+//! V is homogeneous of degree D in all coordinates, so D V = Σ_a x_a · ∂V/∂x_a (the divergence theorem on the same
+//! pieces). Exact for straight-sided cells and flat-sided obstacles; quadrilateral faces are split about their centroid.
+
+use super::assembly::{Assembly, FacetShare};
+use super::clip::clip_below;
+use super::estimate::{Overlap, Partner};
+use super::region::{common_region, trim};
+use super::side::{FacetSide, ImplicitSide, Opponent};
+use super::solid::Solid;
+use super::warning::swallowed;
+use crate::Error;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::facet::area_vector;
+use crate::geometry::{Pose, Shape, Surface, Vector};
+use rayon::prelude::*;
+
+/// One pair.
+pub(crate) struct ExactPair<'a, const D: usize> {
+    pub(crate) partners: [Partner; 2],
+    pub(crate) a: FacetSide<'a, D>,
+    pub(crate) opponent: Opponent<'a, D>,
+    /// Pose of the second side, where it is an obstacle.
+    pub(crate) pose: Option<&'a Pose<D>>,
+    pub(crate) surface: &'a Surface<D>,
+    pub(crate) coords: &'a [[f64; D]],
+    /// Whether facets may be clipped by the threads of the pool that calls.
+    pub(crate) parallel: bool,
+}
+
+impl<const D: usize> ExactPair<'_, D> {
+    /// The overlap, or `None` where the sides are apart.
+    pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
+        let mut assembly = Assembly::new(self.a.views.points.len());
+        let volume = match &self.opponent {
+            Opponent::Itself => {
+                let region = self.a.aabb;
+                let shares = self.clip(&self.a, &self.solid(0, &self.a, &region), &region, false, true);
+                self.add(&mut assembly, &self.a, &shares, None, &region.center())
+            }
+            Opponent::Facets(b) => {
+                let Some(region) = common_region(&self.a, b) else { return Ok(None) };
+                // One side after the other, so that a swap of the bodies swaps two numbers and no more.
+                let of_a = self.clip(&self.a, &self.solid(1, b, &region), &region, false, false);
+                let of_b = self.clip(b, &self.solid(0, &self.a, &region), &region, true, false);
+                let origin = region.center();
+                self.add(&mut assembly, &self.a, &of_a, None, &origin)
+                    + self.add(&mut assembly, b, &of_b, self.pose, &origin)
+            }
+            Opponent::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
+                let mut up = Vector::zeros();
+                up[D - 1] = 1.0;
+                let normal = pose.rotate(&up);
+                let origin = Vector::from(pose.position);
+                if trim(&self.a, &self.a.aabb).is_none() {
+                    return Ok(None);
+                }
+                let shares: Vec<FacetShare<D>> = (0..self.a.facets.len())
+                    .filter_map(|facet| {
+                        let corners = self.a.corners(facet);
+                        let parts = clip_below(&corners.map(|x| normal.dot(&(x - origin))))?;
+                        let area = area_vector(&corners).norm();
+                        Some(FacetShare { facet: facet as u32, of_b: false, shares: parts.map(|w| w * area) })
+                    })
+                    .collect();
+                // With the origin on the plane, the plane itself adds nothing to the volume.
+                let nearest = self.a.aabb.center();
+                let origin = nearest - normal * normal.dot(&(nearest - origin));
+                let volume = self.add(&mut assembly, &self.a, &shares, None, &origin);
+                assembly.add_reaction(&normal, &self.a.views.points);
+                volume
+            }
+            Opponent::Implicit(_) => {
+                let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as a polygon or triangle mesh";
+                return Err(Error::Unsupported { what });
+            }
+        };
+        Ok(Some(self.finish(assembly, volume / D as f64)))
+    }
+
+    /// Simplices of one of the two sides.
+    fn solid(&self, which: usize, side: &FacetSide<D>, region: &Aabb<D>) -> Solid<D> {
+        match (&self.surface.cells, self.partners[which]) {
+            (Some(cells), Partner::Body(body)) => Solid::from_cells(cells, body, self.coords, region),
+            _ => Solid::from_facets(side, region),
+        }
+    }
+
+    /// What each facet of `side` has inside `solid`. With `own`, a facet's own cell does not count.
+    fn clip(&self, side: &FacetSide<D>, solid: &Solid<D>, region: &Aabb<D>, of_b: bool, own: bool) -> Vec<FacetShare<D>> {
+        let clip_facet = |facet: &u32| {
+            let facet = *facet;
+            let corners = side.corners(facet as usize);
+            let area = area_vector(&corners);
+            let mut sums = [0.0; D];
+            let own_cell = if own { Some(self.cell_of(facet)) } else { None };
+            solid.for_each_near(&Aabb::of(&corners), |simplex, origin| {
+                if Some(origin) != own_cell {
+                    for (sum, part) in sums.iter_mut().zip(simplex.clip(&corners, &area).unwrap_or([0.0; D])) {
+                        *sum += simplex.sign * part;
+                    }
+                }
+            });
+            let measure = area.norm();
+            (sums.iter().sum::<f64>() > 0.0).then(|| FacetShare { facet, of_b, shares: sums.map(|w| w * measure) })
+        };
+        let facets = side.facets_in(region);
+        if self.parallel {
+            facets.par_iter().filter_map(clip_facet).collect()
+        } else {
+            facets.iter().filter_map(clip_facet).collect()
+        }
+    }
+
+    /// The cell that a facet of the first side belongs to, or the facet itself where there are no cells.
+    fn cell_of(&self, facet: u32) -> u32 {
+        match self.partners[0] {
+            Partner::Body(body) => {
+                let index = self.surface.ranges[body].start + facet as usize;
+                self.surface.facet_cell.get(index).copied().unwrap_or(facet)
+            }
+            Partner::Obstacle(_) => facet,
+        }
+    }
+
+    /// Adds shares to the assembly and returns their part of D V.
+    fn add(
+        &self,
+        assembly: &mut Assembly<D>,
+        side: &FacetSide<D>,
+        shares: &[FacetShare<D>],
+        pose: Option<&Pose<D>>,
+        origin: &Vector<D>,
+    ) -> f64 {
+        let mut moments = 0.0;
+        for share in shares {
+            assembly.add_facet(side, share, pose);
+            let corners = side.corners(share.facet as usize);
+            if let Some(normal) = area_vector(&corners).try_normalize(0.0) {
+                moments += (0..D).map(|a| share.shares[a] * normal.dot(&(corners[a] - origin))).sum::<f64>();
+            }
+        }
+        moments
+    }
+
+    fn finish(&self, mut assembly: Assembly<D>, volume: f64) -> Overlap<D> {
+        let [a, b] = self.partners;
+        let mut overlap = Overlap {
+            a,
+            b,
+            volume: volume.max(0.0),
+            standard_error: 0.0,
+            nodes: Vec::new(),
+            gradient: Vec::new(),
+            of_b: Vec::new(),
+            pose_gradient: self.pose.map(|_| assembly.pose_gradient()),
+            contact_area: assembly.contact_area(),
+            penetration: assembly.penetration(),
+            fiber_count: 0,
+            crossing_count: assembly.share_count(),
+            facet_count: assembly.facet_count(),
+            spacing: 0.0,
+            warnings: swallowed(a, b, assembly.side_areas()).into_iter().collect(),
+        };
+        assembly.write_nodes(self.surface, &mut overlap);
+        overlap
+    }
+}

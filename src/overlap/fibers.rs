@@ -1,0 +1,333 @@
+//! The sampled estimator (paper, section 2.3 and appendices): V ≈ Σ ω L, ∂V/∂x_a ≈ Σ ω N_a n / |d·n|.
+//!
+//! Guarantees: every crossing of every fiber is counted, so the estimate is unbiased under a random shift. Lines with
+//! consistent weights give the exact gradient of the estimated volume; with balance weights a crossing with normal n
+//! weighs n / Σ_k ρ_k |d_k·n|, which is bounded, and the gradient is unbiased but not that of one number.
+
+use super::assembly::{Assembly, FacetShare, PointShare};
+use super::bundle::{Bundle, line_bundles, segment_bundles};
+use super::estimate::{FiberTrace, Overlap, Partner};
+use super::implicit::{self, passages};
+use super::options::{FiberOptions, LineWeights};
+use super::region::{common_region, trim};
+use super::resolution::{MOST_FIBERS, facet_size, line_spacing, segment_count};
+use super::side::{FacetSide, Opponent};
+use super::span::{Event, sort, sweep};
+use super::warning::Warning;
+use crate::Error;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::crossing::weights_at;
+use crate::geometry::facet::area_vector;
+use crate::geometry::tree::Tree;
+use crate::geometry::{Passage, Pose, Surface, Vector};
+use crate::sampling::{Family, FiberPattern};
+use rayon::prelude::*;
+
+/// Fewer fibers in an overlap than this are reported as not resolving it.
+const FEWEST_FIBERS: usize = 8;
+
+/// One pair and how it is to be measured.
+pub(crate) struct FiberPair<'a, const D: usize> {
+    pub(crate) partners: [Partner; 2],
+    pub(crate) a: FacetSide<'a, D>,
+    pub(crate) opponent: Opponent<'a, D>,
+    /// Pose of the second side, where it is an obstacle.
+    pub(crate) pose: Option<&'a Pose<D>>,
+    pub(crate) surface: &'a Surface<D>,
+    pub(crate) families: &'a [Family<D>],
+    pub(crate) options: &'a FiberOptions,
+    /// Whether bundles may be worked off by the threads of the pool that calls.
+    pub(crate) parallel: bool,
+}
+
+/// What one bundle measured.
+struct Tally<const D: usize> {
+    /// Σ L and Σ L² over its fibers.
+    length: f64,
+    square: f64,
+    fibers_met: usize,
+    facet_shares: Vec<FacetShare<D>>,
+    point_shares: Vec<PointShare<D>>,
+}
+
+/// How the bundles of a pair are laid.
+struct Layout<'a, const D: usize> {
+    region: Aabb<D>,
+    facet_size: f64,
+    spacing: f64,
+    /// Volume per unit length of a fiber, were its family (or the segments) the only one.
+    volume_per_length: f64,
+    bundles: Vec<Bundle<'a, D>>,
+}
+
+impl<'a, const D: usize> FiberPair<'a, D> {
+    /// Where the two sides can overlap.
+    fn region(&self) -> Result<Option<Aabb<D>>, Error> {
+        Ok(match &self.opponent {
+            Opponent::Itself => Some(self.a.aabb),
+            Opponent::Facets(b) => common_region(&self.a, b),
+            Opponent::Implicit(side) => match implicit::region(side, &self.a.aabb)? {
+                Some(region) => trim(&self.a, &region),
+                None => None,
+            },
+        })
+    }
+
+    /// Calls `work` with the layout, or returns `None` where the sides are apart.
+    fn with_layout<T>(&self, work: impl FnOnce(&Layout<D>) -> Result<T, Error>) -> Result<Option<T>, Error> {
+        let Some(region) = self.region()? else { return Ok(None) };
+        let b = if let Opponent::Facets(b) = &self.opponent { Some(b) } else { None };
+        let facet_size = [Some(&self.a), b].iter().flatten().map(|s| facet_size(s, &region)).fold(f64::INFINITY, f64::min);
+        let facet_size = if facet_size.is_finite() { facet_size } else { region.extent().max() };
+        match self.options.pattern {
+            FiberPattern::Lines => {
+                let spacing = line_spacing(self.options.resolution, self.families, &region, facet_size)?;
+                let mut bundles = Vec::new();
+                for (index, family) in self.families.iter().enumerate() {
+                    let of_family = line_bundles(family, index, spacing, &region, [Some(&self.a), b]);
+                    bundles.extend(of_family.ok_or(Error::TooManyFibers { needed: 1e15, limit: MOST_FIBERS })?);
+                }
+                let volume_per_length = spacing.powi(D as i32 - 1);
+                work(&Layout { region, facet_size, spacing, volume_per_length, bundles }).map(Some)
+            }
+            FiberPattern::Isotropic { length } => {
+                let length = length.unwrap_or(facet_size);
+                // Fibers that start within one length of the region reach it from all sides with uniform density.
+                let starts = region.inflated(length);
+                let count = segment_count(self.options.resolution, &starts, facet_size)?;
+                let trees: Vec<Tree<D>> = [Some(&self.a), b]
+                    .iter()
+                    .flatten()
+                    .map(|s| Tree::new(&(0..s.facets.len()).map(|f| s.facet_box(f)).collect::<Vec<_>>()))
+                    .collect();
+                let bundles = segment_bundles(self.options.seed, count, &starts, length, &trees);
+                let volume_per_length = starts.volume() / (count as f64 * length);
+                work(&Layout { region, facet_size, spacing: length, volume_per_length, bundles }).map(Some)
+            }
+        }
+    }
+
+    /// The overlap, or `None` where the sides are apart.
+    pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
+        self.with_layout(|layout| {
+            let tallies = self.for_each_bundle(layout, |bundle| self.measure(bundle, layout))?;
+            Ok(self.assemble(layout, tallies))
+        })
+    }
+
+    /// The fibers that cross the overlap.
+    pub(crate) fn trace(&self) -> Result<Vec<FiberTrace<D>>, Error> {
+        let traced = self.with_layout(|layout| {
+            let traces = self.for_each_bundle(layout, |bundle| {
+                let mut traces = Vec::new();
+                let margin = 0.05 * layout.region.extent().norm();
+                self.visit_fibers(bundle, layout, |fiber, events, _| {
+                    let (origin, direction) = bundle.ray(fiber);
+                    let at = |t: f64| -> [f64; D] { (origin + direction * t).into() };
+                    let mut ts = Vec::new();
+                    let length = sweep(events, self.is_own(), bundle.length(), |event, _| ts.push(event.t));
+                    if length > 0.0 {
+                        let (start, end) = match (bundle.length(), ts.first(), ts.last()) {
+                            (Some(length), _, _) => (0.0, length),
+                            (None, Some(first), Some(last)) => (first - margin, last + margin),
+                            _ => return,
+                        };
+                        traces.push(FiberTrace {
+                            start: at(start),
+                            end: at(end),
+                            crossings: ts.iter().map(|&t| at(t)).collect(),
+                        });
+                    }
+                })?;
+                Ok(traces)
+            })?;
+            Ok(traces.into_iter().flatten().collect())
+        })?;
+        Ok(traced.unwrap_or_default())
+    }
+
+    fn is_own(&self) -> bool {
+        matches!(self.opponent, Opponent::Itself)
+    }
+
+    /// Results in the order of the bundles. A signed distance function is called from this thread only.
+    fn for_each_bundle<T: Send>(
+        &self,
+        layout: &Layout<D>,
+        work: impl Fn(&Bundle<D>) -> Result<T, Error> + Sync,
+    ) -> Result<Vec<T>, Error> {
+        if self.parallel && !self.opponent.is_marched() {
+            layout.bundles.par_iter().map(&work).collect()
+        } else {
+            layout.bundles.iter().map(work).collect()
+        }
+    }
+
+    /// Calls `visit(fiber, sorted events, passages)` for every fiber that meets both sides.
+    fn visit_fibers(
+        &self,
+        bundle: &Bundle<D>,
+        layout: &Layout<D>,
+        mut visit: impl FnMut(u64, &[Event], &[Passage<D>]),
+    ) -> Result<(), Error> {
+        let mut gathered = bundle.gather(&self.a, &self.opponent);
+        let mut hits = Vec::new();
+        if let Opponent::Implicit(side) = &self.opponent {
+            hits = passages(side, bundle, &gathered, 1e-3 * layout.spacing)?;
+        }
+        let mut merged: Vec<Event> = Vec::new();
+        let mut next = 0;
+        for (index, (fiber, range)) in gathered.fibers.iter().enumerate() {
+            let events = &mut gathered.events[range.clone()];
+            let first = next;
+            while next < hits.len() && hits[next].stretch == index {
+                next += 1;
+            }
+            if first == next {
+                if !matches!(self.opponent, Opponent::Implicit(_)) {
+                    sort(events);
+                    visit(*fiber, events, &hits);
+                }
+                continue;
+            }
+            merged.clear();
+            merged.extend_from_slice(events);
+            merged.extend((first..next).map(|h| Event {
+                t: hits[h].hit.t,
+                source: h as u32,
+                of_b: true,
+                leaves: hits[h].leaves,
+            }));
+            sort(&mut merged);
+            visit(*fiber, &merged, &hits);
+        }
+        Ok(())
+    }
+
+    fn measure(&self, bundle: &Bundle<D>, layout: &Layout<D>) -> Result<Tally<D>, Error> {
+        let mut tally =
+            Tally { length: 0.0, square: 0.0, fibers_met: 0, facet_shares: Vec::new(), point_shares: Vec::new() };
+        let (mut facet_shares, mut point_shares) = (Vec::new(), Vec::new());
+        self.visit_fibers(bundle, layout, |fiber, events, hits| {
+            let (origin, direction) = bundle.ray(fiber);
+            let length = sweep(events, self.is_own(), bundle.length(), |event, coefficient| {
+                let side = match (&self.opponent, event.of_b) {
+                    (Opponent::Facets(b), true) => b,
+                    (Opponent::Implicit(_), true) => {
+                        let hit = &hits[event.source as usize].hit;
+                        let share = coefficient.abs() * self.weight(layout, &direction, &hit.normal);
+                        point_shares.push(PointShare { point: origin + direction * hit.t, normal: hit.normal, share });
+                        return;
+                    }
+                    _ => &self.a,
+                };
+                let facet = event.source as usize;
+                let Some(normal) = area_vector(&side.corners(facet)).try_normalize(0.0) else { return };
+                let p = bundle.project(side, facet, fiber);
+                let (i, j) = bundle.grid_point(fiber);
+                let (weights, _) = weights_at::<D>(std::array::from_fn(|k| &p[k]), i as f64, j as f64);
+                let share = coefficient.abs() * self.weight(layout, &direction, &normal);
+                facet_shares.push(FacetShare {
+                    facet: event.source,
+                    of_b: event.of_b,
+                    shares: weights.map(|w| w * share),
+                });
+            });
+            tally.length += length;
+            tally.square += length * length;
+            tally.fibers_met += usize::from(length > 0.0);
+        })?;
+        (tally.facet_shares, tally.point_shares) = (facet_shares, point_shares);
+        Ok(tally)
+    }
+
+    /// Measure of boundary that a crossing with this normal stands for; 0 where the fiber runs along the facet.
+    fn weight(&self, layout: &Layout<D>, direction: &Vector<D>, normal: &Vector<D>) -> f64 {
+        let slope = match (self.options.pattern, self.options.weights) {
+            (FiberPattern::Isotropic { .. }, _) => direction.dot(normal).abs(),
+            (FiberPattern::Lines, LineWeights::Consistent) => {
+                self.families.len() as f64 * direction.dot(normal).abs()
+            }
+            (FiberPattern::Lines, LineWeights::Balance) => {
+                self.families.iter().map(|f| f.direction().dot(normal).abs()).sum::<f64>()
+            }
+        };
+        if slope > 0.0 { layout.volume_per_length / slope } else { 0.0 }
+    }
+
+    fn assemble(&self, layout: &Layout<D>, tallies: Vec<Tally<D>>) -> Overlap<D> {
+        let (volume, standard_error) = self.volume(layout, &tallies);
+        let mut assembly = Assembly::new(self.a.views.points.len());
+        for tally in &tallies {
+            for share in &tally.facet_shares {
+                match (&self.opponent, share.of_b) {
+                    (Opponent::Facets(b), true) => assembly.add_facet(b, share, self.pose),
+                    _ => assembly.add_facet(&self.a, share, None),
+                }
+            }
+            if let Some(pose) = self.pose {
+                tally.point_shares.iter().for_each(|share| assembly.add_point(share, pose));
+            }
+        }
+        let fibers_met: usize = tallies.iter().map(|t| t.fibers_met).sum();
+        let warnings = self.warnings(layout, &assembly, fibers_met, volume);
+        let mut overlap = Overlap {
+            a: self.partners[0],
+            b: self.partners[1],
+            volume,
+            standard_error,
+            nodes: Vec::new(),
+            gradient: Vec::new(),
+            of_b: Vec::new(),
+            pose_gradient: self.pose.map(|_| assembly.pose_gradient()),
+            contact_area: assembly.contact_area(),
+            penetration: assembly.penetration(),
+            fiber_count: layout.bundles.iter().map(Bundle::fiber_count).sum(),
+            crossing_count: assembly.share_count(),
+            facet_count: assembly.facet_count(),
+            spacing: layout.spacing,
+            warnings,
+        };
+        assembly.write_nodes(self.surface, &mut overlap);
+        overlap
+    }
+
+    /// Volume and its standard error: from the spread of the families, each shifted at random by itself, or of the
+    /// independent segments.
+    fn volume(&self, layout: &Layout<D>, tallies: &[Tally<D>]) -> (f64, f64) {
+        let mut of_family = vec![0.0; self.families.len()];
+        let (mut sum, mut squares, mut count) = (0.0, 0.0, 0.0);
+        for (bundle, tally) in layout.bundles.iter().zip(tallies) {
+            match bundle {
+                Bundle::Lines { index, .. } => of_family[*index] += tally.length * layout.volume_per_length,
+                Bundle::Segments { .. } => {
+                    sum += tally.length;
+                    squares += tally.square;
+                    count += bundle.fiber_count() as f64;
+                }
+            }
+        }
+        if count > 0.0 {
+            let variance = (squares - sum * sum / count).max(0.0) * count / (count - 1.0).max(1.0);
+            return (sum * layout.volume_per_length, variance.sqrt() * layout.volume_per_length);
+        }
+        let families = of_family.len() as f64;
+        let mean = of_family.iter().sum::<f64>() / families;
+        let spread: f64 = of_family.iter().map(|v| (v - mean).powi(2)).sum();
+        (mean, (spread / (families * (families - 1.0))).sqrt())
+    }
+
+    fn warnings(&self, layout: &Layout<D>, assembly: &Assembly<D>, fibers: usize, volume: f64) -> Vec<Warning> {
+        let [a, b] = self.partners;
+        let mut warnings = Vec::new();
+        if matches!(self.options.pattern, FiberPattern::Lines) && layout.spacing > layout.facet_size && volume > 0.0 {
+            let Layout { spacing, facet_size, .. } = *layout;
+            warnings.push(Warning::CoarseFibers { a, b, spacing, facet_size });
+        }
+        if (1..FEWEST_FIBERS).contains(&fibers) {
+            warnings.push(Warning::UnresolvedOverlap { a, b, fibers });
+        }
+        warnings.extend(super::warning::swallowed(a, b, assembly.side_areas()));
+        warnings
+    }
+}

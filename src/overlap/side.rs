@@ -1,0 +1,82 @@
+//! The two sides of a pair.
+
+use crate::geometry::aabb::Aabb;
+use crate::geometry::crossing::Projected;
+use crate::geometry::{Pose, Shape, Vector};
+use crate::sampling::Family;
+
+/// Vertices at their current positions, and as seen along every line family.
+pub(crate) struct Views<const D: usize> {
+    pub(crate) points: Vec<Vector<D>>,
+    pub(crate) viewed: Vec<Vec<Projected>>,
+}
+
+impl<const D: usize> Views<D> {
+    /// Views along `families`; none are needed for segments and for the exact estimator.
+    pub(crate) fn new(points: Vec<Vector<D>>, families: &[Family<D>]) -> Self {
+        let viewed = families.iter().map(|f| points.iter().map(|x| f.view(x)).collect()).collect();
+        Self { points, viewed }
+    }
+}
+
+/// A body bounded by facets.
+#[derive(Clone, Copy)]
+pub(crate) struct FacetSide<'a, const D: usize> {
+    pub(crate) facets: &'a [[u32; D]],
+    pub(crate) views: &'a Views<D>,
+    /// Box of all its vertices.
+    pub(crate) aabb: Aabb<D>,
+}
+
+impl<'a, const D: usize> FacetSide<'a, D> {
+    pub(crate) fn new(facets: &'a [[u32; D]], views: &'a Views<D>) -> Self {
+        let aabb = Aabb::of(facets.iter().flatten().map(|&v| &views.points[v as usize]));
+        Self { facets, views, aabb }
+    }
+
+    pub(crate) fn corners(&self, facet: usize) -> [Vector<D>; D] {
+        self.facets[facet].map(|v| self.views.points[v as usize])
+    }
+
+    pub(crate) fn facet_box(&self, facet: usize) -> Aabb<D> {
+        Aabb::of(&self.corners(facet))
+    }
+
+    /// Facets whose box meets `region`.
+    pub(crate) fn facets_in(&self, region: &Aabb<D>) -> Vec<u32> {
+        (0..self.facets.len() as u32).filter(|&f| self.facet_box(f as usize).meets(region)).collect()
+    }
+}
+
+/// A rigid shape that is not bounded by facets.
+#[derive(Clone, Copy)]
+pub(crate) struct ImplicitSide<'a, const D: usize> {
+    pub(crate) obstacle: usize,
+    pub(crate) shape: &'a Shape<D>,
+    pub(crate) pose: &'a Pose<D>,
+}
+
+/// What stands against the first body of a pair.
+#[derive(Clone, Copy)]
+pub(crate) enum Opponent<'a, const D: usize> {
+    /// The body itself: its self-overlap is sought.
+    Itself,
+    /// Another body of the mesh, or an obstacle bounded by facets.
+    Facets(FacetSide<'a, D>),
+    /// An obstacle with closed-form or marched crossings.
+    Implicit(ImplicitSide<'a, D>),
+}
+
+impl<const D: usize> ImplicitSide<'_, D> {
+    /// Whether its crossings are marched, through a function that belongs to the host.
+    pub(crate) fn is_marched(&self) -> bool {
+        matches!(self.shape, Shape::SignedDistance(_))
+    }
+}
+
+impl<const D: usize> Opponent<'_, D> {
+    /// Whether it is a signed distance function.
+    pub(crate) fn is_marched(&self) -> bool {
+        matches!(self, Opponent::Implicit(side) if side.is_marched())
+    }
+}

@@ -1,0 +1,125 @@
+//! Families of parallel lines.
+
+use super::counter::uniform;
+use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::crossing::{Projected, Window};
+
+/// Angle by which directions leave the coordinate axes: the golden angle's complement, an irrational part of a turn.
+/// Meshes are often aligned with the axes; a pattern aligned with the mesh is exact or poor by luck.
+const TILT: f64 = 0.381_966_011_250_105;
+
+/// A family of parallel lines on a regular grid: where it runs, not how dense it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Family<const D: usize> {
+    /// Right-handed, orthonormal; the last is the direction of the lines.
+    axes: [Vector<D>; D],
+    /// Random shift of the grid, in units of the spacing.
+    shift: [f64; 2],
+}
+
+impl<const D: usize> Family<D> {
+    /// D families at right angles.
+    pub(crate) fn all(seed: u64) -> Vec<Self> {
+        let frame = tilted_frame::<D>();
+        (0..D)
+            .map(|k| {
+                let mut axes: [Vector<D>; D] = std::array::from_fn(|i| frame[(k + 1 + i) % D]);
+                if D == 2 {
+                    // A cyclic shift of two vectors changes handedness.
+                    axes[0] *= if k == 0 { -1.0 } else { 1.0 };
+                } else {
+                    // The grid itself is turned as well.
+                    let (s, c) = (1.0 + TILT).sin_cos();
+                    (axes[0], axes[1]) = (axes[0] * c + axes[1] * s, axes[1] * c - axes[0] * s);
+                }
+                Self { axes, shift: [0, 1].map(|axis| uniform(seed, k as u64, axis)) }
+            })
+            .collect()
+    }
+
+    /// Direction of the lines.
+    pub(crate) fn direction(&self) -> &Vector<D> {
+        &self.axes[D - 1]
+    }
+
+    /// A point across and along the lines, in units of length.
+    pub(crate) fn view(&self, x: &Vector<D>) -> Projected {
+        let v = if D == 2 { 0.0 } else { x.dot(&self.axes[1]) };
+        [x.dot(&self.axes[0]), v, x.dot(self.direction())]
+    }
+
+    /// The same in units of the grid, so that lines stand at whole numbers.
+    pub(crate) fn on_grid(&self, viewed: &Projected, per_length: f64) -> Projected {
+        let v = if D == 2 { 0.0 } else { viewed[1] * per_length - self.shift[1] };
+        [viewed[0] * per_length - self.shift[0], v, viewed[2]]
+    }
+
+    /// Lines that meet `region`, one more on each side against rounding, and the largest `t` in it; `None` if there
+    /// are more than can be numbered.
+    pub(crate) fn window(&self, region: &Aabb<D>, per_length: f64) -> Option<(Window, f64)> {
+        let center = self.view(&region.center());
+        let range = |axis: usize| {
+            let (middle, half) = (center[axis] * per_length - self.shift[axis], self.width(region, axis) * per_length);
+            let (low, high) = ((0.5f64).mul_add(-half, middle).floor(), (0.5f64).mul_add(half, middle).ceil());
+            (low.abs().max(high.abs()) < 1e15).then_some(low as i64 - 1..high as i64 + 2)
+        };
+        let window = Window { i: range(0)?, j: if D == 2 { 0..1 } else { range(1)? } };
+        let half = self.width(region, D - 1) * 0.5;
+        Some((window, center[2] + half + 1e-9 * (half + center[2].abs())))
+    }
+
+    /// Measure of the shadow's bounding rectangle of `region` across the lines (2D: its length).
+    pub(crate) fn shadow(&self, region: &Aabb<D>) -> f64 {
+        (0..D - 1).map(|axis| self.width(region, axis)).product()
+    }
+
+    /// Extent of `region` along one of the axes.
+    fn width(&self, region: &Aabb<D>, axis: usize) -> f64 {
+        region.extent().dot(&self.axes[axis].abs())
+    }
+
+    /// The point of line (i, j) at t = 0.
+    pub(crate) fn origin(&self, i: i64, j: i64, spacing: f64) -> Vector<D> {
+        let across = self.axes[0] * ((i as f64 + self.shift[0]) * spacing);
+        if D == 2 { across } else { across + self.axes[1] * ((j as f64 + self.shift[1]) * spacing) }
+    }
+}
+
+/// An orthonormal, right-handed frame, turned off the coordinate axes.
+fn tilted_frame<const D: usize>() -> [Vector<D>; D] {
+    let mut frame: [Vector<D>; D] = std::array::from_fn(|i| Vector::from_fn(|j, _| if i == j { 1.0 } else { 0.0 }));
+    let mut turn = |p: usize, q: usize, angle: f64| {
+        let (s, c) = angle.sin_cos();
+        (frame[p], frame[q]) = (frame[p] * c + frame[q] * s, frame[q] * c - frame[p] * s);
+    };
+    turn(0, 1, TILT);
+    if D == 3 {
+        turn(1, 2, TILT * 1.3);
+        turn(2, 0, TILT * 0.7);
+    }
+    frame
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::facet::determinant;
+
+    fn frames_are_right_handed<const D: usize>() {
+        for family in Family::<D>::all(3) {
+            assert!((determinant(&family.axes) - 1.0).abs() < 1e-14);
+            let spacing = 0.25;
+            let x = family.origin(3, if D == 2 { 0 } else { -2 }, spacing) + family.direction() * 0.7;
+            let p = family.on_grid(&family.view(&x), 1.0 / spacing);
+            assert!((p[0] - 3.0).abs() < 1e-12 && (p[2] - 0.7).abs() < 1e-14);
+            assert!(D == 2 || (p[1] + 2.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn frames_are_right_handed_in_2d_and_3d() {
+        frames_are_right_handed::<2>();
+        frames_are_right_handed::<3>();
+    }
+}
