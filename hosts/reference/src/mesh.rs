@@ -1,0 +1,119 @@
+//! Meshes from files: nodes, and the cells of highest dimension with the numbers that the file gives them.
+//!
+//! Gmsh 4.1 and VTU are told apart by their content, not by their name. Cells of lower dimension (boundary lines,
+//! points) are left out. Numbers of nodes and cells in messages are those of the file: tags in Gmsh, indices from 0 in
+//! VTU. Indices that a mesh holds are valid; coordinates may be anything, also NaN.
+
+use anyhow::{Context, Result, bail, ensure};
+use fmc_contact::CellType;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+mod element_type;
+mod gmsh;
+mod gmsh_stream;
+mod vtu;
+mod vtu_array;
+mod vtu_write;
+
+pub(crate) use vtu_write::{VtkCell, VtuWriter};
+
+/// Cells of one type, in the order of the file.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Block {
+    pub(crate) cell_type: CellType,
+    /// Node indices, `[cell_count, node_count]`.
+    pub(crate) conn: Vec<u32>,
+    /// Number of each cell in the file.
+    pub(crate) tags: Vec<u64>,
+    /// Group of each cell: its physical group (Gmsh) or the entry of a cell array (VTU).
+    pub(crate) groups: Vec<Option<i64>>,
+}
+
+/// What the cells fill.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// Triangles and quadrilaterals at constant z: a 2D mesh.
+    Flat,
+    /// Triangles and quadrilaterals in space: the surface of bodies.
+    Surface,
+    /// Tetrahedra and hexahedra.
+    Solid,
+}
+
+/// A mesh as it stands in a file.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Mesh {
+    /// File it was read from, as the user named it.
+    pub(crate) file: String,
+    pub(crate) points: Vec<[f64; 3]>,
+    /// Number of each node in the file.
+    pub(crate) node_tags: Vec<u64>,
+    pub(crate) blocks: Vec<Block>,
+    pub(crate) group_names: BTreeMap<i64, String>,
+}
+
+/// z counts as constant if it varies by less than this part of the extent: meshes turned into the plane carry rounding.
+const FLATNESS: f64 = 1e-9;
+
+impl Mesh {
+    /// Reads a Gmsh 4.1 or VTU file.
+    pub(crate) fn read(path: &Path) -> Result<Self> {
+        let file = path.display().to_string();
+        let bytes = std::fs::read(path).with_context(|| format!("{file} cannot be read"))?;
+        let start = bytes.trim_ascii_start();
+        let mut mesh = if start.starts_with(b"$") {
+            gmsh::parse(&bytes).with_context(|| file.clone())?
+        } else if start.starts_with(b"<") {
+            vtu::parse(&bytes).with_context(|| file.clone())?
+        } else {
+            bail!("{file} is neither a Gmsh mesh (.msh, format 4.1) nor a VTK unstructured grid (.vtu)");
+        };
+        ensure!(!mesh.blocks.is_empty(), "{file} has no triangles, quadrilaterals, tetrahedra or hexahedra");
+        mesh.file = file;
+        Ok(mesh)
+    }
+
+    /// Adds a cell after those already there.
+    fn push(&mut self, cell_type: CellType, nodes: impl IntoIterator<Item = u32>, tag: u64, group: Option<i64>) {
+        if self.blocks.last().is_none_or(|block| block.cell_type != cell_type) {
+            self.blocks.push(Block { cell_type, conn: Vec::new(), tags: Vec::new(), groups: Vec::new() });
+        }
+        let block = self.blocks.last_mut().expect("a block was just pushed");
+        block.conn.extend(nodes);
+        block.tags.push(tag);
+        block.groups.push(group);
+    }
+
+    /// Number of cells.
+    pub(crate) fn cell_count(&self) -> usize {
+        self.blocks.iter().map(|block| block.tags.len()).sum()
+    }
+
+    /// Cells as type, nodes, number in the file and group, block after block.
+    pub(crate) fn cells(&self) -> impl Iterator<Item = (CellType, &[u32], u64, Option<i64>)> {
+        self.blocks.iter().flat_map(|block| {
+            let nodes = block.conn.chunks_exact(block.cell_type.node_count());
+            nodes
+                .zip(&block.tags)
+                .zip(&block.groups)
+                .map(|((nodes, &tag), &group)| (block.cell_type, nodes, tag, group))
+        })
+    }
+
+    /// What the cells fill. NaN coordinates are left to the checks that name them.
+    pub(crate) fn kind(&self) -> Kind {
+        if self.blocks.iter().any(|block| block.cell_type.dimension() == 3) {
+            return Kind::Solid;
+        }
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for &node in self.blocks.iter().flat_map(|block| &block.conn) {
+            for axis in 0..3 {
+                low[axis] = low[axis].min(self.points[node as usize][axis]);
+                high[axis] = high[axis].max(self.points[node as usize][axis]);
+            }
+        }
+        let extent = (high[0] - low[0]).max(high[1] - low[1]);
+        if high[2] - low[2] > FLATNESS * extent { Kind::Surface } else { Kind::Flat }
+    }
+}

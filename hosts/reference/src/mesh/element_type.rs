@@ -1,0 +1,137 @@
+//! Element types of Gmsh and VTK.
+
+use fmc_contact::CellType;
+
+/// An element type of a file format.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ElementType {
+    pub(super) name: &'static str,
+    pub(super) dimension: usize,
+    pub(super) node_count: usize,
+    /// The cell that it is, if it is one; node orders agree.
+    pub(super) cell_type: Option<CellType>,
+}
+
+impl ElementType {
+    /// Element type by its number in the MSH format.
+    pub(super) fn of_gmsh(number: i64) -> Option<Self> {
+        GMSH.iter().find(|row| row.0 == number).map(|&(_, name, dimension, node_count)| {
+            let cell_type = match number {
+                2 => Some(CellType::Tri3),
+                3 => Some(CellType::Quad4),
+                4 => Some(CellType::Tet4),
+                5 => Some(CellType::Hex8),
+                _ => None,
+            };
+            Self { name, dimension, node_count, cell_type }
+        })
+    }
+
+    /// Element type by its number in VTK; types of variable size have a node count of 0.
+    pub(super) fn of_vtk(number: i64) -> Option<Self> {
+        VTK.iter().find(|row| row.0 == number).map(|&(_, name, dimension, node_count)| {
+            let cell_type = match number {
+                5 => Some(CellType::Tri3),
+                9 => Some(CellType::Quad4),
+                10 => Some(CellType::Tet4),
+                12 => Some(CellType::Hex8),
+                _ => None,
+            };
+            Self { name, dimension, node_count, cell_type }
+        })
+    }
+
+    /// Why these cells cannot be used.
+    pub(super) fn refusal(&self) -> String {
+        let Self { name, .. } = self;
+        format!("{name} cells are not supported, only Tri3, Quad4, Tet4 and Hex8 (straight-sided, first order)")
+    }
+}
+
+/// Number, name, dimension and nodes (Gmsh reference manual, "MSH file format").
+const GMSH: &[(i64, &str, usize, usize)] = &[
+    (1, "Line2", 1, 2),
+    (2, "Tri3", 2, 3),
+    (3, "Quad4", 2, 4),
+    (4, "Tet4", 3, 4),
+    (5, "Hex8", 3, 8),
+    (6, "Prism6", 3, 6),
+    (7, "Pyramid5", 3, 5),
+    (8, "Line3", 1, 3),
+    (9, "Tri6", 2, 6),
+    (10, "Quad9", 2, 9),
+    (11, "Tet10", 3, 10),
+    (12, "Hex27", 3, 27),
+    (13, "Prism18", 3, 18),
+    (14, "Pyramid14", 3, 14),
+    (15, "Point", 0, 1),
+    (16, "Quad8", 2, 8),
+    (17, "Hex20", 3, 20),
+    (18, "Prism15", 3, 15),
+    (19, "Pyramid13", 3, 13),
+    (20, "Tri9", 2, 9),
+    (21, "Tri10", 2, 10),
+    (22, "Tri12", 2, 12),
+    (23, "Tri15", 2, 15),
+    (24, "Tri15 (incomplete)", 2, 15),
+    (25, "Tri21", 2, 21),
+    (26, "Line4", 1, 4),
+    (27, "Line5", 1, 5),
+    (28, "Line6", 1, 6),
+    (29, "Tet20", 3, 20),
+    (30, "Tet35", 3, 35),
+    (31, "Tet56", 3, 56),
+    (36, "Quad16", 2, 16),
+    (37, "Quad25", 2, 25),
+    (38, "Quad36", 2, 36),
+    (39, "Quad12", 2, 12),
+    (40, "Quad16 (incomplete)", 2, 16),
+    (41, "Quad20", 2, 20),
+    (92, "Hex64", 3, 64),
+    (93, "Hex125", 3, 125),
+];
+
+/// Number, name, dimension and nodes (`vtkCellType.h`).
+const VTK: &[(i64, &str, usize, usize)] = &[
+    (1, "Point", 0, 1),
+    (2, "PolyVertex", 0, 0),
+    (3, "Line2", 1, 2),
+    (4, "PolyLine", 1, 0),
+    (5, "Tri3", 2, 3),
+    (6, "TriangleStrip", 2, 0),
+    (7, "Polygon", 2, 0),
+    (8, "Pixel", 2, 4),
+    (9, "Quad4", 2, 4),
+    (10, "Tet4", 3, 4),
+    (11, "Voxel", 3, 8),
+    (12, "Hex8", 3, 8),
+    (13, "Wedge6", 3, 6),
+    (14, "Pyramid5", 3, 5),
+    (21, "Line3", 1, 3),
+    (22, "Tri6", 2, 6),
+    (23, "Quad8", 2, 8),
+    (24, "Tet10", 3, 10),
+    (25, "Hex20", 3, 20),
+    (26, "Wedge15", 3, 15),
+    (27, "Pyramid13", 3, 13),
+    (28, "Quad9", 2, 9),
+    (29, "Hex27", 3, 27),
+    (34, "Tri7", 2, 7),
+    (35, "Line4", 1, 4),
+    (36, "Polygon of second order", 2, 0),
+    (42, "Polyhedron", 3, 0),
+    (68, "Lagrange curve", 1, 0),
+    (69, "Lagrange triangle", 2, 0),
+    (70, "Lagrange quadrilateral", 2, 0),
+    (71, "Lagrange tetrahedron", 3, 0),
+    (72, "Lagrange hexahedron", 3, 0),
+    (73, "Lagrange wedge", 3, 0),
+    (74, "Lagrange pyramid", 3, 0),
+    (75, "Bezier curve", 1, 0),
+    (76, "Bezier triangle", 2, 0),
+    (77, "Bezier quadrilateral", 2, 0),
+    (78, "Bezier tetrahedron", 3, 0),
+    (79, "Bezier hexahedron", 3, 0),
+    (80, "Bezier wedge", 3, 0),
+    (81, "Bezier pyramid", 3, 0),
+];

@@ -1,0 +1,124 @@
+//! VTK unstructured grids in XML, `.vtu`.
+//!
+//! Read here and not by `vtkio`, which (0.7.0-rc2) refuses appended raw data, what ParaView writes unless told
+//! otherwise, and ends the program on a file that is cut short.
+
+use super::Mesh;
+use super::element_type::ElementType;
+use super::vtu_array::{Encoding, offset};
+use anyhow::{Context, Result, bail, ensure};
+use roxmltree::{Document, Node};
+
+/// Cell arrays that tell the group of a cell, the first that is there: as this command, meshio and Gmsh name them.
+const GROUP_ARRAYS: [&str; 4] = ["body", "gmsh:physical", "medit:ref", "CellEntityIds"];
+
+pub(super) fn parse(bytes: &[u8]) -> Result<Mesh> {
+    let (xml, appended) = split_appended(bytes)?;
+    let document = Document::parse(&xml).context("it is not well-formed XML")?;
+    let root = document.root_element();
+    ensure!(root.has_tag_name("VTKFile"), "it is not a VTK file");
+    let kind = root.attribute("type").unwrap_or_default();
+    ensure!(kind == "UnstructuredGrid", "it holds '{kind}'; save it as an unstructured grid (.vtu)");
+    let mut offsets: Vec<usize> = document.descendants().filter_map(offset).collect();
+    offsets.sort_unstable();
+    let encoding = Encoding {
+        little_endian: root.attribute("byte_order") != Some("BigEndian"),
+        header_size: if root.attribute("header_type") == Some("UInt64") { 8 } else { 4 },
+        compressor: root.attribute("compressor").filter(|name| !name.is_empty()),
+        appended,
+        offsets,
+    };
+    let grid = child(root, "UnstructuredGrid")?;
+    let size = |piece: &Node, name| piece.attribute(name).and_then(|text| text.trim().parse::<usize>().ok());
+    let mut pieces = grid.children().filter(|n| n.has_tag_name("Piece") && size(n, "NumberOfCells") != Some(0));
+    let piece = pieces.next().context("it has no cells")?;
+    ensure!(pieces.next().is_none(), "it has several pieces, which would be torn apart; merge them into one");
+    let point_count = size(&piece, "NumberOfPoints").context("the number of points cannot be read")?;
+    let cell_count = size(&piece, "NumberOfCells").context("the number of cells cannot be read")?;
+    let points = child(piece, "Points")?.children().find(|n| n.has_tag_name("DataArray"));
+    let points = encoding.floats(points.context("it has no array of points")?)?;
+    ensure!(Some(points.len()) == point_count.checked_mul(3), "{point_count} points have {} coordinates", points.len());
+    let mut mesh = Mesh {
+        points: points.chunks_exact(3).map(|x| [x[0], x[1], x[2]]).collect(),
+        node_tags: (0..point_count as u64).collect(),
+        ..Mesh::default()
+    };
+    let topology = child(piece, "Cells")?;
+    let named = |name: &str| -> Result<Vec<i64>> {
+        encoding.integers(array(topology, name).with_context(|| format!("it has no array '{name}' of cells"))?)
+    };
+    let (conn, ends, types) = (named("connectivity")?, named("offsets")?, named("types")?);
+    ensure!(ends.len() == cell_count, "{cell_count} cells have {} offsets", ends.len());
+    ensure!(types.len() == cell_count, "{cell_count} cells have {} types", types.len());
+    let groups = piece
+        .children()
+        .find(|n| n.has_tag_name("CellData"))
+        .and_then(|data| GROUP_ARRAYS.iter().find_map(|name| array(data, name)).map(|found| encoding.integers(found)));
+    cells(&mut mesh, &conn, &ends, &types, &groups.transpose()?)?;
+    Ok(mesh)
+}
+
+/// Takes over the cells of highest dimension.
+fn cells(mesh: &mut Mesh, conn: &[i64], ends: &[i64], types: &[i64], groups: &Option<Vec<i64>>) -> Result<()> {
+    let mut rows = Vec::new();
+    let mut start = 0;
+    for (cell, (&end, &number)) in ends.iter().zip(types).enumerate() {
+        let end = usize::try_from(end).unwrap_or(usize::MAX);
+        let Some(nodes) = conn.get(start..end) else { bail!("cell {cell} has no nodes in 'connectivity'") };
+        start = end;
+        let Some(element_type) = ElementType::of_vtk(number) else {
+            bail!("cell {cell} has the unknown type {number}")
+        };
+        rows.push((element_type, nodes));
+    }
+    let highest = rows.iter().map(|(element_type, _)| element_type.dimension).fold(2, usize::max);
+    for (cell, (element_type, nodes)) in rows.into_iter().enumerate() {
+        if element_type.dimension != highest {
+            continue;
+        }
+        let Some(cell_type) = element_type.cell_type else { bail!("{}", element_type.refusal()) };
+        ensure!(
+            nodes.len() == element_type.node_count,
+            "cell {cell} ({}) has {} nodes",
+            element_type.name,
+            nodes.len()
+        );
+        let mut indices = Vec::with_capacity(8);
+        for &node in nodes {
+            match usize::try_from(node) {
+                Ok(index) if index < mesh.points.len() => indices.push(index as u32),
+                _ => bail!("cell {cell} names node {node}, but there are {} nodes", mesh.points.len()),
+            }
+        }
+        mesh.push(cell_type, indices, cell as u64, groups.as_ref().and_then(|groups| groups.get(cell).copied()));
+    }
+    Ok(())
+}
+
+/// Appended data: what follows the underscore, and whether it is base64.
+type Appended<'a> = (&'a [u8], bool);
+
+/// The XML without its appended data, which in raw form is no XML, and that data.
+fn split_appended(bytes: &[u8]) -> Result<(String, Option<Appended<'_>>)> {
+    let find = |text: &[u8], from: usize| bytes[from..].windows(text.len()).position(|w| w == text).map(|at| from + at);
+    let utf8 = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).context("it is not text in UTF-8");
+    let Some(start) = find(b"<AppendedData", 0) else { return Ok((utf8(bytes)?, None)) };
+    let tag_end = find(b">", start).context("AppendedData is cut short")?;
+    let data = find(b"_", tag_end).context("AppendedData has no underscore before its data")? + 1;
+    let is_base64 = match String::from_utf8_lossy(&bytes[start..tag_end]).split(['"', '\'']).nth(1) {
+        Some("raw") => false,
+        Some("base64") => true,
+        _ => bail!("the encoding of AppendedData is neither raw nor base64"),
+    };
+    // Raw data has no mark at its end, but each array tells its length; in base64 the next tag ends it.
+    let end = if is_base64 { find(b"<", data).unwrap_or(bytes.len()) } else { bytes.len() };
+    Ok((utf8(&bytes[..start])? + "</VTKFile>", Some((&bytes[data..end], is_base64))))
+}
+
+fn child<'a, 'input>(parent: Node<'a, 'input>, name: &str) -> Result<Node<'a, 'input>> {
+    parent.children().find(|n| n.has_tag_name(name)).with_context(|| format!("it has no element {name}"))
+}
+
+fn array<'a, 'input>(parent: Node<'a, 'input>, name: &str) -> Option<Node<'a, 'input>> {
+    parent.children().find(|n| n.has_tag_name("DataArray") && n.attribute("Name") == Some(name))
+}
