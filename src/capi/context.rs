@@ -115,10 +115,7 @@ pub(super) unsafe fn write<T>(
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`, `FMC_ERROR_STRUCT_SIZE`,
 /// `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_set_options(
-    context: *mut fmc_context,
-    options: *const fmc_options,
-) -> fmc_status {
+pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context and options.
         unsafe {

@@ -198,7 +198,7 @@ mod tests {
         assert_eq!(text(0, &[-1, 1]), names(10, "-1"));
         assert_eq!(text(0, &[i64::MIN, 1]), names(10, "-9223372036854775808"));
         let names = |cell, node| names(cell, node).map_err(|text| format!("{text}, counted from 1"));
-        assert_eq!(text(1, &[1, 0]), names::<>(11, "0"));
+        assert_eq!(text(1, &[1, 0]), names(11, "0"));
         assert_eq!(text(1, &[i64::MIN, 0]), names(11, "-9223372036854775808"));
     }
 }

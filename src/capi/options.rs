@@ -281,6 +281,9 @@ mod tests {
             assert_eq!(refused(change).0, FMC_ERROR_UNKNOWN_OPTION);
         }
         assert_eq!(refused(|o| o.struct_size = 8).0, FMC_ERROR_STRUCT_SIZE);
-        assert_eq!(refused(|o| o.threads = -2), (FMC_ERROR_NOT_POSITIVE, "'threads' is -2, which is not allowed".into()));
+        assert_eq!(
+            refused(|o| o.threads = -2),
+            (FMC_ERROR_NOT_POSITIVE, "'threads' is -2, which is not allowed".into())
+        );
     }
 }

@@ -12,9 +12,8 @@ use std::ffi::c_void;
 /// Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
 /// for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a
 /// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
-pub type fmc_signed_distance = Option<
-    unsafe extern "C" fn(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32,
->;
+pub type fmc_signed_distance =
+    Option<unsafe extern "C" fn(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32>;
 
 /// A callback and its user pointer.
 #[derive(Clone, Copy)]

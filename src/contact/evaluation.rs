@@ -138,7 +138,10 @@ impl<const D: usize> Contact<D> {
         let placed: Vec<Option<(&[[u32; D]], Views<D>)>> = (self.obstacles.iter())
             .map(|rigid| rigid.placed_facets(exact).map(|(facets, points)| (facets, Views::new(points, &families))))
             .collect();
-        let body = |body: usize| FacetSide::new(&self.surface.facets[self.surface.ranges[body].clone()], &views);
+        let body = |body: usize| {
+            let facets = &self.surface.facets[self.surface.ranges[body].clone()];
+            FacetSide::new(facets, self.surface.vertices[body].iter().copied(), &views)
+        };
         let bodies: Vec<FacetSide<D>> = (0..self.surface.body_count()).map(body).collect();
 
         let parallel = self.pool.is_some();
@@ -170,7 +173,9 @@ impl<const D: usize> Contact<D> {
             for (obstacle, (rigid, placed)) in self.obstacles.iter().zip(&placed).enumerate() {
                 let pose = &rigid.obstacle.pose;
                 let opponent = match placed {
-                    Some((facets, views)) => Opponent::Facets(FacetSide::new(facets, views)),
+                    Some((facets, views)) => {
+                        Opponent::Facets(FacetSide::new(facets, 0..views.points.len() as u32, views))
+                    }
                     None => Opponent::Implicit(ImplicitSide { obstacle, shape: &rigid.obstacle.shape, pose }),
                 };
                 results.extend(measure([Partner::Body(i), Partner::Obstacle(obstacle)], a, opponent, Some(pose))?);

@@ -40,6 +40,12 @@ impl Window {
     }
 }
 
+/// ⌈x⌉ for numbers of lines. The library function is a call where the processor's baseline lacks the instruction.
+pub(crate) fn ceil(x: f64) -> i64 {
+    let towards_zero = x as i64;
+    towards_zero + i64::from(x > towards_zero as f64)
+}
+
 /// Value on an edge from `p` to `q` where coordinate `axis` is `at`; exact at the ends, monotone between.
 fn along(p: &Projected, q: &Projected, axis: usize, at: f64) -> f64 {
     (at - p[axis]) / (q[axis] - p[axis])
@@ -58,8 +64,8 @@ pub(crate) fn for_each_crossing<const D: usize>(
         2 => {
             let leaves = p[1][0] < p[0][0];
             let (low, high) = if leaves { (p[1], p[0]) } else { (p[0], p[1]) };
-            let first = (low[0].ceil() as i64).max(window.i.start);
-            let last = (high[0].ceil() as i64).min(window.i.end);
+            let first = ceil(low[0]).max(window.i.start);
+            let last = ceil(high[0]).min(window.i.end);
             for i in first..last {
                 visit(i, 0, low[2] + along(low, high, 0, i as f64) * (high[2] - low[2]), leaves);
             }
@@ -76,9 +82,9 @@ pub(crate) fn for_each_crossing<const D: usize>(
             if b[1] < a[1] {
                 (a, b, even) = (b, a, !even);
             }
-            let middle = b[1].ceil() as i64;
-            let first = (a[1].ceil() as i64).max(window.j.start);
-            let last = (c[1].ceil() as i64).min(window.j.end);
+            let middle = ceil(b[1]);
+            let first = ceil(a[1]).max(window.j.start);
+            let last = ceil(c[1]).min(window.j.end);
             for j in first..last {
                 let (s, long) = (j as f64, along(a, c, 1, j as f64));
                 let (from, to) = if j < middle { (a, b) } else { (b, c) };
@@ -88,8 +94,8 @@ pub(crate) fn for_each_crossing<const D: usize>(
                 // The line leaves where the upward edge is on the right.
                 let (left, right, leaves) =
                     if ul <= us { ((ul, tl), (us, ts), even) } else { ((us, ts), (ul, tl), !even) };
-                let i_first = (left.0.ceil() as i64).max(window.i.start);
-                let i_last = (right.0.ceil() as i64).min(window.i.end);
+                let i_first = ceil(left.0).max(window.i.start);
+                let i_last = ceil(right.0).min(window.i.end);
                 if i_first < i_last {
                     let slope = (right.1 - left.1) / (right.0 - left.0);
                     for i in i_first..i_last {

@@ -9,12 +9,18 @@ use super::crossing::{Projected, Window, for_each_crossing};
 pub(crate) fn cover_count<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>], x: &Vector<D>) -> i32 {
     let mut count = 0;
     for facet in facets {
-        let p: [Projected; D] = facet.map(|v| {
-            let y = points[v as usize] - x;
-            if D == 2 { [y[0], 0.0, y[1]] } else { [y[0], y[1], y[D - 1]] }
-        });
-        if p.iter().all(|q| q[0] < 0.0) || p.iter().all(|q| q[0] > 0.0) {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for &v in facet {
+            let u = points[v as usize][0];
+            (low, high) = (low.min(u), high.max(u));
+        }
+        if low > x[0] || high < x[0] {
             continue;
+        }
+        let mut p: [Projected; D] = [[0.0; 3]; D];
+        for (p, &v) in p.iter_mut().zip(facet) {
+            let y = points[v as usize] - x;
+            *p = if D == 2 { [y[0], 0.0, y[1]] } else { [y[0], y[1], y[D - 1]] };
         }
         for_each_crossing::<D>(std::array::from_fn(|k| &p[k]), &Window::single(), |_, _, t, leaves| {
             if t < 0.0 {

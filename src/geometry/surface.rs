@@ -24,8 +24,8 @@ pub struct Surface<const D: usize> {
     pub(crate) ranges: Vec<Range<usize>>,
     /// Cell of every facet; empty for surfaces given directly.
     pub(crate) facet_cell: Vec<u32>,
-    /// Number of surface nodes of every body.
-    node_counts: Vec<usize>,
+    /// Vertices of every body, ascending: its nodes, then its centroids.
+    pub(crate) vertices: Vec<Vec<u32>>,
     /// Cells, where the surface was made from them.
     pub(crate) cells: Option<Cells>,
 }
@@ -65,7 +65,7 @@ impl<const D: usize> Surface<D> {
                 }
             }
         }
-        surface.count_nodes();
+        surface.collect_vertices();
         surface.cells = Some(cells);
         Ok(surface)
     }
@@ -111,7 +111,7 @@ impl<const D: usize> Surface<D> {
             surface.push(body, facet as u32, vertices);
         }
         surface.facet_cell.clear();
-        surface.count_nodes();
+        surface.collect_vertices();
         let points = surface.points(coords);
         for (body, range) in surface.ranges.iter().enumerate() {
             if enclosed_volume(&surface.facets[range.clone()], &points) < 0.0 {
@@ -133,20 +133,19 @@ impl<const D: usize> Surface<D> {
             centroids: Vec::new(),
             facets: Vec::new(),
             facet_cell: Vec::new(),
-            node_counts: Vec::new(),
+            vertices: Vec::new(),
             cells: None,
         }
     }
 
-    fn count_nodes(&mut self) {
-        let node = |&v: &u32| (v as usize) < self.nodes.len();
-        let count = |range: &Range<usize>| {
-            let mut nodes: Vec<u32> = self.facets[range.clone()].iter().flatten().copied().filter(node).collect();
-            nodes.sort_unstable();
-            nodes.dedup();
-            nodes.len()
+    fn collect_vertices(&mut self) {
+        let of = |range: &Range<usize>| {
+            let mut vertices: Vec<u32> = self.facets[range.clone()].iter().flatten().copied().collect();
+            vertices.sort_unstable();
+            vertices.dedup();
+            vertices
         };
-        self.node_counts = self.ranges.iter().map(count).collect();
+        self.vertices = self.ranges.iter().map(of).collect();
     }
 
     /// Vertex of a node that is known to lie on the surface.
@@ -199,7 +198,7 @@ impl<const D: usize> Surface<D> {
 
     /// Number of nodes on the surface of a body.
     pub fn surface_node_count(&self, body: usize) -> usize {
-        self.node_counts[body]
+        self.vertices[body].partition_point(|&v| (v as usize) < self.nodes.len())
     }
 
     /// Number of facets; a quadrilateral face counts as four.

@@ -8,7 +8,7 @@
 use super::assembly::{Assembly, FacetShare};
 use super::clip::clip_below;
 use super::estimate::{Overlap, Partner};
-use super::region::{common_region, trim};
+use super::region::{Region, common_region};
 use super::side::{FacetSide, ImplicitSide, Opponent};
 use super::solid::Solid;
 use super::warning::swallowed;
@@ -37,16 +37,18 @@ impl<const D: usize> ExactPair<'_, D> {
         let mut assembly = Assembly::new(self.a.views.points.len());
         let volume = match &self.opponent {
             Opponent::Itself => {
-                let region = self.a.aabb;
-                let shares = self.clip(&self.a, &self.solid(0, &self.a, &region), &region, false, true);
-                self.add(&mut assembly, &self.a, &shares, None, &region.center())
+                let aabb = self.a.aabb;
+                let facets: Vec<u32> = (0..self.a.facets.len() as u32).collect();
+                let shares = self.clip(&self.a, &facets, &self.solid(0, &self.a, &aabb), true, false);
+                self.add(&mut assembly, &self.a, &shares, None, &aabb.center())
             }
             Opponent::Facets(b) => {
                 let Some(region) = common_region(&self.a, b) else { return Ok(None) };
                 // One side after the other, so that a swap of the bodies swaps two numbers and no more.
-                let of_a = self.clip(&self.a, &self.solid(1, b, &region), &region, false, false);
-                let of_b = self.clip(b, &self.solid(0, &self.a, &region), &region, true, false);
-                let origin = region.center();
+                let Region { aabb, facets } = &region;
+                let of_a = self.clip(&self.a, &facets[0], &self.solid(1, b, aabb), false, false);
+                let of_b = self.clip(b, &facets[1], &self.solid(0, &self.a, aabb), false, true);
+                let origin = aabb.center();
                 self.add(&mut assembly, &self.a, &of_a, None, &origin)
                     + self.add(&mut assembly, b, &of_b, self.pose, &origin)
             }
@@ -55,9 +57,6 @@ impl<const D: usize> ExactPair<'_, D> {
                 up[D - 1] = 1.0;
                 let normal = pose.rotate(&up);
                 let origin = Vector::from(pose.position);
-                if trim(&self.a, &self.a.aabb).is_none() {
-                    return Ok(None);
-                }
                 let shares: Vec<FacetShare<D>> = (0..self.a.facets.len())
                     .filter_map(|facet| {
                         let corners = self.a.corners(facet);
@@ -89,8 +88,8 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 
-    /// What each facet of `side` has inside `solid`. With `own`, a facet's own cell does not count.
-    fn clip(&self, side: &FacetSide<D>, solid: &Solid<D>, region: &Aabb<D>, of_b: bool, own: bool) -> Vec<FacetShare<D>> {
+    /// What each of some facets of `side` has inside `solid`. With `own`, a facet's own cell does not count.
+    fn clip(&self, side: &FacetSide<D>, facets: &[u32], solid: &Solid<D>, own: bool, of_b: bool) -> Vec<FacetShare<D>> {
         let clip_facet = |facet: &u32| {
             let facet = *facet;
             let corners = side.corners(facet as usize);
@@ -107,7 +106,6 @@ impl<const D: usize> ExactPair<'_, D> {
             let measure = area.norm();
             (sums.iter().sum::<f64>() > 0.0).then(|| FacetShare { facet, of_b, shares: sums.map(|w| w * measure) })
         };
-        let facets = side.facets_in(region);
         if self.parallel {
             facets.par_iter().filter_map(clip_facet).collect()
         } else {

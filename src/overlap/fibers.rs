@@ -5,11 +5,11 @@
 //! weighs n / Σ_k ρ_k |d_k·n|, which is bounded, and the gradient is unbiased but not that of one number.
 
 use super::assembly::{Assembly, FacetShare, PointShare};
-use super::bundle::{Bundle, line_bundles, segment_bundles};
+use super::bundle::{Bundle, Gathering, line_bundles, segment_bundles};
 use super::estimate::{FiberTrace, Overlap, Partner};
 use super::implicit::{self, passages};
 use super::options::{FiberOptions, LineWeights};
-use super::region::{common_region, trim};
+use super::region::{Region, common_region, region_of};
 use super::resolution::{MOST_FIBERS, facet_size, line_spacing, segment_count};
 use super::side::{FacetSide, Opponent};
 use super::span::{Event, sort, sweep};
@@ -62,22 +62,22 @@ struct Layout<'a, const D: usize> {
 
 impl<'a, const D: usize> FiberPair<'a, D> {
     /// Where the two sides can overlap.
-    fn region(&self) -> Result<Option<Aabb<D>>, Error> {
+    fn region(&self) -> Result<Option<Region<D>>, Error> {
         Ok(match &self.opponent {
-            Opponent::Itself => Some(self.a.aabb),
+            Opponent::Itself => region_of(&self.a, &self.a.aabb),
             Opponent::Facets(b) => common_region(&self.a, b),
-            Opponent::Implicit(side) => match implicit::region(side, &self.a.aabb)? {
-                Some(region) => trim(&self.a, &region),
-                None => None,
-            },
+            Opponent::Implicit(side) => {
+                implicit::region(side, &self.a.aabb)?.and_then(|within| region_of(&self.a, &within))
+            }
         })
     }
 
     /// Calls `work` with the layout, or returns `None` where the sides are apart.
     fn with_layout<T>(&self, work: impl FnOnce(&Layout<D>) -> Result<T, Error>) -> Result<Option<T>, Error> {
-        let Some(region) = self.region()? else { return Ok(None) };
+        let Some(Region { aabb: region, facets }) = self.region()? else { return Ok(None) };
         let b = if let Opponent::Facets(b) = &self.opponent { Some(b) } else { None };
-        let facet_size = [Some(&self.a), b].iter().flatten().map(|s| facet_size(s, &region)).fold(f64::INFINITY, f64::min);
+        let sizes = [Some(&self.a), b].into_iter().flatten().zip(&facets).map(|(s, f)| facet_size(s, f));
+        let facet_size = sizes.fold(f64::INFINITY, f64::min);
         let facet_size = if facet_size.is_finite() { facet_size } else { region.extent().max() };
         match self.options.pattern {
             FiberPattern::Lines => {
@@ -121,11 +121,11 @@ impl<'a, const D: usize> FiberPair<'a, D> {
             let traces = self.for_each_bundle(layout, |bundle| {
                 let mut traces = Vec::new();
                 let margin = 0.05 * layout.region.extent().norm();
-                self.visit_fibers(bundle, layout, |fiber, events, _| {
+                self.visit_fibers(bundle, layout, |fiber, start, events, _| {
                     let (origin, direction) = bundle.ray(fiber);
                     let at = |t: f64| -> [f64; D] { (origin + direction * t).into() };
                     let mut ts = Vec::new();
-                    let length = sweep(events, self.is_own(), bundle.length(), |event, _| ts.push(event.t));
+                    let length = sweep(start, events, self.is_own(), bundle.length(), |event, _| ts.push(event.t));
                     if length > 0.0 {
                         let (start, end) = match (bundle.length(), ts.first(), ts.last()) {
                             (Some(length), _, _) => (0.0, length),
@@ -163,43 +163,43 @@ impl<'a, const D: usize> FiberPair<'a, D> {
         }
     }
 
-    /// Calls `visit(fiber, sorted events, passages)` for every fiber that meets both sides.
+    /// Calls `visit(fiber, cover at its start, sorted events, passages)` for every fiber that may meet both sides.
     fn visit_fibers(
         &self,
         bundle: &Bundle<D>,
         layout: &Layout<D>,
-        mut visit: impl FnMut(u64, &[Event], &[Passage<D>]),
+        mut visit: impl FnMut(u64, [i16; 2], &[Event], &[Passage<D>]),
     ) -> Result<(), Error> {
         let mut gathered = bundle.gather(&self.a, &self.opponent);
-        let mut hits = Vec::new();
-        if let Opponent::Implicit(side) = &self.opponent {
-            hits = passages(side, bundle, &gathered, 1e-3 * layout.spacing)?;
-        }
+        let Opponent::Implicit(side) = &self.opponent else {
+            for Gathering { fiber, start, events } in gathered.fibers {
+                let events = &mut gathered.events[events];
+                sort(events);
+                visit(fiber, start, events, &[]);
+            }
+            return Ok(());
+        };
+        let hits = passages(side, bundle, &gathered, 1e-3 * layout.spacing)?;
+        let [low, high] = bundle.reach();
         let mut merged: Vec<Event> = Vec::new();
         let mut next = 0;
-        for (index, (fiber, range)) in gathered.fibers.iter().enumerate() {
-            let events = &mut gathered.events[range.clone()];
+        for (index, Gathering { fiber, mut start, events }) in gathered.fibers.into_iter().enumerate() {
+            merged.clear();
+            merged.extend_from_slice(&gathered.events[events]);
             let first = next;
             while next < hits.len() && hits[next].stretch == index {
+                let Passage { hit, leaves, .. } = hits[next];
+                if hit.t < low {
+                    start[1] += if leaves { -1 } else { 1 };
+                } else if hit.t <= high {
+                    merged.push(Event { t: hit.t, source: next as u32, of_b: true, leaves });
+                }
                 next += 1;
             }
-            if first == next {
-                if !matches!(self.opponent, Opponent::Implicit(_)) {
-                    sort(events);
-                    visit(*fiber, events, &hits);
-                }
-                continue;
+            if first < next {
+                sort(&mut merged);
+                visit(fiber, start, &merged, &hits);
             }
-            merged.clear();
-            merged.extend_from_slice(events);
-            merged.extend((first..next).map(|h| Event {
-                t: hits[h].hit.t,
-                source: h as u32,
-                of_b: true,
-                leaves: hits[h].leaves,
-            }));
-            sort(&mut merged);
-            visit(*fiber, &merged, &hits);
         }
         Ok(())
     }
@@ -208,9 +208,9 @@ impl<'a, const D: usize> FiberPair<'a, D> {
         let mut tally =
             Tally { length: 0.0, square: 0.0, fibers_met: 0, facet_shares: Vec::new(), point_shares: Vec::new() };
         let (mut facet_shares, mut point_shares) = (Vec::new(), Vec::new());
-        self.visit_fibers(bundle, layout, |fiber, events, hits| {
+        self.visit_fibers(bundle, layout, |fiber, start, events, hits| {
             let (origin, direction) = bundle.ray(fiber);
-            let length = sweep(events, self.is_own(), bundle.length(), |event, coefficient| {
+            let length = sweep(start, events, self.is_own(), bundle.length(), |event, coefficient| {
                 let side = match (&self.opponent, event.of_b) {
                     (Opponent::Facets(b), true) => b,
                     (Opponent::Implicit(_), true) => {

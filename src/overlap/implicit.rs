@@ -20,19 +20,18 @@ pub(crate) fn passages<const D: usize>(
         let stretches: Vec<Stretch<D>> = gathered
             .fibers
             .iter()
-            .map(|(fiber, events)| {
-                let (origin, direction) = bundle.ray(*fiber);
-                let t = || gathered.events[events.clone()].iter().map(|e| e.t);
-                let end = t().fold(f64::NEG_INFINITY, f64::max).max(bundle.length().unwrap_or(f64::NEG_INFINITY));
-                Stretch { origin, direction, start: t().fold(f64::INFINITY, f64::min), end }
+            .map(|gathering| {
+                let (origin, direction) = bundle.ray(gathering.fiber);
+                let [start, end] = bundle.stretch(gathering, &gathered.events);
+                Stretch { origin, direction, start, end }
             })
             .collect();
         return march(function.as_ref(), side.pose, &stretches, resolution)
             .map_err(|point| Error::SignedDistance { obstacle: side.obstacle, point });
     }
     let mut passages = Vec::with_capacity(2 * gathered.fibers.len());
-    for (stretch, (fiber, _)) in gathered.fibers.iter().enumerate() {
-        let (origin, direction) = bundle.ray(*fiber);
+    for (stretch, gathering) in gathered.fibers.iter().enumerate() {
+        let (origin, direction) = bundle.ray(gathering.fiber);
         let found = chord(side.shape, &side.pose.unplace(&origin), &side.pose.unrotate(&direction));
         for (mut hit, leaves) in found.into_iter().flatten().zip([false, true]) {
             hit.t *= side.pose.scale;

@@ -21,8 +21,9 @@ impl Default for Estimator {
 /// How many fibers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Resolution {
-    /// From the facets in contact: about 8 lines per edge (2D) or 16 per triangle (3D), spacing rounded down to a
-    /// power of √2 so that the pattern stays as it is while facets change a little.
+    /// From the facets in contact: some 16 lines per edge (2D) or 10 per triangle (3D), and at least 512 or 1 024 per
+    /// family; errors of nodal forces are then near 1 %. The spacing is rounded down to a power of √2 so that the
+    /// pattern stays as it is while facets change a little.
     #[default]
     Auto,
     /// About this many fibers per pair. The spacing then depends on the region of contact, and so on the coordinates.

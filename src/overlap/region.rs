@@ -10,51 +10,75 @@ const ROUNDS: usize = 3;
 /// A slab thinner than this part of the region is not worth an inside test.
 const WORTHWHILE: f64 = 0.1;
 
-/// A box around the overlap of two bodies, or `None` if they cannot overlap. It is a function of the two bodies
-/// without regard to their order, and it does not influence any result: it only bounds the work.
-pub(crate) fn common_region<const D: usize>(a: &FacetSide<D>, b: &FacetSide<D>) -> Option<Aabb<D>> {
-    let mut region = a.aabb.intersection(&b.aabb);
-    for _ in 0..ROUNDS {
-        if region.is_empty() {
-            return None;
-        }
-        let trimmed = trim(a, &region)?.intersection(&trim(b, &region)?);
-        if trimmed == region {
-            break;
-        }
-        region = trimmed;
-    }
-    (!region.is_empty()).then_some(region)
+/// Where two bodies can overlap, and the facets of each that reach there.
+pub(crate) struct Region<const D: usize> {
+    pub(crate) aabb: Aabb<D>,
+    pub(crate) facets: [Vec<u32>; 2],
 }
 
-/// Cuts slabs off `region` that lie outside the body; `None` if all of it does.
+/// The region of two bodies, or `None` if they cannot overlap. Its box is a function of the two bodies without regard to
+/// their order, and it does not influence any result but the automatic spacing: it bounds the work.
+pub(crate) fn common_region<const D: usize>(a: &FacetSide<D>, b: &FacetSide<D>) -> Option<Region<D>> {
+    let mut aabb = a.aabb.intersection(&b.aabb);
+    if aabb.is_empty() {
+        return None;
+    }
+    let mut facets = [a.facets_in(&aabb), b.facets_in(&aabb)];
+    for _ in 0..ROUNDS {
+        let trimmed = trim(a, &mut facets[0], &aabb)?.intersection(&trim(b, &mut facets[1], &aabb)?);
+        if trimmed.is_empty() {
+            return None;
+        }
+        if trimmed == aabb {
+            break;
+        }
+        aabb = trimmed;
+    }
+    for (side, facets) in [a, b].iter().zip(&mut facets) {
+        facets.retain(|&f| side.facet_box(f as usize).meets(&aabb));
+    }
+    Some(Region { aabb, facets })
+}
+
+/// The part of `within` that one body reaches, and its facets there; `None` if it does not.
+pub(crate) fn region_of<const D: usize>(side: &FacetSide<D>, within: &Aabb<D>) -> Option<Region<D>> {
+    let mut facets = side.facets_in(within);
+    let aabb = trim(side, &mut facets, within)?;
+    facets.retain(|&f| side.facet_box(f as usize).meets(&aabb));
+    Some(Region { aabb, facets: [facets, Vec::new()] })
+}
+
+/// Cuts slabs off `region` that lie outside the body; `None` if all of it does. `facets` is reduced to those that meet
+/// the region.
 ///
 /// Between the facets' box and a side of the region there is no facet: such a slab is all inside or all outside, and
 /// one point tells.
-pub(crate) fn trim<const D: usize>(side: &FacetSide<D>, region: &Aabb<D>) -> Option<Aabb<D>> {
-    let mut facets = Aabb::empty();
-    for facet in 0..side.facets.len() {
-        let piece = side.facet_box(facet).intersection(region);
-        if !piece.is_empty() {
-            facets = facets.union(&piece);
+fn trim<const D: usize>(side: &FacetSide<D>, facets: &mut Vec<u32>, region: &Aabb<D>) -> Option<Aabb<D>> {
+    let mut bounds = Aabb::empty();
+    facets.retain(|&facet| {
+        let piece = side.facet_box(facet as usize).intersection(region);
+        let meets = !piece.is_empty();
+        if meets {
+            bounds = bounds.union(&piece);
         }
-    }
+        meets
+    });
     let outside = |slab: &Aabb<D>| cover_count(side.facets, &side.views.points, &slab.center()) == 0;
-    if facets.is_empty() {
+    if bounds.is_empty() {
         return (!outside(region)).then_some(*region);
     }
     let mut trimmed = *region;
     for axis in 0..D {
         let worthwhile = WORTHWHILE * region.extent()[axis];
         let mut low = trimmed;
-        low.max[axis] = facets.min[axis];
+        low.max[axis] = bounds.min[axis];
         if low.extent()[axis] > worthwhile && outside(&low) {
-            trimmed.min[axis] = facets.min[axis];
+            trimmed.min[axis] = bounds.min[axis];
         }
         let mut high = trimmed;
-        high.min[axis] = facets.max[axis];
+        high.min[axis] = bounds.max[axis];
         if high.extent()[axis] > worthwhile && outside(&high) {
-            trimmed.max[axis] = facets.max[axis];
+            trimmed.max[axis] = bounds.max[axis];
         }
     }
     Some(trimmed)

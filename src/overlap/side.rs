@@ -29,17 +29,22 @@ pub(crate) struct FacetSide<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> FacetSide<'a, D> {
-    pub(crate) fn new(facets: &'a [[u32; D]], views: &'a Views<D>) -> Self {
-        let aabb = Aabb::of(facets.iter().flatten().map(|&v| &views.points[v as usize]));
+    /// A body with these facets, whose vertices are `vertices`.
+    pub(crate) fn new(facets: &'a [[u32; D]], vertices: impl Iterator<Item = u32>, views: &'a Views<D>) -> Self {
+        let aabb = Aabb::of(vertices.map(|v| &views.points[v as usize]));
         Self { facets, views, aabb }
     }
 
     pub(crate) fn corners(&self, facet: usize) -> [Vector<D>; D] {
-        self.facets[facet].map(|v| self.views.points[v as usize])
+        let mut corners = [Vector::zeros(); D];
+        for (corner, &v) in corners.iter_mut().zip(&self.facets[facet]) {
+            *corner = self.views.points[v as usize];
+        }
+        corners
     }
 
     pub(crate) fn facet_box(&self, facet: usize) -> Aabb<D> {
-        Aabb::of(&self.corners(facet))
+        Aabb::of(self.facets[facet].iter().map(|&v| &self.views.points[v as usize]))
     }
 
     /// Facets whose box meets `region`.

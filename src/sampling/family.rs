@@ -55,9 +55,9 @@ impl<const D: usize> Family<D> {
         [viewed[0] * per_length - self.shift[0], v, viewed[2]]
     }
 
-    /// Lines that meet `region`, one more on each side against rounding, and the largest `t` in it; `None` if there
-    /// are more than can be numbered.
-    pub(crate) fn window(&self, region: &Aabb<D>, per_length: f64) -> Option<(Window, f64)> {
+    /// Lines that meet `region`, one more on each side against rounding, and the least and largest `t` in it; `None` if
+    /// there are more than can be numbered.
+    pub(crate) fn window(&self, region: &Aabb<D>, per_length: f64) -> Option<(Window, [f64; 2])> {
         let center = self.view(&region.center());
         let range = |axis: usize| {
             let (middle, half) = (center[axis] * per_length - self.shift[axis], self.width(region, axis) * per_length);
@@ -66,7 +66,14 @@ impl<const D: usize> Family<D> {
         };
         let window = Window { i: range(0)?, j: if D == 2 { 0..1 } else { range(1)? } };
         let half = self.width(region, D - 1) * 0.5;
-        Some((window, center[2] + half + 1e-9 * (half + center[2].abs())))
+        let reach = half + 1e-9 * (half + center[2].abs());
+        Some((window, [center[2] - reach, center[2] + reach]))
+    }
+
+    /// Corners of a window in units of length, as in [`Self::view`], one line wider on each side.
+    pub(crate) fn window_in_length(&self, window: &Window, spacing: f64) -> ([f64; 2], [f64; 2]) {
+        let at = |line: i64, axis: usize| (line as f64 + self.shift[axis]) * spacing;
+        ([at(window.i.start - 1, 0), at(window.j.start - 1, 1)], [at(window.i.end, 0), at(window.j.end, 1)])
     }
 
     /// Measure of the shadow's bounding rectangle of `region` across the lines (2D: its length).
