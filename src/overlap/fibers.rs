@@ -179,7 +179,7 @@ impl<'a, const D: usize> FiberPair<'a, D> {
             }
             return Ok(());
         };
-        let hits = passages(side, bundle, &gathered, 1e-3 * layout.spacing)?;
+        let hits = passages(side, bundle, &gathered, 1e-2 * layout.spacing)?;
         let [low, high] = bundle.reach();
         let mut merged: Vec<Event> = Vec::new();
         let mut next = 0;
