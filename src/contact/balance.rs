@@ -9,7 +9,6 @@ use crate::overlap::Overlap;
 use nalgebra::{SMatrix, SVector};
 use std::iter::Sum;
 
-
 /// Rounds: the later ones remove what rounding left in the first.
 const ROUNDS: usize = 3;
 
@@ -89,10 +88,7 @@ pub(crate) fn balance<const D: usize>(overlap: &mut Overlap<D>, coords: &[[f64; 
 }
 
 /// Sum over one side plus sum over the other: a swap of the sides swaps two numbers and changes no bit.
-fn sum_by_side<T: Sum, const D: usize>(
-    carriers: &[Carrier<D>],
-    term: impl Fn(&Carrier<D>) -> T,
-) -> T {
+fn sum_by_side<T: Sum, const D: usize>(carriers: &[Carrier<D>], term: impl Fn(&Carrier<D>) -> T) -> T {
     let side = |of_b: bool| carriers.iter().filter(|c| c.of_b == of_b).map(&term).sum::<T>();
     [side(false), side(true)].into_iter().sum()
 }

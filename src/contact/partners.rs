@@ -64,10 +64,10 @@ fn closed<const D: usize>(points: &[[f64; D]], facets: &[[u32; D]]) -> Result<(S
 
 /// Corners and facets of a box; corner c has coordinate +half on axis i where bit i of c is set.
 fn cuboid<const D: usize>(half: &[f64; D]) -> (Vec<[f64; D]>, Vec<[u32; D]>) {
-    let points = (0..1u32 << D).map(|c| std::array::from_fn(|i| if c >> i & 1 == 1 { half[i] } else { -half[i] })).collect();
+    let points =
+        (0..1u32 << D).map(|c| std::array::from_fn(|i| if c >> i & 1 == 1 { half[i] } else { -half[i] })).collect();
     const EDGES: [[u32; 2]; 4] = [[0, 1], [1, 3], [3, 2], [2, 0]];
-    const SQUARES: [[u32; 4]; 6] =
-        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    const SQUARES: [[u32; 4]; 6] = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let facets = match D {
         2 => EDGES.iter().map(|e| std::array::from_fn(|k| e[k])).collect(),
         _ => SQUARES

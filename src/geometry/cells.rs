@@ -1,5 +1,6 @@
 //! The cells of a mesh: checked connectivity, neighbours, orientation.
 
+use super::components::{Components, sorted_ids};
 use super::{Bodies, CellBlock, CellType, Vector, facet::determinant};
 use crate::Error;
 
@@ -175,9 +176,10 @@ impl Cells {
     fn jacobians<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> impl Iterator<Item = f64> {
         let nodes = self.nodes(cell);
         let x = move |n: usize| Vector::<D>::from(coords[nodes[n] as usize]);
-        self.types[cell].corners().iter().map(move |corner| {
-            determinant::<D>(&std::array::from_fn(|k| x(corner[k + 1]) - x(corner[0])))
-        })
+        self.types[cell]
+            .corners()
+            .iter()
+            .map(move |corner| determinant::<D>(&std::array::from_fn(|k| x(corner[k + 1]) - x(corner[0]))))
     }
 
     /// Checks that no cell is inverted or without measure at `coords`; the lowest offending cell is named.
@@ -222,50 +224,4 @@ pub(crate) fn check_nodes(cell: usize, nodes: &[u32], node_count: usize) -> Resu
         }
     }
     Ok(())
-}
-
-/// Ids without repetition, ascending.
-pub(crate) fn sorted_ids(labels: &[i64]) -> Vec<i64> {
-    let mut ids = labels.to_vec();
-    ids.sort_unstable();
-    ids.dedup();
-    ids
-}
-
-/// Disjoint sets whose members are turned, or not, against the root of their set.
-pub(crate) struct Components {
-    parent: Vec<(u32, bool)>,
-}
-
-impl Components {
-    pub(crate) fn new(count: usize) -> Self {
-        Self { parent: (0..count as u32).map(|i| (i, false)).collect() }
-    }
-
-    /// Root of the member's set, and whether the member is turned against it.
-    pub(crate) fn find(&mut self, member: u32) -> (u32, bool) {
-        let (mut root, mut turned) = (member, false);
-        while self.parent[root as usize].0 != root {
-            let (up, flip) = self.parent[root as usize];
-            (root, turned) = (up, turned != flip);
-        }
-        let (mut at, mut rest) = (member, turned);
-        while at != root {
-            let (up, flip) = self.parent[at as usize];
-            self.parent[at as usize] = (root, rest);
-            (at, rest) = (up, rest != flip);
-        }
-        (root, turned)
-    }
-
-    /// Joins two sets, the members being turned against each other or not; false if they are known to be otherwise.
-    pub(crate) fn join(&mut self, a: u32, b: u32, turned: bool) -> bool {
-        let ((root_a, flip_a), (root_b, flip_b)) = (self.find(a), self.find(b));
-        if root_a == root_b {
-            return (flip_a != flip_b) == turned;
-        }
-        let (low, high) = (root_a.min(root_b), root_a.max(root_b));
-        self.parent[high as usize] = (low, flip_a ^ flip_b ^ turned);
-        true
-    }
 }

@@ -32,7 +32,10 @@ pub(crate) fn chord<const D: usize>(shape: &Shape<D>, o: &Vector<D>, d: &Vector<
             let mut up = Vector::zeros();
             up[D - 1] = half_height;
             let side = common(quadric(o, d, 0.0, radius), slab(o, d, D - 1, -half_height, half_height));
-            [side, quadric(&(o - up), d, 1.0, radius), quadric(&(o + up), d, 1.0, radius)].into_iter().reduce(hull).flatten()
+            [side, quadric(&(o - up), d, 1.0, radius), quadric(&(o + up), d, 1.0, radius)]
+                .into_iter()
+                .reduce(hull)
+                .flatten()
         }
         Shape::Polytope { .. } | Shape::SignedDistance(_) => None,
     }
@@ -57,7 +60,8 @@ fn hull<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
 fn slab<const D: usize>(o: &Vector<D>, d: &Vector<D>, axis: usize, low: f64, high: f64) -> Chord<D> {
     let mut normal = Vector::zeros();
     normal[axis] = 1.0;
-    let (down, up) = (Hit { t: (low - o[axis]) / d[axis], normal: -normal }, Hit { t: (high - o[axis]) / d[axis], normal });
+    let (down, up) =
+        (Hit { t: (low - o[axis]) / d[axis], normal: -normal }, Hit { t: (high - o[axis]) / d[axis], normal });
     match d[axis] {
         s if s > 0.0 => Some([down, up]),
         s if s < 0.0 => Some([up, down]),
@@ -140,9 +144,7 @@ mod tests {
             Shape::Cuboid { half_extents: h } => (0..3).all(|i| x[i].abs() <= h[i]),
             Shape::Cylinder { radius, half_height } => radial <= radius && x[2].abs() <= half_height,
             Shape::Cone { radius, half_height: h } => x[2].abs() <= h && radial <= radius * (h - x[2]) / (2.0 * h),
-            Shape::Capsule { radius, half_height } => {
-                radial.hypot((x[2].abs() - half_height).max(0.0)) <= radius
-            }
+            Shape::Capsule { radius, half_height } => radial.hypot((x[2].abs() - half_height).max(0.0)) <= radius,
             _ => false,
         }
     }
@@ -165,7 +167,7 @@ mod tests {
                 let mut d = Vector::<3>::new(f(5.1), f(7.7), f(9.2));
                 if n % 10 == 0 {
                     // Along an axis, or along a generator of the cone.
-                    d = [Vector::x(), Vector::y(), Vector::z(), Vector::new(1.0, 0.0, 1.2)][n / 10 % 4];
+                    d = [Vector::x(), Vector::y(), Vector::z(), Vector::<3>::new(1.0, 0.0, 1.2)][n / 10 % 4];
                 }
                 let d = d.normalize();
                 let chord = chord(shape, &o, &d);

@@ -1,7 +1,8 @@
 //! Boundary facets of bodies.
 
-use super::cells::{Cells, Components, check_nodes, sorted_ids};
+use super::cells::{Cells, check_nodes};
 use super::closed::check_closed;
+use super::components::{connected_labels, enclosed_volume, sorted_ids};
 use super::{Bodies, CellBlock, Vector, facet::area_vector};
 use crate::Error;
 use std::ops::Range;
@@ -237,55 +238,6 @@ impl<const D: usize> Surface<D> {
         }
         faces
     }
-}
-
-/// Volume enclosed by closed, oriented facets.
-pub(crate) fn enclosed_volume<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>]) -> f64 {
-    let origin = facets.first().map_or(Vector::zeros(), |f| points[f[0] as usize]);
-    let moment = |f: &[u32; D]| {
-        let x = f.map(|v| points[v as usize] - origin);
-        area_vector(&x).dot(&x[0])
-    };
-    facets.iter().map(moment).sum::<f64>() / D as f64
-}
-
-/// Number of the component of each facet, with cavities given to the smallest body around them.
-fn connected_labels<const D: usize>(coords: &[[f64; D]], facets: &[[u32; D]]) -> Vec<i64> {
-    let mut groups = Components::new(coords.len());
-    for facet in facets {
-        for &node in &facet[1..] {
-            groups.join(facet[0], node, false);
-        }
-    }
-    let roots: Vec<u32> = facets.iter().map(|f| groups.find(f[0]).0).collect();
-    let mut numbers: Vec<u32> = Vec::new();
-    let mut component = vec![u32::MAX; coords.len()];
-    let mut members: Vec<Vec<[u32; D]>> = Vec::new();
-    for (facet, &root) in facets.iter().zip(&roots) {
-        let number = &mut component[root as usize];
-        if *number == u32::MAX {
-            *number = members.len() as u32;
-            members.push(Vec::new());
-        }
-        members[*number as usize].push(*facet);
-        numbers.push(*number);
-    }
-    let points: Vec<Vector<D>> = coords.iter().map(|&x| x.into()).collect();
-    let volumes: Vec<f64> = members.iter().map(|m| enclosed_volume(m, &points)).collect();
-    let owner: Vec<i64> = (0..members.len())
-        .map(|c| {
-            let x = points[members[c][0][0] as usize];
-            let around = |o: &usize| volumes[*o] > -volumes[c] && super::inside::cover_count(&members[*o], &points, &x) > 0;
-            match volumes[c] {
-                v if v >= 0.0 => c as i64,
-                _ => (0..members.len())
-                    .filter(around)
-                    .min_by(|&p, &q| volumes[p].total_cmp(&volumes[q]))
-                    .map_or(c as i64, |o| o as i64),
-            }
-        })
-        .collect();
-    numbers.iter().map(|&n| owner[n as usize]).collect()
 }
 
 fn check_finite<const D: usize>(coords: &[[f64; D]], nodes: impl Iterator<Item = u32>) -> Result<(), Error> {

@@ -90,7 +90,14 @@ mod tests {
         let tree = Tree::new(&boxes);
         let query = boxes[7].inflated(0.1);
         let mut found = Vec::new();
-        tree.visit(|b| b.meets(&query), |i| if boxes[i as usize].meets(&query) { found.push(i) });
+        tree.visit(
+            |b| b.meets(&query),
+            |i| {
+                if boxes[i as usize].meets(&query) {
+                    found.push(i)
+                }
+            },
+        );
         found.sort_unstable();
         let expected: Vec<u32> = (0..500).filter(|&i| boxes[i as usize].meets(&query)).collect();
         assert!(expected.len() > 1);

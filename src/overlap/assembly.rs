@@ -1,10 +1,10 @@
 //! From crossings, or clipped pieces, to the gradient on nodes and poses.
 
 use super::estimate::{Overlap, PoseGradient};
+use super::side::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::{area_vector, moment};
 use crate::geometry::{Pose, Surface, Vector};
-use super::side::FacetSide;
 
 /// Share of one facet in ∂V/∂x: `shares[a]` times the facet's unit normal belongs to its corner a.
 #[derive(Clone, Copy, Debug)]

@@ -5,20 +5,18 @@
 //! weighs n / Σ_k ρ_k |d_k·n|, which is bounded, and the gradient is unbiased but not that of one number.
 
 use super::assembly::{Assembly, FacetShare, PointShare};
-use super::bundle::{Bundle, Gathering, line_bundles, segment_bundles};
+use super::bundle::Bundle;
 use super::estimate::{FiberTrace, Overlap, Partner};
-use super::implicit::{self, passages};
+use super::gather::Gathering;
+use super::implicit::passages;
+use super::layout::Layout;
 use super::options::{FiberOptions, LineWeights};
-use super::region::{Region, common_region, region_of};
-use super::resolution::{MOST_FIBERS, facet_size, line_spacing, segment_count};
 use super::side::{FacetSide, Opponent};
 use super::span::{Event, sort, sweep};
 use super::warning::Warning;
 use crate::Error;
-use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::weights_at;
 use crate::geometry::facet::area_vector;
-use crate::geometry::tree::Tree;
 use crate::geometry::{Passage, Pose, Surface, Vector};
 use crate::sampling::{Family, FiberPattern};
 use rayon::prelude::*;
@@ -50,63 +48,7 @@ struct Tally<const D: usize> {
     point_shares: Vec<PointShare<D>>,
 }
 
-/// How the bundles of a pair are laid.
-struct Layout<'a, const D: usize> {
-    region: Aabb<D>,
-    facet_size: f64,
-    spacing: f64,
-    /// Volume per unit length of a fiber, were its family (or the segments) the only one.
-    volume_per_length: f64,
-    bundles: Vec<Bundle<'a, D>>,
-}
-
-impl<'a, const D: usize> FiberPair<'a, D> {
-    /// Where the two sides can overlap.
-    fn region(&self) -> Result<Option<Region<D>>, Error> {
-        Ok(match &self.opponent {
-            Opponent::Itself => region_of(&self.a, &self.a.aabb),
-            Opponent::Facets(b) => common_region(&self.a, b),
-            Opponent::Implicit(side) => {
-                implicit::region(side, &self.a.aabb)?.and_then(|within| region_of(&self.a, &within))
-            }
-        })
-    }
-
-    /// Calls `work` with the layout, or returns `None` where the sides are apart.
-    fn with_layout<T>(&self, work: impl FnOnce(&Layout<D>) -> Result<T, Error>) -> Result<Option<T>, Error> {
-        let Some(Region { aabb: region, facets }) = self.region()? else { return Ok(None) };
-        let b = if let Opponent::Facets(b) = &self.opponent { Some(b) } else { None };
-        let sizes = [Some(&self.a), b].into_iter().flatten().zip(&facets).map(|(s, f)| facet_size(s, f));
-        let facet_size = sizes.fold(f64::INFINITY, f64::min);
-        let facet_size = if facet_size.is_finite() { facet_size } else { region.extent().max() };
-        match self.options.pattern {
-            FiberPattern::Lines => {
-                let spacing = line_spacing(self.options.resolution, self.families, &region, facet_size)?;
-                let mut bundles = Vec::new();
-                for (index, family) in self.families.iter().enumerate() {
-                    let of_family = line_bundles(family, index, spacing, &region, [Some(&self.a), b]);
-                    bundles.extend(of_family.ok_or(Error::TooManyFibers { needed: 1e15, limit: MOST_FIBERS })?);
-                }
-                let volume_per_length = spacing.powi(D as i32 - 1);
-                work(&Layout { region, facet_size, spacing, volume_per_length, bundles }).map(Some)
-            }
-            FiberPattern::Isotropic { length } => {
-                let length = length.unwrap_or(facet_size);
-                // Fibers that start within one length of the region reach it from all sides with uniform density.
-                let starts = region.inflated(length);
-                let count = segment_count(self.options.resolution, &starts, facet_size)?;
-                let trees: Vec<Tree<D>> = [Some(&self.a), b]
-                    .iter()
-                    .flatten()
-                    .map(|s| Tree::new(&(0..s.facets.len()).map(|f| s.facet_box(f)).collect::<Vec<_>>()))
-                    .collect();
-                let bundles = segment_bundles(self.options.seed, count, &starts, length, &trees);
-                let volume_per_length = starts.volume() / (count as f64 * length);
-                work(&Layout { region, facet_size, spacing: length, volume_per_length, bundles }).map(Some)
-            }
-        }
-    }
-
+impl<const D: usize> FiberPair<'_, D> {
     /// The overlap, or `None` where the sides are apart.
     pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
         self.with_layout(|layout| {
@@ -245,9 +187,7 @@ impl<'a, const D: usize> FiberPair<'a, D> {
     fn weight(&self, layout: &Layout<D>, direction: &Vector<D>, normal: &Vector<D>) -> f64 {
         let slope = match (self.options.pattern, self.options.weights) {
             (FiberPattern::Isotropic { .. }, _) => direction.dot(normal).abs(),
-            (FiberPattern::Lines, LineWeights::Consistent) => {
-                self.families.len() as f64 * direction.dot(normal).abs()
-            }
+            (FiberPattern::Lines, LineWeights::Consistent) => self.families.len() as f64 * direction.dot(normal).abs(),
             (FiberPattern::Lines, LineWeights::Balance) => {
                 self.families.iter().map(|f| f.direction().dot(normal).abs()).sum::<f64>()
             }

@@ -1,6 +1,7 @@
 //! Crossings of a bundle's fibers with an obstacle that has no facets, and where such an obstacle can be.
 
-use super::bundle::{Bundle, Gathered};
+use super::bundle::Bundle;
+use super::gather::Gathered;
 use super::side::ImplicitSide;
 use crate::Error;
 use crate::geometry::aabb::Aabb;

@@ -66,5 +66,9 @@ pub(crate) fn segment_count<const D: usize>(
         Resolution::Spacing(spacing) => region.volume() / spacing.powi(D as i32),
         Resolution::Auto => (region.volume() / (FACET_PART[D - 2] * facet_size).powi(D as i32)).clamp(1e3, 1e6),
     };
-    if needed < MOST_FIBERS { Ok(needed.max(1.0) as u64) } else { Err(Error::TooManyFibers { needed, limit: MOST_FIBERS }) }
+    if needed < MOST_FIBERS {
+        Ok(needed.max(1.0) as u64)
+    } else {
+        Err(Error::TooManyFibers { needed, limit: MOST_FIBERS })
+    }
 }

@@ -34,7 +34,12 @@ impl<const D: usize> Solid<D> {
             let cell_type = cells.cell_type(cell);
             if matches!(cell_type, CellType::Tri3 | CellType::Tet4) {
                 let opposite = |k: usize| cell_type.faces().iter().position(|f| !f.contains(&k)).is_some_and(bounds);
-                parts.push(&oriented(x, cells.is_flipped(cell)), opposite_swapped(opposite, cells.is_flipped(cell)), origin, region);
+                parts.push(
+                    &oriented(x, cells.is_flipped(cell)),
+                    opposite_swapped(opposite, cells.is_flipped(cell)),
+                    origin,
+                    region,
+                );
                 continue;
             }
             let center = mean(&x);

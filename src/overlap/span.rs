@@ -20,9 +20,7 @@ pub(crate) struct Event {
 
 /// Sorts the events of one fiber. The order of equal `t` is immaterial, but fixed.
 pub(crate) fn sort(events: &mut [Event]) {
-    let before = |p: &Event, q: &Event| {
-        p.t < q.t || (p.t == q.t && (p.of_b, p.source) < (q.of_b, q.source))
-    };
+    let before = |p: &Event, q: &Event| p.t < q.t || (p.t == q.t && (p.of_b, p.source) < (q.of_b, q.source));
     if events.len() > 16 {
         events.sort_unstable_by(|p, q| p.t.total_cmp(&q.t).then((p.of_b, p.source).cmp(&(q.of_b, q.source))));
         return;
