@@ -1,1 +1,128 @@
-//! The C functions called as C calls them.
+//! The C functions called as C calls them, where a C program could not look.
+
+use super::context::{State, fmc_context, fmc_context_error, fmc_context_evaluate};
+use super::creation::{fmc_context_free, fmc_context_new_from_cells};
+use super::evaluation::{Evaluation, fmc_context_body, fmc_result, fmc_resultant};
+use super::failure::Failure;
+use super::mesh::{fmc_cell_block, fmc_cell_type};
+use super::obstacle::ShapeOf;
+use super::options::fmc_options;
+use super::pose::fmc_pose;
+use super::session::{Counts, Session};
+use super::status::fmc_status;
+use super::status::fmc_status::*;
+use super::view::{fmc_coords, fmc_forces};
+use crate::{Bodies, CellBlock, CellType, EnergyLaw, Options, contact_force};
+use std::ffi::CStr;
+use std::ptr::{null, null_mut};
+
+const COORDS: [[f64; 2]; 8] =
+    [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.9, -0.2], [1.9, -0.1], [1.8, 0.9], [0.8, 0.8]];
+const CONN: [i32; 8] = [0, 1, 2, 3, 4, 5, 6, 7];
+
+fn view() -> fmc_coords {
+    fmc_coords { data: COORDS.as_ptr().cast(), node_count: 8, node_stride: 2, axis_stride: 1 }
+}
+
+/// Evaluates at [`COORDS`] and gives the status, the forces and what else was found.
+fn evaluate(context: *mut fmc_context) -> (fmc_status, [[f64; 2]; 8], fmc_result) {
+    let (mut forces, mut result) = ([[7.0; 2]; 8], fmc_result::default());
+    let output = fmc_forces { data: forces.as_mut_ptr().cast(), node_count: 8, node_stride: 2, axis_stride: 1 };
+    // SAFETY: a living context, views of arrays of eight nodes, and a result.
+    let status = unsafe { fmc_context_evaluate(context, &view(), &output, 0, &mut result) };
+    (status, forces, result)
+}
+
+#[test]
+fn forces_are_those_of_the_rust_api_to_the_bit() {
+    let block = fmc_cell_block { cell_type: fmc_cell_type::FMC_QUAD4 as i32, conn: CONN.as_ptr(), cell_count: 2 };
+    let options = fmc_options { stiffness: 1e3, exponent: 2.0, seed: 5, ..fmc_options::default() };
+    let mut context = null_mut();
+    // SAFETY: all arguments live through the call.
+    let status = unsafe { fmc_context_new_from_cells(2, &view(), &block, 1, null(), &options, &mut context) };
+    assert_eq!(status, FMC_OK);
+    let (status, forces, result) = evaluate(context);
+    assert_eq!(status, FMC_OK);
+
+    let conn = CONN.map(|node| node as u32);
+    let block = CellBlock { cell_type: CellType::Quad4, conn: &conn };
+    let mut expected = Options::new(EnergyLaw::Volume { k: 1e3, m: 2.0 });
+    if let crate::Estimator::Fibers(fibers) = &mut expected.estimator {
+        fibers.seed = 5;
+    }
+    let expected = contact_force(&COORDS, &[block], Bodies::Connected, &expected).unwrap();
+    assert!(expected.volume > 0.0);
+    assert_eq!(forces.as_slice(), expected.forces);
+    assert_eq!((result.volume, result.energy), (expected.volume, expected.energy));
+    assert_eq!((result.fiber_count, result.crossing_count), (expected.fiber_count, expected.crossing_count));
+
+    let mut body = fmc_resultant { id: -1, force: [0.0; 3], moment: [0.0; 3], node_count: 0 };
+    // SAFETY: a living context and an output.
+    assert_eq!(unsafe { fmc_context_body(context, 1, &mut body) }, FMC_OK);
+    assert_eq!((body.id, body.force[0], body.force[2]), (1, expected.bodies[1].force[0], 0.0));
+    // SAFETY: the context is freed once.
+    assert_eq!(unsafe { fmc_context_free(&mut context) }, FMC_OK);
+    assert!(context.is_null());
+}
+
+/// A mesh whose evaluation panics the first time.
+struct Brittle {
+    broken: bool,
+}
+
+impl Session for Brittle {
+    fn counts(&self) -> Counts {
+        Counts { nodes: 8, facets: 8, bodies: 2 }
+    }
+
+    fn set_options(&mut self, _: Options) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn set_pose(&mut self, _: usize, _: fmc_pose) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    unsafe fn add_obstacle(&mut self, _: ShapeOf, _: fmc_pose, _: i32) -> Result<usize, Failure> {
+        Ok(0)
+    }
+
+    unsafe fn evaluate(
+        &mut self,
+        _: &fmc_coords,
+        _: Option<&fmc_forces>,
+        _: bool,
+        _: i32,
+    ) -> Result<Evaluation, Failure> {
+        assert!(std::mem::replace(&mut self.broken, true), "facet 3 is lost");
+        Ok(Evaluation::default())
+    }
+}
+
+#[test]
+fn a_context_survives_a_panic() {
+    let mut context = Box::into_raw(Box::new(fmc_context::new(State::new(Box::new(Brittle { broken: false }), 0))));
+    let (status, forces, result) = evaluate(context);
+    assert_eq!((status, forces, result), (FMC_ERROR_PANIC, [[7.0; 2]; 8], fmc_result::default()));
+    // SAFETY: a living context; the text lives as long as it and is not replaced meanwhile.
+    let text = unsafe { CStr::from_ptr(fmc_context_error(context)) };
+    assert_eq!(text.to_str(), Ok("panic caught: facet 3 is lost"));
+    assert_eq!(evaluate(context).0, FMC_OK);
+    // SAFETY: made above in the way of `fmc_context_new_from_cells`, and freed once.
+    assert_eq!(unsafe { fmc_context_free(&mut context) }, FMC_OK);
+}
+
+#[test]
+fn calls_that_collide_are_told_so() {
+    let session = Box::new(Brittle { broken: true });
+    let context = fmc_context::new(State::new(session, 0));
+    let pointer = (&raw const context).cast_mut();
+    {
+        // SAFETY: a living context.
+        let _reading = unsafe { super::context::read(pointer) }.unwrap();
+        assert_eq!(evaluate(pointer).0, FMC_ERROR_BUSY);
+        // SAFETY: a living context; readers do not exclude one another.
+        assert!(unsafe { super::context::read(pointer) }.is_ok());
+    }
+    assert_eq!(evaluate(pointer).0, FMC_OK);
+}

@@ -1,0 +1,64 @@
+# make demo      forces of two meshes in examples/, printed and written as VTU
+# make test      everything: format, lints, tests in release mode, C and C++ hosts, valgrind, installation
+# make bench     benchmarks
+# make header    include/fmc_contact.h from src/capi
+# make install   PREFIX=/usr/local: shared and static library, header, pkg-config and CMake files (Linux)
+# make clean
+#
+# demo and install need Rust (https://rustup.rs) and nothing else; test fetches what it lacks through apt.
+
+PREFIX ?= /usr/local
+CARGO ?= cargo
+TARGET = $(or $(CARGO_TARGET_DIR),target)
+VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
+SOVERSION := $(basename $(VERSION))
+SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
+
+.PHONY: demo test tools bench header build install clean
+
+demo:
+	$(CARGO) run --release -p fmc-reference --bin fmc -- force examples/star.msh examples/block.msh --stiffness 2.8e7
+
+test: tools
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --workspace --all-targets --release -- -D warnings
+	$(CARGO) test --workspace --release
+
+# Programs that the tests call, with the Debian package that has each.
+TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake
+
+tools:
+	@missing=; for tool in $(TOOLS); do command -v $${tool%%:*} >/dev/null || missing="$$missing $${tool##*:}"; done; \
+	if [ -n "$$missing" ]; then \
+	  echo "installing$$missing"; \
+	  $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $$missing; \
+	fi
+	@$(CARGO) clippy --version >/dev/null 2>&1 && $(CARGO) fmt --version >/dev/null 2>&1 \
+	  || rustup component add clippy rustfmt
+
+bench:
+	$(CARGO) bench
+
+header:
+	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header
+
+build:
+	$(CARGO) build --release --lib -p fmc-contact
+
+LIB = $(DESTDIR)$(PREFIX)/lib
+FILL = sed -e 's/@VERSION@/$(VERSION)/; s/@SOVERSION@/$(SOVERSION)/; s/@SOVERSION_PATTERN@/$(subst .,\\\\.,$(SOVERSION))/'
+
+install: build
+	install -d $(LIB)/pkgconfig $(LIB)/cmake/fmc_contact $(DESTDIR)$(PREFIX)/include
+	install -m 755 $(TARGET)/release/libfmc_contact.so $(LIB)/libfmc_contact.so.$(VERSION)
+	ln -sf libfmc_contact.so.$(VERSION) $(LIB)/libfmc_contact.so.$(SOVERSION)
+	ln -sf libfmc_contact.so.$(SOVERSION) $(LIB)/libfmc_contact.so
+	install -m 644 $(TARGET)/release/libfmc_contact.a $(LIB)
+	install -m 644 include/fmc_contact.h $(DESTDIR)$(PREFIX)/include
+	$(FILL) hosts/c/package/fmc_contact.pc.in > $(LIB)/pkgconfig/fmc_contact.pc
+	for file in fmc_contactConfig fmc_contactConfigVersion; do \
+	  $(FILL) hosts/c/package/$$file.cmake.in > $(LIB)/cmake/fmc_contact/$$file.cmake || exit 1; \
+	done
+
+clean:
+	$(CARGO) clean

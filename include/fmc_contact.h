@@ -1,0 +1,695 @@
+/*
+ * Contact forces and overlap volume for any finite element code.
+ *
+ *   fmc_options options;
+ *   fmc_options_init(&options);
+ *   options.stiffness = 1e6;
+ *   if (fmc_contact_force(2, coords, node_count, FMC_QUAD4, conn, cell_count, NULL, &options, forces, &volume) != FMC_OK)
+ *     fputs(fmc_last_error(), stderr);
+ *
+ * Conventions. Every function that can fail returns a status, 0 for success; outputs are written only on success, and
+ * after an error a context is as it was before the call. Arrays belong to the host and are not kept. A length of zero
+ * makes its pointer irrelevant. Forces push bodies apart. The library never prints, exits or unwinds. Memory that a
+ * pointer stands for must not be changed by another thread during the call.
+ *
+ * Generated from the Rust sources; do not edit.
+ */
+
+
+#ifndef FMC_CONTACT_H
+#define FMC_CONTACT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+// Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
+// changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
+// library at run time.
+#define FMC_ABI_VERSION 1
+
+// Flag of `fmc_context_evaluate`: add the forces to what the host's array holds instead of overwriting it.
+#define FMC_ADD 1
+
+// Level of a log message: something the user should know about a result that is an answer all the same.
+#define FMC_LOG_WARNING 1
+
+// What a call came to. 0 is success; every cause of failure has a code of its own, and the text that names the
+// offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
+//
+// After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
+typedef enum {
+  // Success.
+  FMC_OK = 0,
+  // A pointer is NULL where the function needs one, or where a length is not zero.
+  FMC_ERROR_NULL_POINTER = 1,
+  // A pointer is not a multiple of its element's size.
+  FMC_ERROR_MISALIGNED_POINTER = 2,
+  // The length of an array is not what the mesh says, or cannot be addressed.
+  FMC_ERROR_LENGTH = 3,
+  // The host's array is shorter than what is to be written into it.
+  FMC_ERROR_BUFFER_TOO_SMALL = 4,
+  // Strides under which entries of an output fall on one another, or that cannot be addressed.
+  FMC_ERROR_STRIDE = 5,
+  // A dimension other than 2 and 3, or a cell type of another dimension than the coordinates.
+  FMC_ERROR_DIMENSION = 6,
+  // Not a value of `fmc_cell_type`.
+  FMC_ERROR_UNKNOWN_CELL_TYPE = 7,
+  // A cell or facet names a node that does not exist.
+  FMC_ERROR_NODE_OUT_OF_RANGE = 8,
+  // A coordinate is NaN or infinite.
+  FMC_ERROR_NON_FINITE_COORDINATE = 9,
+  // A cell or facet names one node twice.
+  FMC_ERROR_REPEATED_NODE = 10,
+  // A cell is turned inside out.
+  FMC_ERROR_INVERTED_CELL = 11,
+  // A cell or facet has no length, area or volume.
+  FMC_ERROR_ZERO_MEASURE = 12,
+  // A surface given by facets has a border.
+  FMC_ERROR_OPEN_SURFACE = 13,
+  // More than two facets meet at an edge (2D: at a node), or more than two cells at a face.
+  FMC_ERROR_NON_MANIFOLD = 14,
+  // Two neighbouring facets disagree about which side is out.
+  FMC_ERROR_INCONSISTENT_ORIENTATION = 15,
+  // The facets of a body point inwards.
+  FMC_ERROR_INVERTED_SURFACE = 16,
+  // There are no cells and no facets.
+  FMC_ERROR_EMPTY = 17,
+  // A parameter is not positive and finite, or an exponent not at least 1.
+  FMC_ERROR_NOT_POSITIVE = 18,
+  // No such option, or no such value of an option.
+  FMC_ERROR_UNKNOWN_OPTION = 19,
+  // A struct was not initialised by its `_init` function, or comes from a header that this library does not know.
+  FMC_ERROR_STRUCT_SIZE = 20,
+  // A position or scale is not finite, a scale not positive, or a rotation not orthonormal with determinant +1.
+  FMC_ERROR_BAD_POSE = 21,
+  // No obstacle of this index.
+  FMC_ERROR_OBSTACLE_OUT_OF_RANGE = 22,
+  // No body, pair or warning of this index in the last evaluation, or no evaluation yet.
+  FMC_ERROR_INDEX_OUT_OF_RANGE = 23,
+  // The estimator cannot do this.
+  FMC_ERROR_UNSUPPORTED = 24,
+  // A signed-distance callback failed, or left a value that is not finite.
+  FMC_ERROR_SIGNED_DISTANCE = 25,
+  // The spacing is too small for the bodies.
+  FMC_ERROR_TOO_MANY_FIBERS = 26,
+  // The threads could not be started.
+  FMC_ERROR_THREADS = 27,
+  // The context is in use by another call: from another thread, or from a callback of this one.
+  FMC_ERROR_BUSY = 28,
+  // A force came out infinite: stiffness times overlap exceeds the range of a double.
+  FMC_ERROR_OVERFLOW = 29,
+  // A panic was caught: a defect of this library. The text says where.
+  FMC_ERROR_PANIC = 30,
+} fmc_status;
+
+// Energy of an overlap.
+typedef enum {
+  // w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
+  FMC_LAW_VOLUME = 0,
+} fmc_law;
+
+// How overlap is measured.
+typedef enum {
+  // Sampled by fibers: any shape and any obstacle, with a standard error. Key value "fibers".
+  FMC_ESTIMATOR_FIBERS = 0,
+  // Exact for straight-sided meshes and flat-sided obstacles. Key value "exact".
+  FMC_ESTIMATOR_EXACT = 1,
+} fmc_estimator;
+
+// How fibers are laid.
+typedef enum {
+  // Families of parallel lines. Key value "lines".
+  FMC_PATTERN_LINES = 0,
+  // Short segments of random place and direction, as in the paper; the variance of the force is infinite. Key value
+  // "isotropic".
+  FMC_PATTERN_ISOTROPIC = 1,
+} fmc_pattern;
+
+// How line families are combined.
+typedef enum {
+  // Least noise, but the force is not the gradient of one number. Key value "balance".
+  FMC_WEIGHTS_BALANCE = 0,
+  // The force is the exact gradient of the estimated energy. Key value "consistent".
+  FMC_WEIGHTS_CONSISTENT = 1,
+} fmc_weights;
+
+// Type of a cell. The numbers and the node order are those of VTK.
+typedef enum {
+  // Triangle, 2D, 3 nodes.
+  FMC_TRI3 = 5,
+  // Quadrilateral, 2D, 4 nodes in order around it.
+  FMC_QUAD4 = 9,
+  // Tetrahedron, 3D, 4 nodes.
+  FMC_TET4 = 10,
+  // Hexahedron, 3D, 8 nodes: four around the bottom, then the four above them.
+  FMC_HEX8 = 12,
+} fmc_cell_type;
+
+// Kind of a partner.
+typedef enum {
+  // A body of the mesh.
+  FMC_PARTNER_BODY = 0,
+  // An obstacle.
+  FMC_PARTNER_OBSTACLE = 1,
+} fmc_partner;
+
+// Kind of a warning.
+typedef enum {
+  // The fibers are further apart than the facets in contact are wide: nodal forces are noisy.
+  FMC_WARNING_COARSE_FIBERS = 1,
+  // Only a few fibers met the overlap: it is thinner or smaller than they resolve.
+  FMC_WARNING_UNRESOLVED_OVERLAP = 2,
+  // One body lies inside the other and is not pushed out.
+  FMC_WARNING_SWALLOWED_BODY = 3,
+} fmc_warning;
+
+// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
+//
+// Contexts share nothing, so different ones may be used by different threads at once. One context may wander between
+// threads. Calls on it that collide, from two threads or from inside a callback, are told `FMC_ERROR_BUSY`.
+typedef struct fmc_context fmc_context;
+
+// Options of an evaluation. `fmc_options_init` sets all of them; only `stiffness` has no default.
+//
+// The struct keeps its size while options are added: they take the place of reserved fields, and old hosts keep
+// working. Every option can also be set by its name here, through `fmc_options_set`.
+typedef struct {
+  // Set by `fmc_options_init`; tells an initialised struct from another.
+  size_t struct_size;
+  // k > 0, no default. With `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
+  // pressure; in general energy / (length^dim)^m. See `fmc_suggest_stiffness_from_modulus`.
+  double stiffness;
+  // m >= 1. Default 1.
+  double exponent;
+  // Distance between neighbouring lines; 0, the default: found from the facets in contact.
+  double spacing;
+  // Length of an isotropic fiber; 0, the default: the mean size of the facets in contact.
+  double fiber_length;
+  // About so many fibers per pair; 0, the default: found from the facets in contact. Not together with `spacing`.
+  uint64_t fiber_count;
+  // Another seed is another random shift of the same pattern. Default 0.
+  uint64_t seed;
+  // A value of `fmc_law`. Default `FMC_LAW_VOLUME`.
+  int32_t law;
+  // A value of `fmc_estimator`. Default `FMC_ESTIMATOR_FIBERS`.
+  int32_t estimator;
+  // A value of `fmc_pattern`. Default `FMC_PATTERN_LINES`.
+  int32_t pattern;
+  // A value of `fmc_weights`. Default `FMC_WEIGHTS_BALANCE`.
+  int32_t weights;
+  // 1, the default: the smallest change of the nodal forces that makes their sum and moment vanish. 0: none.
+  int32_t balance;
+  // 1: also the overlap of each body with itself. Default 0.
+  int32_t self_contact;
+  // 1, the default: the orientation of every cell is checked at every evaluation. 0: it is not.
+  int32_t check_cells;
+  // Number of threads, at least 1, the default. The result does not depend on it.
+  int32_t threads;
+  // Number of the first node, 0 or 1. Default 0. Read where node numbers are given; messages count nodes, cells
+  // and facets from it.
+  int32_t index_base;
+  // Zero.
+  int32_t reserved_flags;
+  // Zero. What later versions add stands here.
+  uint64_t reserved[16];
+} fmc_options;
+
+// Coordinates of nodes, read during the call and not kept: component `axis` of node `node` is
+// `data[node * node_stride + axis * axis_stride]`, for `node < node_count` and `axis < dim`.
+//
+// | the host's array | node_stride | axis_stride |
+// | --- | --- | --- |
+// | (n, dim), rows | dim, or both strides 0 | 1 |
+// | (n, 3), rows, in 2D | 3 | 1 |
+// | (dim, n), rows; (n, dim) by columns | 1 | n |
+//
+// Strides count doubles and may be negative. `{coords, n, 0, 0}`, or `{coords, n}` in C, are dense rows.
+typedef struct {
+  // First component of the first node.
+  const double *data;
+  // Number of nodes; if 0, `data` may be NULL.
+  size_t node_count;
+  // From one node to the next.
+  ptrdiff_t node_stride;
+  // From one axis to the next.
+  ptrdiff_t axis_stride;
+} fmc_coords;
+
+// Cells of one type; a mixed mesh has a block for each.
+typedef struct {
+  // A value of `fmc_cell_type`.
+  int32_t cell_type;
+  // Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
+  const int32_t *conn;
+  // Number of cells; if 0, `conn` may be NULL.
+  size_t cell_count;
+} fmc_cell_block;
+
+// `fmc_cell_block` with 64-bit node numbers.
+typedef struct {
+  // A value of `fmc_cell_type`.
+  int32_t cell_type;
+  // Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
+  const int64_t *conn;
+  // Number of cells; if 0, `conn` may be NULL.
+  size_t cell_count;
+} fmc_cell_block_i64;
+
+// Receives messages: a level, and a sentence that is valid during the call. `user` is the pointer given with it.
+//
+// It is called at the end of an evaluation, on its thread, and may call the getters. It must not free the context,
+// throw, or jump out.
+typedef void (*fmc_log_callback)(void *user, int32_t level, const char *text);
+
+// Where nodal forces go; laid out as `fmc_coords`. Padding between the entries is not written.
+typedef struct {
+  // First component of the first node.
+  double *data;
+  // Room for so many nodes, at least as many as the mesh has; if 0, `data` may be NULL.
+  size_t node_count;
+  // From one node to the next.
+  ptrdiff_t node_stride;
+  // From one axis to the next.
+  ptrdiff_t axis_stride;
+} fmc_forces;
+
+// What an evaluation says beside the forces. Units follow from the coordinates and the stiffness: with m and Pa,
+// volumes are m^3 (2D: m^2), areas m^2 (m), energies J (J/m) and forces N (N/m).
+//
+// The struct keeps its size while fields are added in place of reserved ones.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Overlap volume (2D: area), summed over the pairs.
+  double volume;
+  // Standard error of the volume; 0 for `exact`.
+  double volume_standard_error;
+  // Contact energy, summed over the pairs.
+  double energy;
+  // Area of contact (2D: length), summed over the pairs.
+  double contact_area;
+  // Largest penetration of any pair.
+  double penetration;
+  // Fibers laid.
+  size_t fiber_count;
+  // Crossings that bound an overlap.
+  size_t crossing_count;
+  // Facets that bound an overlap.
+  size_t facet_count;
+  // Overlapping pairs, for `fmc_context_pair`.
+  size_t pair_count;
+  // Bodies, for `fmc_context_body`.
+  size_t body_count;
+  // Obstacles, for `fmc_context_obstacle`.
+  size_t obstacle_count;
+  // Warnings, for `fmc_context_warning`.
+  size_t warning_count;
+  // Zero.
+  uint64_t reserved[8];
+} fmc_result;
+
+// Contact force and moment on one body or obstacle.
+typedef struct {
+  // Id of the body as given, or its number among the connected components; index of the obstacle.
+  int64_t id;
+  // Sum of the forces; in 2D the last entry is 0.
+  double force[3];
+  // Moment of the forces about the origin of space; in 2D only the last entry differs from 0.
+  double moment[3];
+  // Nodes on the body's surface; 0 for an obstacle.
+  size_t node_count;
+} fmc_resultant;
+
+// One overlapping pair; no side is master or slave.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // First side: a value of `fmc_partner`.
+  int32_t a_kind;
+  // Second side: a value of `fmc_partner`.
+  int32_t b_kind;
+  // First side: index for `fmc_context_body` or `fmc_context_obstacle`.
+  size_t a;
+  // Second side; the same as the first for a body that overlaps itself.
+  size_t b;
+  // Overlap volume (2D: area).
+  double volume;
+  // Standard error of the volume; 0 for `exact`.
+  double volume_standard_error;
+  // Energy.
+  double energy;
+  // Traction dw/dV.
+  double pressure;
+  // Area of contact (2D: length).
+  double contact_area;
+  // Extent of the overlap along its mean normal.
+  double penetration;
+  // Spacing of the fibers; 0 for `exact`. Given back as the option `spacing`, it keeps the pattern.
+  double spacing;
+  // Zero.
+  uint64_t reserved[8];
+} fmc_pair;
+
+// Position, rotation and scale of an obstacle: a point X of the shape stands at position + scale rotation X.
+//
+// In 2D the first two entries of the position and the upper left two by two of the rotation are read.
+typedef struct {
+  // Where the shape's origin stands.
+  double position[3];
+  // Rotation matrix, 3 by 3, row after row; orthonormal with determinant +1 to 1e-8.
+  double rotation[9];
+  // Uniform scale, positive.
+  double scale;
+} fmc_pose;
+
+// Signed distance of a body in the obstacle's own frame, for `n` points at once.
+//
+// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, growing no faster than distance does.
+// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
+// unwritten counts as not finite. `user` is the pointer given with the callback.
+//
+// Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
+// for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a
+// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+typedef int32_t (*fmc_signed_distance)(void *user, size_t n, const double *x, double *phi, double *grad);
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// Version of the library, such as "0.1.0". The text is constant and never freed. Threads: any.
+const char *fmc_version(void);
+
+// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header that it was built with. Threads: any.
+int32_t fmc_abi_version(void);
+
+// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fibers", "isotropic", "obstacles",
+// "self_contact", "signed_distance", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
+int32_t fmc_has_feature(const char *name);
+
+// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for a number that is none.
+//
+// The text is constant and never freed. Threads: any.
+const char *fmc_status_name(int32_t status);
+
+// Text of the last call that failed on this thread, "" if none did; never NULL. It names the offending indices.
+//
+// For what has no context: failed creation, `fmc_contact_force`, options. The text is valid until the next call fails
+// on this thread; successful calls leave it alone. Threads: each has its own.
+const char *fmc_last_error(void);
+
+// Sets all options to their defaults. Afterwards set at least `stiffness`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_options_init(fmc_options *options);
+
+// Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
+// ("balance", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
+//
+// The key "test_panic" panics inside the library, so that a host can check that this comes to it as a status.
+//
+// Errors: `FMC_ERROR_UNKNOWN_OPTION` for a key or value that is none; ranges are checked where the options are used.
+// Threads: any, on different structs.
+fmc_status fmc_options_set(fmc_options *options, const char *key, const char *value);
+
+// Contact forces between the bodies of a mesh of one cell type, in one call.
+//
+// `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `cell_type` is a value of
+// `fmc_cell_type`; `conn`, (cell_count, nodes per cell), are node numbers counted from the option `index_base`;
+// `body_ids`, (cell_count), may be NULL: bodies are what hangs together by faces. `options` must have been initialised
+// and have `stiffness` set.
+//
+// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be NULL,
+// the overlap volume (2D: area), summed over the pairs. Both are written only on success. The answer is that of a
+// context, bit for bit; a context spares the search for facets when the mesh is evaluated again, takes mixed meshes,
+// strides and obstacles, and tells more.
+//
+// Errors: those of `fmc_context_new_from_cells` and `fmc_context_evaluate`; the text, with the offending indices, is
+// given by `fmc_last_error`. Threads: any, also at once.
+fmc_status fmc_contact_force(int32_t dim,
+                             const double *coords,
+                             size_t node_count,
+                             int32_t cell_type,
+                             const int32_t *conn,
+                             size_t cell_count,
+                             const int32_t *body_ids,
+                             const fmc_options *options,
+                             double *forces,
+                             double *volume);
+
+// `fmc_contact_force` with 64-bit node numbers and body ids.
+fmc_status fmc_contact_force_i64(int32_t dim,
+                                 const double *coords,
+                                 size_t node_count,
+                                 int32_t cell_type,
+                                 const int64_t *conn,
+                                 size_t cell_count,
+                                 const int64_t *body_ids,
+                                 const fmc_options *options,
+                                 double *forces,
+                                 double *volume);
+
+// Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
+//
+// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces come back for as many.
+// Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, say which body
+// a cell belongs to; NULL: bodies are what hangs together by faces. Everything is read during the call and not kept
+// (topology is copied). `options`, with `stiffness` set, must have been initialised.
+//
+// `context` receives the new context, which must be given back to `fmc_context_free`.
+//
+// Errors, all with the offending indices in `fmc_last_error`: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`,
+// `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_REPEATED_NODE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`,
+// `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`,
+// `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`. Threads: any, also at once.
+fmc_status fmc_context_new_from_cells(int32_t dim,
+                                      const fmc_coords *coords,
+                                      const fmc_cell_block *blocks,
+                                      size_t block_count,
+                                      const int32_t *body_ids,
+                                      const fmc_options *options,
+                                      fmc_context **context);
+
+// `fmc_context_new_from_cells` with 64-bit node numbers and body ids.
+fmc_status fmc_context_new_from_cells_i64(int32_t dim,
+                                          const fmc_coords *coords,
+                                          const fmc_cell_block_i64 *blocks,
+                                          size_t block_count,
+                                          const int64_t *body_ids,
+                                          const fmc_options *options,
+                                          fmc_context **context);
+
+// Makes a context from a surface: the boundary facets of closed bodies, edges in 2D and triangles in 3D.
+//
+// `facets`, (facet_count, dim), are node numbers counted from the option `index_base`: in 2D the body lies left of an
+// edge, in 3D a triangle runs counter-clockwise seen from outside. `body_ids`, one for every facet, may be NULL:
+// bodies are what hangs together by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
+// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`.
+fmc_status fmc_context_new_from_facets(int32_t dim,
+                                       const fmc_coords *coords,
+                                       const int32_t *facets,
+                                       size_t facet_count,
+                                       const int32_t *body_ids,
+                                       const fmc_options *options,
+                                       fmc_context **context);
+
+// `fmc_context_new_from_facets` with 64-bit node numbers and body ids.
+fmc_status fmc_context_new_from_facets_i64(int32_t dim,
+                                           const fmc_coords *coords,
+                                           const int64_t *facets,
+                                           size_t facet_count,
+                                           const int64_t *body_ids,
+                                           const fmc_options *options,
+                                           fmc_context **context);
+
+// Ends a context and sets the host's pointer to NULL. A NULL pointer, or a pointer to NULL, is left as it is.
+//
+// Errors: none. Threads: no other call on the context may be running, nor come after.
+fmc_status fmc_context_free(fmc_context **context);
+
+// Replaces the options. They count from the next evaluation; the last one stays as it is.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`, `FMC_ERROR_STRUCT_SIZE`,
+// `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_set_options(fmc_context *context, const fmc_options *options);
+
+// Sets where messages go; NULL, as at the beginning: nowhere. The library never prints.
+//
+// The callback and `user` must outlive the context, or be replaced before they end. They are used on whichever thread
+// evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_set_log(fmc_context *context, fmc_log_callback callback, void *user);
+
+// Number of nodes of the mesh, of its boundary facets, and of its bodies. Any of the outputs may be NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+// changes it.
+fmc_status fmc_context_counts(const fmc_context *context, size_t *node_count, size_t *facet_count, size_t *body_count);
+
+// Contact forces at `coords`, the current coordinates of all nodes of the mesh.
+//
+// `forces`, which may be NULL, says where the nodal forces go, in the order of the nodes: the negative derivative of the
+// contact energy, which pushes bodies apart. They overwrite what is there, or are added to it with the flag `FMC_ADD`.
+// Nodes that touch nothing get 0. `result`, which may be NULL too, receives the overlap volume and what belongs to it;
+// forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
+//
+// Both are written only when all has gone well. The arrays may overlap one another. Units are those of `fmc_result`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
+// `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag,
+// `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`; the text is given by `fmc_context_error`. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_evaluate(fmc_context *context,
+                                const fmc_coords *coords,
+                                const fmc_forces *forces,
+                                uint32_t flags,
+                                fmc_result *result);
+
+// Text of the last call that failed on this context, "" if none did; never NULL. It names the offending indices.
+//
+// It is valid until the next call fails on the context, or the context ends. Getters, which do not change the context,
+// leave their text in `fmc_last_error` only; so does a context that is NULL or busy, for which this returns that text.
+// Threads: several at once on one context, as long as no call changes it.
+const char *fmc_context_error(const fmc_context *context);
+
+// Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
+//
+// `index` counts from 0 to `body_count` of `fmc_result`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_body(const fmc_context *context, size_t index, fmc_resultant *body);
+
+// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body`.
+fmc_status fmc_context_obstacle(const fmc_context *context, size_t index, fmc_resultant *obstacle);
+
+// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body`.
+fmc_status fmc_context_pair(const fmc_context *context, size_t index, fmc_pair *pair);
+
+// One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
+// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
+fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t *code, const char **text);
+
+// Sets a pose to the origin, unturned and unscaled.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_pose_init(fmc_pose *pose);
+
+// Sets a pose to `position`, unscaled, with the shape's last axis (y in 2D, z in 3D) along `axis`.
+//
+// That is the outward normal of a half-space and the axis of cylinder, cone and capsule. `position` and `axis` have
+// `dim` entries; `axis` need not have unit length.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_BAD_POSE` for an axis of no direction. Threads:
+// any, on different structs.
+fmc_status fmc_pose_along(int32_t dim, const double *position, const double *axis, fmc_pose *pose);
+
+// Adds a half-space: all points of its frame whose last coordinate is at most 0. `fmc_pose_along` places it by a point
+// and its outward normal.
+//
+// An obstacle meets every body of the mesh, but no other obstacle. `pose` may be NULL for the origin; `obstacle`, which
+// may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_add_half_space(fmc_context *context, const fmc_pose *pose, size_t *obstacle);
+
+// Adds a ball (2D: a disc) about the origin of its frame. Otherwise as `fmc_context_add_half_space`; also
+// `FMC_ERROR_NOT_POSITIVE`.
+fmc_status fmc_context_add_ball(fmc_context *context, double radius, const fmc_pose *pose, size_t *obstacle);
+
+// Adds a box about the origin of its frame; `half_extents` are `dim` halves of its sides. Otherwise as
+// `fmc_context_add_ball`.
+fmc_status fmc_context_add_cuboid(fmc_context *context,
+                                  const double *half_extents,
+                                  const fmc_pose *pose,
+                                  size_t *obstacle);
+
+// Adds a cylinder (2D: a rectangle) about the last axis of its frame, centred. Otherwise as `fmc_context_add_ball`.
+fmc_status fmc_context_add_cylinder(fmc_context *context,
+                                    double radius,
+                                    double half_height,
+                                    const fmc_pose *pose,
+                                    size_t *obstacle);
+
+// Adds a cone (2D: a triangle) about the last axis of its frame: apex at +half_height, base of the given radius at
+// -half_height. Otherwise as `fmc_context_add_ball`.
+fmc_status fmc_context_add_cone(fmc_context *context,
+                                double radius,
+                                double half_height,
+                                const fmc_pose *pose,
+                                size_t *obstacle);
+
+// Adds a capsule (2D: a stadium): all points within `radius` of the segment from -half_height to +half_height on the
+// last axis of its frame. Otherwise as `fmc_context_add_ball`.
+fmc_status fmc_context_add_capsule(fmc_context *context,
+                                   double radius,
+                                   double half_height,
+                                   const fmc_pose *pose,
+                                   size_t *obstacle);
+
+// Adds a closed polygon (2D) or triangle mesh (3D), which is copied.
+//
+// `points` are its corners, in its frame; `facets`, (facet_count, dim), are numbers of corners counted from the option
+// `index_base`: in 2D the body lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside.
+//
+// Errors: those of `fmc_context_add_half_space` and of `fmc_context_new_from_facets`. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_add_polytope(fmc_context *context,
+                                    const fmc_coords *points,
+                                    const int32_t *facets,
+                                    size_t facet_count,
+                                    const fmc_pose *pose,
+                                    size_t *obstacle);
+
+// `fmc_context_add_polytope` with 64-bit numbers.
+fmc_status fmc_context_add_polytope_i64(fmc_context *context,
+                                        const fmc_coords *points,
+                                        const int64_t *facets,
+                                        size_t facet_count,
+                                        const fmc_pose *pose,
+                                        size_t *obstacle);
+
+// Adds a body given by its signed distance; `user` is handed to the callback, and both must outlive the context. They
+// are used on whichever thread evaluates it. Only the estimator `fibers` can meet such a body.
+//
+// Errors: those of `fmc_context_add_half_space`. Threads: one call at a time on a context.
+fmc_status fmc_context_add_signed_distance(fmc_context *context,
+                                           fmc_signed_distance callback,
+                                           void *user,
+                                           const fmc_pose *pose,
+                                           size_t *obstacle);
+
+// Moves an obstacle. The last evaluation stays as it is.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads:
+// one call at a time on a context.
+fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc_pose *pose);
+
+// Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact (length):
+// an overlap a tenth of a facet deep over a patch one facet wide is resisted by the traction E. `exponent` is m.
+//
+// Units of k: Pa / (length^dim)^(m - 1); for m = 1 a pressure, in 2D and in 3D.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
+fmc_status fmc_suggest_stiffness_from_modulus(int32_t dim,
+                                              double exponent,
+                                              double modulus,
+                                              double facet_size,
+                                              double *stiffness);
+
+// Stiffness k of w = k V^m from the largest contact pressure expected (Pa) and the overlap of one pair that may be
+// accepted when it is reached (length^dim; not used for m = 1): 1.2 times what resists that pressure. `exponent` is m.
+//
+// Otherwise as `fmc_suggest_stiffness_from_modulus`.
+fmc_status fmc_suggest_stiffness_from_pressure(int32_t dim,
+                                               double exponent,
+                                               double pressure,
+                                               double overlap,
+                                               double *stiffness);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* FMC_CONTACT_H */

@@ -1,0 +1,122 @@
+//! The hosts in hosts/c: compiled without a warning, run, and run again under valgrind.
+
+use super::program::{built, compiler, root, run, scratch, succeed};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{fs, os::unix::fs::symlink};
+
+/// What a static link needs beside the library (`rustc --print native-static-libs`).
+const NATIVE: [&str; 3] = ["-lpthread", "-ldl", "-lm"];
+
+#[derive(Clone, Copy, PartialEq)]
+enum Link {
+    Shared,
+    Static,
+}
+
+/// Compiles a host into `folder`, against the library of this build.
+fn compile(source: &str, folder: &Path, link: Link) -> PathBuf {
+    let mut command = match source.ends_with(".cpp") {
+        true => compiler("CXX", "c++"),
+        false => compiler("CC", "cc"),
+    };
+    command.arg(if source.ends_with(".cpp") { "-std=c++17" } else { "-std=c99" });
+    command.args(["-g", "-O1", "-pedantic", "-Wall", "-Wextra", "-Werror", "-I"]).arg(root().join("include"));
+    let program = folder.join(source.replace('.', "_"));
+    command.arg("-o").arg(&program).arg(root().join("hosts/c").join(source));
+    match link {
+        Link::Shared => {
+            // The program asks for the library by its soname, so that is the name it must be found under.
+            let name =
+                concat!("libfmc_contact.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
+            symlink(built().join("libfmc_contact.so"), folder.join(name)).expect("a link");
+            command.arg(folder.join(name)).arg(format!("-Wl,-rpath,{}", folder.display()));
+        }
+        Link::Static => {
+            command.arg(built().join("libfmc_contact.a")).args(NATIVE);
+        }
+    }
+    succeed(command.arg("-lm"));
+    program
+}
+
+/// Runs a host, plainly and under valgrind: it must succeed, print the same, and leave standard error empty.
+fn output(source: &str, link: Link) -> String {
+    let name = format!("{source}-{}", if link == Link::Shared { "shared" } else { "static" });
+    let program = compile(source, &scratch(&name), link);
+    let plain = run(&mut Command::new(&program));
+    let printed = String::from_utf8_lossy(&plain.stdout).into_owned();
+    let complaints = String::from_utf8_lossy(&plain.stderr).into_owned();
+    assert!(plain.status.success(), "{name}: {}\n{printed}{complaints}", plain.status);
+    assert_eq!(complaints, "", "the library never prints");
+
+    // Worker threads may outlive the pool that started them by a moment, so blocks that they hold are no leak.
+    let leaks =
+        ["--leak-check=full", "--errors-for-leak-kinds=definite,indirect", "--show-leak-kinds=definite,indirect"];
+    let watched = succeed(Command::new("valgrind").args(["-q", "--error-exitcode=9"]).args(leaks).arg(&program));
+    assert_eq!(watched, printed, "{name} under valgrind");
+    printed
+}
+
+#[test]
+fn two_squares_in_thirty_lines() {
+    let source = fs::read_to_string(root().join("hosts/c/two_squares.c")).expect("the smallest host");
+    assert!(source.lines().count() <= 30);
+    let printed = output("two_squares.c", Link::Shared);
+    let mut lines = printed.lines();
+    assert_eq!(lines.next(), Some("overlap 0.080"));
+    let forces: Vec<[f64; 2]> = lines
+        .map(|line| {
+            let numbers: Vec<f64> =
+                line.split_whitespace().skip(2).map(|word| word.parse().expect("a number")).collect();
+            [numbers[0], numbers[1]]
+        })
+        .collect();
+    assert_eq!(forces.len(), 8);
+    // k times the height of the overlap, along the normal of its long sides; printed to a hundredth.
+    let sum = |nodes: &[[f64; 2]], axis: usize| nodes.iter().map(|force| force[axis]).sum::<f64>();
+    assert!((sum(&forces[..4], 0) + 800.0).abs() < 0.05);
+    assert!((sum(&forces[4..], 0) - 800.0).abs() < 0.05);
+    assert!(sum(&forces, 1).abs() < 0.05);
+}
+
+#[test]
+fn approach_of_a_tetrahedron_in_cpp() {
+    let printed = output("approach.cpp", Link::Shared);
+    assert_eq!(printed.lines().count(), 5);
+    assert!(printed.starts_with("tip at  1.05  volume 0.000000  area 0.0000  force     0.00\n"));
+}
+
+#[test]
+fn obstacles_by_shape_and_by_callback() {
+    assert_eq!(output("obstacles.c", Link::Shared).lines().count(), 2);
+}
+
+#[test]
+fn ways_that_must_agree_do() {
+    assert!(output("agreement.c", Link::Shared).ends_with("\n0 failures\n"));
+}
+
+#[test]
+fn bad_input_is_refused_by_the_shared_library() {
+    assert!(output("bad_input.c", Link::Shared).ends_with("\n0 failures\n"));
+}
+
+#[test]
+fn bad_input_is_refused_by_the_static_library() {
+    assert!(output("bad_input.c", Link::Static).ends_with("\n0 failures\n"));
+}
+
+/// The header alone, in every dialect that hosts use, without a warning.
+#[test]
+fn the_header_is_clean() {
+    let header = root().join("include/fmc_contact.h");
+    let strict = ["-pedantic", "-Wall", "-Wextra", "-Wstrict-prototypes", "-Werror", "-fsyntax-only"];
+    for dialect in ["-std=c99", "-std=c11", "-std=c17"] {
+        succeed(compiler("CC", "cc").arg(dialect).args(strict).args(["-x", "c"]).arg(&header));
+    }
+    let strict = ["-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"];
+    for dialect in ["-std=c++11", "-std=c++17", "-std=c++20"] {
+        succeed(compiler("CXX", "c++").arg(dialect).args(strict).args(["-x", "c++"]).arg(&header));
+    }
+}

@@ -1,0 +1,61 @@
+//! What `make install` leaves behind: usable through pkg-config and CMake, also after the folder has been moved.
+
+use super::program::{built, compiler, root, scratch, succeed};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Installs into a folder and moves that away, so that no path of the installation itself can be used.
+fn installed() -> PathBuf {
+    let folder = scratch("install");
+    let target = built().parent().and_then(Path::parent).expect("the target folder").to_owned();
+    succeed(
+        Command::new("make")
+            .current_dir(root())
+            .arg("install")
+            .arg(format!("PREFIX={}", folder.join("before").display()))
+            .env("CARGO", env!("CARGO"))
+            .env("CARGO_TARGET_DIR", target)
+            // What a calling make or cargo has set is none of this one's business.
+            .env_remove("MAKEFLAGS")
+            .env_remove("MAKELEVEL"),
+    );
+    fs::rename(folder.join("before"), folder.join("after")).expect("a move");
+    folder.join("after")
+}
+
+fn pkg_config(prefix: &Path, argument: &str) -> Vec<String> {
+    let path = prefix.join("lib/pkgconfig");
+    let words = succeed(Command::new("pkg-config").args([argument, "fmc_contact"]).env("PKG_CONFIG_PATH", path));
+    words.split_whitespace().map(str::to_owned).collect()
+}
+
+#[test]
+fn programs_find_the_installed_library() {
+    let prefix = installed();
+    let host = root().join("hosts/c/two_squares.c");
+
+    let program = prefix.join("by_pkg_config");
+    let mut cc = compiler("CC", "cc");
+    cc.arg(&host).args(pkg_config(&prefix, "--cflags")).args(pkg_config(&prefix, "--libs"));
+    succeed(cc.arg(format!("-Wl,-rpath,{}/lib", prefix.display())).arg("-o").arg(&program));
+    let by_pkg_config = succeed(&mut Command::new(&program));
+    assert!(by_pkg_config.starts_with("overlap 0.080\n"));
+    assert_eq!(pkg_config(&prefix, "--modversion"), [env!("CARGO_PKG_VERSION")]);
+    let needed = succeed(Command::new("readelf").arg("-d").arg(&program));
+    let name = concat!("libfmc_contact.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
+    assert!(needed.contains(&format!("[{name}]")), "{needed}");
+
+    let build = prefix.join("cmake-build");
+    let mut configure = Command::new("cmake");
+    configure.arg("-S").arg(root().join("hosts/c")).arg("-B").arg(&build);
+    succeed(configure.arg(format!("-DCMAKE_PREFIX_PATH={}", prefix.display())));
+    succeed(Command::new("cmake").arg("--build").arg(&build));
+    assert_eq!(succeed(&mut Command::new(build.join("two_squares"))), by_pkg_config);
+
+    let program = prefix.join("static");
+    let mut cc = compiler("CC", "cc");
+    cc.arg(&host).args(pkg_config(&prefix, "--cflags")).arg(prefix.join("lib/libfmc_contact.a"));
+    succeed(cc.args(["-lpthread", "-ldl", "-lm", "-o"]).arg(&program));
+    assert_eq!(succeed(&mut Command::new(&program)), by_pkg_config);
+}

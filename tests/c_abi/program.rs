@@ -1,0 +1,41 @@
+//! Programs that the tests call, and the places they work in.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::{env, fs};
+
+/// Root of the package.
+pub(crate) fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Where cargo has put the libraries that belong to this test.
+pub(crate) fn built() -> PathBuf {
+    env::current_exe().expect("a test has a path").parent().expect("a folder").to_owned()
+}
+
+/// A new, empty folder for one test.
+pub(crate) fn scratch(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("c_abi").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder for the test");
+    folder
+}
+
+/// Runs a program to its end, with a word of help where it is missing.
+pub(crate) fn run(command: &mut Command) -> Output {
+    command.output().unwrap_or_else(|error| panic!("{command:?} cannot be run ({error}): `make tools` installs it"))
+}
+
+/// Runs a program that must succeed, and gives back what it printed.
+pub(crate) fn succeed(command: &mut Command) -> String {
+    let output = run(command);
+    let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{command:?}\n{}\n{out}\n{err}", output.status);
+    out.into_owned()
+}
+
+/// The C or C++ compiler, as the environment names it.
+pub(crate) fn compiler(variable: &str, otherwise: &str) -> Command {
+    Command::new(env::var_os(variable).unwrap_or(otherwise.into()))
+}
