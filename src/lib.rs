@@ -25,3 +25,8 @@ pub use error::Error;
 pub use geometry::{Bodies, CellBlock, CellType, Obstacle, Pose, Shape, SignedDistance, Surface};
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
 pub use sampling::FiberPattern;
+
+/// The README's Rust code, run by the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -3,7 +3,8 @@
 use super::obstacle::SignedDistance;
 use super::{Pose, Vector, chord::Hit};
 
-/// Largest number of rounds; a round costs one batch. Sphere tracing needs some tens, an interval's bracketing as many.
+/// Largest number of rounds; a round costs one batch. Sphere tracing needs some tens, an interval's bracketing as many;
+/// a line that runs along the boundary needs its length by the resolution, and is given up where it needs more.
 const ROUNDS: usize = 4000;
 
 /// A piece of a line to be searched: from `t` to `end`.
@@ -35,7 +36,8 @@ enum State {
 /// From t, no boundary lies nearer than |φ|, so a step of |φ| is safe; steps are at least `resolution`, and two
 /// passages closer than that may both be missed. A change of sign is closed to rounding by regula falsi (Illinois).
 ///
-/// Returns the number of the point in its batch where the function failed or was not finite.
+/// Returns the number of the point in its batch where the function failed, or was not finite, or had no gradient where
+/// φ = 0.
 pub(crate) fn march<const D: usize>(
     function: &dyn SignedDistance<D>,
     pose: &Pose<D>,
@@ -81,6 +83,9 @@ pub(crate) fn march<const D: usize>(
                 State::Bracket { low, low_phi, high, high_phi, resume, resume_phi, .. } => {
                     let tolerance = 4.0 * f64::EPSILON * (t.abs() + resolution);
                     if value == 0.0 || high - low <= tolerance {
+                        if normals[n].norm_squared() == 0.0 {
+                            return Err(n);
+                        }
                         found(t, low_phi < 0.0);
                         if resume >= end {
                             State::Done
