@@ -15,13 +15,13 @@ mod pose;
 mod surface;
 pub(crate) mod tree;
 
-pub(crate) use chord::chord;
-pub(crate) use march::{Passage, Stretch, march};
 pub use cell::{Bodies, CellBlock, CellType};
+pub(crate) use chord::chord;
 pub(crate) use facet::moment;
+pub(crate) use inside::cover_count;
+pub(crate) use march::{Passage, Stretch, march};
 pub use obstacle::{Obstacle, Shape, SignedDistance};
 pub use pose::Pose;
-pub(crate) use inside::cover_count;
 pub use surface::Surface;
 
 /// Point or vector of `D` components.

@@ -20,6 +20,6 @@ mod warning;
 pub use estimate::{FiberTrace, Overlap, Partner, PoseGradient};
 pub(crate) use exact::ExactPair;
 pub(crate) use fibers::FiberPair;
-pub(crate) use side::{FacetSide, ImplicitSide, Opponent, Views};
 pub use options::{Estimator, FiberOptions, LineWeights, Resolution};
+pub(crate) use side::{FacetSide, ImplicitSide, Opponent, Views};
 pub use warning::Warning;

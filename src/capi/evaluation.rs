@@ -1,15 +1,10 @@
-//! What an evaluation found, as plain structs, and the getters that hand it out.
+//! What an evaluation found, as plain structs.
 
-use super::boundary::entry;
-use super::context::{fmc_context, read};
-use super::failure::{Failure, c_text};
-use super::pointer::Output;
-use super::status::fmc_status;
-use super::status::fmc_status::FMC_ERROR_INDEX_OUT_OF_RANGE;
+use super::failure::c_text;
 use crate::Warning;
 use crate::contact::{ContactForces, PairForces, Resultant};
 use crate::overlap::Partner;
-use std::ffi::{CString, c_char};
+use std::ffi::CString;
 
 /// What an evaluation says beside the forces. Units follow from the coordinates and the stiffness: with m and Pa,
 /// volumes are m^3 (2D: m^2), areas m^2 (m), energies J (J/m) and forces N (N/m).
@@ -127,9 +122,9 @@ fn warning_code(warning: &Warning) -> i32 {
 #[derive(Debug, Default)]
 pub(super) struct Evaluation {
     pub(super) result: fmc_result,
-    bodies: Vec<fmc_resultant>,
-    obstacles: Vec<fmc_resultant>,
-    pairs: Vec<fmc_pair>,
+    pub(super) bodies: Vec<fmc_resultant>,
+    pub(super) obstacles: Vec<fmc_resultant>,
+    pub(super) pairs: Vec<fmc_pair>,
     pub(super) warnings: Vec<(i32, CString)>,
 }
 
@@ -187,94 +182,4 @@ fn pair(found: &PairForces) -> fmc_pair {
         spacing: found.spacing,
         reserved: [0; 8],
     }
-}
-
-/// Writes the entry of a list of the last evaluation.
-///
-/// # Safety
-/// The host guarantees the context, and that `output` may be written.
-unsafe fn hand_out<T: Copy>(
-    context: *const fmc_context,
-    what: &str,
-    index: usize,
-    output: *mut T,
-    list: impl FnOnce(&Evaluation) -> &[T],
-) -> fmc_status {
-    entry(|| {
-        let output = Output::required(what, output)?;
-        // SAFETY: passed on to the caller.
-        let state = unsafe { read(context) }?;
-        let list = list(&state.evaluation);
-        let found = *list.get(index).ok_or_else(|| out_of_range(what, index, list.len()))?;
-        // SAFETY: passed on to the caller.
-        unsafe { output.write(found) };
-        Ok(())
-    })
-}
-
-fn out_of_range(what: &str, index: usize, count: usize) -> Failure {
-    let text = format!("there is no {what} {index} in the last evaluation, only {count}");
-    Failure::new(FMC_ERROR_INDEX_OUT_OF_RANGE, text)
-}
-
-/// Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
-///
-/// `index` counts from 0 to `body_count` of `fmc_result`.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_BUSY`. Threads: several at once on one
-/// context, as long as no call changes it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_body(
-    context: *const fmc_context,
-    index: usize,
-    body: *mut fmc_resultant,
-) -> fmc_status {
-    // SAFETY: the host passes a context and an output.
-    unsafe { hand_out(context, "body", index, body, |evaluation| &evaluation.bodies) }
-}
-
-/// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_obstacle(
-    context: *const fmc_context,
-    index: usize,
-    obstacle: *mut fmc_resultant,
-) -> fmc_status {
-    // SAFETY: the host passes a context and an output.
-    unsafe { hand_out(context, "obstacle", index, obstacle, |evaluation| &evaluation.obstacles) }
-}
-
-/// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_pair(
-    context: *const fmc_context,
-    index: usize,
-    pair: *mut fmc_pair,
-) -> fmc_status {
-    // SAFETY: the host passes a context and an output.
-    unsafe { hand_out(context, "pair", index, pair, |evaluation| &evaluation.pairs) }
-}
-
-/// One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
-/// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_warning(
-    context: *const fmc_context,
-    index: usize,
-    code: *mut i32,
-    text: *mut *const c_char,
-) -> fmc_status {
-    entry(|| {
-        let (code, text) = (Output::optional("code", code)?, Output::optional("text", text)?);
-        // SAFETY: the host passes a context.
-        let state = unsafe { read(context) }?;
-        let warnings = &state.evaluation.warnings;
-        let found = warnings.get(index).ok_or_else(|| out_of_range("warning", index, warnings.len()))?;
-        // SAFETY: the outputs, where given, may be written.
-        unsafe {
-            code.write(found.0);
-            text.write(found.1.as_ptr());
-        }
-        Ok(())
-    })
 }

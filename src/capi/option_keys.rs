@@ -2,9 +2,8 @@
 
 use super::boundary::entry;
 use super::failure::Failure;
-use super::options::{
-    BALANCE, CHECK_CELLS, Choice, ESTIMATOR, INDEX_BASE, LAW, PATTERN, SELF_CONTACT, WEIGHTS, fmc_options,
-};
+use super::option_values::{BALANCE, CHECK_CELLS, Choice, ESTIMATOR, INDEX_BASE, LAW, PATTERN, SELF_CONTACT, WEIGHTS};
+use super::options::fmc_options;
 use super::pointer::{Output, reference, text};
 use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_UNKNOWN_OPTION;

@@ -2,8 +2,8 @@
 
 use super::evaluation::Evaluation;
 use super::failure::Failure;
-use super::obstacle::ShapeOf;
 use super::pose::fmc_pose;
+use super::shape::ShapeOf;
 use super::status::fmc_status::{FMC_ERROR_DIMENSION, FMC_ERROR_OVERFLOW};
 use super::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::{Contact, Obstacle, Options, Pose, Surface};

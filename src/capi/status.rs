@@ -48,7 +48,7 @@ pub enum fmc_status {
     FMC_ERROR_EMPTY = 17,
     /// A parameter is not positive and finite, or an exponent not at least 1.
     FMC_ERROR_NOT_POSITIVE = 18,
-    /// No such option, or no such value of an option.
+    /// No such option or flag, no such value of an option, or two options that exclude one another.
     FMC_ERROR_UNKNOWN_OPTION = 19,
     /// A struct was not initialised by its `_init` function, or comes from a header that this library does not know.
     FMC_ERROR_STRUCT_SIZE = 20,

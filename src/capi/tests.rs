@@ -2,13 +2,14 @@
 
 use super::context::{State, fmc_context, fmc_context_error, fmc_context_evaluate};
 use super::creation::{fmc_context_free, fmc_context_new_from_cells};
-use super::evaluation::{Evaluation, fmc_context_body, fmc_result, fmc_resultant};
+use super::evaluation::{Evaluation, fmc_result, fmc_resultant};
 use super::failure::Failure;
+use super::getters::fmc_context_body;
 use super::mesh::{fmc_cell_block, fmc_cell_type};
-use super::obstacle::ShapeOf;
 use super::options::fmc_options;
 use super::pose::fmc_pose;
 use super::session::{Counts, Session};
+use super::shape::ShapeOf;
 use super::status::fmc_status;
 use super::status::fmc_status::*;
 use super::view::{fmc_coords, fmc_forces};

@@ -55,6 +55,12 @@ impl<const D: usize> Aabb<D> {
         self.min + self.extent() * 0.5
     }
 
+    /// Distance that rounding can put between two computed points of `self` that are meant to be one: some last bits of
+    /// the largest coordinate. Rotations and interpolations of coordinates lose a few; features are far above.
+    pub(crate) fn rounding(&self) -> f64 {
+        128.0 * f64::EPSILON * self.min.amax().max(self.max.amax())
+    }
+
     pub(crate) fn volume(&self) -> f64 {
         self.extent().iter().map(|e| e.max(0.0)).product()
     }

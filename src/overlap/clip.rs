@@ -6,7 +6,7 @@
 //! no part of a facet is counted twice or lost between them, whatever the rounding.
 
 use crate::geometry::Vector;
-use crate::geometry::facet::determinant;
+use crate::geometry::facet::{area_vector, determinant};
 
 /// A triangle (2D) or tetrahedron (3D) with D + 1 corners; face k lies opposite to corner k.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub(crate) struct Simplex<const D: usize> {
 #[derive(Clone, Debug)]
 struct Plane<const D: usize> {
     points: [Vector<D>; D],
-    /// Turns the determinant with the points so that it is positive outside.
+    /// Turns the determinant with the points into the distance, positive outside.
     outward: f64,
     /// Whether the face lies on the boundary of its body.
     boundary: bool,
@@ -43,21 +43,26 @@ impl<const D: usize> Simplex<D> {
             if opposite == 0.0 {
                 return None;
             }
-            planes.push(Plane { points, outward: -opposite.signum(), boundary: boundary(k) });
+            let measure = area_vector(&points).norm() * (D - 1) as f64;
+            planes.push(Plane { points, outward: -opposite.signum() / measure, boundary: boundary(k) });
         }
         (volume != 0.0).then(|| Self { planes, sign: volume.signum() })
     }
 
     /// ∫ over the clipped piece of every barycentric coordinate, in units of the facet's measure; `None` if empty.
     ///
-    /// A facet that lies in a face of the simplex counts half, so that the two simplices at an inner face make one
+    /// Distances up to `tie` are rounding and count as zero. A facet that lies in a face of the simplex counts half, so that the two simplices at an inner face make one
     /// whole, and identical bodies share; but it counts nothing where it lies on the outside of a body's boundary:
     /// the bodies touch there.
-    pub(crate) fn clip(&self, corners: &[Vector<D>; D], area: &Vector<D>) -> Option<[f64; D]> {
+    pub(crate) fn clip(&self, corners: &[Vector<D>; D], area: &Vector<D>, tie: f64) -> Option<[f64; D]> {
         let mut piece: Vec<[f64; D]> = (0..D).map(|a| std::array::from_fn(|b| f64::from(u8::from(a == b)))).collect();
         let mut part = 1.0;
         for plane in &self.planes {
-            let distance = corners.map(|x| plane.outward * height(&plane.points, &x));
+            let mut distance = [0.0; D];
+            for (s, x) in distance.iter_mut().zip(corners) {
+                let exact = plane.outward * height(&plane.points, x);
+                *s = if exact.abs() <= tie { 0.0 } else { exact };
+            }
             if distance.iter().all(|&s| s == 0.0) {
                 let inner = plane.points[0] + area;
                 let same_way = plane.outward * height(&plane.points, &inner) > 0.0;
@@ -131,12 +136,13 @@ fn integrate<const D: usize>(piece: &[[f64; D]]) -> [f64; D] {
 }
 
 /// Part of a facet below a plane, given the heights of its corners; as [`Simplex::clip`].
-pub(crate) fn clip_below<const D: usize>(heights: &[f64; D]) -> Option<[f64; D]> {
+pub(crate) fn clip_below<const D: usize>(heights: &[f64; D], tie: f64) -> Option<[f64; D]> {
+    let heights = heights.map(|s| if s.abs() <= tie { 0.0 } else { s });
     if heights.iter().all(|&s| s >= 0.0) {
         return None;
     }
     let whole: Vec<[f64; D]> = (0..D).map(|a| std::array::from_fn(|b| f64::from(u8::from(a == b)))).collect();
-    let piece = cut(&whole, heights);
+    let piece = cut(&whole, &heights);
     (piece.len() >= D).then(|| integrate(&piece))
 }
 
@@ -146,13 +152,13 @@ mod tests {
 
     #[test]
     fn half_of_a_triangle() {
-        let parts = clip_below::<3>(&[-1.0, 1.0, -1.0]).unwrap_or_default();
+        let parts = clip_below::<3>(&[-1.0, 1.0, -1.0], 0.0).unwrap_or_default();
         // The cut-off corner is a quarter of the triangle, with moments (1/2·…): area 1/4, means 1/6, 2/3, 1/6.
         let expected = [1.0 / 3.0 - 1.0 / 24.0, 1.0 / 3.0 - 1.0 / 6.0, 1.0 / 3.0 - 1.0 / 24.0];
         for a in 0..3 {
             assert!((parts[a] - expected[a]).abs() < 1e-15, "{parts:?}");
         }
-        assert_eq!(clip_below::<2>(&[-1.0, 3.0]), Some([0.25 * 0.875, 0.25 * 0.125]));
+        assert_eq!(clip_below::<2>(&[-1.0, 3.0], 0.0), Some([0.25 * 0.875, 0.25 * 0.125]));
     }
 
     #[test]
@@ -162,7 +168,7 @@ mod tests {
         let area = v(0.0, -0.3);
         let of = |corners: &[Vector<2>], boundary: bool| {
             let simplex = Simplex::new(corners, |_| boundary);
-            simplex.and_then(|s| s.clip(&facet, &area)).map_or(0.0, |w| w.iter().sum())
+            simplex.and_then(|s| s.clip(&facet, &area, 0.0)).map_or(0.0, |w| w.iter().sum())
         };
         let (above, below) = ([v(0.0, 0.0), v(1.0, 0.0), v(0.0, 1.0)], [v(0.0, 0.0), v(0.0, -1.0), v(1.0, 0.0)]);
         assert_eq!(of(&above, false) + of(&below, false), 1.0);

@@ -60,7 +60,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 let shares: Vec<FacetShare<D>> = (0..self.a.facets.len())
                     .filter_map(|facet| {
                         let corners = self.a.corners(facet);
-                        let parts = clip_below(&corners.map(|x| normal.dot(&(x - origin))))?;
+                        let parts = clip_below(&corners.map(|x| normal.dot(&(x - origin))), self.a.aabb.rounding())?;
                         let area = area_vector(&corners).norm();
                         Some(FacetShare { facet: facet as u32, of_b: false, shares: parts.map(|w| w * area) })
                     })
@@ -98,7 +98,8 @@ impl<const D: usize> ExactPair<'_, D> {
             let own_cell = if own { Some(self.cell_of(facet)) } else { None };
             solid.for_each_near(&Aabb::of(&corners), |simplex, origin| {
                 if Some(origin) != own_cell {
-                    for (sum, part) in sums.iter_mut().zip(simplex.clip(&corners, &area).unwrap_or([0.0; D])) {
+                    for (sum, part) in sums.iter_mut().zip(simplex.clip(&corners, &area, solid.tie).unwrap_or([0.0; D]))
+                    {
                         *sum += simplex.sign * part;
                     }
                 }

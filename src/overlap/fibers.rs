@@ -67,7 +67,8 @@ impl<const D: usize> FiberPair<'_, D> {
                     let (origin, direction) = bundle.ray(fiber);
                     let at = |t: f64| -> [f64; D] { (origin + direction * t).into() };
                     let mut ts = Vec::new();
-                    let length = sweep(start, events, self.is_own(), bundle.length(), |event, _| ts.push(event.t));
+                    let length =
+                        sweep(start, events, self.is_own(), bundle.length(), layout.tie, |event, _| ts.push(event.t));
                     if length > 0.0 {
                         let (start, end) = match (bundle.length(), ts.first(), ts.last()) {
                             (Some(length), _, _) => (0.0, length),
@@ -152,7 +153,7 @@ impl<const D: usize> FiberPair<'_, D> {
         let (mut facet_shares, mut point_shares) = (Vec::new(), Vec::new());
         self.visit_fibers(bundle, layout, |fiber, start, events, hits| {
             let (origin, direction) = bundle.ray(fiber);
-            let length = sweep(start, events, self.is_own(), bundle.length(), |event, coefficient| {
+            let length = sweep(start, events, self.is_own(), bundle.length(), layout.tie, |event, coefficient| {
                 let side = match (&self.opponent, event.of_b) {
                     (Opponent::Facets(b), true) => b,
                     (Opponent::Implicit(_), true) => {

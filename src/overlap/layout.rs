@@ -23,6 +23,8 @@ const SEGMENTS_PER_BUNDLE: u64 = 1 << 12;
 pub(crate) struct Layout<'a, const D: usize> {
     pub(crate) region: Aabb<D>,
     pub(crate) facet_size: f64,
+    /// Crossings nearer than this are one place.
+    pub(crate) tie: f64,
     pub(crate) spacing: f64,
     /// Volume per unit length of a fiber, were its family (or the segments) the only one.
     pub(crate) volume_per_length: f64,
@@ -48,6 +50,7 @@ impl<const D: usize> FiberPair<'_, D> {
         let sizes = [Some(&self.a), b].into_iter().flatten().zip(&facets).map(|(s, f)| facet_size(s, f));
         let facet_size = sizes.fold(f64::INFINITY, f64::min);
         let facet_size = if facet_size.is_finite() { facet_size } else { region.extent().max() };
+        let tie = region.rounding();
         match self.options.pattern {
             FiberPattern::Lines => {
                 let spacing = line_spacing(self.options.resolution, self.families, &region, facet_size)?;
@@ -57,7 +60,7 @@ impl<const D: usize> FiberPair<'_, D> {
                     bundles.extend(of_family.ok_or(Error::TooManyFibers { needed: 1e15, limit: MOST_FIBERS })?);
                 }
                 let volume_per_length = spacing.powi(D as i32 - 1);
-                work(&Layout { region, facet_size, spacing, volume_per_length, bundles }).map(Some)
+                work(&Layout { region, facet_size, tie, spacing, volume_per_length, bundles }).map(Some)
             }
             FiberPattern::Isotropic { length } => {
                 let length = length.unwrap_or(facet_size);
@@ -71,7 +74,7 @@ impl<const D: usize> FiberPair<'_, D> {
                     .collect();
                 let bundles = segment_bundles(self.options.seed, count, &starts, length, &trees);
                 let volume_per_length = starts.volume() / (count as f64 * length);
-                work(&Layout { region, facet_size, spacing: length, volume_per_length, bundles }).map(Some)
+                work(&Layout { region, facet_size, tie, spacing: length, volume_per_length, bundles }).map(Some)
             }
         }
     }

@@ -14,6 +14,8 @@ pub(crate) struct Solid<const D: usize> {
     /// Cell (or facet, for surfaces without cells) of every simplex.
     origins: Vec<u32>,
     tree: Tree<D>,
+    /// Distances up to this are rounding.
+    pub(crate) tie: f64,
 }
 
 impl<const D: usize> Solid<D> {
@@ -58,7 +60,7 @@ impl<const D: usize> Solid<D> {
                 }
             }
         }
-        parts.finish()
+        parts.finish(region.rounding())
     }
 
     /// A body bounded by facets only, as signed simplices from its middle to every facet.
@@ -74,7 +76,7 @@ impl<const D: usize> Solid<D> {
             }
             parts.push(&corners, |k| k == D, facet as u32, region);
         }
-        parts.finish()
+        parts.finish(region.rounding())
     }
 
     /// Calls `visit(simplex, origin)` for every simplex whose box meets `query`, in a fixed order.
@@ -115,9 +117,9 @@ impl<const D: usize> Parts<D> {
         }
     }
 
-    fn finish(self) -> Solid<D> {
+    fn finish(self, tie: f64) -> Solid<D> {
         let tree = Tree::new(&self.boxes);
-        Solid { simplices: self.simplices, boxes: self.boxes, origins: self.origins, tree }
+        Solid { simplices: self.simplices, boxes: self.boxes, origins: self.origins, tree, tie }
     }
 }
 

@@ -39,13 +39,14 @@ pub(crate) fn sort(events: &mut [Event]) {
 /// `start` says how often each side covers the fiber before the first event. A fiber with ends begins at t = 0 and is
 /// `length` long, and all events lie on it; a line (`None`) has no stretch that counts before its first event.
 ///
-/// Crossings at the same `t` happen at once. Where both bodies are entered, or both left, there, each carries half;
+/// Crossings within `tie` of one another happen at once. Where both bodies are entered, or both left, there, each carries half;
 /// where one is left and the other entered, the bodies touch and neither carries anything.
 pub(crate) fn sweep(
     start: [i16; 2],
     events: &[Event],
     own: bool,
     length: Option<f64>,
+    tie: f64,
     mut bound: impl FnMut(&Event, f64),
 ) -> f64 {
     let integrand = |c: &[i32; 2]| if own { 0.5 * (c[0] * (c[0] - 1)) as f64 } else { (c[0] * c[1]) as f64 };
@@ -57,7 +58,7 @@ pub(crate) fn sweep(
         let t = events[first].t;
         let before = cover;
         let mut last = first;
-        while last < events.len() && events[last].t == t {
+        while last < events.len() && events[last].t - t <= tie {
             let event = &events[last];
             cover[usize::from(event.of_b)] += if event.leaves { -1 } else { 1 };
             last += 1;
@@ -105,7 +106,7 @@ mod tests {
     fn measure(mut events: Vec<Event>, own: bool, length: Option<f64>) -> (f64, Vec<(f64, bool, f64)>) {
         sort(&mut events);
         let mut bounds = Vec::new();
-        let measure = sweep([0, 0], &events, own, length, |e, c| bounds.push((e.t, e.of_b, c)));
+        let measure = sweep([0, 0], &events, own, length, 0.0, |e, c| bounds.push((e.t, e.of_b, c)));
         (measure, bounds)
     }
 
@@ -143,10 +144,10 @@ mod tests {
     fn segments_start_and_end_inside() {
         let mut bounds = 0;
         let leaves = [event(0.25, true, true)];
-        assert_eq!(sweep([1, 1], &leaves, false, Some(1.0), |_, c| bounds += c as i32), 0.25);
+        assert_eq!(sweep([1, 1], &leaves, false, Some(1.0), 0.0, |_, c| bounds += c as i32), 0.25);
         assert_eq!(bounds, 1);
-        assert_eq!(sweep([1, 1], &[], false, Some(0.125), |_, _| ()), 0.125);
-        assert_eq!(sweep([1, 0], &[], false, Some(0.125), |_, _| ()), 0.0);
+        assert_eq!(sweep([1, 1], &[], false, Some(0.125), 0.0, |_, _| ()), 0.125);
+        assert_eq!(sweep([1, 0], &[], false, Some(0.125), 0.0, |_, _| ()), 0.0);
     }
 
     #[test]

@@ -1,0 +1,168 @@
+//! Values of the options, checked, and as options of the crate.
+
+use super::failure::Failure;
+use super::options::{fmc_estimator, fmc_law, fmc_options, fmc_pattern, fmc_weights};
+use super::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
+use crate::{EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, LineWeights, Options, Resolution};
+
+/// An option that takes one of a few values, each with its number and name.
+pub(super) struct Choice {
+    pub(super) key: &'static str,
+    pub(super) values: &'static [(i32, &'static str)],
+}
+
+const SWITCH: &[(i32, &str)] = &[(0, "0"), (1, "1")];
+
+pub(super) const LAW: Choice = Choice { key: "law", values: &[(fmc_law::FMC_LAW_VOLUME as i32, "volume")] };
+pub(super) const ESTIMATOR: Choice = Choice {
+    key: "estimator",
+    values: &[
+        (fmc_estimator::FMC_ESTIMATOR_FIBERS as i32, "fibers"),
+        (fmc_estimator::FMC_ESTIMATOR_EXACT as i32, "exact"),
+    ],
+};
+pub(super) const PATTERN: Choice = Choice {
+    key: "pattern",
+    values: &[
+        (fmc_pattern::FMC_PATTERN_LINES as i32, "lines"),
+        (fmc_pattern::FMC_PATTERN_ISOTROPIC as i32, "isotropic"),
+    ],
+};
+pub(super) const WEIGHTS: Choice = Choice {
+    key: "weights",
+    values: &[
+        (fmc_weights::FMC_WEIGHTS_BALANCE as i32, "balance"),
+        (fmc_weights::FMC_WEIGHTS_CONSISTENT as i32, "consistent"),
+    ],
+};
+pub(super) const BALANCE: Choice = Choice { key: "balance", values: SWITCH };
+pub(super) const SELF_CONTACT: Choice = Choice { key: "self_contact", values: SWITCH };
+pub(super) const CHECK_CELLS: Choice = Choice { key: "check_cells", values: SWITCH };
+pub(super) const INDEX_BASE: Choice = Choice { key: "index_base", values: SWITCH };
+
+impl Choice {
+    /// Name of a value, or the failure that there is none.
+    fn name(&self, value: i32) -> Result<&'static str, Failure> {
+        self.values.iter().find(|(number, _)| *number == value).map(|(_, name)| *name).ok_or_else(|| {
+            Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{}' has no value {value}", self.key))
+        })
+    }
+
+    fn is_on(&self, value: i32) -> Result<bool, Failure> {
+        Ok(self.name(value)? == "1")
+    }
+}
+
+impl fmc_options {
+    /// Whether the struct was initialised, and asks for nothing that only a later version knows.
+    pub(super) fn check_struct(&self) -> Result<(), Failure> {
+        if self.struct_size != size_of::<Self>() {
+            let text = format!(
+                "fmc_options has struct_size {}, expected {}: call fmc_options_init first",
+                self.struct_size,
+                size_of::<Self>()
+            );
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
+        }
+        if self.reserved_flags != 0 || self.reserved != [0; 16] {
+            let text = "a reserved field of fmc_options is not zero: an option of a later version of the library";
+            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+        }
+        Ok(())
+    }
+
+    /// Number of the first node.
+    pub(super) fn checked_index_base(&self) -> Result<i32, Failure> {
+        self.check_struct()?;
+        INDEX_BASE.name(self.index_base).map(|_| self.index_base)
+    }
+
+    /// The options of the crate, which checks the numbers.
+    pub(super) fn to_options(self) -> Result<Options, Failure> {
+        self.checked_index_base()?;
+        LAW.name(self.law)?;
+        let estimator = match ESTIMATOR.name(self.estimator)? {
+            "exact" => Estimator::Exact,
+            _ => Estimator::Fibers(self.fibers()?),
+        };
+        let threads = usize::try_from(self.threads)
+            .map_err(|_| Error::NotPositive { name: "threads", value: self.threads.into() })?;
+        Ok(Options {
+            estimator,
+            threads,
+            self_contact: SELF_CONTACT.is_on(self.self_contact)?,
+            check_cells: CHECK_CELLS.is_on(self.check_cells)?,
+            ..Options::new(EnergyLaw::Volume { k: self.stiffness, m: self.exponent })
+        })
+    }
+
+    fn fibers(&self) -> Result<FiberOptions, Failure> {
+        let resolution = match (self.fiber_count, self.spacing) {
+            (0, 0.0) => Resolution::Auto,
+            (0, spacing) => Resolution::Spacing(spacing),
+            (count, 0.0) => Resolution::Count(usize::try_from(count).unwrap_or(usize::MAX)),
+            _ => {
+                let text = "options 'spacing' and 'fiber_count' exclude one another";
+                return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+            }
+        };
+        let length = (self.fiber_length != 0.0).then_some(self.fiber_length);
+        Ok(FiberOptions {
+            pattern: match PATTERN.name(self.pattern)? {
+                "isotropic" => FiberPattern::Isotropic { length },
+                _ => FiberPattern::Lines,
+            },
+            weights: match WEIGHTS.name(self.weights)? {
+                "consistent" => LineWeights::Consistent,
+                _ => LineWeights::Balance,
+            },
+            resolution,
+            seed: self.seed,
+            balance: BALANCE.is_on(self.balance)?,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::status::fmc_status;
+    use fmc_status::*;
+
+    fn refused(change: impl FnOnce(&mut fmc_options)) -> (fmc_status, String) {
+        let mut options = fmc_options { stiffness: 1.0, ..fmc_options::default() };
+        change(&mut options);
+        let failure = options.to_options().unwrap_err();
+        (failure.status, failure.text)
+    }
+
+    #[test]
+    fn defaults_are_those_of_the_crate() {
+        let options = fmc_options { stiffness: 3.0, ..fmc_options::default() };
+        assert_eq!(options.to_options().unwrap(), Options::new(EnergyLaw::volume(3.0)));
+    }
+
+    #[test]
+    fn unknown_values_are_refused() {
+        assert_eq!(refused(|o| o.law = 1).1, "option 'law' has no value 1");
+        assert_eq!(refused(|o| o.estimator = -1).1, "option 'estimator' has no value -1");
+        for change in [
+            (|o| o.pattern = 2) as fn(&mut fmc_options),
+            |o| o.weights = 2,
+            |o| o.balance = 2,
+            |o| o.self_contact = -1,
+            |o| o.check_cells = 7,
+            |o| o.index_base = 2,
+            |o| o.reserved[3] = 1,
+            |o| o.reserved_flags = 1,
+            |o| (o.spacing, o.fiber_count) = (0.1, 10),
+        ] {
+            assert_eq!(refused(change).0, FMC_ERROR_UNKNOWN_OPTION);
+        }
+        assert_eq!(refused(|o| o.struct_size = 8).0, FMC_ERROR_STRUCT_SIZE);
+        assert_eq!(
+            refused(|o| o.threads = -2),
+            (FMC_ERROR_NOT_POSITIVE, "'threads' is -2, which is not allowed".into())
+        );
+    }
+}
