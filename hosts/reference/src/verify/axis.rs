@@ -1,0 +1,72 @@
+//! Numbers along the side of a picture.
+
+use std::ops::Range;
+
+/// An axis.
+pub(crate) struct Axis {
+    pub(crate) label: String,
+    log: bool,
+}
+
+impl Axis {
+    /// Linear.
+    pub(crate) fn linear(label: impl Into<String>) -> Self {
+        Self { label: label.into(), log: false }
+    }
+
+    /// Logarithmic; every number on it must be positive.
+    pub(crate) fn log(label: impl Into<String>) -> Self {
+        Self { label: label.into(), log: true }
+    }
+
+    /// Where a number lies along the axis: for a logarithmic one, its power of ten.
+    pub(crate) fn place(&self, x: f64) -> f64 {
+        if self.log { x.max(f64::MIN_POSITIVE).log10() } else { x }
+    }
+
+    /// Range around all places, with a margin of a twentieth.
+    pub(crate) fn range(&self, places: impl Iterator<Item = f64>) -> Range<f64> {
+        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        // A curve that is constant gets a range as wide as its number, not one of rounding errors.
+        let width = (high - low).max(0.02 * high.abs()).max(0.02);
+        low - 0.05 * width..high + 0.05 * width
+    }
+
+    /// What is written at a place: on a logarithmic axis the decades only.
+    pub(crate) fn tick(&self, place: f64) -> String {
+        if !self.log {
+            // Ticks are multiples of a round step; one that should be zero may miss it by rounding.
+            let text = format!("{:.4}", if place.abs() < 5e-5 { 0.0 } else { place });
+            return text.trim_end_matches('0').trim_end_matches('.').replace('-', "−");
+        }
+        if (place - place.round()).abs() > 1e-6 {
+            return String::new();
+        }
+        let superscript = |digit: char| match digit {
+            '-' => '⁻',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            _ => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
+        };
+        format!("10{}", format!("{place:.0}").chars().map(superscript).collect::<String>())
+    }
+
+    /// How many labels to ask for; on a logarithmic axis one per decade.
+    pub(crate) fn tick_count(&self, range: &Range<f64>) -> usize {
+        if self.log { (range.end - range.start) as usize + 1 } else { 7 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_read_well() {
+        let (linear, log) = (Axis::linear("x"), Axis::log("x"));
+        assert_eq!([0.25, -0.5, -1e-17, 3.0].map(|x| linear.tick(x)), ["0.25", "−0.5", "0", "3"]);
+        assert_eq!([-12.0, 0.0, 5.0, 0.5].map(|x| log.tick(x)), ["10⁻¹²", "10⁰", "10⁵", ""]);
+        assert_eq!(log.place(1e-3), -3.0);
+    }
+}
