@@ -98,9 +98,9 @@ impl<const D: usize> Contact<D> {
     /// As [`Self::evaluate`].
     pub fn overlaps(&self, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
         self.for_each_pair(coords, |pair| match (&self.options.estimator, pair) {
-            (Estimator::Exact, PairOf::Exact(pair)) => Ok(pair.overlap()?.filter(|o| o.volume > 0.0)),
+            (Estimator::Exact, PairOf::Exact(pair)) => Ok(pair.overlap()?.filter(Overlap::is_worth_telling)),
             (Estimator::Fibers(fibers), PairOf::Fibers(pair)) => {
-                let mut overlap = pair.overlap()?.filter(|o| o.volume > 0.0);
+                let mut overlap = pair.overlap()?.filter(Overlap::is_worth_telling);
                 if let (Some(overlap), true) = (&mut overlap, fibers.balance) {
                     balance(overlap, coords);
                 }

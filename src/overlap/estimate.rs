@@ -68,6 +68,13 @@ pub struct Overlap<const D: usize> {
     pub warnings: Vec<Warning>,
 }
 
+impl<const D: usize> Overlap<D> {
+    /// Whether there is an overlap, or something to say about its absence.
+    pub(crate) fn is_worth_telling(&self) -> bool {
+        self.volume > 0.0 || !self.warnings.is_empty()
+    }
+}
+
 /// A fiber, to look at: where it runs and where it crosses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FiberTrace<const D: usize> {

@@ -265,7 +265,9 @@ impl<const D: usize> FiberPair<'_, D> {
             let Layout { spacing, facet_size, .. } = *layout;
             warnings.push(Warning::CoarseFibers { a, b, spacing, facet_size });
         }
-        if (1..FEWEST_FIBERS).contains(&fibers) {
+        // Bodies that are near but apart have many lines and no span; a region met by few lines says nothing.
+        let laid: usize = layout.bundles.iter().map(Bundle::fiber_count).sum();
+        if fibers < FEWEST_FIBERS && (fibers > 0 || laid < FEWEST_FIBERS) {
             warnings.push(Warning::UnresolvedOverlap { a, b, fibers });
         }
         warnings.extend(super::warning::swallowed(a, b, assembly.side_areas()));

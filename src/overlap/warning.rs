@@ -18,7 +18,8 @@ pub enum Warning {
         /// Mean size of the smaller facets in contact.
         facet_size: f64,
     },
-    /// Only a few fibers met the overlap: it is thinner or smaller than they resolve.
+    /// Only a few fibers met the overlap, or so few were laid that it may have been missed: it is thinner or smaller than
+    /// they resolve.
     UnresolvedOverlap {
         /// First body of the pair.
         a: Partner,

@@ -55,19 +55,20 @@ impl<const D: usize> Family<D> {
         [viewed[0] * per_length - self.shift[0], v, viewed[2]]
     }
 
-    /// Lines that meet `region`, one more on each side against rounding, and the least and largest `t` in it; `None` if
-    /// there are more than can be numbered.
+    /// Lines that meet `region`, widened a little against rounding, and the least and largest `t` in it; `None` if there
+    /// are more than can be numbered.
     pub(crate) fn window(&self, region: &Aabb<D>, per_length: f64) -> Option<(Window, [f64; 2])> {
         let center = self.view(&region.center());
+        let ends = |middle: f64, width: f64| {
+            let half = 0.5 * width + 1e-9 * (width + middle.abs());
+            [middle - half, middle + half]
+        };
         let range = |axis: usize| {
-            let (middle, half) = (center[axis] * per_length - self.shift[axis], self.width(region, axis) * per_length);
-            let (low, high) = ((0.5f64).mul_add(-half, middle).floor(), (0.5f64).mul_add(half, middle).ceil());
-            (low.abs().max(high.abs()) < 1e15).then_some(low as i64 - 1..high as i64 + 2)
+            let [low, high] = ends(center[axis], self.width(region, axis)).map(|u| u * per_length - self.shift[axis]);
+            (low.abs().max(high.abs()) < 1e15).then_some(low.ceil() as i64..high.floor() as i64 + 1)
         };
         let window = Window { i: range(0)?, j: if D == 2 { 0..1 } else { range(1)? } };
-        let half = self.width(region, D - 1) * 0.5;
-        let reach = half + 1e-9 * (half + center[2].abs());
-        Some((window, [center[2] - reach, center[2] + reach]))
+        Some((window, ends(center[2], self.width(region, D - 1))))
     }
 
     /// Corners of a window in units of length, as in [`Self::view`], one line wider on each side.
