@@ -10,6 +10,7 @@ use assembly::Assembly;
 use clap::Args;
 use division::{DivideBy, Division};
 use fmc_contact::Contact;
+use obstacle::ObstacleSpec;
 use placement::{Rotation, Translation};
 use report::Report;
 use std::io::{self, Write};
@@ -20,6 +21,7 @@ mod assembly;
 mod components;
 mod division;
 mod explain;
+mod obstacle;
 mod pictures;
 mod placement;
 mod report;
@@ -37,7 +39,10 @@ Examples:
     fmc force examples/star.msh examples/block.msh --stiffness 1e6 --rotate 1=5 --translate 1=0,-0.02 --json -
 
   All connected parts of one 3D mesh against one another, exactly:
-    fmc force examples/two_blocks.msh --stiffness 1e6 --estimator exact";
+    fmc force examples/two_blocks.msh --stiffness 1e6 --estimator exact
+
+  A ball on a rigid floor:
+    fmc force examples/ball.vtu --stiffness 1e6 --obstacle \"half-space position=0,0,0 axis=0,0,1\"";
 
 /// Contact forces between overlapping meshes
 #[derive(Args, Debug)]
@@ -65,6 +70,16 @@ pub(crate) struct ForceArgs {
     /// cell array body, gmsh:physical, medit:ref or CellEntityIds) [default: file; component if there is one file only]
     #[arg(long, value_enum, value_name = "WHAT")]
     bodies: Option<DivideBy>,
+
+    /// Adds a rigid partner [length], one of
+    ///   "half-space" (its surface through position, its outward normal along axis),
+    ///   "ball radius=R",
+    ///   "cuboid half-extents=X,Y[,Z]",
+    ///   "cylinder radius=R half-height=H", "cone radius=R half-height=H", "capsule radius=R half-height=H",
+    /// each followed, on demand, by position=X,Y[,Z] (of its centre; default: the origin) and axis=X,Y[,Z] (where its
+    /// own last axis points: y in 2D, z in 3D; default: there)
+    #[arg(long, value_name = "SHAPE", verbatim_doc_comment)]
+    obstacle: Vec<ObstacleSpec>,
 
     #[command(flatten)]
     estimator: EstimatorArgs,
@@ -114,7 +129,10 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     let (surface, division) = Division::new(&assembly, by)?;
     let facet_count = surface.facet_count();
     let explained = |error| explain::explain(&error, &assembly, &division.names);
-    let contact = Contact::new(surface, args.estimator.options(args.stiffness)).map_err(explained)?;
+    let mut contact = Contact::new(surface, args.estimator.options(args.stiffness)).map_err(explained)?;
+    for obstacle in &args.obstacle {
+        contact.add_obstacle(obstacle.build()?).map_err(explained)?;
+    }
     let start = Instant::now();
     let forces = contact.evaluate(&assembly.coords).map_err(explained)?;
     let seconds = start.elapsed().as_secs_f64();
@@ -125,21 +143,26 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     pictures::forces(&assembly, &division, &forces.forces).write(&pictures[0])?;
     pictures::fibers(&traces, args.fibers_shown).write(&pictures[1])?;
 
-    let report = Report::new(&forces, &division.names, seconds);
+    let obstacles: Vec<&str> = args.obstacle.iter().map(|obstacle| obstacle.text.as_str()).collect();
+    let mut report = Report::new(&forces, &division.names, &obstacles, seconds);
+    if division.names.len() == 1 && obstacles.is_empty() && !args.estimator.self_contact {
+        report.warn("there is one body only, which nothing can touch: see --bodies, --obstacle and --self-contact");
+    }
     if args.json.as_deref() != Some(Path::new("-")) {
-        let mut text = report.text();
-        let count = |what: usize, name| format!("{what} {name}");
-        let head = [
-            count(assembly.coords.len(), "nodes"),
-            count(assembly.cell_count(), "cells"),
-            count(facet_count, "facets"),
-            count(division.names.len(), "bodies"),
-        ];
-        text.insert_str(0, &format!("{D}D: {}\n\n", head.join(", ")));
-        let shown = traces.len().min(args.fibers_shown);
-        text += &format!("\nwritten: {}\n", pictures[0].display());
-        text += &format!("         {} ({shown} of {} fibers in the overlap)\n", pictures[1].display(), traces.len());
-        print(&text)?;
+        let [nodes, cells] = [assembly.coords.len(), assembly.cell_count()];
+        let shown = match (traces.len(), args.fibers_shown) {
+            (0, _) => "empty: no fiber crosses an overlap".to_owned(),
+            (all, most) if all > most => format!("{most} of the {all} fibers in the overlap; see --fibers-shown"),
+            (all, _) => format!("{all} fibers in the overlap"),
+        };
+        print(&format!(
+            "{D}D, nodes: {nodes}, cells: {cells}, facets: {facet_count}, bodies: {}\n\n{}\n\
+             written: {}\n         {} ({shown})\n",
+            division.names.len(),
+            report.text(),
+            pictures[0].display(),
+            pictures[1].display(),
+        ))?;
     }
     match &args.json {
         Some(path) => write_json(path, &report),

@@ -1,4 +1,4 @@
-//! The command `fmc`: contact forces of mesh files.
+//! The command `fmc`: contact forces of mesh files, and the benchmarks of the paper.
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -6,6 +6,7 @@ use std::process::ExitCode;
 mod estimator_args;
 mod force;
 mod mesh;
+mod verify;
 
 /// Contact forces from overlap volume, by Fiber Monte Carlo
 #[derive(Parser)]
@@ -18,17 +19,16 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Force(force::ForceArgs),
+    Verify(verify::VerifyArgs),
 }
 
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
-        Command::Force(args) => force::run(&args),
+        Command::Force(args) => force::run(&args).map(|()| ExitCode::SUCCESS),
+        Command::Verify(args) => verify::run(&args),
     };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    result.unwrap_or_else(|error| {
+        eprintln!("error: {error:#}");
+        ExitCode::from(2)
+    })
 }

@@ -117,3 +117,86 @@ impl Mesh {
         if high[2] - low[2] > FLATNESS * extent { Kind::Surface } else { Kind::Flat }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::PathBuf;
+
+    /// Files written by Gmsh, by meshio and by VTK from the mesh that Gmsh wrote.
+    const PLANE: [&str; 9] = [
+        "plane_text.msh",
+        "plane_binary.msh",
+        "plane_meshio_ascii.vtu",
+        "plane_meshio_binary.vtu",
+        "plane_meshio_zlib.vtu",
+        "plane_vtk_appended_base64_zlib.vtu",
+        "plane_vtk_appended_raw.vtu",
+        "plane_vtk_appended_raw_lz4.vtu",
+        "plane_vtk_binary_big_endian.vtu",
+    ];
+
+    fn data(name: &str) -> PathBuf {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
+    }
+
+    fn parse(bytes: &[u8]) -> Result<Mesh> {
+        if bytes.starts_with(b"$") { gmsh::parse(bytes) } else { vtu::parse(bytes) }
+    }
+
+    #[test]
+    fn every_encoding_reads_the_same_mesh() {
+        let reference = Mesh::read(&data(PLANE[0])).unwrap();
+        assert_eq!(reference.kind(), Kind::Flat);
+        assert_eq!(reference.group_names.get(&3).map(String::as_str), Some("steel wheel"));
+        let cells = |mesh: &Mesh| -> Vec<_> {
+            mesh.cells().map(|(kind, nodes, _, group)| (kind, nodes.to_vec(), group)).collect()
+        };
+        for name in PLANE {
+            let mesh = Mesh::read(&data(name)).unwrap();
+            assert_eq!(cells(&mesh), cells(&reference), "{name}");
+            for (x, y) in mesh.points.iter().zip(&reference.points) {
+                // meshio writes text with 12 digits.
+                assert!((0..3).all(|axis| (x[axis] - y[axis]).abs() < 1e-12), "{name}: {x:?} {y:?}");
+            }
+        }
+        let (text, binary) = ["solid_text.msh", "solid_binary.msh"].map(|name| Mesh::read(&data(name)).unwrap()).into();
+        assert_eq!((text.kind(), binary.kind()), (Kind::Solid, Kind::Solid));
+        assert_eq!(text.blocks, binary.blocks);
+        assert_eq!(Mesh::read(&data("shell_text.msh")).unwrap().kind(), Kind::Surface);
+    }
+
+    #[test]
+    fn files_cut_short_are_errors() {
+        for name in PLANE {
+            let bytes = std::fs::read(data(name)).unwrap();
+            let whole = parse(&bytes).unwrap().cell_count();
+            for length in 10..bytes.len() {
+                // Only what stands behind the last cell may be missing.
+                if let Ok(mesh) = parse(&bytes[..length]) {
+                    assert_eq!(mesh.cell_count(), whole, "{name} at {length}");
+                    assert!(bytes.len() - length < 40, "{name} at {length}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn damaged_files_do_not_panic() {
+        let mut random = fmc_shapes::Splitmix::new(1);
+        for name in PLANE {
+            let bytes = std::fs::read(data(name)).unwrap();
+            for _ in 0..2000 {
+                let mut damaged = bytes.clone();
+                for _ in 0..3 {
+                    let at = random.bits() as usize % damaged.len();
+                    damaged[at] = random.bits() as u8;
+                }
+                if let Ok(mesh) = parse(&damaged) {
+                    let node_count = mesh.points.len();
+                    assert!(mesh.cells().all(|(_, nodes, _, _)| nodes.iter().all(|&n| (n as usize) < node_count)));
+                }
+            }
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! The result as text and as JSON.
 
 use fmc_contact::ContactForces;
+use fmc_contact::contact::Resultant;
 use fmc_contact::overlap::Partner;
 use serde::Serialize;
 use std::fmt::Write;
@@ -20,6 +21,8 @@ pub(super) struct Report {
     seconds: f64,
     /// In the order of the files.
     bodies: Vec<BodyReport>,
+    /// In the order of the command line.
+    obstacles: Vec<BodyReport>,
     pairs: Vec<PairReport>,
     warnings: Vec<String>,
 }
@@ -31,15 +34,18 @@ struct BodyReport {
     force: Vec<f64>,
     /// Moment about the origin: 3 numbers in 3D, 1 in 2D.
     moment: Vec<f64>,
-    /// Nodes of its surface.
+    /// Nodes of its surface; 0 for an obstacle.
     nodes: usize,
 }
 
 #[derive(Serialize)]
 struct PairReport {
-    /// Index in `bodies`; equal to `b` for a body that overlaps itself.
+    /// Index in `bodies`.
     a: usize,
+    /// Index in `bodies`, equal to `a` for a body that overlaps itself; or in `obstacles`.
     b: usize,
+    /// Whether `b` is an obstacle.
+    obstacle: bool,
     volume: f64,
     volume_standard_error: f64,
     energy: f64,
@@ -53,19 +59,25 @@ struct PairReport {
 
 impl Report {
     /// `names` are those of the bodies, in the order of their ids.
-    pub(super) fn new<const D: usize>(found: &ContactForces<D>, names: &[String], seconds: f64) -> Self {
+    pub(super) fn new<const D: usize>(
+        found: &ContactForces<D>,
+        names: &[String],
+        obstacles: &[&str],
+        seconds: f64,
+    ) -> Self {
         let index = |partner: Partner| match partner {
             Partner::Body(index) | Partner::Obstacle(index) => index,
         };
-        let bodies = found.bodies.iter().zip(names).map(|(body, name)| BodyReport {
-            name: name.clone(),
-            force: body.force.to_vec(),
-            moment: if D == 2 { vec![body.moment[2]] } else { body.moment.to_vec() },
-            nodes: body.node_count,
-        });
+        let part = |resultant: &Resultant<D>, name: &str| BodyReport {
+            name: name.to_owned(),
+            force: resultant.force.to_vec(),
+            moment: if D == 2 { vec![resultant.moment[2]] } else { resultant.moment.to_vec() },
+            nodes: resultant.node_count,
+        };
         let pairs = found.pairs.iter().map(|pair| PairReport {
             a: index(pair.a),
             b: index(pair.b),
+            obstacle: matches!(pair.b, Partner::Obstacle(_)),
             volume: pair.volume,
             volume_standard_error: pair.standard_error,
             energy: pair.energy,
@@ -84,10 +96,16 @@ impl Report {
             fibers: found.fiber_count,
             crossings: found.crossing_count,
             seconds,
-            bodies: bodies.collect(),
+            bodies: found.bodies.iter().zip(names).map(|(body, name)| part(body, name)).collect(),
+            obstacles: found.obstacles.iter().zip(obstacles).map(|(body, name)| part(body, name)).collect(),
             pairs: pairs.collect(),
             warnings: found.warnings.iter().map(|warning| named(&warning.to_string(), names)).collect(),
         }
+    }
+
+    /// Adds a warning.
+    pub(super) fn warn(&mut self, sentence: &str) {
+        self.warnings.push(sentence.to_owned());
     }
 
     /// The result as a person reads it.
@@ -98,33 +116,34 @@ impl Report {
     }
 
     fn write_text(&self, out: &mut String) -> std::fmt::Result {
-        let (volume, area, force, moment) = match self.dim {
-            2 => ("length²", "length", "K·length, N/m", "K·length², N"),
-            _ => ("length³", "length²", "K·length², N", "K·length³, N·m"),
+        let [volume, energy, area, force, moment] = match self.dim {
+            2 => ["m²", "J/m", "m", "N/m", "N"],
+            _ => ["m³", "J", "m²", "N", "N·m"],
         };
-        let error = format!("± {:.1e} (standard error)", self.volume_standard_error);
+        let error = format!("± {:.1e}, its standard error", self.volume_standard_error);
         let error = if self.volume_standard_error == 0.0 { "" } else { &error };
         writeln!(out, "overlap volume  {:>14.6e} {volume} {error}", self.volume)?;
-        writeln!(out, "contact energy  {:>14.6e} K·{volume}", self.energy)?;
+        writeln!(out, "contact energy  {:>14.6e} {energy}", self.energy)?;
         writeln!(out, "contact area    {:>14.6e} {area}", self.contact_area)?;
-        writeln!(out, "penetration     {:>14.6e} length", self.penetration)?;
+        writeln!(out, "penetration     {:>14.6e} m", self.penetration)?;
         writeln!(out, "fibers          {:>14}", self.fibers)?;
         writeln!(out, "crossings       {:>14}", self.crossings)?;
-        writeln!(out, "time            {:>14.6e} s\n", self.seconds)?;
-        let width = self.bodies.iter().map(|body| body.name.chars().count()).fold(4, usize::max);
+        writeln!(out, "evaluation      {:>14.3} ms\n", 1e3 * self.seconds)?;
+        let width = self.bodies.iter().chain(&self.obstacles).map(|b| b.name.chars().count()).fold(4, usize::max);
         let axes = if self.dim == 2 { ["x", "y"].as_slice() } else { &["x", "y", "z"] };
         let turns = if self.dim == 2 { ["z"].as_slice() } else { &["x", "y", "z"] };
         write!(out, "{:width$}", "body")?;
-        axes.iter().try_for_each(|axis| write!(out, " {:>14}", format!("force {axis}")))?;
-        turns.iter().try_for_each(|axis| write!(out, " {:>14}", format!("moment {axis}")))?;
+        axes.iter().try_for_each(|axis| write!(out, " {:>14}", format!("force {axis}, {force}")))?;
+        turns.iter().try_for_each(|axis| write!(out, " {:>15}", format!("moment {axis}, {moment}")))?;
         writeln!(out, " {:>8}", "nodes")?;
-        for body in &self.bodies {
+        for body in self.bodies.iter().chain(&self.obstacles) {
             write!(out, "{:width$}", body.name)?;
-            body.force.iter().chain(&body.moment).try_for_each(|value| write!(out, " {value:>14.6e}"))?;
+            body.force.iter().try_for_each(|value| write!(out, " {value:>14.6e}"))?;
+            body.moment.iter().try_for_each(|value| write!(out, " {value:>15.6e}"))?;
             writeln!(out, " {:>8}", body.nodes)?;
         }
-        writeln!(out, "\nUnits for m = 1: forces {force} if K is in Pa and lengths in m; moments about the origin")?;
-        writeln!(out, "{moment}; nodes: those on the surface.")?;
+        writeln!(out, "\nUnits: for lengths in m and, with exponent 1, K in Pa. Moments: about the origin.")?;
+        writeln!(out, "Nodes: those on the surface.")?;
         self.warnings.iter().try_for_each(|warning| writeln!(out, "\nwarning: {warning}"))
     }
 }

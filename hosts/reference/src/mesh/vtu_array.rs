@@ -134,8 +134,8 @@ fn base64_decoded(text: &[u8]) -> Result<Vec<u8>> {
     let text: Vec<u8> = text.iter().copied().filter(|b| !b.is_ascii_whitespace()).collect();
     let (mut bytes, mut rest) = (Vec::with_capacity(text.len() / 4 * 3), text.as_slice());
     while !rest.is_empty() {
-        let padding = rest.iter().position(|&b| b == b'=').unwrap_or(rest.len());
-        let (section, after) = rest.split_at(rest.len().min(padding.next_multiple_of(4)));
+        let padding = rest.iter().position(|&b| b == b'=').map_or(rest.len(), |at| (at + 1).next_multiple_of(4));
+        let (section, after) = rest.split_at(padding.min(rest.len()));
         BASE64_STANDARD.decode_vec(section, &mut bytes).context("its base64 text is damaged")?;
         rest = after;
     }
