@@ -42,18 +42,24 @@ bench:
 header:
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header
 
+# A folder that holds the built libraries may be given as BUILT; otherwise they are built.
+ifdef BUILT
+build:
+else
+BUILT = $(TARGET)/release
 build:
 	$(CARGO) build --release --lib -p fmc-contact
+endif
 
 LIB = $(DESTDIR)$(PREFIX)/lib
 FILL = sed -e 's/@VERSION@/$(VERSION)/; s/@SOVERSION@/$(SOVERSION)/; s/@SOVERSION_PATTERN@/$(subst .,\\\\.,$(SOVERSION))/'
 
 install: build
 	install -d $(LIB)/pkgconfig $(LIB)/cmake/fmc_contact $(DESTDIR)$(PREFIX)/include
-	install -m 755 $(TARGET)/release/libfmc_contact.so $(LIB)/libfmc_contact.so.$(VERSION)
+	install -m 755 $(BUILT)/libfmc_contact.so $(LIB)/libfmc_contact.so.$(VERSION)
 	ln -sf libfmc_contact.so.$(VERSION) $(LIB)/libfmc_contact.so.$(SOVERSION)
 	ln -sf libfmc_contact.so.$(SOVERSION) $(LIB)/libfmc_contact.so
-	install -m 644 $(TARGET)/release/libfmc_contact.a $(LIB)
+	install -m 644 $(BUILT)/libfmc_contact.a $(LIB)
 	install -m 644 include/fmc_contact.h $(DESTDIR)$(PREFIX)/include
 	$(FILL) hosts/c/package/fmc_contact.pc.in > $(LIB)/pkgconfig/fmc_contact.pc
 	for file in fmc_contactConfig fmc_contactConfigVersion; do \

@@ -76,7 +76,7 @@ typedef enum {
   FMC_ERROR_EMPTY = 17,
   // A parameter is not positive and finite, or an exponent not at least 1.
   FMC_ERROR_NOT_POSITIVE = 18,
-  // No such option, or no such value of an option.
+  // No such option or flag, no such value of an option, or two options that exclude one another.
   FMC_ERROR_UNKNOWN_OPTION = 19,
   // A struct was not initialised by its `_init` function, or comes from a header that this library does not know.
   FMC_ERROR_STRUCT_SIZE = 20,
@@ -96,7 +96,7 @@ typedef enum {
   FMC_ERROR_THREADS = 27,
   // The context is in use by another call: from another thread, or from a callback of this one.
   FMC_ERROR_BUSY = 28,
-  // A force came out infinite: stiffness times overlap exceeds the range of a double.
+  // A volume, energy or force exceeds the range of a double.
   FMC_ERROR_OVERFLOW = 29,
   // A panic was caught: a defect of this library. The text says where.
   FMC_ERROR_PANIC = 30,

@@ -82,7 +82,8 @@ static void run(int32_t estimator) {
     padded[node][2] = NAN;
     padded_forces[node][2] = 8;
   }
-  const fmc_coords layouts[3] = {{padded[0], NODES, 3, 1}, {columns[0], NODES, 1, NODES}, {backwards[NODES - 1], NODES, -2, 1}};
+  const fmc_coords layouts[3] = {
+      {padded[0], NODES, 3, 1}, {columns[0], NODES, 1, NODES}, {backwards[NODES - 1], NODES, -2, 1}};
   const fmc_forces outputs[3] = {
       {padded_forces[0], NODES, 3, 1}, {column_forces[0], NODES, 1, NODES}, {backward_forces[NODES - 1], NODES, -2, 1}};
   for (int layout = 0; layout < 3; layout++) {

@@ -1,5 +1,5 @@
-// A tetrahedron is lowered into a block of two cells, a hexahedron and a tetrahedron, through a context: facets are
-// found once, then the forces are evaluated at every position. Node coordinates of the host go in as they are.
+// A tetrahedron is lowered, tip first, into a cube: a mixed mesh in a context, which finds the facets once and then
+// evaluates the forces at every position.
 //
 //   c++ -std=c++17 approach.cpp $(pkg-config --cflags --libs fmc_contact)
 #include <fmc_contact.h>
@@ -57,7 +57,8 @@ int main() try {
     // 4. Check: action is reaction, and the overlap is a cone over its cut at z = 1, one third of area times depth.
     const double depth = std::fmax(0.0, 1 - coords[8][2]), base = 0.21 * std::pow(depth / 0.95, 2);
     const double scale = std::fmax(1.0, std::fabs(tetrahedron.force[2]));
-    if (std::fabs(cube.force[2] + tetrahedron.force[2]) > 1e-12 * scale) throw std::logic_error("forces do not balance");
+    const double imbalance = std::fabs(cube.force[2] + tetrahedron.force[2]);
+    if (imbalance > 1e-12 * scale) throw std::logic_error("forces do not balance");
     if (std::fabs(result.volume - base * depth / 3) > 1e-12) throw std::logic_error("the volume is wrong");
     for (std::size_t node = 8; node < coords.size(); node++) coords[node][2] -= 0.05;
   }

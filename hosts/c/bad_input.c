@@ -81,7 +81,8 @@ static void stateless(void) {
 
   memcpy(ids, conn, sizeof ids);
   ids[6] = 8;
-  EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "1 names node 8, but there are 8 nodes", FORCE(2, coords, 8, FMC_QUAD4, ids, 2, &o));
+  EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "1 names node 8, but there are 8 nodes",
+         FORCE(2, coords, 8, FMC_QUAD4, ids, 2, &o));
   ids[6] = -3;
   EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "1 names node -3", FORCE(2, coords, 8, FMC_QUAD4, ids, 2, &o));
   p.index_base = 1;
@@ -134,7 +135,7 @@ static void stateless(void) {
   p = o, p.stiffness = 1e308, p.exponent = 1.5;
   bad[0] = 0;
   for (int i = 0; i < 16; i++) bad[i] = 1e3 * coords[i];
-  EXPECT(FMC_ERROR_OVERFLOW, "the force on node", FORCE(2, bad, 8, FMC_QUAD4, conn, 2, &p));
+  EXPECT(FMC_ERROR_OVERFLOW, "the energy is inf", FORCE(2, bad, 8, FMC_QUAD4, conn, 2, &p));
   memset(&p, 0, sizeof p);
   EXPECT(FMC_ERROR_STRUCT_SIZE, "struct_size 0", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   expect_untouched();
@@ -289,8 +290,10 @@ static void contexts(void) {
                     fmc_context_add_signed_distance(context, NULL, NULL, &pose, &index));
   const int32_t edges[6] = {0, 1, 1, 2, 2, 0};
   const fmc_coords polygon = {coords, 3, 0, 0};
-  EXPECT_IN_CONTEXT(FMC_ERROR_OPEN_SURFACE, "nodes", fmc_context_add_polytope(context, &polygon, edges, 2, NULL, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'points'", fmc_context_add_polytope(context, NULL, edges, 3, NULL, &index));
+  EXPECT_IN_CONTEXT(FMC_ERROR_OPEN_SURFACE, "nodes",
+                    fmc_context_add_polytope(context, &polygon, edges, 2, NULL, &index));
+  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'points'",
+                    fmc_context_add_polytope(context, NULL, edges, 3, NULL, &index));
   pose.rotation[0] = 2;
   EXPECT_IN_CONTEXT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_half_space(context, &pose, &index));
   EXPECT_OK(fmc_pose_init(&pose));

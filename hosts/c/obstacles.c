@@ -61,7 +61,8 @@ int main(void) {
     printf("%s  volume %.4f of %.4f  force %.0f of %.0f\n", way == 0 ? "ball    " : "callback", result.volume, cap,
            square.force[1], 1000 * width);
     if (fabs(result.volume - cap) > 1e-3 * cap || fabs(square.force[1] - 1000 * width) > 1.0) return 1;
-    if (fabs(square.force[1] + obstacle.force[1]) > 1e-9 || fabs(square.moment[2] + obstacle.moment[2]) > 1e-9) return 1;
+    if (fabs(square.force[1] + obstacle.force[1]) > 1e-9) return 1;
+    if (fabs(square.moment[2] + obstacle.moment[2]) > 1e-9) return 1;
     check(fmc_context_free(&context));
   }
   return 0;

@@ -94,11 +94,12 @@ impl<const D: usize> Session for Resident<D> {
         // SAFETY: passed on to the caller.
         let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
         let found = self.contact.evaluate(rows).map_err(Failure::counted_from(index_base))?;
+        let evaluation = Evaluation::from(&found);
+        evaluation.result.check_finite()?;
         if let Some(node) = found.forces.iter().position(|force| force.iter().any(|f| !f.is_finite())) {
             let text = format!("the force on node {} is not finite", node + index_base as usize);
             return Err(Failure::new(FMC_ERROR_OVERFLOW, text));
         }
-        let evaluation = Evaluation::from(&found);
         if let Some(output) = output {
             // SAFETY: the output was checked for as many rows; the caller guarantees that it may be written.
             unsafe { output.write(&found.forces, add) };

@@ -68,7 +68,7 @@ pub enum fmc_status {
     FMC_ERROR_THREADS = 27,
     /// The context is in use by another call: from another thread, or from a callback of this one.
     FMC_ERROR_BUSY = 28,
-    /// A force came out infinite: stiffness times overlap exceeds the range of a double.
+    /// A volume, energy or force exceeds the range of a double.
     FMC_ERROR_OVERFLOW = 29,
     /// A panic was caught: a defect of this library. The text says where.
     FMC_ERROR_PANIC = 30,

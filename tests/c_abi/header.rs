@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 15] = [
+const SOURCES: [&str; 16] = [
     "version",
     "status",
     "failure",
@@ -16,6 +16,7 @@ const SOURCES: [&str; 15] = [
     "creation",
     "context",
     "evaluation",
+    "getters",
     "pose",
     "obstacle",
     "signed_distance",

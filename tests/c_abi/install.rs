@@ -8,18 +8,11 @@ use std::process::Command;
 /// Installs into a folder and moves that away, so that no path of the installation itself can be used.
 fn installed() -> PathBuf {
     let folder = scratch("install");
-    let target = built().parent().and_then(Path::parent).expect("the target folder").to_owned();
-    succeed(
-        Command::new("make")
-            .current_dir(root())
-            .arg("install")
-            .arg(format!("PREFIX={}", folder.join("before").display()))
-            .env("CARGO", env!("CARGO"))
-            .env("CARGO_TARGET_DIR", target)
-            // What a calling make or cargo has set is none of this one's business.
-            .env_remove("MAKEFLAGS")
-            .env_remove("MAKELEVEL"),
-    );
+    let mut make = Command::new("make");
+    make.current_dir(root()).arg("install").arg(format!("BUILT={}", built().display()));
+    make.arg(format!("PREFIX={}", folder.join("before").display()));
+    // What a calling make has set is none of this one's business.
+    succeed(make.env_remove("MAKEFLAGS").env_remove("MAKELEVEL").env_remove("DESTDIR"));
     fs::rename(folder.join("before"), folder.join("after")).expect("a move");
     folder.join("after")
 }
