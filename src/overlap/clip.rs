@@ -6,6 +6,7 @@
 //! no part of a facet is counted twice or lost between them, whatever the rounding.
 
 use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::{area_vector, determinant};
 
 /// A triangle (2D) or tetrahedron (3D) with D + 1 corners; face k lies opposite to corner k.
@@ -55,7 +56,7 @@ impl<const D: usize> Simplex<D> {
     /// whole, and identical bodies share; but it counts nothing where it lies on the outside of a body's boundary:
     /// the bodies touch there.
     pub(crate) fn clip(&self, corners: &[Vector<D>; D], area: &Vector<D>, tie: f64) -> Option<[f64; D]> {
-        let mut piece: Vec<[f64; D]> = (0..D).map(|a| std::array::from_fn(|b| f64::from(u8::from(a == b)))).collect();
+        let mut piece = whole::<D>();
         let mut part = 1.0;
         for plane in &self.planes {
             let mut distance = [0.0; D];
@@ -96,7 +97,7 @@ fn cut<const D: usize>(piece: &[[f64; D]], corner: &[f64; D]) -> Vec<[f64; D]> {
     let value = |w: &[f64; D]| (0..D).map(|a| w[a] * corner[a]).sum::<f64>();
     let mut kept: Vec<[f64; D]> = Vec::with_capacity(piece.len() + 1);
     // An interval has one side, a polygon as many as corners.
-    let sides = if D == 2 { piece.len() - 1 } else { piece.len() };
+    let sides = if D == 2 { piece.len().saturating_sub(1) } else { piece.len() };
     for k in 0..piece.len() {
         let (p, q) = (&piece[k], &piece[(k + 1) % piece.len()]);
         let (s, t) = (value(p), value(q));
@@ -141,9 +142,28 @@ pub(crate) fn clip_below<const D: usize>(heights: &[f64; D], tie: f64) -> Option
     if heights.iter().all(|&s| s >= 0.0) {
         return None;
     }
-    let whole: Vec<[f64; D]> = (0..D).map(|a| std::array::from_fn(|b| f64::from(u8::from(a == b)))).collect();
-    let piece = cut(&whole, &heights);
+    let piece = cut(&whole(), &heights);
     (piece.len() >= D).then(|| integrate(&piece))
+}
+
+/// Box around the part of a facet that lies in `region`; empty if none does.
+pub(crate) fn clip_to_box<const D: usize>(corners: &[Vector<D>; D], region: &Aabb<D>) -> Aabb<D> {
+    let mut piece = whole::<D>();
+    for axis in 0..D {
+        for heights in [corners.map(|x| x[axis] - region.max[axis]), corners.map(|x| region.min[axis] - x[axis])] {
+            piece = cut(&piece, &heights);
+            if piece.is_empty() {
+                return Aabb::empty();
+            }
+        }
+    }
+    let place = |w: &[f64; D]| (0..D).fold(Vector::zeros(), |x, a| x + corners[a] * w[a]);
+    Aabb::of(&piece.iter().map(place).collect::<Vec<_>>())
+}
+
+/// The corners of a facet in its own barycentric coordinates.
+fn whole<const D: usize>() -> Vec<[f64; D]> {
+    (0..D).map(|a| std::array::from_fn(|b| f64::from(u8::from(a == b)))).collect()
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Where two bodies can overlap, found from their facets.
 
+use super::clip::clip_to_box;
 use super::side::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cover_count;
@@ -23,6 +24,8 @@ pub(crate) fn common_region<const D: usize>(a: &FacetSide<D>, b: &FacetSide<D>) 
     if aabb.is_empty() {
         return None;
     }
+    // Facets that coincide but for rounding must both be found.
+    aabb = aabb.inflated(aabb.rounding());
     let mut facets = [a.facets_in(&aabb), b.facets_in(&aabb)];
     for _ in 0..ROUNDS {
         let trimmed = trim(a, &mut facets[0], &aabb)?.intersection(&trim(b, &mut facets[1], &aabb)?);
@@ -56,13 +59,19 @@ pub(crate) fn region_of<const D: usize>(side: &FacetSide<D>, within: &Aabb<D>) -
 fn trim<const D: usize>(side: &FacetSide<D>, facets: &mut Vec<u32>, region: &Aabb<D>) -> Option<Aabb<D>> {
     let mut bounds = Aabb::empty();
     facets.retain(|&facet| {
-        let piece = side.facet_box(facet as usize).intersection(region);
-        let meets = !piece.is_empty();
+        let aabb = side.facet_box(facet as usize);
+        if region.contains(&aabb) {
+            bounds = bounds.union(&aabb);
+            return true;
+        }
+        let meets = aabb.meets(region);
         if meets {
-            bounds = bounds.union(&piece);
+            // A large facet may only cut a corner of the region.
+            bounds = bounds.union(&clip_to_box(&side.corners(facet as usize), region));
         }
         meets
     });
+    let bounds = bounds.inflated(region.rounding()).intersection(region);
     let outside = |slab: &Aabb<D>| cover_count(side.facets, &side.views.points, &slab.center()) == 0;
     if bounds.is_empty() {
         return (!outside(region)).then_some(*region);

@@ -22,6 +22,7 @@ impl<const D: usize> Solid<D> {
     /// Cells of one body that meet `region`: simplices as they are, others split about the centroids of the cell and of
     /// its faces, so that neighbours agree on the faces between them.
     pub(crate) fn from_cells(cells: &Cells, body: usize, coords: &[[f64; D]], region: &Aabb<D>) -> Self {
+        let region = &region.inflated(region.rounding());
         let mut parts = Parts::default();
         for cell in 0..cells.len() {
             if cells.body[cell] as usize != body {
@@ -65,6 +66,7 @@ impl<const D: usize> Solid<D> {
 
     /// A body bounded by facets only, as signed simplices from its middle to every facet.
     pub(crate) fn from_facets(side: &FacetSide<D>, region: &Aabb<D>) -> Self {
+        let region = &region.inflated(region.rounding());
         let mut parts = Parts::default();
         let center = side.aabb.center();
         for facet in 0..side.facets.len() {
@@ -82,6 +84,7 @@ impl<const D: usize> Solid<D> {
     /// Calls `visit(simplex, origin)` for every simplex whose box meets `query`, in a fixed order.
     pub(crate) fn for_each_near(&self, query: &Aabb<D>, mut visit: impl FnMut(&Simplex<D>, u32)) {
         let mut found: Vec<u32> = Vec::new();
+        let query = &query.inflated(self.tie);
         self.tree.visit(
             |aabb| aabb.meets(query),
             |s| {
