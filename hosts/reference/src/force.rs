@@ -27,26 +27,26 @@ mod placement;
 mod report;
 
 const EXAMPLES: &str = "\
-Units: lengths in the unit of the mesh. With lengths in m and m = 1, K is a pressure in Pa; it must exceed the peak
-contact pressure, or the bodies pass through one another. Forces are then in N in 3D, in N per m of thickness in 2D.
-For another exponent m, K has the unit Pa / (length^D)^(m-1), with D = 2 or 3.
+Units: lengths are in the unit of the mesh. With metres and exponent 1, K is a
+pressure in Pa, which must exceed the peak contact pressure, or the bodies pass
+through one another; forces are in N in 3D, in N per m of thickness in 2D. With
+another exponent M, K is in Pa / (length^D)^(M-1), D = 2 or 3.
 
 Examples:
-  A star pressed 0.01 into a block, both 2D:
+  A star, 0.01 m deep in a block, both 2D:
     fmc force examples/star.msh examples/block.msh --stiffness 1e6
-
-  The same, with the star turned by 5 degrees and lowered by 0.02 more, as JSON:
-    fmc force examples/star.msh examples/block.msh --stiffness 1e6 --rotate 1=5 --translate 1=0,-0.02 --json -
-
-  All connected parts of one 3D mesh against one another, exactly:
+  The same, the star turned by 5 degrees and lowered by 0.02 m, as JSON:
+    fmc force examples/star.msh examples/block.msh --stiffness 1e6 \\
+      --rotate 1=5 --translate 1=0,-0.02 --json -
+  The connected parts of one 3D mesh against one another, exactly:
     fmc force examples/two_blocks.msh --stiffness 1e6 --estimator exact
-
   A ball on a rigid floor:
-    fmc force examples/ball.vtu --stiffness 1e6 --obstacle \"half-space position=0,0,0 axis=0,0,1\"";
+    fmc force examples/ball.vtu --stiffness 1e6 \\
+      --obstacle \"half-space position=0,0,0 axis=0,0,1\"";
 
 /// Contact forces between overlapping meshes
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES, after_help = EXAMPLES)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct ForceArgs {
     /// Meshes: Gmsh 4.1 (.msh, text or binary) or VTK unstructured grids (.vtu) with Tri3, Quad4, Tet4, Hex8 cells. 2D:
     /// triangles and quadrilaterals at constant z; 3D: tetrahedra and hexahedra, or a closed surface of triangles
@@ -71,18 +71,19 @@ pub(crate) struct ForceArgs {
     #[arg(long, value_enum, value_name = "WHAT")]
     bodies: Option<DivideBy>,
 
-    /// Adds a rigid partner [length], one of
-    ///   "half-space" (its surface through position, its outward normal along axis),
-    ///   "ball radius=R",
-    ///   "cuboid half-extents=X,Y[,Z]",
-    ///   "cylinder radius=R half-height=H", "cone radius=R half-height=H", "capsule radius=R half-height=H",
-    /// each followed, on demand, by position=X,Y[,Z] (of its centre; default: the origin) and axis=X,Y[,Z] (where its
-    /// own last axis points: y in 2D, z in 3D; default: there)
+    /// Adds a rigid partner [length]:
+    ///   half-space (the normal of its face is its axis)
+    ///   ball radius=R
+    ///   cuboid half-extents=X,Y[,Z]
+    ///   cylinder radius=R half-height=H
+    ///   cone radius=R half-height=H
+    ///   capsule radius=R half-height=H
+    /// in quotes, each followed by the position of its centre (half-space: of
+    /// a point of its face), position=X,Y[,Z], if it is not the origin, and
+    /// by the direction of its axis, axis=X,Y[,Z], if it is not y in 2D or
+    /// z in 3D
     #[arg(long, value_name = "SHAPE", verbatim_doc_comment)]
     obstacle: Vec<ObstacleSpec>,
-
-    #[command(flatten)]
-    estimator: EstimatorArgs,
 
     /// Folder for forces.vtu (meshes with nodal forces) and fibers.vtu (fibers and crossings), to be opened in ParaView
     #[arg(long, value_name = "DIR", default_value = "out/force")]
@@ -95,6 +96,9 @@ pub(crate) struct ForceArgs {
     /// Also writes the result as JSON; - is standard output, to which nothing else goes then
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+
+    #[command(flatten)]
+    estimator: EstimatorArgs,
 }
 
 /// Runs the command.
