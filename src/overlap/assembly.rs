@@ -30,8 +30,8 @@ pub(crate) struct Assembly<const D: usize> {
     /// Side of every touched vertex, by vertex.
     of_b: Vec<bool>,
     pose: PoseGradient<D>,
-    /// Shares of the first side less those of the second: its direction is the mean normal.
-    resultant: Vector<D>,
+    /// Sum of the shares of each side; apart, so that a swap of the sides changes no bit.
+    resultants: [Vector<D>; 2],
     /// Points of the overlap's boundary.
     points: Vec<Vector<D>>,
     facets: Vec<(bool, u32)>,
@@ -47,7 +47,7 @@ impl<const D: usize> Assembly<D> {
             seen: vec![false; vertex_count],
             of_b: vec![false; vertex_count],
             pose: PoseGradient { position: Vector::zeros(), rotation: [0.0; 3], scale: 0.0 },
-            resultant: Vector::zeros(),
+            resultants: [Vector::zeros(); 2],
             points: Vec::new(),
             facets: Vec::new(),
             area_of: [0.0; 2],
@@ -109,7 +109,7 @@ impl<const D: usize> Assembly<D> {
 
     fn bound(&mut self, of_b: bool, point: Vector<D>, normal: Vector<D>, share: f64) {
         self.area_of[usize::from(of_b)] += share;
-        self.resultant += if of_b { -normal * share } else { normal * share };
+        self.resultants[usize::from(of_b)] += normal * share;
         self.points.push(point);
     }
 
@@ -145,10 +145,11 @@ impl<const D: usize> Assembly<D> {
         if self.points.is_empty() {
             return 0.0;
         }
-        if self.resultant.norm() <= 1e-6 * (self.area_of[0] + self.area_of[1]) {
+        let resultant = self.resultants[0] - self.resultants[1];
+        if resultant.norm() <= 1e-6 * (self.area_of[0] + self.area_of[1]) {
             return Aabb::of(&self.points).extent().min();
         }
-        let normal = self.resultant.normalize();
+        let normal = resultant.normalize();
         let (low, high) = self.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
             let s = x.dot(&normal);
             (low.min(s), high.max(s))
