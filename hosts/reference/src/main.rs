@@ -10,7 +10,7 @@ mod verify;
 
 /// Contact forces from overlap volume, by Fiber Monte Carlo
 #[derive(Parser)]
-#[command(version, after_help = "Exit status: 0 on success, 2 for bad usage or input.")]
+#[command(version, after_help = "Exit status: 0 on success, 1 if verify misses a bound, 2 for bad usage or input.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
