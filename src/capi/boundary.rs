@@ -8,7 +8,7 @@
 use super::failure::{Failure, remember};
 use super::status::fmc_status;
 use std::any::Any;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
@@ -18,6 +18,8 @@ const THREAD_NAME: &str = "fmc-contact";
 thread_local! {
     /// How many entries this thread is inside of; more than one when a callback calls in again.
     static DEPTH: Cell<usize> = const { Cell::new(0) };
+    /// Where the last panic of this thread was raised; the hook learns it, the boundary reports it.
+    static PLACE: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
 /// Lowers the depth again, also when the entry unwinds.
@@ -49,15 +51,18 @@ fn install_hook() {
         set_hook(Box::new(move |info| {
             if !is_ours() {
                 previous(info);
+            } else if let Some(place) = info.location() {
+                let _ = PLACE.try_with(|last| *last.borrow_mut() = format!(" at {}:{}", place.file(), place.line()));
             }
         }));
     });
 }
 
-/// What a panic said.
+/// What a panic said, and where; the place is not known for a panic on a worker thread.
 fn sentence(payload: &(dyn Any + Send)) -> String {
     let said = payload.downcast_ref::<String>().map(String::as_str).or(payload.downcast_ref::<&str>().copied());
-    format!("panic caught: {}", said.unwrap_or("without a message"))
+    let place = PLACE.try_with(RefCell::take).unwrap_or_default();
+    format!("panic caught{place}: {}", said.unwrap_or("without a message"))
 }
 
 /// Runs `body` behind the boundary, with a failure for a panic.
@@ -102,11 +107,12 @@ mod tests {
     #[test]
     fn a_panic_becomes_a_status() {
         assert_eq!(entry(|| panic!("node {} is lost", 7)), fmc_status::FMC_ERROR_PANIC);
-        assert_eq!(last_error(), "panic caught: node 7 is lost");
+        let place = format!("panic caught at {}:", file!());
+        assert!(last_error().starts_with(&place) && last_error().ends_with(": node 7 is lost"), "{}", last_error());
         assert_eq!(entry(|| panic!("lost")), fmc_status::FMC_ERROR_PANIC);
-        assert_eq!(last_error(), "panic caught: lost");
+        assert!(last_error().starts_with(&place) && last_error().ends_with(": lost"));
         assert_eq!(entry(|| std::panic::panic_any(7)), fmc_status::FMC_ERROR_PANIC);
-        assert_eq!(last_error(), "panic caught: without a message");
+        assert!(last_error().starts_with(&place) && last_error().ends_with(": without a message"));
         DEPTH.with(|depth| assert_eq!(depth.get(), 0));
     }
 

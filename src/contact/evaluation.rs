@@ -135,7 +135,7 @@ impl<const D: usize> Contact<D> {
         };
         let exact = matches!(self.options.estimator, Estimator::Exact);
         let views = Views::new(self.surface.points(coords), &families);
-        let placed: Vec<Option<(&[[u32; D]], Views<D>)>> = (self.obstacles.iter())
+        let placed: Vec<Option<PlacedFacets<D>>> = (self.obstacles.iter())
             .map(|rigid| rigid.placed_facets(exact).map(|(facets, points)| (facets, Views::new(points, &families))))
             .collect();
         let body = |body: usize| {
@@ -184,6 +184,9 @@ impl<const D: usize> Contact<D> {
         Ok(results)
     }
 }
+
+/// Facets of an obstacle and where their corners are.
+type PlacedFacets<'a, const D: usize> = (&'a [[u32; D]], Views<D>);
 
 /// A pair, for the estimator that is to measure it.
 enum PairOf<'a, const D: usize> {

@@ -32,6 +32,7 @@ pub(crate) struct Assembly<const D: usize> {
     pose: PoseGradient<D>,
     /// Sum of the shares of each side; apart, so that a swap of the sides changes no bit.
     resultants: [Vector<D>; 2],
+    share_count: usize,
     /// Points of the overlap's boundary.
     points: Vec<Vector<D>>,
     facets: Vec<(bool, u32)>,
@@ -48,6 +49,7 @@ impl<const D: usize> Assembly<D> {
             of_b: vec![false; vertex_count],
             pose: PoseGradient { position: Vector::zeros(), rotation: [0.0; 3], scale: 0.0 },
             resultants: [Vector::zeros(); 2],
+            share_count: 0,
             points: Vec::new(),
             facets: Vec::new(),
             area_of: [0.0; 2],
@@ -110,7 +112,13 @@ impl<const D: usize> Assembly<D> {
     fn bound(&mut self, of_b: bool, point: Vector<D>, normal: Vector<D>, share: f64) {
         self.area_of[usize::from(of_b)] += share;
         self.resultants[usize::from(of_b)] += normal * share;
+        self.share_count += 1;
         self.points.push(point);
+    }
+
+    /// Adds corners of the overlap, where they are known, so that its extent is theirs.
+    pub(crate) fn extend_to(&mut self, corners: &[Vector<D>]) {
+        self.points.extend_from_slice(corners);
     }
 
     /// Half of the boundary's measure.
@@ -125,7 +133,7 @@ impl<const D: usize> Assembly<D> {
 
     /// Number of shares.
     pub(crate) fn share_count(&self) -> usize {
-        self.points.len()
+        self.share_count
     }
 
     /// Number of different facets.

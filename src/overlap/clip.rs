@@ -9,6 +9,23 @@ use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::{area_vector, determinant};
 
+/// A convex piece of a facet.
+#[derive(Clone, Debug)]
+pub(crate) struct Piece<const D: usize> {
+    /// ∫ over the piece of every barycentric coordinate, in units of the facet's measure.
+    pub(crate) moments: [f64; D],
+    /// Corners, in the facet's barycentric coordinates.
+    corners: Vec<[f64; D]>,
+}
+
+impl<const D: usize> Piece<D> {
+    /// Corners in space, given those of the facet.
+    pub(crate) fn places(&self, facet: &[Vector<D>; D]) -> impl Iterator<Item = Vector<D>> {
+        let facet = *facet;
+        self.corners.iter().map(move |w| (0..D).fold(Vector::zeros(), |x, a| x + facet[a] * w[a]))
+    }
+}
+
 /// A triangle (2D) or tetrahedron (3D) with D + 1 corners; face k lies opposite to corner k.
 #[derive(Clone, Debug)]
 pub(crate) struct Simplex<const D: usize> {
@@ -50,12 +67,12 @@ impl<const D: usize> Simplex<D> {
         (volume != 0.0).then(|| Self { planes, sign: volume.signum() })
     }
 
-    /// ∫ over the clipped piece of every barycentric coordinate, in units of the facet's measure; `None` if empty.
+    /// The piece of a facet inside; `None` if empty.
     ///
     /// Distances up to `tie` are rounding and count as zero. A facet that lies in a face of the simplex counts half, so that the two simplices at an inner face make one
     /// whole, and identical bodies share; but it counts nothing where it lies on the outside of a body's boundary:
     /// the bodies touch there.
-    pub(crate) fn clip(&self, corners: &[Vector<D>; D], area: &Vector<D>, tie: f64) -> Option<[f64; D]> {
+    pub(crate) fn clip(&self, corners: &[Vector<D>; D], area: &Vector<D>, tie: f64) -> Option<Piece<D>> {
         let mut piece = whole::<D>();
         let mut part = 1.0;
         for plane in &self.planes {
@@ -83,7 +100,7 @@ impl<const D: usize> Simplex<D> {
                 }
             }
         }
-        Some(integrate(&piece).map(|x| x * part))
+        Some(Piece { moments: integrate(&piece).map(|x| x * part), corners: piece })
     }
 }
 
@@ -137,13 +154,13 @@ fn integrate<const D: usize>(piece: &[[f64; D]]) -> [f64; D] {
 }
 
 /// Part of a facet below a plane, given the heights of its corners; as [`Simplex::clip`].
-pub(crate) fn clip_below<const D: usize>(heights: &[f64; D], tie: f64) -> Option<[f64; D]> {
+pub(crate) fn clip_below<const D: usize>(heights: &[f64; D], tie: f64) -> Option<Piece<D>> {
     let heights = heights.map(|s| if s.abs() <= tie { 0.0 } else { s });
     if heights.iter().all(|&s| s >= 0.0) {
         return None;
     }
     let piece = cut(&whole(), &heights);
-    (piece.len() >= D).then(|| integrate(&piece))
+    (piece.len() >= D).then(|| Piece { moments: integrate(&piece), corners: piece })
 }
 
 /// Box around the part of a facet that lies in `region`; empty if none does.
@@ -157,8 +174,8 @@ pub(crate) fn clip_to_box<const D: usize>(corners: &[Vector<D>; D], region: &Aab
             }
         }
     }
-    let place = |w: &[f64; D]| (0..D).fold(Vector::zeros(), |x, a| x + corners[a] * w[a]);
-    Aabb::of(&piece.iter().map(place).collect::<Vec<_>>())
+    let piece = Piece { moments: [0.0; D], corners: piece };
+    Aabb::of(&piece.places(corners).collect::<Vec<_>>())
 }
 
 /// The corners of a facet in its own barycentric coordinates.
@@ -172,13 +189,13 @@ mod tests {
 
     #[test]
     fn half_of_a_triangle() {
-        let parts = clip_below::<3>(&[-1.0, 1.0, -1.0], 0.0).unwrap_or_default();
+        let parts = clip_below::<3>(&[-1.0, 1.0, -1.0], 0.0).map(|p| p.moments).unwrap_or_default();
         // The cut-off corner is a quarter of the triangle, with moments (1/2·…): area 1/4, means 1/6, 2/3, 1/6.
         let expected = [1.0 / 3.0 - 1.0 / 24.0, 1.0 / 3.0 - 1.0 / 6.0, 1.0 / 3.0 - 1.0 / 24.0];
         for a in 0..3 {
             assert!((parts[a] - expected[a]).abs() < 1e-15, "{parts:?}");
         }
-        assert_eq!(clip_below::<2>(&[-1.0, 3.0], 0.0), Some([0.25 * 0.875, 0.25 * 0.125]));
+        assert_eq!(clip_below::<2>(&[-1.0, 3.0], 0.0).map(|p| p.moments), Some([0.25 * 0.875, 0.25 * 0.125]));
     }
 
     #[test]
@@ -188,7 +205,7 @@ mod tests {
         let area = v(0.0, -0.3);
         let of = |corners: &[Vector<2>], boundary: bool| {
             let simplex = Simplex::new(corners, |_| boundary);
-            simplex.and_then(|s| s.clip(&facet, &area, 0.0)).map_or(0.0, |w| w.iter().sum())
+            simplex.and_then(|s| s.clip(&facet, &area, 0.0)).map_or(0.0, |p| p.moments.iter().sum())
         };
         let (above, below) = ([v(0.0, 0.0), v(1.0, 0.0), v(0.0, 1.0)], [v(0.0, 0.0), v(0.0, -1.0), v(1.0, 0.0)]);
         assert_eq!(of(&above, false) + of(&below, false), 1.0);

@@ -18,6 +18,9 @@ use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Surface, Vector};
 use rayon::prelude::*;
 
+/// What a facet has inside the other body, and the corners of its pieces there.
+type Clipped<const D: usize> = (FacetShare<D>, Vec<Vector<D>>);
+
 /// One pair.
 pub(crate) struct ExactPair<'a, const D: usize> {
     pub(crate) partners: [Partner; 2],
@@ -57,12 +60,14 @@ impl<const D: usize> ExactPair<'_, D> {
                 up[D - 1] = 1.0;
                 let normal = pose.rotate(&up);
                 let origin = Vector::from(pose.position);
-                let shares: Vec<FacetShare<D>> = (0..self.a.facets.len())
+                let shares: Vec<Clipped<D>> = (0..self.a.facets.len())
                     .filter_map(|facet| {
                         let corners = self.a.corners(facet);
-                        let parts = clip_below(&corners.map(|x| normal.dot(&(x - origin))), self.a.aabb.rounding())?;
+                        let piece = clip_below(&corners.map(|x| normal.dot(&(x - origin))), self.a.aabb.rounding())?;
                         let area = area_vector(&corners).norm();
-                        Some(FacetShare { facet: facet as u32, of_b: false, shares: parts.map(|w| w * area) })
+                        let shares = piece.moments.map(|w| w * area);
+                        let share = FacetShare { facet: facet as u32, of_b: false, shares };
+                        Some((share, piece.places(&corners).collect()))
                     })
                     .collect();
                 // With the origin on the plane, the plane itself adds nothing to the volume.
@@ -89,23 +94,32 @@ impl<const D: usize> ExactPair<'_, D> {
     }
 
     /// What each of some facets of `side` has inside `solid`. With `own`, a facet's own cell does not count.
-    fn clip(&self, side: &FacetSide<D>, facets: &[u32], solid: &Solid<D>, own: bool, of_b: bool) -> Vec<FacetShare<D>> {
+    fn clip(&self, side: &FacetSide<D>, facets: &[u32], solid: &Solid<D>, own: bool, of_b: bool) -> Vec<Clipped<D>> {
         let clip_facet = |facet: &u32| {
             let facet = *facet;
             let corners = side.corners(facet as usize);
             let area = area_vector(&corners);
-            let mut sums = [0.0; D];
+            let (mut sums, mut ends, mut cancelled) = ([0.0; D], Vec::new(), false);
             let own_cell = if own { Some(self.cell_of(facet)) } else { None };
             solid.for_each_near(&Aabb::of(&corners), |simplex, origin| {
-                if Some(origin) != own_cell {
-                    for (sum, part) in sums.iter_mut().zip(simplex.clip(&corners, &area, solid.tie).unwrap_or([0.0; D]))
-                    {
-                        *sum += simplex.sign * part;
+                if Some(origin) == own_cell {
+                    return;
+                }
+                if let Some(piece) = simplex.clip(&corners, &area, solid.tie) {
+                    for (sum, moment) in sums.iter_mut().zip(piece.moments) {
+                        *sum += simplex.sign * moment;
                     }
+                    ends.extend(piece.places(&corners));
+                    // Where pieces are subtracted from one another, their corners are not those of the overlap.
+                    cancelled |= simplex.sign < 0.0;
                 }
             });
             let measure = area.norm();
-            (sums.iter().sum::<f64>() > 0.0).then(|| FacetShare { facet, of_b, shares: sums.map(|w| w * measure) })
+            if cancelled {
+                ends.clear();
+            }
+            let share = FacetShare { facet, of_b, shares: sums.map(|w| w * measure) };
+            (sums.iter().sum::<f64>() > 0.0).then_some((share, ends))
         };
         if self.parallel {
             facets.par_iter().filter_map(clip_facet).collect()
@@ -130,13 +144,14 @@ impl<const D: usize> ExactPair<'_, D> {
         &self,
         assembly: &mut Assembly<D>,
         side: &FacetSide<D>,
-        shares: &[FacetShare<D>],
+        clipped: &[Clipped<D>],
         pose: Option<&Pose<D>>,
         origin: &Vector<D>,
     ) -> f64 {
         let mut moments = 0.0;
-        for share in shares {
+        for (share, ends) in clipped {
             assembly.add_facet(side, share, pose);
+            assembly.extend_to(ends);
             let corners = side.corners(share.facet as usize);
             if let Some(normal) = area_vector(&corners).try_normalize(0.0) {
                 moments += (0..D).map(|a| share.shares[a] * normal.dot(&(corners[a] - origin))).sum::<f64>();
