@@ -98,7 +98,7 @@ typedef enum {
   FMC_ERROR_BUSY = 28,
   // A volume, energy or force exceeds the range of a double.
   FMC_ERROR_OVERFLOW = 29,
-  // A panic was caught: a defect of this library. The text says where.
+  // A panic was caught: a defect of this library. The text says what and where.
   FMC_ERROR_PANIC = 30,
 } fmc_status;
 

@@ -1,9 +1,11 @@
 /* Ways that must lead to the same bits: stateless and context, 32- and 64-bit ids, counting from 0 and from 1, every
- * array layout, adding and overwriting, one thread and three, cells and facets; and the two bodies exchanged.
+ * array layout, adding and overwriting, one thread and three, cells and facets, two contexts at once; and the two
+ * bodies exchanged.
  *
- *   cc agreement.c $(pkg-config --cflags --libs fmc_contact) -lm */
+ *   cc agreement.c $(pkg-config --cflags --libs fmc_contact) -lm -pthread */
 #include <fmc_contact.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -151,6 +153,38 @@ static void run(int32_t estimator) {
   EXPECT(SAME(forces, reference) && other == volume);
 }
 
+/* One of two threads, each with a context of its own; gives back whether every evaluation had the same bits. */
+static void *evaluate_often(void *reference) {
+  const fmc_coords x = {coords[0], NODES, 2, 1};
+  const fmc_cell_block block = {FMC_TRI3, conn, CELLS};
+  double forces[NODES][2];
+  const fmc_forces f = {forces[0], NODES, 2, 1};
+  fmc_options options;
+  fmc_context *context = NULL;
+  int same = fmc_options_init(&options) == FMC_OK;
+  options.stiffness = 1000;
+  same = same && fmc_context_new_from_cells(2, &x, &block, 1, NULL, &options, &context) == FMC_OK;
+  for (int time = 0; time < 50 && same; time++) {
+    same = fmc_context_evaluate(context, &x, &f, 0, NULL) == FMC_OK && memcmp(forces, reference, sizeof forces) == 0;
+  }
+  fmc_context_free(&context);
+  return same ? reference : NULL;
+}
+
+static void two_contexts_at_once(void) {
+  double reference[NODES][2];
+  fmc_options options;
+  OK(fmc_options_init(&options));
+  options.stiffness = 1000;
+  OK(fmc_contact_force(2, coords[0], NODES, FMC_TRI3, conn, CELLS, NULL, &options, reference[0], NULL));
+  pthread_t threads[2];
+  for (int i = 0; i < 2; i++) EXPECT(pthread_create(&threads[i], NULL, evaluate_often, reference) == 0);
+  for (int i = 0; i < 2; i++) {
+    void *same = NULL;
+    EXPECT(pthread_join(threads[i], &same) == 0 && same != NULL);
+  }
+}
+
 /* A small square inside a big one: a warning comes through the getter and through the callback. */
 static void warnings(void) {
   const double nested[8][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
@@ -181,6 +215,7 @@ static void warnings(void) {
 int main(void) {
   run(FMC_ESTIMATOR_EXACT);
   run(FMC_ESTIMATOR_FIBERS);
+  two_contexts_at_once();
   warnings();
   printf("%d failures\n", failures);
   return failures > 0;

@@ -36,7 +36,7 @@ fn compile(source: &str, folder: &Path, link: Link) -> PathBuf {
             command.arg(built().join("libfmc_contact.a")).args(NATIVE);
         }
     }
-    succeed(command.arg("-lm"));
+    succeed(command.args(["-lm", "-pthread"]));
     program
 }
 
