@@ -19,7 +19,7 @@ mod warning;
 
 pub use estimate::{FiberTrace, Overlap, Partner, PoseGradient};
 pub(crate) use exact::ExactPair;
-pub(crate) use fibers::FiberPair;
+pub(crate) use layout::FiberPair;
 pub use options::{Estimator, FiberOptions, LineWeights, Resolution};
-pub(crate) use side::{FacetSide, ImplicitSide, Opponent, Views};
+pub(crate) use side::{FacetSide, ImplicitSide, Opponent, Pair, Views};
 pub use warning::Warning;

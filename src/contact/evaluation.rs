@@ -7,7 +7,7 @@ use super::partners::{Rigid, check_pose};
 use crate::Error;
 use crate::geometry::{Bodies, CellBlock, Obstacle, Pose, Surface};
 use crate::overlap::{
-    Estimator, ExactPair, FacetSide, FiberPair, FiberTrace, ImplicitSide, Opponent, Overlap, Partner, Views,
+    Estimator, ExactPair, FacetSide, FiberPair, FiberTrace, ImplicitSide, Opponent, Overlap, Pair, Partner, Views,
 };
 use crate::sampling::{Family, FiberPattern};
 
@@ -146,13 +146,10 @@ impl<const D: usize> Contact<D> {
 
         let parallel = self.pool.is_some();
         let measure = |partners: [Partner; 2], a: FacetSide<D>, opponent: Opponent<D>, pose: Option<&Pose<D>>| {
-            let surface = &self.surface;
+            let pair = Pair { partners, a, opponent, pose, surface: &self.surface, parallel };
             let pair = match &self.options.estimator {
-                Estimator::Exact => PairOf::Exact(ExactPair { partners, a, opponent, pose, surface, coords, parallel }),
-                Estimator::Fibers(options) => {
-                    let families = &families;
-                    PairOf::Fibers(FiberPair { partners, a, opponent, pose, surface, families, options, parallel })
-                }
+                Estimator::Exact => PairOf::Exact(ExactPair { pair, coords }),
+                Estimator::Fibers(options) => PairOf::Fibers(FiberPair { pair, families: &families, options }),
             };
             match &self.pool {
                 // A signed distance function belongs to the host and is called on the calling thread.

@@ -9,61 +9,55 @@ use super::assembly::{Assembly, FacetShare};
 use super::clip::clip_below;
 use super::estimate::{Overlap, Partner};
 use super::region::{Region, common_region};
-use super::side::{FacetSide, ImplicitSide, Opponent};
+use super::side::{FacetSide, ImplicitSide, Opponent, Pair};
 use super::solid::Solid;
 use super::warning::swallowed;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
-use crate::geometry::{Pose, Shape, Surface, Vector};
+use crate::geometry::{Pose, Shape, Vector};
 use rayon::prelude::*;
 
 /// What a facet has inside the other body, and the corners of its pieces there.
 type Clipped<const D: usize> = (FacetShare<D>, Vec<Vector<D>>);
 
-/// One pair.
+/// A pair that is to be clipped.
 pub(crate) struct ExactPair<'a, const D: usize> {
-    pub(crate) partners: [Partner; 2],
-    pub(crate) a: FacetSide<'a, D>,
-    pub(crate) opponent: Opponent<'a, D>,
-    /// Pose of the second side, where it is an obstacle.
-    pub(crate) pose: Option<&'a Pose<D>>,
-    pub(crate) surface: &'a Surface<D>,
+    pub(crate) pair: Pair<'a, D>,
     pub(crate) coords: &'a [[f64; D]],
-    /// Whether facets may be clipped by the threads of the pool that calls.
-    pub(crate) parallel: bool,
 }
 
 impl<const D: usize> ExactPair<'_, D> {
     /// The overlap, or `None` where the sides are apart.
     pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
-        let mut assembly = Assembly::new(self.a.views.points.len());
-        let volume = match &self.opponent {
+        let mut assembly = Assembly::new(self.pair.a.views.points.len());
+        let volume = match &self.pair.opponent {
             Opponent::Itself => {
-                let aabb = self.a.aabb;
-                let facets: Vec<u32> = (0..self.a.facets.len() as u32).collect();
-                let shares = self.clip(&self.a, &facets, &self.solid(0, &self.a, &aabb), true, false);
-                self.add(&mut assembly, &self.a, &shares, None, &aabb.center())
+                let aabb = self.pair.a.aabb;
+                let facets: Vec<u32> = (0..self.pair.a.facets.len() as u32).collect();
+                let shares = self.clip(&self.pair.a, &facets, &self.solid(0, &self.pair.a, &aabb), true, false);
+                self.add(&mut assembly, &self.pair.a, &shares, None, &aabb.center())
             }
             Opponent::Facets(b) => {
-                let Some(region) = common_region(&self.a, b) else { return Ok(None) };
+                let Some(region) = common_region(&self.pair.a, b) else { return Ok(None) };
                 // One side after the other, so that a swap of the bodies swaps two numbers and no more.
                 let Region { aabb, facets } = &region;
-                let of_a = self.clip(&self.a, &facets[0], &self.solid(1, b, aabb), false, false);
-                let of_b = self.clip(b, &facets[1], &self.solid(0, &self.a, aabb), false, true);
+                let of_a = self.clip(&self.pair.a, &facets[0], &self.solid(1, b, aabb), false, false);
+                let of_b = self.clip(b, &facets[1], &self.solid(0, &self.pair.a, aabb), false, true);
                 let origin = aabb.center();
-                self.add(&mut assembly, &self.a, &of_a, None, &origin)
-                    + self.add(&mut assembly, b, &of_b, self.pose, &origin)
+                self.add(&mut assembly, &self.pair.a, &of_a, None, &origin)
+                    + self.add(&mut assembly, b, &of_b, self.pair.pose, &origin)
             }
             Opponent::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
                 let mut up = Vector::zeros();
                 up[D - 1] = 1.0;
                 let normal = pose.rotate(&up);
                 let origin = Vector::from(pose.position);
-                let shares: Vec<Clipped<D>> = (0..self.a.facets.len())
+                let shares: Vec<Clipped<D>> = (0..self.pair.a.facets.len())
                     .filter_map(|facet| {
-                        let corners = self.a.corners(facet);
-                        let piece = clip_below(&corners.map(|x| normal.dot(&(x - origin))), self.a.aabb.rounding())?;
+                        let corners = self.pair.a.corners(facet);
+                        let piece =
+                            clip_below(&corners.map(|x| normal.dot(&(x - origin))), self.pair.a.aabb.rounding())?;
                         let area = area_vector(&corners).norm();
                         let shares = piece.moments.map(|w| w * area);
                         let share = FacetShare { facet: facet as u32, of_b: false, shares };
@@ -71,10 +65,10 @@ impl<const D: usize> ExactPair<'_, D> {
                     })
                     .collect();
                 // With the origin on the plane, the plane itself adds nothing to the volume.
-                let nearest = self.a.aabb.center();
+                let nearest = self.pair.a.aabb.center();
                 let origin = nearest - normal * normal.dot(&(nearest - origin));
-                let volume = self.add(&mut assembly, &self.a, &shares, None, &origin);
-                assembly.add_reaction(&normal, &self.a.views.points);
+                let volume = self.add(&mut assembly, &self.pair.a, &shares, None, &origin);
+                assembly.add_reaction(&normal, &self.pair.a.views.points);
                 volume
             }
             Opponent::Implicit(_) => {
@@ -87,7 +81,7 @@ impl<const D: usize> ExactPair<'_, D> {
 
     /// Simplices of one of the two sides.
     fn solid(&self, which: usize, side: &FacetSide<D>, region: &Aabb<D>) -> Solid<D> {
-        match (&self.surface.cells, self.partners[which]) {
+        match (&self.pair.surface.cells, self.pair.partners[which]) {
             (Some(cells), Partner::Body(body)) => Solid::from_cells(cells, body, self.coords, region),
             _ => Solid::from_facets(side, region),
         }
@@ -121,7 +115,7 @@ impl<const D: usize> ExactPair<'_, D> {
             let share = FacetShare { facet, of_b, shares: sums.map(|w| w * measure) };
             (sums.iter().sum::<f64>() > 0.0).then_some((share, ends))
         };
-        if self.parallel {
+        if self.pair.parallel {
             facets.par_iter().filter_map(clip_facet).collect()
         } else {
             facets.iter().filter_map(clip_facet).collect()
@@ -130,10 +124,10 @@ impl<const D: usize> ExactPair<'_, D> {
 
     /// The cell that a facet of the first side belongs to, or the facet itself where there are no cells.
     fn cell_of(&self, facet: u32) -> u32 {
-        match self.partners[0] {
+        match self.pair.partners[0] {
             Partner::Body(body) => {
-                let index = self.surface.ranges[body].start + facet as usize;
-                self.surface.facet_cell.get(index).copied().unwrap_or(facet)
+                let index = self.pair.surface.ranges[body].start + facet as usize;
+                self.pair.surface.facet_cell.get(index).copied().unwrap_or(facet)
             }
             Partner::Obstacle(_) => facet,
         }
@@ -161,7 +155,7 @@ impl<const D: usize> ExactPair<'_, D> {
     }
 
     fn finish(&self, mut assembly: Assembly<D>, volume: f64) -> Overlap<D> {
-        let [a, b] = self.partners;
+        let [a, b] = self.pair.partners;
         let mut overlap = Overlap {
             a,
             b,
@@ -170,7 +164,7 @@ impl<const D: usize> ExactPair<'_, D> {
             nodes: Vec::new(),
             gradient: Vec::new(),
             of_b: Vec::new(),
-            pose_gradient: self.pose.map(|_| assembly.pose_gradient()),
+            pose_gradient: self.pair.pose.map(|_| assembly.pose_gradient()),
             contact_area: assembly.contact_area(),
             penetration: assembly.penetration(),
             fiber_count: 0,
@@ -179,7 +173,7 @@ impl<const D: usize> ExactPair<'_, D> {
             spacing: 0.0,
             warnings: swallowed(a, b, assembly.side_areas()).into_iter().collect(),
         };
-        assembly.write_nodes(self.surface, &mut overlap);
+        assembly.write_nodes(self.pair.surface, &mut overlap);
         overlap
     }
 }

@@ -6,37 +6,23 @@
 
 use super::assembly::{Assembly, FacetShare, PointShare};
 use super::bundle::Bundle;
-use super::estimate::{FiberTrace, Overlap, Partner};
+use super::estimate::{FiberTrace, Overlap};
 use super::gather::Gathering;
 use super::implicit::passages;
-use super::layout::Layout;
-use super::options::{FiberOptions, LineWeights};
-use super::side::{FacetSide, Opponent};
+use super::layout::{FiberPair, Layout};
+use super::options::LineWeights;
+use super::side::Opponent;
 use super::span::{Event, sort, sweep};
 use super::warning::Warning;
 use crate::Error;
 use crate::geometry::crossing::weights_at;
 use crate::geometry::facet::area_vector;
-use crate::geometry::{Passage, Pose, Surface, Vector};
-use crate::sampling::{Family, FiberPattern};
+use crate::geometry::{Passage, Vector};
+use crate::sampling::FiberPattern;
 use rayon::prelude::*;
 
 /// Fewer fibers in an overlap than this are reported as not resolving it.
 const FEWEST_FIBERS: usize = 8;
-
-/// One pair and how it is to be measured.
-pub(crate) struct FiberPair<'a, const D: usize> {
-    pub(crate) partners: [Partner; 2],
-    pub(crate) a: FacetSide<'a, D>,
-    pub(crate) opponent: Opponent<'a, D>,
-    /// Pose of the second side, where it is an obstacle.
-    pub(crate) pose: Option<&'a Pose<D>>,
-    pub(crate) surface: &'a Surface<D>,
-    pub(crate) families: &'a [Family<D>],
-    pub(crate) options: &'a FiberOptions,
-    /// Whether bundles may be worked off by the threads of the pool that calls.
-    pub(crate) parallel: bool,
-}
 
 /// What one bundle measured.
 struct Tally<const D: usize> {
@@ -90,7 +76,7 @@ impl<const D: usize> FiberPair<'_, D> {
     }
 
     fn is_own(&self) -> bool {
-        matches!(self.opponent, Opponent::Itself)
+        matches!(self.pair.opponent, Opponent::Itself)
     }
 
     /// Results in the order of the bundles. A signed distance function is called from this thread only.
@@ -99,7 +85,7 @@ impl<const D: usize> FiberPair<'_, D> {
         layout: &Layout<D>,
         work: impl Fn(&Bundle<D>) -> Result<T, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
-        if self.parallel && !self.opponent.is_marched() {
+        if self.pair.parallel && !self.pair.opponent.is_marched() {
             layout.bundles.par_iter().map(&work).collect()
         } else {
             layout.bundles.iter().map(work).collect()
@@ -113,8 +99,8 @@ impl<const D: usize> FiberPair<'_, D> {
         layout: &Layout<D>,
         mut visit: impl FnMut(u64, [i16; 2], &[Event], &[Passage<D>]),
     ) -> Result<(), Error> {
-        let mut gathered = bundle.gather(&self.a, &self.opponent);
-        let Opponent::Implicit(side) = &self.opponent else {
+        let mut gathered = bundle.gather(&self.pair.a, &self.pair.opponent);
+        let Opponent::Implicit(side) = &self.pair.opponent else {
             for Gathering { fiber, start, events } in gathered.fibers {
                 let events = &mut gathered.events[events];
                 sort(events);
@@ -154,7 +140,7 @@ impl<const D: usize> FiberPair<'_, D> {
         self.visit_fibers(bundle, layout, |fiber, start, events, hits| {
             let (origin, direction) = bundle.ray(fiber);
             let length = sweep(start, events, self.is_own(), bundle.length(), layout.tie, |event, coefficient| {
-                let side = match (&self.opponent, event.of_b) {
+                let side = match (&self.pair.opponent, event.of_b) {
                     (Opponent::Facets(b), true) => b,
                     (Opponent::Implicit(_), true) => {
                         let hit = &hits[event.source as usize].hit;
@@ -162,7 +148,7 @@ impl<const D: usize> FiberPair<'_, D> {
                         point_shares.push(PointShare { point: origin + direction * hit.t, normal: hit.normal, share });
                         return;
                     }
-                    _ => &self.a,
+                    _ => &self.pair.a,
                 };
                 let facet = event.source as usize;
                 let Some(normal) = area_vector(&side.corners(facet)).try_normalize(0.0) else { return };
@@ -198,29 +184,29 @@ impl<const D: usize> FiberPair<'_, D> {
 
     fn assemble(&self, layout: &Layout<D>, tallies: Vec<Tally<D>>) -> Overlap<D> {
         let (volume, standard_error) = self.volume(layout, &tallies);
-        let mut assembly = Assembly::new(self.a.views.points.len());
+        let mut assembly = Assembly::new(self.pair.a.views.points.len());
         for tally in &tallies {
             for share in &tally.facet_shares {
-                match (&self.opponent, share.of_b) {
-                    (Opponent::Facets(b), true) => assembly.add_facet(b, share, self.pose),
-                    _ => assembly.add_facet(&self.a, share, None),
+                match (&self.pair.opponent, share.of_b) {
+                    (Opponent::Facets(b), true) => assembly.add_facet(b, share, self.pair.pose),
+                    _ => assembly.add_facet(&self.pair.a, share, None),
                 }
             }
-            if let Some(pose) = self.pose {
+            if let Some(pose) = self.pair.pose {
                 tally.point_shares.iter().for_each(|share| assembly.add_point(share, pose));
             }
         }
         let fibers_met: usize = tallies.iter().map(|t| t.fibers_met).sum();
         let warnings = self.warnings(layout, &assembly, fibers_met, volume);
         let mut overlap = Overlap {
-            a: self.partners[0],
-            b: self.partners[1],
+            a: self.pair.partners[0],
+            b: self.pair.partners[1],
             volume,
             standard_error,
             nodes: Vec::new(),
             gradient: Vec::new(),
             of_b: Vec::new(),
-            pose_gradient: self.pose.map(|_| assembly.pose_gradient()),
+            pose_gradient: self.pair.pose.map(|_| assembly.pose_gradient()),
             contact_area: assembly.contact_area(),
             penetration: assembly.penetration(),
             fiber_count: layout.bundles.iter().map(Bundle::fiber_count).sum(),
@@ -229,7 +215,7 @@ impl<const D: usize> FiberPair<'_, D> {
             spacing: layout.spacing,
             warnings,
         };
-        assembly.write_nodes(self.surface, &mut overlap);
+        assembly.write_nodes(self.pair.surface, &mut overlap);
         overlap
     }
 
@@ -259,7 +245,7 @@ impl<const D: usize> FiberPair<'_, D> {
     }
 
     fn warnings(&self, layout: &Layout<D>, assembly: &Assembly<D>, fibers: usize, volume: f64) -> Vec<Warning> {
-        let [a, b] = self.partners;
+        let [a, b] = self.pair.partners;
         let mut warnings = Vec::new();
         if matches!(self.options.pattern, FiberPattern::Lines) && layout.spacing > layout.facet_size && volume > 0.0 {
             let Layout { spacing, facet_size, .. } = *layout;

@@ -1,11 +1,11 @@
 //! Where and how densely the fibers of a pair are laid.
 
 use super::bundle::{Bundle, Reached};
-use super::fibers::FiberPair;
 use super::implicit;
+use super::options::FiberOptions;
 use super::region::{Region, common_region, region_of};
 use super::resolution::{MOST_FIBERS, facet_size, line_spacing, segment_count};
-use super::side::{FacetSide, Opponent};
+use super::side::{FacetSide, Opponent, Pair};
 use crate::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::{Projected, Window, ceil};
@@ -18,6 +18,13 @@ const LINES_PER_BUNDLE: usize = 1 << 14;
 
 /// Segments of a bundle.
 const SEGMENTS_PER_BUNDLE: u64 = 1 << 12;
+
+/// A pair that is to be measured by fibers.
+pub(crate) struct FiberPair<'a, const D: usize> {
+    pub(crate) pair: Pair<'a, D>,
+    pub(crate) families: &'a [Family<D>],
+    pub(crate) options: &'a FiberOptions,
+}
 
 /// How the bundles of a pair are laid.
 pub(crate) struct Layout<'a, const D: usize> {
@@ -34,11 +41,11 @@ pub(crate) struct Layout<'a, const D: usize> {
 impl<const D: usize> FiberPair<'_, D> {
     /// Where the two sides can overlap.
     fn region(&self) -> Result<Option<Region<D>>, Error> {
-        Ok(match &self.opponent {
-            Opponent::Itself => region_of(&self.a, &self.a.aabb),
-            Opponent::Facets(b) => common_region(&self.a, b),
+        Ok(match &self.pair.opponent {
+            Opponent::Itself => region_of(&self.pair.a, &self.pair.a.aabb),
+            Opponent::Facets(b) => common_region(&self.pair.a, b),
             Opponent::Implicit(side) => {
-                implicit::region(side, &self.a.aabb)?.and_then(|within| region_of(&self.a, &within))
+                implicit::region(side, &self.pair.a.aabb)?.and_then(|within| region_of(&self.pair.a, &within))
             }
         })
     }
@@ -46,8 +53,8 @@ impl<const D: usize> FiberPair<'_, D> {
     /// Calls `work` with the layout, or returns `None` where the sides are apart.
     pub(crate) fn with_layout<T>(&self, work: impl FnOnce(&Layout<D>) -> Result<T, Error>) -> Result<Option<T>, Error> {
         let Some(Region { aabb: region, facets }) = self.region()? else { return Ok(None) };
-        let b = if let Opponent::Facets(b) = &self.opponent { Some(b) } else { None };
-        let sizes = [Some(&self.a), b].into_iter().flatten().zip(&facets).map(|(s, f)| facet_size(s, f));
+        let b = if let Opponent::Facets(b) = &self.pair.opponent { Some(b) } else { None };
+        let sizes = [Some(&self.pair.a), b].into_iter().flatten().zip(&facets).map(|(s, f)| facet_size(s, f));
         let facet_size = sizes.fold(f64::INFINITY, f64::min);
         let facet_size = if facet_size.is_finite() { facet_size } else { region.extent().max() };
         let tie = region.rounding();
@@ -56,7 +63,7 @@ impl<const D: usize> FiberPair<'_, D> {
                 let spacing = line_spacing(self.options.resolution, self.families, &region, facet_size)?;
                 let mut bundles = Vec::new();
                 for (index, family) in self.families.iter().enumerate() {
-                    let of_family = line_bundles(family, index, spacing, &region, [Some(&self.a), b]);
+                    let of_family = line_bundles(family, index, spacing, &region, [Some(&self.pair.a), b]);
                     bundles.extend(of_family.ok_or(Error::TooManyFibers { needed: 1e15, limit: MOST_FIBERS })?);
                 }
                 let volume_per_length = spacing.powi(D as i32 - 1);
@@ -67,7 +74,7 @@ impl<const D: usize> FiberPair<'_, D> {
                 // Fibers that start within one length of the region reach it from all sides with uniform density.
                 let starts = region.inflated(length);
                 let count = segment_count(self.options.resolution, &starts, facet_size)?;
-                let trees: Vec<Tree<D>> = [Some(&self.a), b]
+                let trees: Vec<Tree<D>> = [Some(&self.pair.a), b]
                     .iter()
                     .flatten()
                     .map(|s| Tree::new(&(0..s.facets.len()).map(|f| s.facet_box(f)).collect::<Vec<_>>()))

@@ -21,7 +21,7 @@ pub(crate) struct Region<const D: usize> {
 /// their order, and it does not influence any result but the automatic spacing: it bounds the work.
 pub(crate) fn common_region<const D: usize>(a: &FacetSide<D>, b: &FacetSide<D>) -> Option<Region<D>> {
     let mut aabb = a.aabb.intersection(&b.aabb);
-    if aabb.is_empty() {
+    if is_flat(&aabb) {
         return None;
     }
     // Facets that coincide but for rounding must both be found.
@@ -45,10 +45,18 @@ pub(crate) fn common_region<const D: usize>(a: &FacetSide<D>, b: &FacetSide<D>) 
 
 /// The part of `within` that one body reaches, and its facets there; `None` if it does not.
 pub(crate) fn region_of<const D: usize>(side: &FacetSide<D>, within: &Aabb<D>) -> Option<Region<D>> {
+    if is_flat(within) {
+        return None;
+    }
     let mut facets = side.facets_in(within);
     let aabb = trim(side, &mut facets, within)?;
     facets.retain(|&f| side.facet_box(f as usize).meets(&aabb));
     Some(Region { aabb, facets: [facets, Vec::new()] })
+}
+
+/// Whether a region is empty or thinner than rounding: bodies that meet there touch and do not overlap.
+fn is_flat<const D: usize>(region: &Aabb<D>) -> bool {
+    region.is_empty() || region.extent().min() <= region.rounding()
 }
 
 /// Cuts slabs off `region` that lie outside the body; `None` if all of it does. `facets` is reduced to those that meet

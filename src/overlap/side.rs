@@ -1,8 +1,9 @@
 //! The two sides of a pair.
 
+use super::estimate::Partner;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::Projected;
-use crate::geometry::{Pose, Shape, Vector};
+use crate::geometry::{Pose, Shape, Surface, Vector};
 use crate::sampling::Family;
 
 /// Vertices at their current positions, and as seen along every line family.
@@ -84,4 +85,16 @@ impl<const D: usize> Opponent<'_, D> {
     pub(crate) fn is_marched(&self) -> bool {
         matches!(self, Opponent::Implicit(side) if side.is_marched())
     }
+}
+
+/// Two sides, whichever way their overlap is measured.
+pub(crate) struct Pair<'a, const D: usize> {
+    pub(crate) partners: [Partner; 2],
+    pub(crate) a: FacetSide<'a, D>,
+    pub(crate) opponent: Opponent<'a, D>,
+    /// Pose of the second side, where it is an obstacle.
+    pub(crate) pose: Option<&'a Pose<D>>,
+    pub(crate) surface: &'a Surface<D>,
+    /// Whether the threads of the pool that calls may share the work.
+    pub(crate) parallel: bool,
 }
