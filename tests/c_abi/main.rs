@@ -6,4 +6,5 @@ mod header;
 mod hosts;
 mod install;
 mod program;
+mod readme;
 mod symbols;
