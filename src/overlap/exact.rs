@@ -1,6 +1,8 @@
 //! The exact estimator: facets of each side clipped by the simplices of the other.
 //!
-//!     ∂V/∂x_a = Σ_{facets f of one side} Σ_{simplices s of the other} ∫_{f ∩ s} N_a n dA
+//! ```text
+//! ∂V/∂x_a = Σ_{facets f of one side} Σ_{simplices s of the other} ∫_{f ∩ s} N_a n dA
+//! ```
 //!
 //! V is homogeneous of degree D in all coordinates, so D V = Σ_a x_a · ∂V/∂x_a (the divergence theorem on the same
 //! pieces). Exact for straight-sided cells and flat-sided obstacles; quadrilateral faces are split about their centroid.
