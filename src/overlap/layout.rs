@@ -97,6 +97,9 @@ fn line_bundles<'a, const D: usize>(
 ) -> Option<Vec<Bundle<'a, D>>> {
     let per_length = 1.0 / spacing;
     let (window, reach) = family.window(region, per_length)?;
+    if window.line_count() == 0 {
+        return Some(Vec::new());
+    }
     // The window in units of length, a line wider: most facets are dismissed by it.
     let (corner, far) = family.window_in_length(&window, spacing);
     let apart =

@@ -15,6 +15,10 @@ const FACET_PART: [f64; 2] = [1.0 / 16.0, 1.0 / 3.0];
 /// facet. A ten-point star over coarse facets has 1 % error in its nodal forces with 600, and 8 % with 50.
 const FEWEST_LINES: [f64; 2] = [512.0, 1024.0];
 
+/// Most lines of one pair that are laid unasked: a second's work. Beyond it the lines are further apart than the facets
+/// want, and a warning says so where they are further apart than the facets are wide.
+const MOST_AUTOMATIC: f64 = 4e6;
+
 /// Most fibers of one pair. A hundred times what the finest study needs; it takes about a minute.
 pub(crate) const MOST_FIBERS: f64 = 1e9;
 
@@ -47,8 +51,10 @@ pub(crate) fn line_spacing<const D: usize>(
         Resolution::Spacing(spacing) => spacing,
         Resolution::Count(count) => root::<D>(shadows.sum::<f64>() / count as f64),
         Resolution::Auto => {
-            let largest = shadows.fold(0.0, f64::max);
-            round_down_to_power((FACET_PART[D - 2] * facet_size).min(root::<D>(largest / FEWEST_LINES[D - 2])))
+            let (total, largest) = shadows.fold((0.0, 0.0), |(sum, most): (f64, f64), s| (sum + s, most.max(s)));
+            let wanted = (FACET_PART[D - 2] * facet_size).min(root::<D>(largest / FEWEST_LINES[D - 2]));
+            // Rounding down may still double the number.
+            round_down_to_power(wanted.max(root::<D>(2.0 * total / MOST_AUTOMATIC)))
         }
     };
     let needed: f64 = families.iter().map(|f| f.shadow(region) / spacing.powi(D as i32 - 1)).sum();
