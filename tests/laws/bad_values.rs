@@ -1,0 +1,169 @@
+//! Bad options, obstacles and poses never pass silently, and leave a contact as it was.
+
+use crate::bad_meshes::refused;
+use crate::scene::{Scene, exact, fibers, lines};
+use fmc_contact::{
+    Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, Obstacle, Options, Pose, Resolution, Shape,
+};
+use fmc_shapes::{cuboid_surface, cuboid_tet4, rectangle_quad4};
+use std::sync::Arc;
+
+fn square() -> Scene<2> {
+    Scene::of(&[&rectangle_quad4([0.0; 2], [1.0; 2], [2, 2])])
+}
+
+#[test]
+fn options_out_of_range() {
+    let refused = |options: Options, name: &'static str| {
+        let Err(Error::NotPositive { name: found, .. }) = Contact::new(square().surface(), options) else {
+            panic!("{name} is not checked")
+        };
+        assert_eq!(found, name);
+        let mut contact = square().contact(exact());
+        assert!(contact.set_options(options).is_err());
+        assert_eq!(contact.options(), &exact());
+    };
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        refused(Options::new(EnergyLaw::volume(bad)), "k");
+        refused(lines(bad, 0), "spacing");
+        let pattern = FiberPattern::Isotropic { length: Some(bad) };
+        refused(fibers(FiberOptions { pattern, ..FiberOptions::default() }), "length");
+    }
+    for bad in [0.999, 0.0, f64::NAN, f64::INFINITY] {
+        refused(Options::new(EnergyLaw::Volume { k: 1.0, m: bad }), "m");
+    }
+    refused(fibers(FiberOptions { resolution: Resolution::Count(0), ..FiberOptions::default() }), "fibers");
+    refused(Options { threads: 0, ..exact() }, "threads");
+}
+
+#[test]
+fn obstacles_out_of_range() {
+    let mut contact = Scene::of(&[&cuboid_tet4([0.0; 3], [1.0; 3], [1; 3])]).contact(exact());
+    let pose = Pose::at([0.0; 3]);
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let shapes = [
+            ("radius", Shape::Ball { radius: bad }),
+            ("radius", Shape::Cylinder { radius: bad, half_height: 1.0 }),
+            ("half_height", Shape::Cylinder { radius: 1.0, half_height: bad }),
+            ("radius", Shape::Cone { radius: bad, half_height: 1.0 }),
+            ("half_height", Shape::Cone { radius: 1.0, half_height: bad }),
+            ("radius", Shape::Capsule { radius: bad, half_height: 1.0 }),
+            ("half_height", Shape::Capsule { radius: 1.0, half_height: bad }),
+            ("half_extent", Shape::Cuboid { half_extents: [1.0, bad, 1.0] }),
+        ];
+        for (name, shape) in shapes {
+            let Err(Error::NotPositive { name: found, value }) = contact.add_obstacle(Obstacle { shape, pose }) else {
+                panic!("{name} is not checked")
+            };
+            assert!(found == name && value.to_bits() == bad.to_bits());
+        }
+        let bad_pose = Pose { scale: bad, ..pose };
+        refused(
+            contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: bad_pose }),
+            Error::BadPose { obstacle: 0 },
+            &["0"],
+        );
+    }
+    let mesh = cuboid_surface([0.0; 3], [1.0; 3], [1; 3]);
+    let mut facets = mesh.facets();
+    facets.pop();
+    let open = contact.add_obstacle(Obstacle { shape: Shape::Polytope { points: mesh.coords, facets }, pose });
+    assert!(matches!(open, Err(Error::OpenSurface { .. })));
+    assert_eq!(contact.obstacle_count(), 0);
+}
+
+#[test]
+fn poses_that_are_no_poses() {
+    let mut contact = square().contact(exact());
+    contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0; 2]) }).unwrap();
+    let mirror = Pose { rotation: [[1.0, 0.0], [0.0, -1.0]], ..Pose::at([0.0; 2]) };
+    let sheared = Pose { rotation: [[1.0, 1e-3], [0.0, 1.0]], ..Pose::at([0.0; 2]) };
+    let nowhere = Pose::at([0.0, f64::NAN]);
+    for pose in [mirror, sheared, nowhere] {
+        refused(contact.set_pose(0, pose), Error::BadPose { obstacle: 0 }, &["obstacle 0"]);
+    }
+    let expected = Error::ObstacleOutOfRange { obstacle: 1, count: 1 };
+    refused(contact.set_pose(1, Pose::at([0.0; 2])), expected, &["obstacle 1", "only 1"]);
+}
+
+#[test]
+fn exact_overlap_with_what_is_not_flat() {
+    let distance = |x: &[f64; 2]| (x[0].hypot(x[1]) - 1.0, *x);
+    for shape in [
+        Shape::Ball { radius: 1.0 },
+        Shape::Cylinder { radius: 1.0, half_height: 1.0 },
+        Shape::Capsule { radius: 1.0, half_height: 1.0 },
+        Shape::Cone { radius: 1.0, half_height: 1.0 },
+        Shape::SignedDistance(Arc::new(distance)),
+    ] {
+        let scene = square();
+        let mut contact = scene.contact(exact());
+        contact.add_obstacle(Obstacle { shape, pose: Pose::at([0.0; 2]) }).unwrap();
+        assert!(matches!(contact.evaluate(&scene.coords), Err(Error::Unsupported { .. })));
+        contact.set_options(lines(0.1, 0)).unwrap();
+        assert!(contact.evaluate(&scene.coords).is_ok());
+    }
+}
+
+/// A distance that is no number left of x = 1/2.
+#[test]
+fn distances_that_fail() {
+    struct Failing;
+    impl fmc_contact::SignedDistance<2> for Failing {
+        fn evaluate(&self, x: &[[f64; 2]], phi: &mut [f64], _: &mut [[f64; 2]]) -> Result<(), usize> {
+            phi.fill(1.0);
+            if x.is_empty() { Ok(()) } else { Err(x.len() - 1) }
+        }
+    }
+    let half = |x: &[f64; 2]| (if x[0] < 0.5 { f64::NAN } else { x[1] - 0.5 }, [0.0, 1.0]);
+    for shape in [Shape::SignedDistance(Arc::new(Failing)), Shape::SignedDistance(Arc::new(half))] {
+        let scene = square();
+        let mut contact = scene.contact(lines(0.1, 0));
+        contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0; 2]) }).unwrap();
+        contact.add_obstacle(Obstacle { shape, pose: Pose::at([0.0; 2]) }).unwrap();
+        assert!(matches!(contact.evaluate(&scene.coords), Err(Error::SignedDistance { obstacle: 1, .. })));
+    }
+}
+
+#[test]
+fn more_fibers_than_can_be_counted() {
+    let scene =
+        Scene::of(&[&rectangle_quad4([0.0; 2], [1.0; 2], [1, 1]), &rectangle_quad4([0.5; 2], [1.5; 2], [1, 1])]);
+    let isotropic = FiberOptions {
+        pattern: FiberPattern::Isotropic { length: None },
+        resolution: Resolution::Count(usize::MAX),
+        ..FiberOptions::default()
+    };
+    for options in [lines(1e-12, 0), lines(1e-300, 0), fibers(isotropic)] {
+        let Err(Error::TooManyFibers { needed, limit }) = scene.contact(options).evaluate(&scene.coords) else {
+            panic!("{options:?} is not refused")
+        };
+        assert!(needed > limit);
+    }
+}
+
+/// After any error a contact is as it was before.
+#[test]
+fn errors_leave_no_trace() {
+    let scene =
+        Scene::of(&[&rectangle_quad4([0.0; 2], [1.0; 2], [2, 2]), &rectangle_quad4([0.5; 2], [1.5; 2], [2, 2])]);
+    let mut contact = scene.contact(lines(0.05, 1));
+    contact.add_obstacle(Obstacle { shape: Shape::Ball { radius: 0.3 }, pose: Pose::at([0.0; 2]) }).unwrap();
+    let before = contact.evaluate(&scene.coords).unwrap();
+    let mut coords = scene.coords.clone();
+    coords[3] = [f64::NAN, 0.0];
+    assert!(contact.evaluate(&coords).is_err());
+    coords[3] = [9.0, 9.0];
+    assert!(contact.evaluate(&coords).is_err());
+    assert!(contact.evaluate(&coords[1..]).is_err());
+    assert!(contact.trace(&coords).is_err());
+    assert!(contact.set_pose(0, Pose::at([0.0, f64::INFINITY])).is_err());
+    assert!(contact.set_pose(7, Pose::at([0.0; 2])).is_err());
+    assert!(contact.add_obstacle(Obstacle { shape: Shape::Ball { radius: -1.0 }, pose: Pose::at([0.0; 2]) }).is_err());
+    assert!(contact.set_options(Options { threads: 0, ..exact() }).is_err());
+    contact.set_options(Options { estimator: Estimator::Exact, ..exact() }).unwrap();
+    assert!(contact.evaluate(&scene.coords).is_err());
+    contact.set_options(lines(0.05, 1)).unwrap();
+    assert_eq!(contact.obstacle_count(), 1);
+    assert_eq!(format!("{:?}", contact.evaluate(&scene.coords).unwrap()), format!("{before:?}"));
+}

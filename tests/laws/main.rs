@@ -1,0 +1,21 @@
+//! What must always hold, whatever the meshes.
+
+#[path = "../scene/scene.rs"]
+mod scene;
+
+mod pairs;
+
+mod arrangements;
+mod bad_meshes;
+mod bad_values;
+mod balance;
+mod coinciding;
+mod energy_gradient;
+mod glued;
+mod law;
+mod motion;
+mod numbering;
+mod same_bits;
+mod through_nodes;
+mod touching;
+mod warnings;

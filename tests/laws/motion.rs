@@ -1,0 +1,73 @@
+//! The exact overlap does not see where the bodies are, which way they are turned and in which unit they are measured.
+
+use crate::pairs::{plane_scene, solid_scene};
+use crate::scene::{Scene, distance, exact, norm, size_sum};
+use fmc_shapes::{Splitmix, random_rotation};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+
+fn config() -> Config {
+    Config { cases: 32, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..Config::default() }
+}
+
+/// x ↦ size·(R x + place·direction): volume by sizeᴰ, forces by sizeᴰ⁻¹ and turned.
+fn moves_along<const D: usize>(scene: &Scene<D>, seed: u64, size: f64, place: f64) {
+    let r = random_rotation::<D>(seed);
+    let mut random = Splitmix::new(seed + 1);
+    let offset: [f64; D] = std::array::from_fn(|_| place * random.between(-1.0, 1.0));
+    let turn = |v: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| (0..D).map(|j| r[i][j] * v[j]).sum()) };
+    let moved = scene.clone().mapped(|x| {
+        let turned = turn(&x);
+        std::array::from_fn(|i| size * (turned[i] + offset[i]))
+    });
+    let (here, there) = (scene.evaluate(exact()), moved.evaluate(exact()));
+    // Coordinates are rounded to 2⁻⁵³·(1 + place); volumes follow by areas of some 3, forces, where facets that meet at a
+    // small angle cut each other, by the inverse of its sine.
+    let rounding = 1e-15 * (1.0 + place);
+    let scale = size.powi(D as i32);
+    prop_close(there.volume / scale, here.volume, 10.0 * rounding);
+    prop_close(there.contact_area * size / scale, here.contact_area, 1e3 * rounding);
+    prop_close(there.penetration / size, here.penetration, 1e3 * rounding);
+    let expected: Vec<[f64; D]> = here.forces.iter().map(|f| turn(f).map(|f| f * scale / size)).collect();
+    let found = distance(&there.forces, &expected);
+    assert!(found <= 1e3 * rounding * norm(&expected), "{found:e} of {:e}", norm(&expected));
+    assert_eq!(here.facet_count, there.facet_count);
+}
+
+fn prop_close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance, "{found} instead of {expected}");
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn overlap_moves_with_the_bodies_in_2d(seed in 0u64..1 << 40, power in -6i32..=6, place in 0.0..1e3) {
+        moves_along(&plane_scene(seed), seed, 10f64.powi(power), place);
+    }
+
+    #[test]
+    fn overlap_moves_with_the_bodies_in_3d(seed in 0u64..1 << 40, power in -6i32..=6, place in 0.0..1e3) {
+        moves_along(&solid_scene(seed), seed, 10f64.powi(power), place);
+    }
+
+    /// A body that is moved does work against the force on it: the resultant is −∂V/∂position.
+    #[test]
+    fn resultant_is_the_slope_of_the_volume(seed in 0u64..1 << 40, angle in 0.0..6.3) {
+        let scene = plane_scene(seed);
+        let push = scene.evaluate(exact()).bodies[1].force;
+        let direction = [f64::cos(angle), f64::sin(angle)];
+        let volume = |step: f64| {
+            let mut moved = scene.clone();
+            for node in scene.nodes_of(1) {
+                (0..2).for_each(|i| moved.coords[node][i] += step * direction[i]);
+            }
+            moved.evaluate(exact()).volume
+        };
+        // Second differences bound the change of the slope within the step, where a node may pass an edge.
+        let h = 1e-6;
+        let slope = (volume(h) - volume(-h)) / (2.0 * h);
+        let force = push[0] * direction[0] + push[1] * direction[1];
+        prop_assert!((force + slope).abs() < 1e-4 * (1.0 + size_sum(&[push])), "{} against {}", force, -slope);
+    }
+}

@@ -1,0 +1,150 @@
+//! Numbers are names: other numbers of nodes, cells, corners and bodies give the same overlap.
+
+use crate::pairs::{plane_pair, plane_scene, solid_scene};
+use crate::scene::{Scene, distance, exact, fibers, isotropic, lines, norm};
+use fmc_contact::{CellType, ContactForces, FiberOptions, Options};
+use fmc_shapes::{Splitmix, cuboid_hex8, rectangle_quad4};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+
+fn config() -> Config {
+    Config { cases: 16, failure_persistence: None, rng_seed: RngSeed::Fixed(2), ..Config::default() }
+}
+
+fn estimators() -> Vec<Options> {
+    vec![exact(), fibers(FiberOptions::default()), lines(0.04, 3), isotropic(0.3, 2_000, 4)]
+}
+
+/// Sums run in another order; everything else is the same. A segment's start on a rim may be rounded otherwise.
+fn same<const D: usize>(found: &ContactForces<D>, expected: &ContactForces<D>) {
+    assert!((found.volume / expected.volume - 1.0).abs() < 1e-12, "{} against {}", found.volume, expected.volume);
+    assert!(distance(&found.forces, &expected.forces) < 1e-11 * norm(&expected.forces));
+    assert_eq!(found.crossing_count, expected.crossing_count);
+}
+
+/// A random order of 0 … n − 1 (Fisher and Yates).
+fn shuffled(random: &mut Splitmix, n: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..n).collect();
+    for k in (1..n).rev() {
+        order.swap(k, (random.unit() * (k + 1) as f64) as usize);
+    }
+    order
+}
+
+/// The same bodies with nodes and cells in another order; `place[node]` is where a node went.
+fn renumbered<const D: usize>(scene: &Scene<D>, random: &mut Splitmix) -> (Scene<D>, Vec<usize>) {
+    let place = shuffled(random, scene.coords.len());
+    let mut other = scene.clone();
+    for (node, &to) in place.iter().enumerate() {
+        other.coords[to] = scene.coords[node];
+    }
+    let (cell_type, size) = (scene.blocks[0].0, scene.blocks[0].0.node_count());
+    let conn: Vec<u32> = scene.blocks.iter().flat_map(|b| &b.1).map(|&n| place[n as usize] as u32).collect();
+    let order = shuffled(random, scene.ids.len());
+    other.blocks = vec![(cell_type, order.iter().flat_map(|&c| conn[c * size..(c + 1) * size].to_vec()).collect())];
+    other.ids = order.iter().map(|&c| scene.ids[c]).collect();
+    (other, place)
+}
+
+fn numbers_do_not_matter<const D: usize>(scene: &Scene<D>, seed: u64) {
+    let (other, place) = renumbered(scene, &mut Splitmix::new(seed));
+    for options in estimators() {
+        let expected = scene.evaluate(options);
+        let mut found = other.evaluate(options);
+        found.forces = place.iter().map(|&to| found.forces[to]).collect();
+        same(&found, &expected);
+    }
+}
+
+/// Simplices with two nodes exchanged at random: they are turned by what they are connected to, not by their sign.
+fn orientation_does_not_matter<const D: usize>(scene: &Scene<D>, seed: u64) {
+    let mut random = Splitmix::new(seed);
+    let mut other = scene.clone();
+    for cell in other.blocks.iter_mut().flat_map(|b| b.1.chunks_exact_mut(D + 1)) {
+        let (i, j) = ((random.unit() * D as f64) as usize, D);
+        if random.unit() < 0.5 {
+            cell.swap(i, j);
+        }
+    }
+    for options in estimators() {
+        same(&other.evaluate(options), &scene.evaluate(options));
+    }
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn numbers_of_nodes_and_cells_do_not_matter_in_2d(seed in 0u64..1 << 40) {
+        numbers_do_not_matter(&plane_scene(seed), seed);
+    }
+
+    #[test]
+    fn numbers_of_nodes_and_cells_do_not_matter_in_3d(seed in 0u64..1 << 40) {
+        numbers_do_not_matter(&solid_scene(seed), seed);
+    }
+
+    #[test]
+    fn orientation_of_triangles_does_not_matter(seed in 0u64..1 << 40) {
+        orientation_does_not_matter(&plane_scene(seed), seed);
+    }
+
+    #[test]
+    fn orientation_of_tetrahedra_does_not_matter(seed in 0u64..1 << 40) {
+        orientation_does_not_matter(&solid_scene(seed), seed);
+    }
+
+    /// Ids may be any numbers; resultants come in their order.
+    #[test]
+    fn ids_are_names(seed in 0u64..1 << 40, first in i64::MIN..0, second in 0..i64::MAX) {
+        let [a, b] = plane_pair(seed);
+        let expected = Scene::of(&[&a, &b]).evaluate(exact());
+        let found = Scene::new().with(&a, second).with(&b, first).evaluate(exact());
+        prop_assert_eq!((found.bodies[0].id, found.bodies[1].id), (first, second));
+        prop_assert_eq!(&found.forces, &expected.forces);
+        prop_assert_eq!(found.bodies[0].force, expected.bodies[1].force);
+    }
+}
+
+/// The corners of a quadrilateral may start anywhere, those of a hexahedron at any of the eight and on any of three axes.
+#[test]
+fn first_corner_of_a_cell_does_not_matter() {
+    let quads = rectangle_quad4([0.0; 2], [1.0; 2], [4, 4]).jittered(0.2, 1, |_| true);
+    let scene = Scene::of(&[&quads, &quads.clone().rotated(0.4).translated([0.6, 0.5])]);
+    let mut other = scene.clone();
+    for (cell, conn) in other.blocks.iter_mut().flat_map(|b| b.1.chunks_exact_mut(4)).enumerate() {
+        conn.rotate_left(cell % 4);
+    }
+    estimators().into_iter().for_each(|options| same(&other.evaluate(options), &scene.evaluate(options)));
+
+    let hexahedra = cuboid_hex8([0.0; 3], [1.0; 3], [2; 3]).jittered(0.2, 1, |_| true);
+    let b = hexahedra.clone().rotated([1.0, 0.2, 0.3], 0.4).translated([0.6, 0.5, 0.4]);
+    let scene = Scene::of(&[&hexahedra, &b]);
+    let mut other = scene.clone();
+    // A quarter turn about the axis from the bottom to the top, and a third of a turn about the diagonal from 0 to 6.
+    const QUARTER: [usize; 8] = [1, 2, 3, 0, 5, 6, 7, 4];
+    const THIRD: [usize; 8] = [0, 4, 5, 1, 3, 7, 6, 2];
+    assert_eq!(other.blocks[0].0, CellType::Hex8);
+    for (cell, conn) in other.blocks.iter_mut().flat_map(|b| b.1.chunks_exact_mut(8)).enumerate() {
+        for (turn, times) in [(QUARTER, cell % 4), (THIRD, cell / 4 % 3)] {
+            (0..times).for_each(|_| {
+                let turned = turn.map(|k| conn[k]);
+                conn.copy_from_slice(&turned);
+            });
+        }
+    }
+    estimators().into_iter().for_each(|options| same(&other.evaluate(options), &scene.evaluate(options)));
+}
+
+/// Nodes that no cell names change nothing, wherever they are.
+#[test]
+fn unused_nodes_do_not_matter() {
+    let scene = plane_scene(3);
+    let mut other = scene.clone();
+    other.coords.extend([[f64::NAN; 2], [1e300, -1e300]]);
+    for options in estimators() {
+        let (found, expected) = (other.evaluate(options), scene.evaluate(options));
+        assert_eq!(found.forces[..scene.coords.len()], expected.forces[..]);
+        assert_eq!(found.forces[scene.coords.len()..], [[0.0; 2]; 2]);
+    }
+}

@@ -1,0 +1,123 @@
+//! The same input gives the same bits: for any number of threads, from a contact that is kept or made anew, again and
+//! again, and with the bodies in either order.
+
+use crate::pairs::{plane_pair, plane_scene, solid_pair, solid_scene};
+use crate::scene::{Scene, consistent_lines, exact, fibers, isotropic, lines};
+use fmc_contact::{Bodies, CellBlock, ContactForces, FiberOptions, Obstacle, Options, Pose, Shape, contact_force};
+use fmc_shapes::{Mesh, icosphere};
+
+/// The second is so fine that lines are worked off in several pieces; so are 20 000 segments.
+fn estimators<const D: usize>() -> Vec<Options> {
+    let (fine, coarse) = if D == 2 { (1e-4, 1e-2) } else { (8e-3, 5e-2) };
+    vec![
+        exact(),
+        lines(fine, 1),
+        fibers(FiberOptions::default()),
+        consistent_lines(coarse, 2),
+        isotropic(0.3, 20_000, 3),
+    ]
+}
+
+/// A debug print tells every bit of every number, and 0 from −0.
+fn same<const D: usize>(x: &ContactForces<D>, y: &ContactForces<D>) {
+    assert_eq!(format!("{x:?}"), format!("{y:?}"));
+}
+
+fn obstacles<const D: usize>() -> Vec<Obstacle<D>> {
+    let pose = Pose::at(std::array::from_fn(|i| 0.3 + 0.1 * i as f64));
+    [Shape::HalfSpace, Shape::Cuboid { half_extents: [0.4; D] }].map(|shape| Obstacle { shape, pose }).into()
+}
+
+fn threads_do_not_matter<const D: usize>(scene: &Scene<D>) {
+    for options in estimators::<D>() {
+        let options = Options { self_contact: true, ..options };
+        let mut contact = scene.contact(options);
+        obstacles().into_iter().for_each(|o| {
+            contact.add_obstacle(o).unwrap();
+        });
+        let one = contact.evaluate(&scene.coords).unwrap();
+        assert!(one.volume > 0.0);
+        let fibers = contact.trace(&scene.coords).unwrap();
+        for threads in [2, 3, 8] {
+            contact.set_options(Options { threads, ..options }).unwrap();
+            same(&contact.evaluate(&scene.coords).unwrap(), &one);
+            assert_eq!(contact.trace(&scene.coords).unwrap(), fibers);
+        }
+    }
+}
+
+#[test]
+fn threads_do_not_matter_in_2d() {
+    threads_do_not_matter(&plane_scene(5));
+}
+
+#[test]
+fn threads_do_not_matter_in_3d() {
+    threads_do_not_matter(&solid_scene(5));
+}
+
+/// One call without memory, and a contact that has meanwhile seen other places and other options.
+fn memory_does_not_matter<const D: usize>(scene: &Scene<D>, elsewhere: &Scene<D>) {
+    let blocks: Vec<CellBlock> =
+        scene.blocks.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
+    let mut contact = scene.contact(exact());
+    for options in estimators::<D>() {
+        let stateless = contact_force(&scene.coords, &blocks, Bodies::Ids(&scene.ids), &options).unwrap();
+        contact.evaluate(&elsewhere.coords).unwrap();
+        contact.set_options(options).unwrap();
+        for _ in 0..2 {
+            same(&contact.evaluate(&scene.coords).unwrap(), &stateless);
+            contact.evaluate(&elsewhere.coords).unwrap();
+        }
+        // A surface made at other coordinates is the same surface.
+        same(&elsewhere.contact(options).evaluate(&scene.coords).unwrap(), &stateless);
+    }
+}
+
+#[test]
+fn memory_does_not_matter_in_2d() {
+    let scene = plane_scene(6);
+    memory_does_not_matter(&scene, &scene.clone().mapped(|[x, y]| [x + 0.1 * y, 1.1 * y - 3.0]));
+}
+
+#[test]
+fn memory_does_not_matter_in_3d() {
+    let scene = solid_scene(6);
+    memory_does_not_matter(&scene, &scene.clone().mapped(|[x, y, z]| [x + 0.1 * y, 1.1 * y - 3.0, z + 0.2 * x]));
+}
+
+fn order_of_bodies_does_not_matter<const D: usize>([a, b]: [Mesh<D>; 2]) {
+    let scene = Scene::of(&[&a, &b]);
+    // Other ids on the same nodes; other places in the node array; both.
+    let relabelled = Scene::new().with(&a, 1).with(&b, 0);
+    let reordered = Scene::new().with(&b, 1).with(&a, 0);
+    let swapped = Scene::of(&[&b, &a]);
+    for options in estimators::<D>() {
+        let found = scene.evaluate(options);
+        for (other, bodies_swap, nodes_swap) in
+            [(&relabelled, true, false), (&reordered, false, true), (&swapped, true, true)]
+        {
+            let mut other = other.evaluate(options);
+            if nodes_swap {
+                other.forces.rotate_left(b.coords.len());
+            }
+            if bodies_swap {
+                other.bodies.swap(0, 1);
+                (other.bodies[0].id, other.bodies[1].id) = (0, 1);
+            }
+            same(&other, &found);
+        }
+    }
+}
+
+#[test]
+fn order_of_bodies_does_not_matter_in_2d() {
+    (0..5).for_each(|seed| order_of_bodies_does_not_matter(plane_pair(seed)));
+}
+
+#[test]
+fn order_of_bodies_does_not_matter_in_3d() {
+    (0..3).for_each(|seed| order_of_bodies_does_not_matter(solid_pair(seed)));
+    let sphere = icosphere(1.0, 3);
+    order_of_bodies_does_not_matter([sphere.clone(), sphere.rotated([1.0, 1.0, 0.0], 0.3).translated([1.7, 0.3, 0.2])]);
+}

@@ -1,0 +1,20 @@
+//! Independent ways to the same numbers: closed forms, clipping by half-spaces, point sampling, finite differences.
+
+#[path = "../scene/scene.rs"]
+mod scene;
+
+mod halfspaces;
+mod membership;
+
+mod boxes;
+mod cell_types;
+mod differences;
+mod flat_obstacles;
+mod hollow_bodies;
+mod polygons;
+mod pose_gradient;
+mod round_obstacles;
+mod self_overlap;
+mod several_bodies;
+mod signed_distances;
+mod tetrahedra;
