@@ -124,6 +124,13 @@ pub enum Error {
         /// The limit.
         limit: f64,
     },
+    /// A result lies outside the range of a double: a stiffness times an overlap, or the volume of bodies 1e120 wide.
+    Overflow {
+        /// What overflowed.
+        quantity: &'static str,
+        /// Its value, infinite or NaN.
+        value: f64,
+    },
     /// The threads could not be started.
     Threads {
         /// Number asked for.
@@ -184,6 +191,9 @@ impl fmt::Display for Error {
                     f,
                     "the spacing is too small: {needed:.3e} fibers or crossings would be needed, the limit is {limit:.3e}"
                 )
+            }
+            Error::Overflow { quantity, value } => {
+                write!(f, "the {quantity} is {value}: beyond the range of a double")
             }
             Error::Threads { threads } => write!(f, "{threads} threads could not be started"),
         }

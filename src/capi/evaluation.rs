@@ -1,7 +1,6 @@
 //! What an evaluation found, as plain structs.
 
-use super::failure::{Failure, c_text};
-use super::status::fmc_status::FMC_ERROR_OVERFLOW;
+use super::failure::c_text;
 use crate::Warning;
 use crate::contact::{ContactForces, PairForces, Resultant};
 use crate::overlap::Partner;
@@ -42,23 +41,6 @@ pub struct fmc_result {
     pub warning_count: usize,
     /// Zero.
     pub reserved: [u64; 8],
-}
-
-impl fmc_result {
-    /// Whether everything lies in the range of a double: volumes of bodies 1e120 wide do not.
-    pub(super) fn check_finite(&self) -> Result<(), Failure> {
-        let values = [
-            ("overlap volume", self.volume),
-            ("standard error of the volume", self.volume_standard_error),
-            ("energy", self.energy),
-            ("contact area", self.contact_area),
-            ("penetration", self.penetration),
-        ];
-        match values.iter().find(|(_, value)| !value.is_finite()) {
-            Some((name, value)) => Err(Failure::new(FMC_ERROR_OVERFLOW, format!("the {name} is {value}"))),
-            None => Ok(()),
-        }
-    }
 }
 
 /// Contact force and moment on one body or obstacle.

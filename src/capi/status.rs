@@ -132,6 +132,7 @@ impl From<&Error> for fmc_status {
             Error::Unsupported { .. } => FMC_ERROR_UNSUPPORTED,
             Error::SignedDistance { .. } => FMC_ERROR_SIGNED_DISTANCE,
             Error::TooManyFibers { .. } => FMC_ERROR_TOO_MANY_FIBERS,
+            Error::Overflow { .. } => FMC_ERROR_OVERFLOW,
             Error::Threads { .. } => FMC_ERROR_THREADS,
         }
     }
@@ -180,6 +181,7 @@ mod tests {
             Error::Unsupported { what: "this" },
             Error::SignedDistance { obstacle: 0, point: 0 },
             Error::TooManyFibers { needed: 2.0, limit: 1.0 },
+            Error::Overflow { quantity: "energy", value: f64::INFINITY },
             Error::Threads { threads: 1 },
         ];
         let mut codes: Vec<i32> = errors.iter().map(|error| fmc_status::from(error) as i32).collect();

@@ -86,10 +86,10 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`],
-    /// [`Error::TooManyFibers`], [`Error::Unsupported`], [`Error::SignedDistance`].
+    /// [`Error::TooManyFibers`], [`Error::Unsupported`], [`Error::SignedDistance`], [`Error::Overflow`].
     pub fn evaluate(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
         let overlaps = self.overlaps(coords)?;
-        Ok(ContactForces::assemble(&self.surface, self.obstacles.len(), coords, &self.options.law, &overlaps))
+        ContactForces::assemble(&self.surface, self.obstacles.len(), coords, &self.options.law, &overlaps)
     }
 
     /// Overlaps of all pairs at `coords` that overlap, with their gradients, ordered by pair.

@@ -1,6 +1,7 @@
 //! What an evaluation returns.
 
 use super::EnergyLaw;
+use crate::Error;
 use crate::geometry::{Surface, Vector, moment};
 use crate::overlap::{Overlap, Partner, Warning};
 
@@ -82,7 +83,7 @@ impl<const D: usize> ContactForces<D> {
         coords: &[[f64; D]],
         law: &EnergyLaw,
         overlaps: &[Overlap<D>],
-    ) -> Self {
+    ) -> Result<Self, Error> {
         let resultant = |id: i64, node_count: usize| Resultant { id, force: [0.0; D], moment: [0.0; 3], node_count };
         let mut total = Self {
             forces: vec![[0.0; D]; coords.len()],
@@ -105,7 +106,26 @@ impl<const D: usize> ContactForces<D> {
             total.add(coords, law, overlap);
         }
         total.standard_error = total.standard_error.sqrt();
-        total
+        total.check()?;
+        Ok(total)
+    }
+
+    /// Checks that all numbers are finite; a force that is not shows in a resultant.
+    fn check(&self) -> Result<(), Error> {
+        let resultants = self.bodies.iter().chain(&self.obstacles);
+        let force = resultants.flat_map(|r| r.force.iter().chain(&r.moment)).copied().find(|x| !x.is_finite());
+        let quantities = [
+            ("overlap volume", self.volume),
+            ("standard error of the volume", self.standard_error),
+            ("energy", self.energy),
+            ("contact area", self.contact_area),
+            ("penetration", self.penetration),
+            ("resultant of a body", force.unwrap_or(0.0)),
+        ];
+        match quantities.into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((quantity, value)) => Err(Error::Overflow { quantity, value }),
+            None => Ok(()),
+        }
     }
 
     fn add(&mut self, coords: &[[f64; D]], law: &EnergyLaw, overlap: &Overlap<D>) {
