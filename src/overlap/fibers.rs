@@ -201,7 +201,8 @@ impl<const D: usize> FiberPair<'_, D> {
         let mut overlap = Overlap {
             a: self.pair.partners[0],
             b: self.pair.partners[1],
-            volume,
+            // Coordinates that span more than rounding allows can leave a line with more exits than entries.
+            volume: volume.max(0.0),
             standard_error,
             nodes: Vec::new(),
             gradient: Vec::new(),

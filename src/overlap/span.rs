@@ -58,7 +58,8 @@ pub(crate) fn sweep(
         let t = events[first].t;
         let before = cover;
         let mut last = first;
-        while last < events.len() && events[last].t - t <= tie {
+        // The first event always belongs: of two infinite places the difference is none.
+        while last < events.len() && (last == first || events[last].t - t <= tie) {
             let event = &events[last];
             cover[usize::from(event.of_b)] += if event.leaves { -1 } else { 1 };
             last += 1;
