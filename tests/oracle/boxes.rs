@@ -115,6 +115,22 @@ fn thin_overlaps_keep_their_digits() {
     close(contact.bodies[1].force[2], 0.75, ROUNDING, 1.0);
 }
 
+/// Lines see an overlap of any depth by those that cross it, some 100 here (2D) and 30 × 30.
+#[test]
+fn thin_overlaps_are_seen_by_lines() {
+    for depth in [1e-3, 1e-6, 1e-9, 1e-12] {
+        // Depths are differences of coordinates of 1.
+        let rounding = 3e-16 / depth;
+        let contact = two_squares(1.0, 0.0, [0.25, 1.0 - depth]).evaluate(lines(0.007, 1));
+        close(contact.volume, 0.75 * depth, 0.02 + rounding, 0.75 * depth);
+        close(contact.bodies[1].force[1], 0.75, 0.02, 1.0);
+        let scene = two_boxes(1.0, 0.0, [0.25, 0.3, 3.0 - depth], [[2; 3], [3; 3]], true);
+        let contact = scene.evaluate(lines(0.03, 1));
+        close(contact.volume, 0.75 * depth, 0.02 + 3.0 * rounding, 0.75 * depth);
+        close(contact.bodies[1].force[2], 0.75, 0.02, 1.0);
+    }
+}
+
 /// A block within another keeps its own volume, by both estimators: spans are bounded by one body alone.
 #[test]
 fn blocks_within_blocks_keep_their_volume() {

@@ -18,3 +18,4 @@ mod self_overlap;
 mod several_bodies;
 mod signed_distances;
 mod tetrahedra;
+mod traces;

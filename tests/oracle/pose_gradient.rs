@@ -135,6 +135,10 @@ fn lines_through_every_shape_in_3d() {
         Shape::Cone { radius, half_height },
         Shape::Capsule { radius, half_height },
         Shape::Polytope { facets: sphere.facets(), points: sphere.coords },
+        Shape::SignedDistance(Arc::new(|x: &[f64; 3]| {
+            let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
+            (length - 0.6, x.map(|x| x / length))
+        })),
     ];
     for shape in shapes {
         gradient_matches(&random_polyhedron(1, 1.0, 0.3, 1, 3), &shape, solid_pose(), consistent_lines(0.07, 4), 1e-5);
