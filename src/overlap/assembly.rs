@@ -24,11 +24,10 @@ pub(crate) struct PointShare<const D: usize> {
 
 /// Sums shares in the order in which they come.
 pub(crate) struct Assembly<const D: usize> {
+    /// Gradient by slot: twice the vertex, and one more for the second side. A node may belong to both.
     values: Vec<Vector<D>>,
     touched: Vec<u32>,
     seen: Vec<bool>,
-    /// Side of every touched vertex, by vertex.
-    of_b: Vec<bool>,
     pose: PoseGradient<D>,
     /// Sum of the shares of each side; apart, so that a swap of the sides changes no bit.
     resultants: [Vector<D>; 2],
@@ -43,10 +42,9 @@ pub(crate) struct Assembly<const D: usize> {
 impl<const D: usize> Assembly<D> {
     pub(crate) fn new(vertex_count: usize) -> Self {
         Self {
-            values: vec![Vector::zeros(); vertex_count],
+            values: vec![Vector::zeros(); 2 * vertex_count],
             touched: Vec::new(),
-            seen: vec![false; vertex_count],
-            of_b: vec![false; vertex_count],
+            seen: vec![false; 2 * vertex_count],
             pose: PoseGradient { position: Vector::zeros(), rotation: [0.0; 3], scale: 0.0 },
             resultants: [Vector::zeros(); 2],
             share_count: 0,
@@ -71,11 +69,7 @@ impl<const D: usize> Assembly<D> {
             None => {
                 for a in 0..D {
                     let vertex = side.facets[share.facet as usize][a];
-                    if !std::mem::replace(&mut self.seen[vertex as usize], true) {
-                        self.touched.push(vertex);
-                        self.of_b[vertex as usize] = share.of_b;
-                    }
-                    self.values[vertex as usize] += normal * share.shares[a];
+                    self.add_to(2 * vertex + u32::from(share.of_b), normal * share.shares[a]);
                 }
                 self.bound(share.of_b, point, normal, total);
             }
@@ -98,10 +92,10 @@ impl<const D: usize> Assembly<D> {
     /// overlap does not change when both sides move together.
     pub(crate) fn add_reaction(&mut self, normal: &Vector<D>, points: &[Vector<D>]) {
         let mut force = Vector::zeros();
-        for &vertex in &self.touched {
-            let g = self.values[vertex as usize];
+        for &slot in &self.touched {
+            let g = self.values[slot as usize];
             force += g;
-            for (sum, m) in self.pose.rotation.iter_mut().zip(moment(&points[vertex as usize], &g)) {
+            for (sum, m) in self.pose.rotation.iter_mut().zip(moment(&points[slot as usize / 2], &g)) {
                 *sum -= m;
             }
         }
@@ -165,25 +159,27 @@ impl<const D: usize> Assembly<D> {
         high - low
     }
 
+    fn add_to(&mut self, slot: u32, g: Vector<D>) {
+        if !std::mem::replace(&mut self.seen[slot as usize], true) {
+            self.touched.push(slot);
+        }
+        self.values[slot as usize] += g;
+    }
+
     /// Writes the gradient on nodes, ascending; shares of a face centroid go to the face's four nodes.
     pub(crate) fn write_nodes(mut self, surface: &Surface<D>, overlap: &mut Overlap<D>) {
+        let is_node = |slot: &u32| ((slot / 2) as usize) < surface.nodes.len();
         self.touched.sort_unstable();
-        let first_centroid = self.touched.partition_point(|&v| (v as usize) < surface.nodes.len());
-        for index in first_centroid..self.touched.len() {
-            let centroid = self.touched[index] as usize;
-            let quarter = self.values[centroid] * 0.25;
-            for vertex in surface.centroids[centroid - surface.nodes.len()] {
-                if !std::mem::replace(&mut self.seen[vertex as usize], true) {
-                    self.touched.push(vertex);
-                    self.of_b[vertex as usize] = self.of_b[centroid];
-                }
-                self.values[vertex as usize] += quarter;
+        let centroids = self.touched.split_off(self.touched.partition_point(is_node));
+        for slot in centroids {
+            let quarter = self.values[slot as usize] * 0.25;
+            for vertex in surface.centroids[(slot / 2) as usize - surface.nodes.len()] {
+                self.add_to(2 * vertex + slot % 2, quarter);
             }
         }
-        self.touched.retain(|&v| (v as usize) < surface.nodes.len());
         self.touched.sort_unstable();
-        overlap.nodes = self.touched.iter().map(|&v| surface.nodes[v as usize]).collect();
-        overlap.gradient = self.touched.iter().map(|&v| self.values[v as usize]).collect();
-        overlap.of_b = self.touched.iter().map(|&v| self.of_b[v as usize]).collect();
+        overlap.nodes = self.touched.iter().map(|&slot| surface.nodes[(slot / 2) as usize]).collect();
+        overlap.gradient = self.touched.iter().map(|&slot| self.values[slot as usize]).collect();
+        overlap.of_b = self.touched.iter().map(|&slot| slot % 2 == 1).collect();
     }
 }

@@ -44,7 +44,7 @@ pub struct Overlap<const D: usize> {
     pub volume: f64,
     /// Standard error of the volume from the spread of independent shifts; 0 for `exact`.
     pub standard_error: f64,
-    /// Nodes whose gradient may differ from zero, ascending.
+    /// Nodes whose gradient may differ from zero, ascending; a node that both sides share appears once for each.
     pub nodes: Vec<u32>,
     /// ∂V/∂x of those nodes.
     pub gradient: Vec<Vector<D>>,

@@ -30,7 +30,8 @@ fn hinge_feels_both<const D: usize>(a: &Mesh<D>, b: &Mesh<D>, spacing: f64) {
         let scene = hinged(a, b, &hinge);
         let together = scene.evaluate(options);
         balanced(&together, &scene.coords);
-        assert!(apart.volume > 1e-3 && (together.volume / apart.volume - 1.0).abs() < 1e-13);
+        let ratio = together.volume / apart.volume - 1.0;
+        assert!(apart.volume > 1e-3 && ratio.abs() < 1e-13, "{ratio:e} {options:?}");
         // The correction of sampled forces sees one node for two.
         let tolerance = if options == exact() { 1e-12 } else { 1e-3 };
         let size = norm(&apart.forces);
@@ -60,5 +61,5 @@ fn squares_hinged_at_a_corner() {
 fn cubes_hinged_at_a_corner_and_at_an_edge() {
     let cube = cuboid_tet4([0.0; 3], [1.0; 3], [2; 3]);
     hinge_feels_both(&cube, &cube.clone().rotated([0.0, 0.0, 1.0], 0.7), 0.03);
-    hinge_feels_both(&cube, &cube.clone().rotated_by(random_rotation(2)), 0.03);
+    hinge_feels_both(&cube, &cube.clone().rotated_by(random_rotation(5)), 0.03);
 }

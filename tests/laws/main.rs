@@ -12,6 +12,7 @@ mod balance;
 mod coinciding;
 mod energy_gradient;
 mod glued;
+mod hinged;
 mod law;
 mod motion;
 mod numbering;

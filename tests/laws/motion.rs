@@ -25,16 +25,19 @@ fn moves_along<const D: usize>(scene: &Scene<D>, seed: u64, size: f64, place: f6
     // small angle cut each other, by the inverse of its sine.
     let rounding = 1e-15 * (1.0 + place);
     let scale = size.powi(D as i32);
-    prop_close(there.volume / scale, here.volume, 10.0 * rounding);
-    prop_close(there.contact_area * size / scale, here.contact_area, 1e3 * rounding);
-    prop_close(there.penetration / size, here.penetration, 1e3 * rounding);
+    close(there.volume / scale, here.volume, 10.0 * rounding);
+    close(there.contact_area * size / scale, here.contact_area, 1e3 * rounding);
+    // A body wholly inside the other is not pushed along any normal; its depth is then measured along the axes of space.
+    if here.warnings.is_empty() {
+        close(there.penetration / size, here.penetration, 1e3 * rounding);
+    }
     let expected: Vec<[f64; D]> = here.forces.iter().map(|f| turn(f).map(|f| f * scale / size)).collect();
     let found = distance(&there.forces, &expected);
     assert!(found <= 1e3 * rounding * norm(&expected), "{found:e} of {:e}", norm(&expected));
     assert_eq!(here.facet_count, there.facet_count);
 }
 
-fn prop_close(found: f64, expected: f64, tolerance: f64) {
+fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance, "{found} instead of {expected}");
 }
 
