@@ -135,8 +135,10 @@ fn coplanar<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>, depth: f64, seed: 
     assert!((along - 1.0).abs() < 1e-12, "{along}");
     let sampled = scene.evaluate(lines(0.02 * size, seed));
     balanced(&sampled, &scene.coords);
-    // 50 lines of a family across the face (2D); the depth is measured by those that cross it.
-    assert!((sampled.volume / scale - depth).abs() < 0.05 * depth.max(0.02), "{} of {depth}", sampled.volume / scale);
+    // 50 lines of a family across the face (2D). A family that runs along a thin overlap hits it seldom and then over its
+    // whole length; the standard error says so.
+    let tolerance = 0.05 * depth.max(0.02) + 3.0 * sampled.standard_error / scale;
+    assert!((sampled.volume / scale - depth).abs() < tolerance, "{} of {depth}", sampled.volume / scale);
 }
 
 fn size() -> impl Strategy<Value = f64> {
