@@ -17,6 +17,7 @@ mod law;
 mod motion;
 mod numbering;
 mod resolution;
+mod resting;
 mod same_bits;
 mod through_nodes;
 mod touching;
