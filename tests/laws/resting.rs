@@ -99,14 +99,11 @@ fn blocks_fill_cuboids() {
             let tolerance = if options == exact() { 1e-12 } else { 0.2 };
             assert!((contact.volume - 1.0).abs() < tolerance, "{options:?}: {}", contact.volume);
             balanced(&contact, &scene.coords);
-            // Half of every face belongs to the body, and none of them wins.
+            // Half of every face belongs to the body, as if the cuboid were another, and neither wins.
             let (push, sizes) = (size_sum(&[contact.bodies[0].force]), size_sum(&contact.forces));
             assert!(push < tolerance * sizes, "{options:?}: {push} of {sizes}");
-            assert!(
-                (size_sum(&contact.forces) / size_sum(&Scene::of(&[&body, &body]).evaluate(exact()).forces) - 0.5)
-                    .abs()
-                    < 0.05
-            );
+            let both = size_sum(&Scene::of(&[&body, &body]).evaluate(exact()).forces);
+            assert!((2.0 * sizes / both - 1.0).abs() < tolerance, "{options:?}: {sizes} of {both}");
         }
     }
 }
