@@ -5,11 +5,12 @@ mod evaluation;
 mod forces;
 mod law;
 mod options;
+mod pair_energy;
 mod partners;
 mod stiffness;
 
 pub use evaluation::{Contact, contact_force};
 pub use forces::{ContactForces, PairForces, Resultant};
-pub use law::EnergyLaw;
+pub use law::{EnergyLaw, FiberProfile};
 pub use options::Options;
 pub use stiffness::{StiffnessFrom, suggest_stiffness};

@@ -5,7 +5,7 @@ mod cell;
 pub(crate) mod cells;
 mod chord;
 mod closed;
-mod components;
+pub(crate) mod components;
 pub(crate) mod crossing;
 pub(crate) mod facet;
 mod inside;

@@ -20,7 +20,7 @@ pub mod sampling;
 #[allow(unsafe_code)]
 mod capi;
 
-pub use contact::{Contact, ContactForces, EnergyLaw, Options, contact_force};
+pub use contact::{Contact, ContactForces, EnergyLaw, FiberProfile, Options, contact_force};
 pub use error::Error;
 pub use geometry::{Bodies, CellBlock, CellType, Obstacle, Pose, Shape, SignedDistance, Surface};
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};

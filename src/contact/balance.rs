@@ -5,7 +5,7 @@
 //! node gives in proportion to what it carries, δ_a = |g_a| (λ + μ × x_a), and λ, μ follow from 3 (2D) or 6 equations.
 
 use crate::geometry::{Vector, moment};
-use crate::overlap::Overlap;
+use crate::overlap::PoseGradient;
 use nalgebra::{SMatrix, SVector};
 use std::iter::Sum;
 
@@ -20,12 +20,19 @@ struct Carrier<const D: usize> {
     of_b: bool,
 }
 
-/// Corrects the gradient of an overlap, on nodes at `coords` and on the pose of an obstacle.
+/// Corrects the gradient of one pair, on nodes at `coords` and on the pose of an obstacle. `of_b` tells the side of every
+/// node.
 ///
 /// An obstacle takes part as one more node at the point where its resultant acts. A mode that no node resists (turning
 /// about the line through all of them) is left as it is.
-pub(crate) fn balance<const D: usize>(overlap: &mut Overlap<D>, coords: &[[f64; D]]) {
-    let mut carriers: Vec<Carrier<D>> = (overlap.nodes.iter().zip(&overlap.gradient).zip(&overlap.of_b))
+pub(crate) fn balance<const D: usize>(
+    nodes: &[u32],
+    of_b: &[bool],
+    gradient: &mut [Vector<D>],
+    pose_gradient: &mut Option<PoseGradient<D>>,
+    coords: &[[f64; D]],
+) {
+    let mut carriers: Vec<Carrier<D>> = (nodes.iter().zip(gradient.iter()).zip(of_b))
         .map(|((&node, &value), &of_b)| Carrier { arm: coords[node as usize].into(), size: value.norm(), value, of_b })
         .collect();
     let weight = sum_by_side(&carriers, |c| c.size);
@@ -35,7 +42,7 @@ pub(crate) fn balance<const D: usize>(overlap: &mut Overlap<D>, coords: &[[f64; 
     let center = sum_by_side(&carriers, |c| c.arm * c.size) / weight;
     carriers.iter_mut().for_each(|c| c.arm -= center);
     let mut couple = [0.0; 3];
-    if let Some(pose) = &overlap.pose_gradient {
+    if let Some(pose) = pose_gradient {
         let value = pose.position;
         let about_center = subtract(pose.rotation, moment(&center, &value));
         let arm = acting_point(&value, &about_center);
@@ -75,10 +82,10 @@ pub(crate) fn balance<const D: usize>(overlap: &mut Overlap<D>, coords: &[[f64; 
             }
         }
     }
-    for (gradient, carrier) in overlap.gradient.iter_mut().zip(&carriers) {
+    for (gradient, carrier) in gradient.iter_mut().zip(&carriers) {
         *gradient = carrier.value;
     }
-    if let (Some(pose), Some(carrier)) = (&mut overlap.pose_gradient, carriers.last()) {
+    if let (Some(pose), Some(carrier)) = (pose_gradient, carriers.last()) {
         let change = carrier.value - pose.position;
         pose.position = carrier.value;
         for (sum, m) in pose.rotation.iter_mut().zip(moment(&(carrier.arm * unit + center), &change)) {

@@ -3,11 +3,13 @@
 use super::balance::balance;
 use super::forces::ContactForces;
 use super::options::Options;
+use super::pair_energy::PairEnergy;
 use super::partners::{Rigid, check_pose};
 use crate::Error;
 use crate::geometry::{Bodies, CellBlock, Obstacle, Pose, Surface};
 use crate::overlap::{
-    Estimator, ExactPair, FacetSide, FiberPair, FiberTrace, ImplicitSide, Opponent, Overlap, Pair, Partner, Views,
+    Estimator, ExactPair, FacetSide, FiberOptions, FiberPair, FiberTrace, ImplicitSide, Opponent, Overlap, Pair,
+    Partner, Patches, Spans, Views,
 };
 use crate::sampling::{Family, FiberPattern};
 
@@ -20,6 +22,8 @@ pub struct Contact<const D: usize> {
     obstacles: Vec<Rigid<D>>,
     options: Options,
     pool: Option<rayon::ThreadPool>,
+    /// Patches of the fiber law that are kept, by pair.
+    kept: Vec<([Partner; 2], Patches<D>)>,
 }
 
 impl<const D: usize> Contact<D> {
@@ -29,7 +33,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NotPositive`] for an option out of its range; [`Error::Threads`].
     pub fn new(surface: Surface<D>, options: Options) -> Result<Self, Error> {
         options.check()?;
-        Ok(Self { surface, obstacles: Vec::new(), options, pool: pool(options.threads)? })
+        Ok(Self { surface, obstacles: Vec::new(), options, pool: pool(options.threads)?, kept: Vec::new() })
     }
 
     /// Adds a rigid partner and returns its index.
@@ -88,26 +92,90 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`],
     /// [`Error::TooManyFibers`], [`Error::Unsupported`], [`Error::SignedDistance`], [`Error::Overflow`].
     pub fn evaluate(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
-        let overlaps = self.overlaps(coords)?;
-        ContactForces::assemble(&self.surface, self.obstacles.len(), coords, &self.options.law, &overlaps)
+        let law = &self.options.law;
+        let pairs = if law.is_fiber() {
+            let balanced = self.is_balanced();
+            self.for_each_pair(coords, |candidate| {
+                let spans = self.spans(candidate)?;
+                Ok(spans.map(|spans| PairEnergy::of_spans(&spans, candidate.fibers.pair, law, balanced, coords)))
+            })?
+        } else {
+            let overlaps = self.overlaps(coords)?;
+            overlaps.into_iter().map(|overlap| PairEnergy::of_volume(overlap, law)).collect()
+        };
+        ContactForces::assemble(&self.surface, self.obstacles.len(), coords, &pairs)
     }
 
-    /// Overlaps of all pairs at `coords` that overlap, with their gradients, ordered by pair.
+    /// Overlaps of all pairs at `coords` that overlap, with their gradients, ordered by pair. With the fiber law they
+    /// are measured along its lines.
     ///
     /// # Errors
     /// As [`Self::evaluate`].
     pub fn overlaps(&self, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
-        self.for_each_pair(coords, |pair| match (&self.options.estimator, pair) {
-            (Estimator::Exact, PairOf::Exact(pair)) => Ok(pair.overlap()?.filter(Overlap::is_worth_telling)),
-            (Estimator::Fibers(fibers), PairOf::Fibers(pair)) => {
-                let mut overlap = pair.overlap()?.filter(Overlap::is_worth_telling);
-                if let (Some(overlap), true) = (&mut overlap, fibers.balance) {
-                    balance(overlap, coords);
+        self.for_each_pair(coords, |candidate| {
+            let overlap = match &candidate.exact {
+                _ if self.options.law.is_fiber() => {
+                    self.spans(candidate)?.map(|spans| spans.overlap(candidate.fibers.pair))
                 }
-                Ok(overlap)
+                Some(exact) => exact.overlap()?,
+                None => candidate.fibers.overlap()?,
+            };
+            let mut overlap = overlap.filter(Overlap::is_worth_telling);
+            if let (Some(o), true) = (&mut overlap, self.is_balanced()) {
+                balance(&o.nodes, &o.of_b, &mut o.gradient, &mut o.pose_gradient, coords);
             }
-            _ => Ok(None),
+            Ok(overlap)
         })
+    }
+
+    /// Finds the patches of the fiber law at `coords` and keeps them for all evaluations to come, until this is called
+    /// again or [`Self::release_patches`]: the directions of the lines and their spacing. With kept patches the forces
+    /// are the gradient of one energy, as a Newton solver needs. Pairs that do not overlap at `coords` are not kept, and
+    /// theirs are found at every evaluation. Returns the number of directions kept; 0 for other laws.
+    ///
+    /// # Errors
+    /// As [`Self::evaluate`]; what was kept then stays.
+    pub fn keep_patches(&mut self, coords: &[[f64; D]]) -> Result<usize, Error> {
+        if !self.options.law.is_fiber() {
+            return Ok(0);
+        }
+        self.kept = self.for_each_pair(coords, |Candidate { fibers, exact }| {
+            let Some(mut patches) = fibers.patches(false)? else { return Ok(None) };
+            if exact.is_none() {
+                patches.spacing = fibers.spans(&patches)?.map(|spans| spans.spacing);
+            }
+            Ok(Some((fibers.pair.partners, patches)))
+        })?;
+        Ok(self.kept.iter().map(|(_, patches)| patches.directions.len()).sum())
+    }
+
+    /// Forgets kept patches.
+    pub fn release_patches(&mut self) {
+        self.kept.clear();
+    }
+
+    /// Spans of a pair: on its kept patches, or on those that are found now.
+    fn spans(&self, Candidate { fibers, exact }: &Candidate<D>) -> Result<Option<Spans<D>>, Error> {
+        let found;
+        let patches = match self.kept.iter().find(|(partners, _)| *partners == fibers.pair.partners) {
+            Some((_, patches)) => patches,
+            None => match fibers.patches(true)? {
+                Some(patches) => {
+                    found = patches;
+                    &found
+                }
+                None => return Ok(None),
+            },
+        };
+        let spans = match exact {
+            Some(exact) => exact.spans(patches)?,
+            None => fibers.spans(patches)?,
+        };
+        Ok(spans.filter(|spans| !spans.spans.is_empty() || !spans.warnings.is_empty()))
+    }
+
+    fn is_balanced(&self) -> bool {
+        matches!(&self.options.estimator, Estimator::Fibers(fibers) if fibers.balance)
     }
 
     /// The fibers that cross an overlap, to look at; none for `exact`.
@@ -115,9 +183,9 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::evaluate`].
     pub fn trace(&self, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
-        let traces = self.for_each_pair(coords, |pair| match pair {
-            PairOf::Fibers(pair) => pair.trace().map(Some),
-            PairOf::Exact(_) => Ok(None),
+        let traces = self.for_each_pair(coords, |Candidate { fibers, exact }| match exact {
+            None => fibers.trace().map(Some),
+            Some(_) => Ok(None),
         })?;
         Ok(traces.into_iter().flatten().collect())
     }
@@ -126,14 +194,15 @@ impl<const D: usize> Contact<D> {
     fn for_each_pair<T: Send>(
         &self,
         coords: &[[f64; D]],
-        work: impl Fn(PairOf<D>) -> Result<Option<T>, Error> + Sync,
+        work: impl Fn(&Candidate<D>) -> Result<Option<T>, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
         self.surface.check(coords, self.options.check_cells)?;
-        let families = match &self.options.estimator {
-            Estimator::Fibers(f) if f.pattern == FiberPattern::Lines => Family::all(f.seed),
-            _ => Vec::new(),
+        let (exact, options) = match self.options.estimator {
+            Estimator::Fibers(options) => (false, options),
+            Estimator::Exact => (true, FiberOptions::default()),
         };
-        let exact = matches!(self.options.estimator, Estimator::Exact);
+        let with_lines = self.options.law.is_fiber() || (!exact && options.pattern == FiberPattern::Lines);
+        let families = if with_lines { Family::all(options.seed) } else { Vec::new() };
         let views = Views::new(self.surface.points(coords), &families);
         let placed: Vec<Option<PlacedFacets<D>>> = (self.obstacles.iter())
             .map(|rigid| rigid.placed_facets(exact).map(|(facets, points)| (facets, Views::new(points, &families))))
@@ -147,14 +216,14 @@ impl<const D: usize> Contact<D> {
         let parallel = self.pool.is_some();
         let measure = |partners: [Partner; 2], a: FacetSide<D>, opponent: Opponent<D>, pose: Option<&Pose<D>>| {
             let pair = Pair { partners, a, opponent, pose, surface: &self.surface, parallel };
-            let pair = match &self.options.estimator {
-                Estimator::Exact => PairOf::Exact(ExactPair { pair, coords }),
-                Estimator::Fibers(options) => PairOf::Fibers(FiberPair { pair, families: &families, options }),
+            let candidate = Candidate {
+                fibers: FiberPair { pair: &pair, families: &families, options: &options },
+                exact: exact.then_some(ExactPair { pair: &pair, coords }),
             };
             match &self.pool {
                 // A signed distance function belongs to the host and is called on the calling thread.
-                Some(pool) if !opponent.is_marched() => pool.install(|| work(pair)),
-                _ => work(pair),
+                Some(pool) if !opponent.is_marched() => pool.install(|| work(&candidate)),
+                _ => work(&candidate),
             }
         };
         let mut results = Vec::new();
@@ -185,10 +254,10 @@ impl<const D: usize> Contact<D> {
 /// Facets of an obstacle and where their corners are.
 type PlacedFacets<'a, const D: usize> = (&'a [[u32; D]], Views<D>);
 
-/// A pair, for the estimator that is to measure it.
-enum PairOf<'a, const D: usize> {
-    Exact(ExactPair<'a, D>),
-    Fibers(FiberPair<'a, D>),
+/// A pair that may overlap, as fibers see it and, where that is asked for, as it is clipped.
+struct Candidate<'a, const D: usize> {
+    fibers: FiberPair<'a, D>,
+    exact: Option<ExactPair<'a, D>>,
 }
 
 /// Threads of one contact; none are started for one.

@@ -1,9 +1,9 @@
 //! What an evaluation returns.
 
-use super::EnergyLaw;
+use super::pair_energy::PairEnergy;
 use crate::Error;
 use crate::geometry::{Surface, Vector, moment};
-use crate::overlap::{Overlap, Partner, Warning};
+use crate::overlap::{Partner, Warning};
 
 /// Resultant on one body of the mesh or on one obstacle.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,9 +29,9 @@ pub struct PairForces {
     pub volume: f64,
     /// Standard error of the volume.
     pub standard_error: f64,
-    /// Energy w(V).
+    /// Energy w.
     pub energy: f64,
-    /// Traction dw/dV.
+    /// Traction dw/dV; for the fiber law the mean of ψ'(L) over the patch.
     pub pressure: f64,
     /// Area of contact.
     pub contact_area: f64,
@@ -76,13 +76,12 @@ pub struct ContactForces<const D: usize> {
 }
 
 impl<const D: usize> ContactForces<D> {
-    /// Applies the law to every overlap and sums up, in the order of the pairs.
+    /// Sums up, in the order of the pairs.
     pub(crate) fn assemble(
         surface: &Surface<D>,
         obstacle_count: usize,
         coords: &[[f64; D]],
-        law: &EnergyLaw,
-        overlaps: &[Overlap<D>],
+        pairs: &[PairEnergy<D>],
     ) -> Result<Self, Error> {
         let resultant = |id: i64, node_count: usize| Resultant { id, force: [0.0; D], moment: [0.0; 3], node_count };
         let mut total = Self {
@@ -99,11 +98,11 @@ impl<const D: usize> ContactForces<D> {
                 .map(|(body, &id)| resultant(id, surface.surface_node_count(body)))
                 .collect(),
             obstacles: (0..obstacle_count).map(|o| resultant(o as i64, 0)).collect(),
-            pairs: Vec::with_capacity(overlaps.len()),
+            pairs: Vec::with_capacity(pairs.len()),
             warnings: Vec::new(),
         };
-        for overlap in overlaps {
-            total.add(coords, law, overlap);
+        for pair in pairs {
+            total.add(coords, pair);
         }
         total.standard_error = total.standard_error.sqrt();
         total.check()?;
@@ -128,27 +127,26 @@ impl<const D: usize> ContactForces<D> {
         }
     }
 
-    fn add(&mut self, coords: &[[f64; D]], law: &EnergyLaw, overlap: &Overlap<D>) {
-        let pressure = law.energy_gradient(overlap.volume);
-        for ((&node, gradient), &of_b) in overlap.nodes.iter().zip(&overlap.gradient).zip(&overlap.of_b) {
-            let force = gradient * -pressure;
+    fn add(&mut self, coords: &[[f64; D]], pair: &PairEnergy<D>) {
+        let overlap = &pair.overlap;
+        for ((&node, gradient), &of_b) in pair.nodes.iter().zip(&pair.gradient).zip(&pair.of_b) {
+            let force = -gradient;
             for axis in 0..D {
                 self.forces[node as usize][axis] += force[axis];
             }
             let x = Vector::from(coords[node as usize]);
             self.resultant(if of_b { overlap.b } else { overlap.a }).add(&force, &moment(&x, &force));
         }
-        if let Some(pose) = &overlap.pose_gradient {
-            let moment = pose.rotation.map(|m| -pressure * m);
-            self.resultant(overlap.b).add(&(pose.position * -pressure), &moment);
+        if let Some(pose) = &pair.pose_gradient {
+            self.resultant(overlap.b).add(&-pose.position, &pose.rotation.map(|m| -m));
         }
         let pair = PairForces {
             a: overlap.a,
             b: overlap.b,
             volume: overlap.volume,
             standard_error: overlap.standard_error,
-            energy: law.energy(overlap.volume),
-            pressure,
+            energy: pair.energy,
+            pressure: pair.pressure,
             contact_area: overlap.contact_area,
             penetration: overlap.penetration,
             spacing: overlap.spacing,

@@ -36,6 +36,10 @@ impl Options {
             return Err(Error::NotPositive { name: "threads", value: 0.0 });
         }
         if let Estimator::Fibers(fibers) = &self.estimator {
+            if self.law.is_fiber() && fibers.pattern != FiberPattern::Lines {
+                let what = "the fiber law on isotropic fibers: its lines run along the contact normal; use FiberPattern::Lines";
+                return Err(Error::Unsupported { what });
+            }
             match fibers.resolution {
                 Resolution::Auto => {}
                 Resolution::Count(count) => positive("fibers", count as f64)?,

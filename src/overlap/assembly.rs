@@ -1,6 +1,6 @@
 //! From crossings, or clipped pieces, to the gradient on nodes and poses.
 
-use super::estimate::{Overlap, PoseGradient};
+use super::estimate::PoseGradient;
 use super::side::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::{area_vector, moment};
@@ -166,8 +166,9 @@ impl<const D: usize> Assembly<D> {
         self.values[slot as usize] += g;
     }
 
-    /// Writes the gradient on nodes, ascending; shares of a face centroid go to the face's four nodes.
-    pub(crate) fn write_nodes(mut self, surface: &Surface<D>, overlap: &mut Overlap<D>) {
+    /// Nodes, ascending, the gradient on them, and whether they are of the second side; shares of a face centroid go to
+    /// the face's four nodes.
+    pub(crate) fn into_nodes(mut self, surface: &Surface<D>) -> (Vec<u32>, Vec<Vector<D>>, Vec<bool>) {
         let is_node = |slot: &u32| ((slot / 2) as usize) < surface.nodes.len();
         self.touched.sort_unstable();
         let centroids = self.touched.split_off(self.touched.partition_point(is_node));
@@ -178,8 +179,8 @@ impl<const D: usize> Assembly<D> {
             }
         }
         self.touched.sort_unstable();
-        overlap.nodes = self.touched.iter().map(|&slot| surface.nodes[(slot / 2) as usize]).collect();
-        overlap.gradient = self.touched.iter().map(|&slot| self.values[slot as usize]).collect();
-        overlap.of_b = self.touched.iter().map(|&slot| slot % 2 == 1).collect();
+        let nodes = self.touched.iter().map(|&slot| surface.nodes[(slot / 2) as usize]).collect();
+        let values = self.touched.iter().map(|&slot| self.values[slot as usize]).collect();
+        (nodes, values, self.touched.iter().map(|&slot| slot % 2 == 1).collect())
     }
 }

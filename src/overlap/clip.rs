@@ -110,7 +110,7 @@ fn height<const D: usize>(points: &[Vector<D>; D], x: &Vector<D>) -> f64 {
 }
 
 /// Part of a convex polygon (2D: interval) where the linear function with these corner values is at most 0.
-fn cut<const D: usize>(piece: &[[f64; D]], corner: &[f64; D]) -> Vec<[f64; D]> {
+pub(super) fn cut<const D: usize>(piece: &[[f64; D]], corner: &[f64; D]) -> Vec<[f64; D]> {
     let value = |w: &[f64; D]| (0..D).map(|a| w[a] * corner[a]).sum::<f64>();
     let mut kept: Vec<[f64; D]> = Vec::with_capacity(piece.len() + 1);
     // An interval has one side, a polygon as many as corners.
@@ -179,7 +179,7 @@ pub(crate) fn clip_to_box<const D: usize>(corners: &[Vector<D>; D], region: &Aab
 }
 
 /// The corners of a facet in its own barycentric coordinates.
-fn whole<const D: usize>() -> Vec<[f64; D]> {
+pub(super) fn whole<const D: usize>() -> Vec<[f64; D]> {
     (0..D).map(|a| std::array::from_fn(|b| f64::from(u8::from(a == b)))).collect()
 }
 

@@ -25,7 +25,7 @@ type Clipped<const D: usize> = (FacetShare<D>, Vec<Vector<D>>);
 
 /// A pair that is to be clipped.
 pub(crate) struct ExactPair<'a, const D: usize> {
-    pub(crate) pair: Pair<'a, D>,
+    pub(crate) pair: &'a Pair<'a, D>,
     pub(crate) coords: &'a [[f64; D]],
 }
 
@@ -175,7 +175,7 @@ impl<const D: usize> ExactPair<'_, D> {
             spacing: 0.0,
             warnings: swallowed(a, b, assembly.side_areas()).into_iter().collect(),
         };
-        assembly.write_nodes(self.pair.surface, &mut overlap);
+        (overlap.nodes, overlap.gradient, overlap.of_b) = assembly.into_nodes(self.pair.surface);
         overlap
     }
 }

@@ -12,7 +12,7 @@ use super::implicit::passages;
 use super::layout::{FiberPair, Layout};
 use super::options::LineWeights;
 use super::side::Opponent;
-use super::span::{Event, sort, sweep};
+use super::sweep::{Event, sort, sweep};
 use super::warning::Warning;
 use crate::Error;
 use crate::geometry::crossing::weights_at;
@@ -22,7 +22,7 @@ use crate::sampling::FiberPattern;
 use rayon::prelude::*;
 
 /// Fewer fibers in an overlap than this are reported as not resolving it.
-const FEWEST_FIBERS: usize = 8;
+pub(super) const FEWEST_FIBERS: usize = 8;
 
 /// What one bundle measured.
 struct Tally<const D: usize> {
@@ -37,7 +37,7 @@ struct Tally<const D: usize> {
 impl<const D: usize> FiberPair<'_, D> {
     /// The overlap, or `None` where the sides are apart.
     pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
-        self.with_layout(|layout| {
+        self.with_layout(1.0, |layout| {
             let tallies = self.for_each_bundle(layout, |bundle| self.measure(bundle, layout))?;
             Ok(self.assemble(layout, tallies))
         })
@@ -45,7 +45,7 @@ impl<const D: usize> FiberPair<'_, D> {
 
     /// The fibers that cross the overlap.
     pub(crate) fn trace(&self) -> Result<Vec<FiberTrace<D>>, Error> {
-        let traced = self.with_layout(|layout| {
+        let traced = self.with_layout(1.0, |layout| {
             let traces = self.for_each_bundle(layout, |bundle| {
                 let mut traces = Vec::new();
                 let margin = 0.05 * layout.region.extent().norm();
@@ -53,8 +53,9 @@ impl<const D: usize> FiberPair<'_, D> {
                     let (origin, direction) = bundle.ray(fiber);
                     let at = |t: f64| -> [f64; D] { (origin + direction * t).into() };
                     let mut ts = Vec::new();
-                    let length =
-                        sweep(start, events, self.is_own(), bundle.length(), layout.tie, |event, _| ts.push(event.t));
+                    let length = sweep(start, events, self.pair.is_own(), bundle.length(), layout.tie, |event, _| {
+                        ts.push(event.t)
+                    });
                     if length > 0.0 {
                         let (start, end) = match (bundle.length(), ts.first(), ts.last()) {
                             (Some(length), _, _) => (0.0, length),
@@ -75,12 +76,8 @@ impl<const D: usize> FiberPair<'_, D> {
         Ok(traced.unwrap_or_default())
     }
 
-    fn is_own(&self) -> bool {
-        matches!(self.pair.opponent, Opponent::Itself)
-    }
-
     /// Results in the order of the bundles. A signed distance function is called from this thread only.
-    fn for_each_bundle<T: Send>(
+    pub(super) fn for_each_bundle<T: Send>(
         &self,
         layout: &Layout<D>,
         work: impl Fn(&Bundle<D>) -> Result<T, Error> + Sync,
@@ -93,7 +90,7 @@ impl<const D: usize> FiberPair<'_, D> {
     }
 
     /// Calls `visit(fiber, cover at its start, sorted events, passages)` for every fiber that may meet both sides.
-    fn visit_fibers(
+    pub(super) fn visit_fibers(
         &self,
         bundle: &Bundle<D>,
         layout: &Layout<D>,
@@ -139,7 +136,7 @@ impl<const D: usize> FiberPair<'_, D> {
         let (mut facet_shares, mut point_shares) = (Vec::new(), Vec::new());
         self.visit_fibers(bundle, layout, |fiber, start, events, hits| {
             let (origin, direction) = bundle.ray(fiber);
-            let length = sweep(start, events, self.is_own(), bundle.length(), layout.tie, |event, coefficient| {
+            let length = sweep(start, events, self.pair.is_own(), bundle.length(), layout.tie, |event, coefficient| {
                 let side = match (&self.pair.opponent, event.of_b) {
                     (Opponent::Facets(b), true) => b,
                     (Opponent::Implicit(_), true) => {
@@ -216,7 +213,7 @@ impl<const D: usize> FiberPair<'_, D> {
             spacing: layout.spacing,
             warnings,
         };
-        assembly.write_nodes(self.pair.surface, &mut overlap);
+        (overlap.nodes, overlap.gradient, overlap.of_b) = assembly.into_nodes(self.pair.surface);
         overlap
     }
 

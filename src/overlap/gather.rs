@@ -2,7 +2,7 @@
 
 use super::bundle::Bundle;
 use super::side::{FacetSide, Opponent};
-use super::span::Event;
+use super::sweep::Event;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::{Window, for_each_crossing};
 use crate::sampling::Segment;

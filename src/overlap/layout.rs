@@ -21,7 +21,7 @@ const SEGMENTS_PER_BUNDLE: u64 = 1 << 12;
 
 /// A pair that is to be measured by fibers.
 pub(crate) struct FiberPair<'a, const D: usize> {
-    pub(crate) pair: Pair<'a, D>,
+    pub(crate) pair: &'a Pair<'a, D>,
     pub(crate) families: &'a [Family<D>],
     pub(crate) options: &'a FiberOptions,
 }
@@ -50,8 +50,13 @@ impl<const D: usize> FiberPair<'_, D> {
         })
     }
 
-    /// Calls `work` with the layout, or returns `None` where the sides are apart.
-    pub(crate) fn with_layout<T>(&self, work: impl FnOnce(&Layout<D>) -> Result<T, Error>) -> Result<Option<T>, Error> {
+    /// Calls `work` with the layout, or returns `None` where the sides are apart. Lines lie `coarser` times as far apart
+    /// as the options say.
+    pub(crate) fn with_layout<T>(
+        &self,
+        coarser: f64,
+        work: impl FnOnce(&Layout<D>) -> Result<T, Error>,
+    ) -> Result<Option<T>, Error> {
         let Some(Region { aabb: region, facets }) = self.region()? else { return Ok(None) };
         let b = if let Opponent::Facets(b) = &self.pair.opponent { Some(b) } else { None };
         let sizes = [Some(&self.pair.a), b].into_iter().flatten().zip(&facets).map(|(s, f)| facet_size(s, f));
@@ -60,7 +65,7 @@ impl<const D: usize> FiberPair<'_, D> {
         let tie = region.rounding();
         match self.options.pattern {
             FiberPattern::Lines => {
-                let spacing = line_spacing(self.options.resolution, self.families, &region, facet_size)?;
+                let spacing = coarser * line_spacing(self.options.resolution, self.families, &region, facet_size)?;
                 let mut bundles = Vec::new();
                 for (index, family) in self.families.iter().enumerate() {
                     let of_family = line_bundles(family, index, spacing, &region, [Some(&self.pair.a), b]);

@@ -5,10 +5,11 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::Projected;
 use crate::geometry::{Pose, Shape, Surface, Vector};
 use crate::sampling::Family;
+use std::sync::Arc;
 
 /// Vertices at their current positions, and as seen along every line family.
 pub(crate) struct Views<const D: usize> {
-    pub(crate) points: Vec<Vector<D>>,
+    pub(crate) points: Arc<Vec<Vector<D>>>,
     pub(crate) viewed: Vec<Vec<Projected>>,
 }
 
@@ -16,7 +17,17 @@ impl<const D: usize> Views<D> {
     /// Views along `families`; none are needed for segments and for the exact estimator.
     pub(crate) fn new(points: Vec<Vector<D>>, families: &[Family<D>]) -> Self {
         let viewed = families.iter().map(|f| points.iter().map(|x| f.view(x)).collect()).collect();
-        Self { points, viewed }
+        Self { points: Arc::new(points), viewed }
+    }
+
+    /// The view of one side along one family of its own; vertices of other sides are not seen.
+    pub(crate) fn of_side(side: &FacetSide<D>, family: &Family<D>) -> Self {
+        let points = side.views.points.clone();
+        let mut viewed = vec![[0.0; 3]; points.len()];
+        for &vertex in side.facets.iter().flatten() {
+            viewed[vertex as usize] = family.view(&points[vertex as usize]);
+        }
+        Self { points, viewed: vec![viewed] }
     }
 }
 

@@ -1,163 +1,157 @@
-//! Spans: stretches of a fiber inside two bodies at once.
+//! Spans one by one, for energies that are taken fiber by fiber.
 //!
-//! Along a fiber, c_a and c_b count how often each body covers the point. What the fiber measures is ∫ c_a c_b dt, or
-//! ∫ c (c − 1)/2 dt for a body with itself: 1 times the length wherever no body is folded over itself. At a crossing
-//! that changes the integrand from f₀ to f₁, moving it by δt changes the measure by −(f₁ − f₀) δt; that difference is
-//! the crossing's coefficient. Each coefficient of a leaving crossing is ≥ 0 and of an entering one ≤ 0.
+//! A span is a stretch of a line inside both sides; where the line runs along the normal of the contact, its length is
+//! the penetration depth. Both estimators return the same: sampled lines, or the points of a quadrature.
+//!
+//! With the line fixed, moving node a of the facet at an end moves the end by N_a n/(d·n), so that a function ψ of the
+//! length has the gradient ±ψ'(L) N_a n/(d·n): along the outward normal of the facet at both ends.
 
-/// One crossing on a fiber.
+use super::assembly::{Assembly, FacetShare, PointShare};
+use super::estimate::{Overlap, PoseGradient};
+use super::side::{Opponent, Pair};
+use super::warning::Warning;
+use crate::geometry::Vector;
+use crate::geometry::facet::area_vector;
+
+/// A stretch of a line inside both sides.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Event {
-    /// Position along the fiber.
-    pub(crate) t: f64,
-    /// Facet, or number of a hit on an implicit shape.
-    pub(crate) source: u32,
-    /// Whether it belongs to the second side.
-    pub(crate) of_b: bool,
-    /// Whether the fiber leaves the body here.
-    pub(crate) leaves: bool,
+pub(crate) struct Span<const D: usize> {
+    /// Measure across the line that it stands for.
+    pub(crate) weight: f64,
+    /// Length, at least 0.
+    pub(crate) length: f64,
+    /// Index of the line's direction.
+    pub(crate) direction: u32,
+    /// Where the line enters and where it leaves.
+    pub(crate) ends: [End<D>; 2],
 }
 
-/// Sorts the events of one fiber. The order of equal `t` is immaterial, but fixed.
-pub(crate) fn sort(events: &mut [Event]) {
-    let before = |p: &Event, q: &Event| p.t < q.t || (p.t == q.t && (p.of_b, p.source) < (q.of_b, q.source));
-    if events.len() > 16 {
-        events.sort_unstable_by(|p, q| p.t.total_cmp(&q.t).then((p.of_b, p.source).cmp(&(q.of_b, q.source))));
-        return;
-    }
-    for last in 1..events.len() {
-        let mut place = last;
-        while place > 0 && before(&events[place], &events[place - 1]) {
-            events.swap(place, place - 1);
-            place -= 1;
-        }
-    }
+/// One end of a span.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum End<const D: usize> {
+    /// On a facet of one of the sides, at barycentric coordinates `weights`.
+    Facet {
+        /// Whether the facet is of the second side.
+        of_b: bool,
+        /// Index within the side.
+        facet: u32,
+        /// Barycentric coordinates.
+        weights: [f64; D],
+    },
+    /// On a rigid shape without facets.
+    Point {
+        /// Where.
+        point: Vector<D>,
+        /// Unit outward normal.
+        normal: Vector<D>,
+    },
 }
 
-/// Runs along sorted events, calls `bound(event, coefficient)` for each one that bounds a span, and returns the measure.
-///
-/// `start` says how often each side covers the fiber before the first event. A fiber with ends begins at t = 0 and is
-/// `length` long, and all events lie on it; a line (`None`) has no stretch that counts before its first event.
-///
-/// Crossings within `tie` of one another happen at once. Where both bodies are entered, or both left, there, each carries half;
-/// where one is left and the other entered, the bodies touch and neither carries anything.
-pub(crate) fn sweep(
-    start: [i16; 2],
-    events: &[Event],
-    own: bool,
-    length: Option<f64>,
-    tie: f64,
-    mut bound: impl FnMut(&Event, f64),
-) -> f64 {
-    let integrand = |c: &[i32; 2]| if own { 0.5 * (c[0] * (c[0] - 1)) as f64 } else { (c[0] * c[1]) as f64 };
-    let mut cover = start.map(i32::from);
-    let mut open = integrand(&cover);
-    let (mut measure, mut from) = (0.0, 0.0);
-    let mut first = 0;
-    while first < events.len() {
-        let t = events[first].t;
-        let before = cover;
-        let mut last = first;
-        // The first event always belongs: of two infinite places the difference is none.
-        while last < events.len() && (last == first || events[last].t - t <= tie) {
-            let event = &events[last];
-            cover[usize::from(event.of_b)] += if event.leaves { -1 } else { 1 };
-            last += 1;
-        }
-        let same = &events[first..last];
-        first = last;
-        if open != 0.0 {
-            measure += open * (t - from);
-        }
-        let after = integrand(&cover);
-        let change = after - open;
-        (from, open) = (t, after);
-        if change == 0.0 {
-            continue;
-        }
-        let opposed = (cover[0] - before[0]) * (cover[1] - before[1]) < 0;
-        for event in same {
-            let step = if event.leaves { -1.0 } else { 1.0 };
-            let coefficient = if own {
-                -change / same.len() as f64
-            } else {
-                let other = usize::from(!event.of_b);
-                let (before, after) = (before[other], cover[other]);
-                -step * if opposed { before.min(after) as f64 } else { 0.5 * (before + after) as f64 }
-            };
-            if coefficient != 0.0 {
-                bound(event, coefficient);
+/// All spans of a pair.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Spans<const D: usize> {
+    /// Directions of the lines.
+    pub(crate) directions: Vec<Vector<D>>,
+    pub(crate) spans: Vec<Span<D>>,
+    /// Standard error of the volume.
+    pub(crate) standard_error: f64,
+    pub(crate) fiber_count: usize,
+    pub(crate) spacing: f64,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+/// Gradient of a sum over spans, laid out as in [`Overlap`].
+pub(crate) struct SpanGradient<const D: usize> {
+    pub(crate) nodes: Vec<u32>,
+    pub(crate) values: Vec<Vector<D>>,
+    pub(crate) of_b: Vec<bool>,
+    pub(crate) pose: Option<PoseGradient<D>>,
+}
+
+impl<const D: usize> Spans<D> {
+    /// Longest span.
+    pub(crate) fn longest(&self) -> f64 {
+        self.spans.iter().map(|s| s.length).fold(0.0, f64::max)
+    }
+
+    /// Σ ω f(L).
+    pub(crate) fn sum(&self, f: impl Fn(f64) -> f64) -> f64 {
+        self.spans.iter().map(|s| s.weight * f(s.length)).sum()
+    }
+
+    /// Volume Σ ω L, its gradient, and what is known of the contact.
+    pub(crate) fn overlap(&self, pair: &Pair<D>) -> Overlap<D> {
+        let mut assembly = self.assembly(pair, |_| 1.0);
+        let [a, b] = pair.partners;
+        let mut overlap = Overlap {
+            a,
+            b,
+            volume: self.sum(|length| length),
+            standard_error: self.standard_error,
+            nodes: Vec::new(),
+            gradient: Vec::new(),
+            of_b: Vec::new(),
+            pose_gradient: pair.pose.map(|_| assembly.pose_gradient()),
+            contact_area: assembly.contact_area(),
+            penetration: self.longest(),
+            fiber_count: self.fiber_count,
+            crossing_count: assembly.share_count(),
+            facet_count: assembly.facet_count(),
+            spacing: self.spacing,
+            warnings: self.warnings.clone(),
+        };
+        overlap.warnings.extend(super::warning::swallowed(a, b, assembly.side_areas()));
+        (overlap.nodes, overlap.gradient, overlap.of_b) = assembly.into_nodes(pair.surface);
+        overlap
+    }
+
+    /// Gradient of Σ ω ψ(L), given ψ'.
+    pub(crate) fn gradient(&self, pair: &Pair<D>, slope: impl Fn(f64) -> f64) -> SpanGradient<D> {
+        let assembly = self.assembly(pair, slope);
+        let pose = pair.pose.map(|_| assembly.pose_gradient());
+        let (nodes, values, of_b) = assembly.into_nodes(pair.surface);
+        SpanGradient { nodes, values, of_b, pose }
+    }
+
+    fn assembly(&self, pair: &Pair<D>, slope: impl Fn(f64) -> f64) -> Assembly<D> {
+        let mut assembly = Assembly::new(pair.a.views.points.len());
+        for span in &self.spans {
+            let d = &self.directions[span.direction as usize];
+            let share = span.weight * slope(span.length);
+            for end in &span.ends {
+                match *end {
+                    End::Facet { of_b, facet, weights } => {
+                        let side = pair.side(of_b);
+                        let Some(normal) = area_vector(&side.corners(facet as usize)).try_normalize(0.0) else {
+                            continue;
+                        };
+                        let share = share / d.dot(&normal).abs();
+                        let share = FacetShare { facet, of_b, shares: weights.map(|w| w * share) };
+                        assembly.add_facet(side, &share, if of_b { pair.pose } else { None });
+                    }
+                    End::Point { point, normal } => {
+                        let Some(pose) = pair.pose else { continue };
+                        let share = share / d.dot(&normal).abs();
+                        assembly.add_point(&PointShare { point, normal, share }, pose);
+                    }
+                }
             }
         }
-    }
-    match length {
-        Some(length) if open != 0.0 => measure + open * (length - from),
-        _ => measure,
+        assembly
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn event(t: f64, of_b: bool, leaves: bool) -> Event {
-        Event { t, source: (10.0 * t) as u32, of_b, leaves }
-    }
-
-    fn measure(mut events: Vec<Event>, own: bool, length: Option<f64>) -> (f64, Vec<(f64, bool, f64)>) {
-        sort(&mut events);
-        let mut bounds = Vec::new();
-        let measure = sweep([0, 0], &events, own, length, 0.0, |e, c| bounds.push((e.t, e.of_b, c)));
-        (measure, bounds)
-    }
-
-    #[test]
-    fn overlap_of_two_intervals() {
-        let (length, bounds) = measure(
-            vec![event(0.0, false, false), event(2.0, false, true), event(1.5, true, false), event(3.0, true, true)],
-            false,
-            None,
-        );
-        assert_eq!(length, 0.5);
-        assert_eq!(bounds, vec![(1.5, true, -1.0), (2.0, false, 1.0)]);
-    }
-
-    #[test]
-    fn touching_carries_nothing_and_identical_shares() {
-        let touching =
-            vec![event(0.0, false, false), event(1.0, false, true), event(1.0, true, false), event(2.0, true, true)];
-        assert_eq!(measure(touching, false, None), (0.0, vec![]));
-        let identical =
-            vec![event(0.0, false, false), event(1.0, false, true), event(0.0, true, false), event(1.0, true, true)];
-        let (length, bounds) = measure(identical, false, None);
-        assert_eq!(length, 1.0);
-        assert_eq!(bounds.iter().map(|b| b.2).collect::<Vec<_>>(), [-0.5, -0.5, 0.5, 0.5]);
-    }
-
-    #[test]
-    fn self_overlap_counts_pairs() {
-        let folded =
-            vec![event(0.0, false, false), event(1.0, false, false), event(3.0, false, true), event(4.0, false, true)];
-        assert_eq!(measure(folded, true, None), (2.0, vec![(1.0, false, -1.0), (3.0, false, 1.0)]));
-    }
-
-    #[test]
-    fn segments_start_and_end_inside() {
-        let mut bounds = 0;
-        let leaves = [event(0.25, true, true)];
-        assert_eq!(sweep([1, 1], &leaves, false, Some(1.0), 0.0, |_, c| bounds += c as i32), 0.25);
-        assert_eq!(bounds, 1);
-        assert_eq!(sweep([1, 1], &[], false, Some(0.125), 0.0, |_, _| ()), 0.125);
-        assert_eq!(sweep([1, 0], &[], false, Some(0.125), 0.0, |_, _| ()), 0.0);
-    }
-
-    #[test]
-    fn long_and_short_fibers_sort_alike() {
-        for count in [3u32, 15, 16, 17, 40] {
-            let mut events: Vec<Event> =
-                (0..count).map(|i| event(f64::from(i * 7919 % count), i % 2 == 0, false)).collect();
-            sort(&mut events);
-            assert!(events.windows(2).all(|w| w[0].t <= w[1].t));
+impl<'a, const D: usize> Pair<'a, D> {
+    /// The side to which a facet belongs.
+    pub(crate) fn side(&self, of_b: bool) -> &super::side::FacetSide<'a, D> {
+        match &self.opponent {
+            Opponent::Facets(b) if of_b => b,
+            _ => &self.a,
         }
+    }
+
+    /// Whether the body is measured against itself.
+    pub(crate) fn is_own(&self) -> bool {
+        matches!(self.opponent, Opponent::Itself)
     }
 }

@@ -9,6 +9,9 @@ use crate::geometry::crossing::{Projected, Window};
 /// Meshes are often aligned with the axes; a pattern aligned with the mesh is exact or poor by luck.
 const TILT: f64 = 0.381_966_011_250_105;
 
+/// Stream numbers from here on belong to the families of patches; lower ones to the standard families and to segments.
+const OF_PATCHES: u64 = 64;
+
 /// A family of parallel lines on a regular grid: where it runs, not how dense it is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Family<const D: usize> {
@@ -36,6 +39,28 @@ impl<const D: usize> Family<D> {
                 Self { axes, shift: [0, 1].map(|axis| uniform(seed, k as u64, axis)) }
             })
             .collect()
+    }
+
+    /// A family along a unit vector; `stream` tells families of one seed apart.
+    ///
+    /// The grid is turned off the coordinate axes in 3D; in 2D it has no direction of its own.
+    pub(crate) fn along(direction: Vector<D>, seed: u64, stream: u64) -> Self {
+        let d = direction;
+        let mut axes = [Vector::zeros(); D];
+        if D == 2 {
+            (axes[0][0], axes[0][1]) = (d[1], -d[0]);
+        } else {
+            let mut least = Vector::<D>::zeros();
+            least[d.iamin()] = 1.0;
+            let p = (least - d * d.dot(&least)).normalize();
+            let mut q = Vector::<D>::zeros();
+            (q[0], q[1]) = (d[1] * p[2] - d[2] * p[1], d[2] * p[0] - d[0] * p[2]);
+            q[D - 1] = d[0] * p[1] - d[1] * p[0];
+            let (s, c) = (1.0 + TILT).sin_cos();
+            (axes[0], axes[1]) = (p * c + q * s, q * c - p * s);
+        }
+        axes[D - 1] = d;
+        Self { axes, shift: [0, 1].map(|axis| uniform(seed, OF_PATCHES + stream, axis)) }
     }
 
     /// Direction of the lines.
@@ -115,7 +140,9 @@ mod tests {
     use crate::geometry::facet::determinant;
 
     fn frames_are_right_handed<const D: usize>() {
-        for family in Family::<D>::all(3) {
+        let mut tilted = Vector::<D>::repeat(0.3);
+        tilted[1] = -0.7;
+        for family in Family::<D>::all(3).into_iter().chain([Family::along(tilted.normalize(), 3, 0)]) {
             assert!((determinant(&family.axes) - 1.0).abs() < 1e-14);
             let spacing = 0.25;
             let x = family.origin(3, if D == 2 { 0 } else { -2 }, spacing) + family.direction() * 0.7;

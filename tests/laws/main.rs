@@ -11,6 +11,7 @@ mod bad_values;
 mod balance;
 mod coinciding;
 mod energy_gradient;
+mod fiber_law;
 mod glued;
 mod hinged;
 mod law;

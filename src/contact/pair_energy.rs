@@ -1,0 +1,63 @@
+//! Energy of one pair and its gradient, whichever law it follows.
+
+use super::EnergyLaw;
+use super::balance::balance;
+use crate::geometry::Vector;
+use crate::overlap::{Overlap, Pair, PoseGradient, Spans};
+
+/// Energy of one pair, its gradient on nodes and pose, and the overlap from which it comes.
+pub(crate) struct PairEnergy<const D: usize> {
+    pub(crate) overlap: Overlap<D>,
+    pub(crate) energy: f64,
+    /// Traction; for the fiber law its mean over the patch.
+    pub(crate) pressure: f64,
+    pub(crate) nodes: Vec<u32>,
+    pub(crate) gradient: Vec<Vector<D>>,
+    pub(crate) of_b: Vec<bool>,
+    pub(crate) pose_gradient: Option<PoseGradient<D>>,
+}
+
+impl<const D: usize> PairEnergy<D> {
+    /// w(V).
+    pub(crate) fn of_volume(overlap: Overlap<D>, law: &EnergyLaw) -> Self {
+        let pressure = law.energy_gradient(overlap.volume);
+        Self {
+            energy: law.energy(overlap.volume),
+            pressure,
+            nodes: overlap.nodes.clone(),
+            gradient: overlap.gradient.iter().map(|g| g * pressure).collect(),
+            of_b: overlap.of_b.clone(),
+            pose_gradient: overlap.pose_gradient.map(|pose| PoseGradient {
+                position: pose.position * pressure,
+                rotation: pose.rotation.map(|m| m * pressure),
+                scale: pose.scale * pressure,
+            }),
+            overlap,
+        }
+    }
+
+    /// Σ ω ψ(L), with forces that balance if `balanced`.
+    pub(crate) fn of_spans(
+        spans: &Spans<D>,
+        pair: &Pair<D>,
+        law: &EnergyLaw,
+        balanced: bool,
+        coords: &[[f64; D]],
+    ) -> Self {
+        let slope = |length: f64| law.energy_gradient(length);
+        let mut gradient = spans.gradient(pair, slope);
+        if balanced {
+            balance(&gradient.nodes, &gradient.of_b, &mut gradient.values, &mut gradient.pose, coords);
+        }
+        let across = spans.sum(|_| 1.0);
+        Self {
+            overlap: spans.overlap(pair),
+            energy: spans.sum(|length| law.energy(length)),
+            pressure: if across > 0.0 { spans.sum(slope) / across } else { 0.0 },
+            nodes: gradient.nodes,
+            gradient: gradient.values,
+            of_b: gradient.of_b,
+            pose_gradient: gradient.pose,
+        }
+    }
+}

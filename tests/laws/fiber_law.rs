@@ -1,0 +1,222 @@
+//! The fiber law: energy taken line by line, along the normal of the contact.
+
+use crate::pairs::{plane_scene, solid_scene};
+use crate::scene::{Scene, distance, norm, size_sum};
+use fmc_contact::{
+    Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, FiberProfile, Obstacle, Options, Pose,
+    Resolution, Shape,
+};
+use fmc_shapes::{Diagonals, ball_tet4, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
+use std::f64::consts::PI;
+
+fn sampled(law: EnergyLaw, spacing: f64, seed: u64) -> Options {
+    let fibers = FiberOptions { resolution: Resolution::Spacing(spacing), seed, balance: false, ..Default::default() };
+    Options { estimator: Estimator::Fibers(fibers), ..Options::new(law) }
+}
+
+fn exact(law: EnergyLaw) -> Options {
+    Options { estimator: Estimator::Exact, ..Options::new(law) }
+}
+
+/// The steps of `energy_gradient`.
+const STEPS: [f64; 2] = [1e-6, 2e-7];
+
+fn force_is_energy_gradient<const D: usize>(scene: &Scene<D>, options: Options, size: f64) {
+    let mut contact = scene.contact(options);
+    let patches = contact.keep_patches(&scene.coords).unwrap();
+    if patches > 1 {
+        // The energy has a step where contact reaches the border of two patches, as these deep overlaps do.
+        return;
+    }
+    let at = contact.evaluate(&scene.coords).unwrap();
+    let largest = at.forces.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()));
+    assert!(largest > 0.0);
+    for node in 0..scene.coords.len() {
+        if at.forces[node] == [0.0; D] && node % 7 != 0 {
+            continue;
+        }
+        for axis in 0..D {
+            let energy = |step: f64| {
+                let mut coords = scene.coords.clone();
+                coords[node][axis] += step;
+                contact.evaluate(&coords).unwrap().energy
+            };
+            let slope = |h: f64| (energy(h * size) - energy(-h * size)) / (2.0 * h * size);
+            let force = at.forces[node][axis];
+            let matches = STEPS.iter().any(|&h| (force + slope(h)).abs() < 1e-6 * largest);
+            assert!(matches, "node {node}, axis {axis}: {force} against {}", -slope(STEPS[0]));
+        }
+    }
+}
+
+fn laws(size: f64) -> [EnergyLaw; 2] {
+    [EnergyLaw::fiber(3.0), EnergyLaw::Fiber { k: 2.0, profile: FiberProfile::Linear { epsilon: 0.05 * size } }]
+}
+
+#[test]
+fn force_is_energy_gradient_in_2d() {
+    for seed in 0..6 {
+        let size = [1.0, 1e-3, 1e3][seed as usize % 3];
+        let scene = plane_scene(seed).mapped(|x| x.map(|x| x * size));
+        for law in laws(size) {
+            force_is_energy_gradient(&scene, sampled(law, 0.03 * size, seed), size);
+        }
+        force_is_energy_gradient(&scene, exact(laws(size)[0]), size);
+    }
+}
+
+#[test]
+fn force_is_energy_gradient_in_3d() {
+    for seed in 0..2 {
+        let size = [1.0, 1e-3][seed as usize % 2];
+        let scene = solid_scene(seed).mapped(|x| x.map(|x| x * size));
+        force_is_energy_gradient(&scene, sampled(laws(size)[seed as usize], 0.07 * size, seed), size);
+        force_is_energy_gradient(&scene, exact(laws(size)[0]), size);
+    }
+}
+
+/// A flat patch: pressure k δ, whatever the meshes and however the pair is turned.
+#[test]
+fn flat_patches_have_uniform_pressure() {
+    let (k, depth) = (7.0, 1e-3);
+    for angle in [0.0, 0.3, 1.2, 2.9] {
+        let lower = rectangle_tri3([0.0, 0.0], [1.0, 1.0], [7, 3], Diagonals::Alternating);
+        let upper = rectangle_quad4([-0.2, 1.0 - depth], [1.3, 2.0], [5, 2]);
+        let scene = Scene::of(&[&lower.rotated(angle), &upper.rotated(angle)]);
+        for options in [exact(EnergyLaw::fiber(k)), sampled(EnergyLaw::fiber(k), 1e-3, 1)] {
+            let contact = scene.evaluate(options);
+            // Lines that leave through a side wall are shortened over a width of the depth times the tilt of the
+            // direction, which is rounded to 1/1024; and a sampled width is known to one line.
+            let tolerance = if options.estimator == Estimator::Exact { 1e-5 } else { 2e-3 };
+            assert!((contact.energy / (0.5 * k * depth * depth) - 1.0).abs() < tolerance, "{}", contact.energy);
+            let force = contact.bodies[1].force;
+            let expected = [-k * depth * angle.sin(), k * depth * angle.cos()];
+            assert!(distance(&[force], &[expected]) < tolerance * k * depth, "{force:?} against {expected:?}");
+            assert!((contact.penetration / depth - 1.0).abs() < 1e-5);
+        }
+    }
+}
+
+/// A tip of 45° flanks into a half-space: ∫ ½ k L² = k h³/3, and its derivative in the depth h.
+#[test]
+fn wedge_on_a_plane() {
+    let (k, h) = (5.0, 0.2);
+    let wedge =
+        rectangle_quad4([-0.5, -0.5], [0.5, 0.5], [6, 5]).rotated(PI / 4.0).translated([0.1, 0.5f64.sqrt() - h]);
+    for estimator in [exact(EnergyLaw::fiber(k)), sampled(EnergyLaw::fiber(k), 1e-3, 1)] {
+        let mut contact = Scene::of(&[&wedge]).contact(estimator);
+        contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0; 2]) }).unwrap();
+        let found = contact.evaluate(&wedge.coords).unwrap();
+        // The direction comes from sampled normals and is rounded to 1/1024: second order in the tilt.
+        let tolerance = if estimator.estimator == Estimator::Exact { 2e-6 } else { 1e-4 };
+        assert!((found.energy / (k * h.powi(3) / 3.0) - 1.0).abs() < tolerance, "{}", found.energy);
+        assert!((found.bodies[0].force[1] / (k * h * h) - 1.0).abs() < tolerance, "{:?}", found.bodies[0]);
+        assert!((found.obstacles[0].force[1] + found.bodies[0].force[1]).abs() < tolerance * k * h * h);
+    }
+}
+
+/// A rigid ball into a block: w = π k (h⁴/4 + (R − h) h³/3) and F = dw/dh; both are smooth shapes, so no mesh error.
+#[test]
+fn ball_into_a_block() {
+    let (k, radius, h) = (3.0, 0.5, 0.1);
+    let block = cuboid_hex8([-0.7, -0.6, -0.5], [0.6, 0.7, 0.0], [5, 4, 2]);
+    let mut contact = Scene::of(&[&block]).contact(sampled(EnergyLaw::fiber(k), 2.5e-3, 3));
+    let pose = Pose::at([0.01, 0.02, radius - h]);
+    contact.add_obstacle(Obstacle { shape: Shape::Ball { radius }, pose }).unwrap();
+    let found = contact.evaluate(&block.coords).unwrap();
+    let energy = PI * k * (h.powi(4) / 4.0 + (radius - h) * h.powi(3) / 3.0);
+    let force = PI * k * (h.powi(3) * 2.0 / 3.0 + (radius - h) * h * h);
+    // Some 25 000 lines in the disc of contact: the error of a lattice falls like N^-3/4.
+    assert!((found.energy / energy - 1.0).abs() < 1e-3, "{} against {energy}", found.energy);
+    assert!((found.obstacles[0].force[2] / force - 1.0).abs() < 1e-3, "{:?} against {force}", found.obstacles[0]);
+}
+
+/// Sampled lines tend to the exact integral, nodal force by nodal force.
+#[test]
+fn lines_tend_to_the_exact_integral() {
+    let law = EnergyLaw::fiber(1.0);
+    let solid = Scene::of(&[
+        &ball_tet4(0.5, 2, 3),
+        &cuboid_tet4([-0.6, -0.6, 0.0], [0.6, 0.6, 0.5], [4; 3]).translated([0.03, 0.02, 0.4]),
+    ]);
+    // Four times finer: the error falls like the spacing in 2D, and like its 3/2nd power in 3D (N^-3/4), bar chance.
+    let scenes: Vec<_> = (0..12).map(plane_scene).filter(|scene| patch_count(scene) == 1).collect();
+    let mean = |spacing| scenes.iter().map(|s| error(s, law, spacing)).sum::<f64>() / scenes.len() as f64;
+    let errors = [1e-2, 2.5e-3].map(mean);
+    assert!(scenes.len() > 3 && errors[0] < 1e-1 && errors[1] < 0.4 * errors[0], "{errors:?}");
+    let errors = [2e-2, 5e-3].map(|spacing| error(&solid, law, spacing));
+    assert!(errors[0] < 5e-3 && errors[1] < 1e-3, "{errors:?}");
+}
+
+fn patch_count<const D: usize>(scene: &Scene<D>) -> usize {
+    scene.contact(exact(EnergyLaw::fiber(1.0))).keep_patches(&scene.coords).unwrap()
+}
+
+/// Relative difference of all nodal forces, sampled against exact.
+fn error<const D: usize>(scene: &Scene<D>, law: EnergyLaw, spacing: f64) -> f64 {
+    let [sampled, exact] = [sampled(law, spacing, 0), exact(law)].map(|options| scene.evaluate(options).forces);
+    distance(&sampled, &exact) / norm(&exact)
+}
+
+/// Two tips of one body in a corner: two patches, each with a direction of its own, and nothing counted twice.
+#[test]
+fn patches_have_their_own_directions() {
+    let (k, depth) = (2.0, 0.01);
+    let floor = rectangle_quad4([0.0, -1.0], [2.0, 0.0], [8, 3]);
+    let mut corner = floor.clone();
+    corner.append(&rectangle_quad4([-1.0, -1.0], [0.0, 2.0], [4, 12]));
+    let corner = corner.welded(1e-9);
+    let block = rectangle_quad4([-depth, -depth], [1.0, 1.0], [5, 5]);
+    // Cut the corner off, so that the two faces do not share a patch.
+    let mut block = block;
+    for x in &mut block.coords {
+        if x[0] < 0.1 && x[1] < 0.1 {
+            *x = [0.05, 0.05];
+        }
+    }
+    let scene = Scene::of(&[&corner, &block]);
+    let mut contact = scene.contact(exact(EnergyLaw::fiber(k)));
+    assert_eq!(contact.keep_patches(&scene.coords).unwrap(), 2);
+    let forces = contact.evaluate(&scene.coords).unwrap();
+    let expected = k * depth;
+    let force = forces.bodies[1].force;
+    // The bevelled corner leaves some 0.82 of the faces in contact; both sides alike, and balanced.
+    assert!((force[0] / force[1] - 1.0).abs() < 1e-6 && force[0] > 0.75 * expected && force[0] < expected, "{force:?}");
+    let sum: f64 = (0..2).map(|i| (forces.bodies[0].force[i] + force[i]).abs()).sum();
+    assert!(sum < 1e-12 * expected);
+}
+
+/// Exact integration is invariant under translation: ΣF = 0 without correction; lines are corrected.
+#[test]
+fn forces_balance() {
+    for seed in 0..8 {
+        let scene = plane_scene(seed);
+        for options in [exact(EnergyLaw::fiber(1.0)), Options::new(EnergyLaw::fiber(1.0))] {
+            if options.estimator == Estimator::Exact && patch_count(&scene) > 1 {
+                continue;
+            }
+            let contact = scene.evaluate(options);
+            let sum: [f64; 2] = std::array::from_fn(|i| contact.forces.iter().map(|f| f[i]).sum());
+            assert!(norm(&[sum]) < 1e-12 * size_sum(&contact.forces), "{sum:?}");
+        }
+    }
+}
+
+#[test]
+fn thread_count_and_order_of_bodies_do_not_matter() {
+    let scene = solid_scene(1);
+    let options = Options::new(EnergyLaw::fiber(1.0));
+    let one = scene.evaluate(options);
+    for threads in [2, 3, 8] {
+        assert_eq!(one.forces, scene.evaluate(Options { threads, ..options }).forces);
+    }
+}
+
+#[test]
+fn isotropic_fibers_are_refused() {
+    let pattern = FiberPattern::Isotropic { length: None };
+    let estimator = Estimator::Fibers(FiberOptions { pattern, ..FiberOptions::default() });
+    let options = Options { estimator, ..Options::new(EnergyLaw::fiber(1.0)) };
+    let refused = Contact::new(plane_scene(0).surface(), options).err();
+    assert!(matches!(refused, Some(Error::Unsupported { .. })));
+}
