@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::options::{fmc_estimator, fmc_law, fmc_options, fmc_pattern, fmc_weights};
 use super::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
-use crate::{EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, LineWeights, Options, Resolution};
+use crate::{EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
 
 /// An option that takes one of a few values, each with its number and name.
 pub(super) struct Choice {
@@ -13,7 +13,10 @@ pub(super) struct Choice {
 
 const SWITCH: &[(i32, &str)] = &[(0, "0"), (1, "1")];
 
-pub(super) const LAW: Choice = Choice { key: "law", values: &[(fmc_law::FMC_LAW_VOLUME as i32, "volume")] };
+pub(super) const LAW: Choice = Choice {
+    key: "law",
+    values: &[(fmc_law::FMC_LAW_VOLUME as i32, "volume"), (fmc_law::FMC_LAW_FIBER as i32, "fiber")],
+};
 pub(super) const ESTIMATOR: Choice = Choice {
     key: "estimator",
     values: &[
@@ -64,7 +67,7 @@ impl fmc_options {
             );
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
         }
-        if self.reserved_flags != 0 || self.reserved != [0; 16] {
+        if self.reserved_flags != 0 || self.reserved != [0; 15] {
             let text = "a reserved field of fmc_options is not zero: an option of a later version of the library";
             return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
         }
@@ -80,7 +83,7 @@ impl fmc_options {
     /// The options of the crate, which checks the numbers.
     pub(super) fn to_options(self) -> Result<Options, Failure> {
         self.checked_index_base()?;
-        LAW.name(self.law)?;
+        let law = self.law()?;
         let estimator = match ESTIMATOR.name(self.estimator)? {
             "exact" => Estimator::Exact,
             _ => Estimator::Fibers(self.fibers()?),
@@ -92,8 +95,18 @@ impl fmc_options {
             threads,
             self_contact: SELF_CONTACT.is_on(self.self_contact)?,
             check_cells: CHECK_CELLS.is_on(self.check_cells)?,
-            ..Options::new(EnergyLaw::Volume { k: self.stiffness, m: self.exponent })
+            ..Options::new(law)
         })
+    }
+
+    fn law(&self) -> Result<EnergyLaw, Failure> {
+        let k = self.stiffness;
+        match (LAW.name(self.law)?, self.epsilon) {
+            ("fiber", 0.0) => Ok(EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic }),
+            ("fiber", epsilon) => Ok(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } }),
+            (_, 0.0) => Ok(EnergyLaw::Volume { k, m: self.exponent }),
+            _ => Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, "option 'epsilon' belongs to the law 'fiber'")),
+        }
     }
 
     fn fibers(&self) -> Result<FiberOptions, Failure> {
@@ -143,8 +156,17 @@ mod tests {
     }
 
     #[test]
+    fn the_fiber_law_has_two_profiles() {
+        let mut options = fmc_options { stiffness: 3.0, law: 1, ..fmc_options::default() };
+        assert_eq!(options.to_options().unwrap().law, EnergyLaw::fiber(3.0));
+        options.epsilon = 1e-3;
+        let profile = FiberProfile::Linear { epsilon: 1e-3 };
+        assert_eq!(options.to_options().unwrap().law, EnergyLaw::Fiber { k: 3.0, profile });
+    }
+
+    #[test]
     fn unknown_values_are_refused() {
-        assert_eq!(refused(|o| o.law = 1).1, "option 'law' has no value 1");
+        assert_eq!(refused(|o| o.law = 2).1, "option 'law' has no value 2");
         assert_eq!(refused(|o| o.estimator = -1).1, "option 'estimator' has no value -1");
         for change in [
             (|o| o.pattern = 2) as fn(&mut fmc_options),
@@ -156,6 +178,7 @@ mod tests {
             |o| o.reserved[3] = 1,
             |o| o.reserved_flags = 1,
             |o| (o.spacing, o.fiber_count) = (0.1, 10),
+            |o| o.epsilon = 1e-3,
         ] {
             assert_eq!(refused(change).0, FMC_ERROR_UNKNOWN_OPTION);
         }

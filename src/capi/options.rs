@@ -4,11 +4,15 @@ use super::boundary::entry;
 use super::pointer::Output;
 use super::status::fmc_status;
 
-/// Energy of an overlap.
+/// Contact energy.
 #[repr(C)]
 pub enum fmc_law {
     /// w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
     FMC_LAW_VOLUME = 0,
+    /// w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
+    /// `epsilon`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with it,
+    /// psi = k (sqrt(L^2 + epsilon^2) - epsilon), and k is a pressure as for "volume" with exponent 1. Key value "fiber".
+    FMC_LAW_FIBER = 1,
 }
 
 /// How overlap is measured.
@@ -48,10 +52,10 @@ pub enum fmc_weights {
 pub struct fmc_options {
     /// Set by `fmc_options_init`; tells an initialised struct from another.
     pub struct_size: usize,
-    /// k > 0, no default. With `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
+    /// k > 0, no default. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
     /// pressure; in general energy / (length^dim)^m. See `fmc_suggest_stiffness_from_modulus`.
     pub stiffness: f64,
-    /// m >= 1. Default 1.
+    /// m >= 1 of the law "volume". Default 1.
     pub exponent: f64,
     /// Distance between neighbouring lines; 0, the default: found from the facets in contact.
     pub spacing: f64,
@@ -82,8 +86,11 @@ pub struct fmc_options {
     pub index_base: i32,
     /// Zero.
     pub reserved_flags: i32,
+    /// Length over which the pressure of the law "fiber" grows to k; 0, the default: the quadratic law. Only with
+    /// `FMC_LAW_FIBER`.
+    pub epsilon: f64,
     /// Zero. What later versions add stands here.
-    pub reserved: [u64; 16],
+    pub reserved: [u64; 15],
 }
 
 impl Default for fmc_options {
@@ -106,7 +113,8 @@ impl Default for fmc_options {
             threads: 1,
             index_base: 0,
             reserved_flags: 0,
-            reserved: [0; 16],
+            epsilon: 0.0,
+            reserved: [0; 15],
         }
     }
 }

@@ -35,6 +35,12 @@ pub(super) trait Session: Send + Sync {
     /// The host guarantees the arrays of the shape.
     unsafe fn add_obstacle(&mut self, shape: ShapeOf, pose: fmc_pose, index_base: i32) -> Result<usize, Failure>;
 
+    /// Keeps the patches at these coordinates, or none; returns the number of directions.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure>;
+
     /// Evaluates, and writes the forces (if asked for) when all has gone well.
     ///
     /// # Safety
@@ -79,6 +85,17 @@ impl<const D: usize> Session for Resident<D> {
         let shape = unsafe { shape.in_dimension(index_base) }?;
         let pose: Pose<D> = pose.to_pose();
         self.contact.add_obstacle(Obstacle { shape, pose }).map_err(Failure::counted_from(index_base))
+    }
+
+    unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure> {
+        let Some(coords) = coords else {
+            self.contact.release_patches();
+            return Ok(0);
+        };
+        check_node_count(coords.node_count, self.contact.surface().node_count())?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        self.contact.keep_patches(rows).map_err(Failure::counted_from(index_base))
     }
 
     unsafe fn evaluate(

@@ -11,7 +11,7 @@ pub const FMC_ABI_VERSION: i32 = 1;
 
 /// What a host may ask for.
 const FEATURES: &[&str] =
-    &["2d", "3d", "exact", "fibers", "isotropic", "obstacles", "self_contact", "signed_distance", "threads"];
+    &["2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles", "self_contact", "signed_distance", "threads"];
 
 const VERSION: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
     Ok(version) => version,
@@ -30,7 +30,7 @@ pub extern "C" fn fmc_abi_version() -> i32 {
     FMC_ABI_VERSION
 }
 
-/// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fibers", "isotropic", "obstacles",
+/// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles",
 /// "self_contact", "signed_distance", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_has_feature(name: *const c_char) -> i32 {
