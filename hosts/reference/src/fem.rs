@@ -16,18 +16,25 @@
 //! so that a body in motion obeys m ü = external − internal. Sums run over fixed blocks in a fixed order: the number of
 //! threads changes no bit.
 
+mod assembly;
+mod cofactor;
 mod constraints;
 mod elements;
 mod error;
 mod faces;
 mod frequency;
 mod internal;
+mod lanczos;
+mod linear_elastic;
 mod load;
 mod mass;
 mod material;
 mod model;
+mod neo_hookean;
 mod part;
 mod quadrature;
+mod response;
+mod stiffness;
 mod stress;
 mod tangent;
 mod triplets;

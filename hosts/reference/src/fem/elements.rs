@@ -1,15 +1,20 @@
 //! Elements of one part: what of the reference configuration their integrals need.
 
+use super::cofactor::cofactor;
 use super::quadrature::gauss_points;
+use super::response::{Tensor, from_fn};
 use super::{Error, Material, Part};
 use fmc_contact::CellType;
-use nalgebra::SMatrix;
 
 /// Elements of one part in flat arrays; node ids are those of the model.
 #[derive(Debug)]
 pub(super) struct Elements<const D: usize> {
     pub(super) cell_type: CellType,
     pub(super) material: Material,
+    /// Gauss points per cell.
+    pub(super) points_per_cell: usize,
+    /// First node of the part in the model.
+    pub(super) first_node: usize,
     /// `[cell_count, node_count]`.
     pub(super) conn: Vec<u32>,
     /// Gradients ∇N_a by the reference place, `[cell_count, point_count, node_count]`.
@@ -18,11 +23,14 @@ pub(super) struct Elements<const D: usize> {
     pub(super) volumes: Vec<f64>,
     /// ∫ N_a dV, `[cell_count, node_count]`.
     pub(super) shares: Vec<f64>,
+    /// Entries of `conn` by the node that they name, each node's ascending, and where each node's begin.
+    slots: Vec<u32>,
+    first_slots: Vec<u32>,
 }
 
 impl<const D: usize> Elements<D> {
     /// Elements of a part whose first node is `first_node` of the model.
-    pub(super) fn new(part: &Part<D>, first_node: u32) -> Result<Self, Error> {
+    pub(super) fn new(part: &Part<D>, first_node: usize) -> Result<Self, Error> {
         check(part)?;
         let points = gauss_points(part.cell_type);
         let coords = &part.mesh.coords;
@@ -31,27 +39,36 @@ impl<const D: usize> Elements<D> {
             let mut share = vec![0.0; nodes.len()];
             for point in &points {
                 // J = ∂X/∂ξ; ∇N = J^(−T) ∂N/∂ξ.
-                let mut jacobian = SMatrix::<f64, D, D>::zeros();
-                for (&node, derivative) in nodes.iter().zip(&point.derivative) {
-                    for i in 0..D {
-                        (0..D).for_each(|j| jacobian[(i, j)] += coords[node as usize][i] * derivative[j]);
-                    }
-                }
-                let (determinant, inverse) = inverse(jacobian);
+                let jacobian: Tensor<D> = from_fn(|i, j| {
+                    nodes.iter().zip(&point.derivative).map(|(&node, d)| coords[node as usize][i] * d[j]).sum()
+                });
+                let (determinant, inverse) = inverse_transposed(&jacobian);
                 let volume = point.weight * determinant;
                 if volume.is_nan() || volume <= 0.0 {
                     return Err(Error::InvertedCell { part: part.name.clone(), cell });
                 }
                 gradients.extend(point.derivative.iter().map(|derivative| -> [f64; D] {
-                    std::array::from_fn(|i| (0..D).map(|j| inverse[(j, i)] * derivative[j]).sum())
+                    std::array::from_fn(|i| (0..D).map(|j| inverse[i][j] * derivative[j]).sum())
                 }));
                 volumes.push(volume);
                 share.iter_mut().zip(&point.shape).for_each(|(share, shape)| *share += shape * volume);
             }
             shares.extend(share);
         }
-        let conn = part.mesh.conn.iter().map(|node| node + first_node).collect();
-        Ok(Self { cell_type: part.cell_type, material: part.material, conn, gradients, volumes, shares })
+        let conn = part.mesh.conn.iter().map(|node| node + first_node as u32).collect();
+        let (slots, first_slots) = slots_by_node(&part.mesh.conn, coords.len());
+        Ok(Self {
+            cell_type: part.cell_type,
+            material: part.material,
+            points_per_cell: points.len(),
+            first_node,
+            conn,
+            gradients,
+            volumes,
+            shares,
+            slots,
+            first_slots,
+        })
     }
 
     /// Number of cells.
@@ -59,24 +76,45 @@ impl<const D: usize> Elements<D> {
         self.conn.len() / self.cell_type.node_count()
     }
 
-    /// Gauss points per cell.
-    pub(super) fn point_count(&self) -> usize {
-        self.volumes.len() / self.len()
+    /// Number of nodes of the part.
+    pub(super) fn node_count(&self) -> usize {
+        self.first_slots.len() - 1
+    }
+
+    /// Entries of `conn` that name the part's node `node`, counted from 0 in the part.
+    pub(super) fn slots_of(&self, node: usize) -> &[u32] {
+        &self.slots[self.first_slots[node] as usize..self.first_slots[node + 1] as usize]
+    }
+
+    /// Nodes, gradients and volumes of a cell of `N` nodes.
+    #[inline(always)]
+    pub(super) fn cell<const N: usize>(&self, cell: usize) -> (&[u32; N], &[[[f64; D]; N]], &[f64]) {
+        let count = self.points_per_cell;
+        let nodes = &self.conn.as_chunks::<N>().0[cell];
+        let gradients = &self.gradients.as_chunks::<N>().0[cell * count..][..count];
+        (nodes, gradients, &self.volumes[cell * count..][..count])
     }
 }
 
-/// Determinant and inverse; the inverse of a singular matrix is not finite.
-fn inverse<const D: usize>(m: SMatrix<f64, D, D>) -> (f64, SMatrix<f64, D, D>) {
-    let cofactor = SMatrix::<f64, D, D>::from_fn(|i, j| {
-        let at = |k: usize, l: usize| m[((i + k) % D, (j + l) % D)];
-        match D {
-            2 if i == j => at(1, 1),
-            2 => -at(1, 1),
-            _ => at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1),
-        }
-    });
-    let determinant = (0..D).map(|j| m[(0, j)] * cofactor[(0, j)]).sum::<f64>();
-    (determinant, cofactor.transpose() / determinant)
+/// Entries of `conn` sorted by node, and where each node's begin.
+fn slots_by_node(conn: &[u32], node_count: usize) -> (Vec<u32>, Vec<u32>) {
+    let mut first = vec![0u32; node_count + 1];
+    conn.iter().for_each(|&node| first[node as usize + 1] += 1);
+    (0..node_count).for_each(|node| first[node + 1] += first[node]);
+    let mut next = first.clone();
+    let mut slots = vec![0; conn.len()];
+    for (slot, &node) in conn.iter().enumerate() {
+        slots[next[node as usize] as usize] = slot as u32;
+        next[node as usize] += 1;
+    }
+    (slots, first)
+}
+
+/// Determinant and transposed inverse; the inverse of a singular matrix is not finite.
+fn inverse_transposed<const D: usize>(m: &Tensor<D>) -> (f64, Tensor<D>) {
+    let cofactor = cofactor(m);
+    let determinant: f64 = (0..D).map(|j| m[0][j] * cofactor[0][j]).sum();
+    (determinant, cofactor.map(|row| row.map(|entry| entry / determinant)))
 }
 
 /// Whether arrays fit together and constants are in their range.

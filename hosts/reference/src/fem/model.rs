@@ -31,7 +31,7 @@ impl<const D: usize> Model<D> {
         let mut first_nodes = vec![0];
         let mut elements = Vec::new();
         for part in &parts {
-            elements.push(Elements::new(part, coords.len() as u32)?);
+            elements.push(Elements::new(part, coords.len())?);
             coords.extend_from_slice(&part.mesh.coords);
             first_nodes.push(coords.len());
         }
