@@ -128,7 +128,10 @@ impl<const D: usize> Contact<D> {
         coords: &[[f64; D]],
         work: impl Fn(PairOf<D>) -> Result<Option<T>, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
-        self.surface.check(coords, self.options.check_cells)?;
+        match &self.pool {
+            Some(pool) => pool.install(|| self.surface.check(coords, self.options.check_cells, true)),
+            None => self.surface.check(coords, self.options.check_cells, false),
+        }?;
         let families = match &self.options.estimator {
             Estimator::Fibers(f) if f.pattern == FiberPattern::Lines => Family::all(f.seed),
             _ => Vec::new(),
