@@ -102,10 +102,14 @@ typedef enum {
   FMC_ERROR_PANIC = 30,
 } fmc_status;
 
-// Energy of an overlap.
+// Contact energy.
 typedef enum {
   // w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
   FMC_LAW_VOLUME = 0,
+  // w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
+  // `epsilon`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with it,
+  // psi = k (sqrt(L^2 + epsilon^2) - epsilon), and k is a pressure as for "volume" with exponent 1. Key value "fiber".
+  FMC_LAW_FIBER = 1,
 } fmc_law;
 
 // How overlap is measured.
@@ -176,10 +180,10 @@ typedef struct fmc_context fmc_context;
 typedef struct {
   // Set by `fmc_options_init`; tells an initialised struct from another.
   size_t struct_size;
-  // k > 0, no default. With `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
+  // k > 0, no default. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
   // pressure; in general energy / (length^dim)^m. See `fmc_suggest_stiffness_from_modulus`.
   double stiffness;
-  // m >= 1. Default 1.
+  // m >= 1 of the law "volume". Default 1.
   double exponent;
   // Distance between neighbouring lines; 0, the default: found from the facets in contact.
   double spacing;
@@ -210,8 +214,11 @@ typedef struct {
   int32_t index_base;
   // Zero.
   int32_t reserved_flags;
+  // Length over which the pressure of the law "fiber" grows to k; 0, the default: the quadratic law. Only with
+  // `FMC_LAW_FIBER`.
+  double epsilon;
   // Zero. What later versions add stands here.
-  uint64_t reserved[16];
+  uint64_t reserved[15];
 } fmc_options;
 
 // Coordinates of nodes, read during the call and not kept: component `axis` of node `node` is
@@ -383,7 +390,7 @@ const char *fmc_version(void);
 // Version of the binary interface of the library: `FMC_ABI_VERSION` of the header that it was built with. Threads: any.
 int32_t fmc_abi_version(void);
 
-// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fibers", "isotropic", "obstacles",
+// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles",
 // "self_contact", "signed_distance", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
 int32_t fmc_has_feature(const char *name);
 

@@ -9,6 +9,7 @@ pub(crate) mod components;
 pub(crate) mod crossing;
 pub(crate) mod facet;
 mod inside;
+mod inverted;
 mod march;
 mod obstacle;
 mod pose;

@@ -88,6 +88,10 @@ impl Session for Brittle {
         Ok(0)
     }
 
+    unsafe fn keep_patches(&mut self, _: Option<&fmc_coords>, _: i32) -> Result<usize, Failure> {
+        Ok(0)
+    }
+
     unsafe fn evaluate(
         &mut self,
         _: &fmc_coords,

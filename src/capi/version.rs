@@ -10,8 +10,18 @@ use std::ffi::{CStr, c_char};
 pub const FMC_ABI_VERSION: i32 = 1;
 
 /// What a host may ask for.
-const FEATURES: &[&str] =
-    &["2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles", "self_contact", "signed_distance", "threads"];
+const FEATURES: &[&str] = &[
+    "2d",
+    "3d",
+    "exact",
+    "fiber_law",
+    "fibers",
+    "isotropic",
+    "obstacles",
+    "self_contact",
+    "signed_distance",
+    "threads",
+];
 
 const VERSION: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
     Ok(version) => version,

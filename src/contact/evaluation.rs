@@ -196,7 +196,10 @@ impl<const D: usize> Contact<D> {
         coords: &[[f64; D]],
         work: impl Fn(&Candidate<D>) -> Result<Option<T>, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
-        self.surface.check(coords, self.options.check_cells)?;
+        match &self.pool {
+            Some(pool) => pool.install(|| self.surface.check(coords, self.options.check_cells, true)),
+            None => self.surface.check(coords, self.options.check_cells, false),
+        }?;
         let (exact, options) = match self.options.estimator {
             Estimator::Fibers(options) => (false, options),
             Estimator::Exact => (true, FiberOptions::default()),

@@ -1,11 +1,15 @@
 //! The cells of a mesh: checked connectivity, neighbours, orientation.
 
 use super::components::{Components, sorted_ids};
-use super::{Bodies, CellBlock, CellType, Vector, facet::determinant};
+use super::{Bodies, CellBlock, CellType};
 use crate::Error;
+use std::ops::Range;
 
 /// A number that no node has; pads faces with fewer than four nodes.
 const NO_NODE: u32 = u32::MAX;
+
+/// A number that no cell has: what lies behind a face on the boundary.
+const NO_CELL: u32 = u32::MAX;
 
 /// Cells with checked connectivity, whatever their types, in the order given.
 #[derive(Clone, Debug, Default)]
@@ -13,6 +17,10 @@ pub(crate) struct Cells {
     types: Vec<CellType>,
     offsets: Vec<usize>,
     conn: Vec<u32>,
+    /// Cells of each block as given: all of one type.
+    blocks: Vec<Range<usize>>,
+    /// Cell of the same body behind every face; a cell has no more faces than nodes, and shares its place in `conn`.
+    neighbours: Vec<u32>,
     /// Whether a cell's node order is opposite to the one that encloses a positive volume.
     flipped: Vec<bool>,
     /// Body index of every cell.
@@ -41,12 +49,14 @@ impl Cells {
             if conn.len() % size != 0 {
                 return Err(Error::Length { array: "conn", expected: size, found: conn.len() });
             }
+            let first = cells.len();
             for nodes in conn.chunks_exact(size) {
                 check_nodes(cells.len(), nodes, node_count)?;
                 cells.types.push(*cell_type);
                 cells.conn.extend_from_slice(nodes);
                 cells.offsets.push(cells.conn.len());
             }
+            cells.blocks.push(first..cells.len());
         }
         if cells.len() == 0 { Err(Error::Empty) } else { Ok(cells) }
     }
@@ -66,6 +76,20 @@ impl Cells {
 
     pub(crate) fn nodes(&self, cell: usize) -> &[u32] {
         &self.conn[self.offsets[cell]..self.offsets[cell + 1]]
+    }
+
+    /// The cell of the same body behind a face.
+    pub(crate) fn neighbour(&self, cell: usize, face: usize) -> Option<u32> {
+        Some(self.neighbours[self.offsets[cell] + face]).filter(|&other| other != NO_CELL)
+    }
+
+    /// For every block as given: its type, its cells and their nodes one after the other.
+    pub(super) fn blocks(&self) -> impl Iterator<Item = (CellType, Range<usize>, &[u32])> {
+        let filled = self.blocks.iter().filter(|cells| !cells.is_empty());
+        filled.map(|cells| {
+            let conn = &self.conn[self.offsets[cells.start]..self.offsets[cells.end]];
+            (self.types[cells.start], cells.clone(), conn)
+        })
     }
 
     /// Nodes of a face, counter-clockwise seen from outside the body.
@@ -88,6 +112,7 @@ impl Cells {
         faces.sort_unstable_by_key(|f| (f.key, f.cell));
         let mut groups = Components::new(self.len());
         self.boundary = vec![0; self.len()];
+        self.neighbours = vec![NO_CELL; self.conn.len()];
         for same in faces.chunk_by(|f, g| f.key == g.key) {
             let nodes = [same[0].key[0] as usize, same[0].key[1] as usize];
             match same {
@@ -95,6 +120,9 @@ impl Cells {
                     let agree = self.cycle(f) != self.cycle(g);
                     if !groups.join(f.cell, g.cell, !agree) {
                         return Err(Error::InconsistentOrientation { facet: g.cell as usize, nodes });
+                    }
+                    for (here, there) in [(f, g), (g, f)] {
+                        self.neighbours[self.offsets[here.cell as usize] + here.face as usize] = there.cell;
                     }
                 }
                 [] | [_] | [_, _] => {
@@ -169,47 +197,7 @@ impl Cells {
             volume[root] += if turned { -measure } else { measure };
         }
         self.flipped = relative.iter().map(|&(root, turned)| turned != (volume[root] < 0.0)).collect();
-        self.check(coords)
-    }
-
-    /// Jacobian determinant at every corner of a cell, as given.
-    fn jacobians<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> impl Iterator<Item = f64> {
-        let nodes = self.nodes(cell);
-        let x = move |n: usize| Vector::<D>::from(coords[nodes[n] as usize]);
-        self.types[cell]
-            .corners()
-            .iter()
-            .map(move |corner| determinant::<D>(&std::array::from_fn(|k| x(corner[k + 1]) - x(corner[0]))))
-    }
-
-    /// Checks that no cell is inverted or without measure at `coords`; the lowest offending cell is named.
-    pub(crate) fn check<const D: usize>(&self, coords: &[[f64; D]]) -> Result<(), Error> {
-        for cell in 0..self.len() {
-            let (mut least, mut sum) = (f64::INFINITY, 0.0);
-            for determinant in self.jacobians(cell, coords) {
-                let determinant = if self.flipped[cell] { -determinant } else { determinant };
-                least = least.min(determinant);
-                sum += determinant;
-            }
-            if least > 0.0 {
-                continue;
-            }
-            let size = self.size(cell, coords).powi(D as i32);
-            // Rounding of a determinant of differences is a few 1e-16 of size^D; slivers in use are far above 1e-13.
-            if sum.abs() <= 1e-13 * size {
-                return Err(Error::ZeroMeasure { cell });
-            }
-            if least < -1e-13 * size {
-                return Err(Error::InvertedCell { cell });
-            }
-        }
-        Ok(())
-    }
-
-    /// Longest side of a cell's bounding box.
-    fn size<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> f64 {
-        let x = |&n: &u32| Vector::<D>::from(coords[n as usize]);
-        super::aabb::Aabb::of(&self.nodes(cell).iter().map(x).collect::<Vec<_>>()).extent().amax()
+        self.check(coords, false)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use anyhow::ensure;
 use clap::{Args, ValueEnum};
-use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, LineWeights, Options, Resolution};
+use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
 
 /// How overlap is measured and what it costs.
 #[derive(Args, Clone, Debug)]
@@ -21,13 +21,18 @@ pub(crate) struct EstimatorArgs {
     #[arg(long, value_enum, default_value_t)]
     pub(crate) weights: WeightsKind,
 
-    /// Energy of an overlap: "volume" is w = k V^m
+    /// Contact energy: "volume" is w = k V^m of each overlap; "fiber" is taken line by line along the contact normal,
+    /// with the pressure k x penetration
     #[arg(long, value_enum, default_value_t)]
     pub(crate) law: LawKind,
 
     /// Exponent m of the volume law, at least 1 [no unit]
     #[arg(long, value_name = "M", default_value_t = 1.0, value_parser = at_least_one)]
     pub(crate) m: f64,
+
+    /// Makes the fiber law k (sqrt(L^2 + E^2) - E): the pressure grows to k over the length E [length]
+    #[arg(long, value_name = "E", value_parser = positive)]
+    pub(crate) epsilon: Option<f64>,
 
     /// About this many fibers per pair of bodies [default: from the facets in contact]
     #[arg(long, value_name = "N", conflicts_with = "spacing", value_parser = count)]
@@ -87,6 +92,7 @@ pub(crate) enum WeightsKind {
 pub(crate) enum LawKind {
     #[default]
     Volume,
+    Fiber,
 }
 
 impl EstimatorArgs {
@@ -95,6 +101,9 @@ impl EstimatorArgs {
         let exact = self.estimator == EstimatorKind::Exact;
         ensure!(!exact || self.fibers.is_none(), "--fibers has no effect with --estimator exact");
         ensure!(!exact || self.spacing.is_none(), "--spacing has no effect with --estimator exact");
+        let fiber_law = self.law == LawKind::Fiber;
+        ensure!(fiber_law || self.epsilon.is_none(), "--epsilon needs --law fiber");
+        ensure!(!fiber_law || self.m == 1.0, "--m has no effect with --law fiber");
         let segments = !exact && self.pattern == PatternKind::Isotropic;
         ensure!(segments || self.fiber_length.is_none(), "--fiber-length needs --pattern isotropic");
         Ok(())
@@ -104,6 +113,10 @@ impl EstimatorArgs {
     pub(crate) fn options(&self, stiffness: f64) -> Options {
         let law = match self.law {
             LawKind::Volume => EnergyLaw::Volume { k: stiffness, m: self.m },
+            LawKind::Fiber => EnergyLaw::Fiber {
+                k: stiffness,
+                profile: self.epsilon.map_or(FiberProfile::Quadratic, |epsilon| FiberProfile::Linear { epsilon }),
+            },
         };
         Options {
             estimator: match self.estimator {

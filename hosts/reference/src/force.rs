@@ -4,12 +4,12 @@
 //! and written. The arithmetic of contact is all in `fmc-contact`; here are files, names and numbers only.
 
 use crate::estimator_args::{EstimatorArgs, positive};
-use crate::mesh::{Kind, Mesh};
 use anyhow::{Context, Result, ensure};
 use assembly::Assembly;
 use clap::Args;
 use division::{DivideBy, Division};
 use fmc_contact::Contact;
+use fmc_reference::mesh::{Kind, Mesh};
 use obstacle::ObstacleSpec;
 use placement::{Rotation, Translation};
 use report::Report;

@@ -5,7 +5,6 @@ use std::process::ExitCode;
 
 mod estimator_args;
 mod force;
-mod mesh;
 mod verify;
 
 /// Contact forces from overlap volume, by Fiber Monte Carlo

@@ -16,23 +16,24 @@ mod vtu;
 mod vtu_array;
 mod vtu_write;
 
-pub(crate) use vtu_write::{VtkCell, VtuWriter};
+pub use vtu_write::{VtkCell, VtuWriter};
 
 /// Cells of one type, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Block {
-    pub(crate) cell_type: CellType,
+pub struct Block {
+    /// Type of all cells of the block.
+    pub cell_type: CellType,
     /// Node indices, `[cell_count, node_count]`.
-    pub(crate) conn: Vec<u32>,
+    pub conn: Vec<u32>,
     /// Number of each cell in the file.
-    pub(crate) tags: Vec<u64>,
+    pub tags: Vec<u64>,
     /// Group of each cell: its physical group (Gmsh) or the entry of a cell array (VTU).
-    pub(crate) groups: Vec<Option<i64>>,
+    pub groups: Vec<Option<i64>>,
 }
 
 /// What the cells fill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// Triangles and quadrilaterals at constant z: a 2D mesh.
     Flat,
     /// Triangles and quadrilaterals in space: the surface of bodies.
@@ -43,14 +44,17 @@ pub(crate) enum Kind {
 
 /// A mesh as it stands in a file.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Mesh {
+pub struct Mesh {
     /// File it was read from, as the user named it.
-    pub(crate) file: String,
-    pub(crate) points: Vec<[f64; 3]>,
+    pub file: String,
+    /// Node coordinates; z is what the file says, also where the mesh is flat.
+    pub points: Vec<[f64; 3]>,
     /// Number of each node in the file.
-    pub(crate) node_tags: Vec<u64>,
-    pub(crate) blocks: Vec<Block>,
-    pub(crate) group_names: BTreeMap<i64, String>,
+    pub node_tags: Vec<u64>,
+    /// Cells of the highest dimension, neighbours in the file of one type together.
+    pub blocks: Vec<Block>,
+    /// Names of the groups that have one.
+    pub group_names: BTreeMap<i64, String>,
 }
 
 /// z counts as constant if it varies by less than this part of the extent: meshes turned into the plane carry rounding.
@@ -58,7 +62,10 @@ const FLATNESS: f64 = 1e-9;
 
 impl Mesh {
     /// Reads a Gmsh 4.1 or VTU file.
-    pub(crate) fn read(path: &Path) -> Result<Self> {
+    ///
+    /// # Errors
+    /// A file that cannot be read, is of another format, is damaged or has no cells.
+    pub fn read(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
         let bytes = std::fs::read(path).with_context(|| format!("{file} cannot be read"))?;
         let start = bytes.trim_ascii_start();
@@ -86,12 +93,12 @@ impl Mesh {
     }
 
     /// Number of cells.
-    pub(crate) fn cell_count(&self) -> usize {
+    pub fn cell_count(&self) -> usize {
         self.blocks.iter().map(|block| block.tags.len()).sum()
     }
 
     /// Cells as type, nodes, number in the file and group, block after block.
-    pub(crate) fn cells(&self) -> impl Iterator<Item = (CellType, &[u32], u64, Option<i64>)> {
+    pub fn cells(&self) -> impl Iterator<Item = (CellType, &[u32], u64, Option<i64>)> {
         self.blocks.iter().flat_map(|block| {
             let nodes = block.conn.chunks_exact(block.cell_type.node_count());
             nodes
@@ -102,7 +109,7 @@ impl Mesh {
     }
 
     /// What the cells fill. NaN coordinates are left to the checks that name them.
-    pub(crate) fn kind(&self) -> Kind {
+    pub fn kind(&self) -> Kind {
         if self.blocks.iter().any(|block| block.cell_type.dimension() == 3) {
             return Kind::Solid;
         }

@@ -4,10 +4,8 @@
 //! implicit shape, at several θ. The derivative comes from the nodal gradient by the chain rule, dV/dθ = Σ ∂V/∂x·dx/dθ,
 //! or from the gradient with respect to the pose of a shape.
 
-mod axis;
 mod bounds;
 mod case;
-mod chart;
 mod clip;
 mod closed_form;
 mod cone;
@@ -20,7 +18,6 @@ mod method;
 mod over_theta;
 mod row;
 mod scene;
-mod series;
 mod sphere;
 mod squares;
 mod table;

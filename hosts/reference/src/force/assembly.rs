@@ -1,8 +1,8 @@
 //! Several meshes as one.
 
-use crate::mesh::{Kind, Mesh};
 use anyhow::{Result, ensure};
 use fmc_contact::{Bodies, CellBlock, CellType, Error, Surface};
+use fmc_reference::mesh::{Kind, Mesh};
 
 /// The meshes of all files, one behind the other: nodes, and cells, are numbered through from 0.
 pub(super) struct Assembly<const D: usize> {

@@ -3,10 +3,10 @@
 use super::assembly::Assembly;
 use super::components::components;
 use super::explain::explain;
-use crate::mesh::Kind;
 use anyhow::{Result, bail};
 use clap::ValueEnum;
 use fmc_contact::Surface;
+use fmc_reference::mesh::Kind;
 use std::collections::BTreeMap;
 
 /// What a body is.

@@ -1,8 +1,8 @@
 //! Errors of the module in the numbers of the files.
 
 use super::assembly::Assembly;
-use crate::mesh::Kind;
 use fmc_contact::Error;
+use fmc_reference::mesh::Kind;
 
 /// The sentence for an error about the assembled mesh, with its files and the numbers that they give nodes and cells.
 /// `names` are those of the bodies, as far as known.

@@ -2,8 +2,8 @@
 
 use super::assembly::Assembly;
 use super::division::Division;
-use crate::mesh::{VtkCell, VtuWriter};
 use fmc_contact::overlap::FiberTrace;
+use fmc_reference::mesh::{VtkCell, VtuWriter};
 
 /// The meshes, with `contact_force` at the nodes, and `body` and `mesh` of the cells.
 pub(super) fn forces<const D: usize>(assembly: &Assembly<D>, division: &Division, forces: &[[f64; D]]) -> VtuWriter {

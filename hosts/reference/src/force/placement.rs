@@ -1,8 +1,8 @@
 //! Where the meshes are put: `--rotate` and `--translate`.
 
-use crate::mesh::{Kind, Mesh};
 use anyhow::{Result, ensure};
 use fmc_contact::Pose;
+use fmc_reference::mesh::{Kind, Mesh};
 use std::str::FromStr;
 
 /// `MESH=X,Y[,Z]`

@@ -9,9 +9,12 @@ use std::path::Path;
 
 /// Cell of a file to be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum VtkCell {
+pub enum VtkCell {
+    /// A point.
     Vertex,
+    /// A line between two points.
     Line,
+    /// A cell of a mesh.
     Mesh(CellType),
 }
 
@@ -32,7 +35,7 @@ impl VtkCell {
 
 /// A grid under construction.
 #[derive(Default)]
-pub(crate) struct VtuWriter {
+pub struct VtuWriter {
     points: Vec<[f64; 3]>,
     conn: Vec<u8>,
     conn_count: u64,
@@ -44,13 +47,13 @@ pub(crate) struct VtuWriter {
 
 impl VtuWriter {
     /// Adds a point and returns its index.
-    pub(crate) fn point(&mut self, x: [f64; 3]) -> u64 {
+    pub fn point(&mut self, x: [f64; 3]) -> u64 {
         self.points.push(x);
         self.points.len() as u64 - 1
     }
 
     /// Adds a cell by its points.
-    pub(crate) fn cell(&mut self, cell: VtkCell, points: impl IntoIterator<Item = u64>) {
+    pub fn cell(&mut self, cell: VtkCell, points: impl IntoIterator<Item = u64>) {
         for point in points {
             self.conn.extend(point.to_le_bytes());
             self.conn_count += 1;
@@ -60,23 +63,26 @@ impl VtuWriter {
     }
 
     /// Number of cells so far.
-    pub(crate) fn cell_count(&self) -> usize {
+    pub fn cell_count(&self) -> usize {
         self.types.len()
     }
 
     /// A vector for every point.
-    pub(crate) fn point_vectors(&mut self, name: &str, vectors: &[[f64; 3]]) {
+    pub fn point_vectors(&mut self, name: &str, vectors: &[[f64; 3]]) {
         data_array(&mut self.point_data, "Float64", name, 3, &float_bytes(vectors));
     }
 
     /// A whole number for every cell.
-    pub(crate) fn cell_integers(&mut self, name: &str, values: &[i64]) {
+    pub fn cell_integers(&mut self, name: &str, values: &[i64]) {
         let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
         data_array(&mut self.cell_data, "Int64", name, 1, &bytes);
     }
 
     /// Writes the file.
-    pub(crate) fn write(&self, path: &Path) -> Result<()> {
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write(&self, path: &Path) -> Result<()> {
         let mut points = String::new();
         data_array(&mut points, "Float64", "Points", 3, &float_bytes(&self.points));
         let mut cells = String::new();

@@ -1,10 +1,8 @@
 //! Error against the number of fibers.
 
-use super::axis::Axis;
-use super::chart::Panel;
-use super::series::{Mark, Series};
 use super::{Case, Method};
 use fmc_contact::{Error, Resolution};
+use fmc_reference::chart::{Axis, Mark, Panel, Series};
 
 /// Fibers asked for, up to the paper's 300 000.
 const COUNTS: [usize; 8] = [100, 300, 1_000, 3_000, 10_000, 30_000, 100_000, 300_000];
@@ -50,17 +48,13 @@ pub(crate) fn convergence<const D: usize>(
             (0..2).for_each(|k| points[k].push((fibers, squares[k].sqrt())));
         }
         for (panel, points) in panels.iter_mut().zip(points) {
-            panel.series.push(Series::of(method, Mark::LineAndPoints, points));
+            panel.series.push(method.series(Mark::LineAndPoints, points));
         }
     }
     for (panel, error) in panels.iter_mut().zip(case.bounds) {
         let points = vec![(fewest, error), (most, error)];
-        panel.series.push(Series {
-            name: "largest error in the paper",
-            color: (110, 110, 110),
-            mark: Mark::Dashes,
-            points,
-        });
+        let largest = Series::line("largest error in the paper", (110, 110, 110), points);
+        panel.series.push(Series { mark: Mark::Dashes, ..largest });
     }
     Ok(panels.into())
 }

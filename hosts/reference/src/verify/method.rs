@@ -1,6 +1,7 @@
 //! The three ways an overlap is measured here.
 
 use fmc_contact::{Estimator, FiberOptions, FiberPattern, Resolution};
+use fmc_reference::chart::{Mark, Series, Sign};
 
 /// A way to measure an overlap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,5 +37,15 @@ impl Method {
             Method::Exact => return Estimator::Exact,
         };
         Estimator::Fibers(FiberOptions { pattern, resolution, seed, balance: false, ..FiberOptions::default() })
+    }
+
+    /// Points in its colour, which tells methods apart for colour-blind readers too (Okabe and Ito), and with its sign.
+    pub(crate) fn series(self, mark: Mark, points: Vec<(f64, f64)>) -> Series {
+        let (color, sign) = match self {
+            Method::Isotropic => ((213, 94, 0), Sign::Cross),
+            Method::Lines => ((0, 114, 178), Sign::Circle),
+            Method::Exact => ((0, 158, 115), Sign::Square),
+        };
+        Series { mark, sign, ..Series::line(self.name(), color, points) }
     }
 }

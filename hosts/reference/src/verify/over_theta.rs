@@ -1,9 +1,7 @@
 //! Value and derivative over θ, beside their closed forms, as in the paper's figures.
 
-use super::axis::Axis;
-use super::chart::Panel;
-use super::series::{Mark, Series};
 use super::{Case, Method, Row};
+use fmc_reference::chart::{Axis, Mark, Panel, Series};
 
 /// Points on the curve of a closed form: smooth to the eye.
 const CURVE_POINTS: usize = 150;
@@ -15,13 +13,13 @@ pub(crate) fn over_theta<const D: usize>(case: &Case<D>, methods: &[Method], row
         let [from, to] = case.range;
         let theta = |k: usize| from + (to - from) * k as f64 / CURVE_POINTS as f64;
         let curve = (0..=CURVE_POINTS).map(|k| (theta(k), of(&(case.closed_form)(theta(k))))).collect();
-        let mut series = vec![Series { name: "closed form", color: (60, 60, 60), mark: Mark::Line, points: curve }];
+        let mut series = vec![Series::line("closed form", (60, 60, 60), curve)];
         for &method in methods {
             let of_method = |row: &&Row| {
                 (row.case, row.form, row.estimator, row.quantity) == (case.name, "mesh", method.name(), quantity)
             };
             let points = rows.iter().filter(of_method).map(|row| (row.theta, row.computed)).collect();
-            series.push(Series::of(method, Mark::Points, points));
+            series.push(method.series(Mark::Points, points));
         }
         Panel { x: Axis::linear("θ"), y: Axis::linear(label), series }
     };

@@ -1,10 +1,10 @@
 //! From the cases to rows and pictures.
 
-use super::chart::{self, Panel};
 use super::row::{self, Row, Setting};
 use super::{Case, Method, cone, convergence, cube, cubes, disc, half_disc, over_theta, sphere, squares};
 use anyhow::{Context, Result};
 use fmc_contact::Resolution;
+use fmc_reference::chart::{self, Panel};
 use indicatif::ProgressBar;
 use std::path::PathBuf;
 

@@ -2,29 +2,47 @@
 //!
 //! The font is part of the program, so that the PNG has text on a machine without fonts.
 
-use super::axis::Axis;
-use super::series::{Mark, Series};
 use anyhow::anyhow;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 use std::path::Path;
 
+mod axis;
+mod series;
+
+pub use axis::Axis;
+pub use series::{Mark, Series, Sign};
+
 /// Width and height of a picture in SVG; a PNG has `PNG_SCALE` times as many pixels.
 const SIZE: (u32, u32) = (1100, 500);
 const PNG_SCALE: u32 = 2;
 
 /// One coordinate system.
-pub(crate) struct Panel {
-    pub(crate) x: Axis,
-    pub(crate) y: Axis,
-    pub(crate) series: Vec<Series>,
+pub struct Panel {
+    /// Axis to the right.
+    pub x: Axis,
+    /// Axis upwards.
+    pub y: Axis,
+    /// What is drawn; the legend is that of the first panel.
+    pub series: Vec<Series>,
+}
+
+/// Makes the built-in font the one called "sans-serif".
+///
+/// # Errors
+/// If it cannot be read.
+pub fn use_font() -> anyhow::Result<()> {
+    register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular())
+        .map_err(|_| anyhow!("the built-in font is damaged"))
 }
 
 /// Writes `DIR/NAME.svg` and `DIR/NAME.png`.
-pub(crate) fn draw(directory: &Path, name: &str, title: &str, panels: &[Panel]) -> anyhow::Result<()> {
-    register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular())
-        .map_err(|_| anyhow!("the built-in font is damaged"))?;
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn draw(directory: &Path, name: &str, title: &str, panels: &[Panel]) -> anyhow::Result<()> {
+    use_font()?;
     let svg = directory.join(format!("{name}.svg"));
     let area = SVGBackend::new(&svg, SIZE).into_drawing_area();
     draw_on(&area, 1.0, title, panels).map_err(|error| anyhow!("cannot draw {}: {error}", svg.display()))?;
@@ -108,7 +126,7 @@ fn legend<DB: DrawingBackend>(area: &DrawingArea<DB, Shift>, scale: f64, series:
     let font = ("sans-serif", px(18.0)).into_font();
     let mut widths = Vec::new();
     for series in series {
-        let (width, _) = area.estimate_text_size(series.name, &font.clone().into())?;
+        let (width, _) = area.estimate_text_size(&series.name, &font.clone().into())?;
         widths.push(width as i32 + px(70.0));
     }
     let (width, height) = area.dim_in_pixel();
@@ -129,7 +147,7 @@ fn legend<DB: DrawingBackend>(area: &DrawingArea<DB, Shift>, scale: f64, series:
         if series.mark.has_points() {
             area.draw(&series.sign(((x + end) / 2, y), scale))?;
         }
-        area.draw(&Text::new(series.name, (end + px(8.0), y - px(5.0)), font.clone()))?;
+        area.draw(&Text::new(series.name.as_str(), (end + px(8.0), y - px(5.0)), font.clone()))?;
         x += width;
     }
     Ok(())

@@ -3,29 +3,30 @@
 use std::ops::Range;
 
 /// An axis.
-pub(crate) struct Axis {
-    pub(crate) label: String,
+pub struct Axis {
+    /// What is written along it.
+    pub label: String,
     log: bool,
 }
 
 impl Axis {
     /// Linear.
-    pub(crate) fn linear(label: impl Into<String>) -> Self {
+    pub fn linear(label: impl Into<String>) -> Self {
         Self { label: label.into(), log: false }
     }
 
     /// Logarithmic; every number on it must be positive.
-    pub(crate) fn log(label: impl Into<String>) -> Self {
+    pub fn log(label: impl Into<String>) -> Self {
         Self { label: label.into(), log: true }
     }
 
     /// Where a number lies along the axis: for a logarithmic one, its power of ten.
-    pub(crate) fn place(&self, x: f64) -> f64 {
+    pub fn place(&self, x: f64) -> f64 {
         if self.log { x.max(f64::MIN_POSITIVE).log10() } else { x }
     }
 
     /// Range around all places, with a margin of a twentieth.
-    pub(crate) fn range(&self, places: impl Iterator<Item = f64>) -> Range<f64> {
+    pub fn range(&self, places: impl Iterator<Item = f64>) -> Range<f64> {
         let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
         // A curve that is constant gets a range as wide as its number, not one of rounding errors.
         let width = (high - low).max(0.02 * high.abs()).max(0.02);
@@ -33,7 +34,7 @@ impl Axis {
     }
 
     /// What is written at a place: on a logarithmic axis the decades only.
-    pub(crate) fn tick(&self, place: f64) -> String {
+    pub fn tick(&self, place: f64) -> String {
         if !self.log {
             // Ticks are multiples of a round step; one that should be zero may miss it by rounding.
             let text = format!("{:.4}", if place.abs() < 5e-5 { 0.0 } else { place });
@@ -53,7 +54,7 @@ impl Axis {
     }
 
     /// How many labels to ask for; on a logarithmic axis one per decade.
-    pub(crate) fn tick_count(&self, range: &Range<f64>) -> usize {
+    pub fn tick_count(&self, range: &Range<f64>) -> usize {
         if self.log { (range.end - range.start) as usize + 1 } else { 7 }
     }
 }

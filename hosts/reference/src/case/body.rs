@@ -1,0 +1,157 @@
+//! Elastic bodies.
+
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// `[[bodies]]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Body {
+    /// Name, unique among bodies and obstacles.
+    pub name: String,
+    /// Where its mesh comes from.
+    pub mesh: MeshSource,
+    /// What it is made of.
+    pub material: Material,
+    /// Velocity of every node at the start, `[D]`, in m/s; zero if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial_velocity: Option<Vec<f64>>,
+    /// Turn about the origin before `position` is added, in degrees: counter-clockwise in 2D; about z in 3D.
+    #[serde(default)]
+    pub rotation: f64,
+    /// Shift of the mesh, `[D]`, in m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position: Option<Vec<f64>>,
+}
+
+/// `material`
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// Energy of deformation.
+    pub law: MaterialLaw,
+    /// Young's modulus, Pa.
+    pub young: f64,
+    /// Poisson's ratio, above −1 and below 0.5.
+    pub poisson: f64,
+    /// Mass density in the reference configuration, kg/m³.
+    pub density: f64,
+}
+
+/// Names of material laws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MaterialLaw {
+    /// Small strain.
+    LinearElastic,
+    /// Compressible, finite strain: W = G/2 (J^(−2/3) I₁ − 3) + K/2 (J − 1)².
+    NeoHookean,
+}
+
+/// Kind of cell that a generator makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum CellKind {
+    /// Triangles.
+    Tri3,
+    /// Quadrilaterals.
+    Quad4,
+    /// Tetrahedra.
+    Tet4,
+    /// Hexahedra.
+    Hex8,
+}
+
+/// `mesh`: a generator of `fmc-shapes` with its arguments, or a file. Lengths in m.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "shape", rename_all = "kebab-case", rename_all_fields = "snake_case", deny_unknown_fields)]
+pub enum MeshSource {
+    /// Rectangle with sides along the axes; `tri3` (diagonals alternating) or `quad4`.
+    Rectangle {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Lower left corner.
+        min: [f64; 2],
+        /// Upper right corner.
+        max: [f64; 2],
+        /// Cells along x and y.
+        cells: [usize; 2],
+    },
+    /// Convex quadrilateral; `quad4`.
+    Quadrilateral {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Corners, counter-clockwise.
+        corners: [[f64; 2]; 4],
+        /// Cells along the first and the second side.
+        cells: [usize; 2],
+    },
+    /// Star about the origin, its first tip on the x axis; `tri3` or `quad4`.
+    Star {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Number of tips.
+        tips: usize,
+        /// Radius of the tips.
+        outer: f64,
+        /// Radius of the corners between them.
+        inner: f64,
+        /// Edges on each side of a tip, more than four times `half_width`.
+        side_edges: usize,
+        /// Cells from the axis of a tip to its side.
+        half_width: usize,
+    },
+    /// Disc about the origin; `tri3` or `quad4`.
+    Disc {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Radius.
+        radius: f64,
+        /// Edges on the circle.
+        edges: usize,
+    },
+    /// Box with faces across the axes; `tet4` or `hex8`.
+    Cuboid {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Lowest corner.
+        min: [f64; 3],
+        /// Highest corner.
+        max: [f64; 3],
+        /// Cells along x, y and z.
+        cells: [usize; 3],
+    },
+    /// Ball about the origin; `tet4`.
+    Ball {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Radius.
+        radius: f64,
+        /// Times that the icosahedron on its surface is refined.
+        level: usize,
+        /// Layers from the centre to the surface.
+        layers: usize,
+    },
+    /// Mesh file, Gmsh 4.1 or VTU.
+    File {
+        /// Path, from the folder of the case file.
+        path: PathBuf,
+        /// Only the cells of this physical group, by name or number; all if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        group: Option<String>,
+    },
+}
+
+impl MeshSource {
+    /// Dimension of the mesh that a generator makes; a file says it itself.
+    pub fn dimension(&self) -> Option<usize> {
+        match self {
+            MeshSource::Rectangle { .. }
+            | MeshSource::Quadrilateral { .. }
+            | MeshSource::Star { .. }
+            | MeshSource::Disc { .. } => Some(2),
+            MeshSource::Cuboid { .. } | MeshSource::Ball { .. } => Some(3),
+            MeshSource::File { .. } => None,
+        }
+    }
+}

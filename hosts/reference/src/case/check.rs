@@ -1,0 +1,282 @@
+//! What a case must fulfil beyond the types of its values.
+
+use super::{Case, CellKind, Key, Load, MeshSource, Obstacle, Place, Support};
+
+/// Everything that is wrong with a case: the key to blame, and what would be right.
+pub(super) fn flaws(case: &Case) -> Vec<(Key, String)> {
+    let mut check = Check { case, flaws: Vec::new() };
+    if !matches!(case.dimension, 2 | 3) {
+        check.flaw(&Key::parse("dimension"), format!("it must be 2 or 3, not {}", case.dimension));
+        return check.flaws;
+    }
+    check.bodies();
+    check.boundary();
+    check.obstacles();
+    check.contact();
+    check.time();
+    check.figures();
+    check.flaws
+}
+
+struct Check<'a> {
+    case: &'a Case,
+    flaws: Vec<(Key, String)>,
+}
+
+impl Check<'_> {
+    fn flaw(&mut self, key: &Key, message: String) {
+        self.flaws.push((key.clone(), message));
+    }
+
+    fn positive(&mut self, key: &Key, value: f64) {
+        if !(value.is_finite() && value > 0.0) {
+            self.flaw(key, format!("it must be positive, not {value}"));
+        }
+    }
+
+    fn maybe_positive(&mut self, key: &Key, value: Option<f64>) {
+        value.into_iter().for_each(|value| self.positive(key, value));
+    }
+
+    fn vector(&mut self, key: &Key, list: Option<&Vec<f64>>) {
+        let dimension = self.case.dimension;
+        match list {
+            Some(list) if list.len() != dimension => {
+                self.flaw(key, format!("it must have {dimension} numbers in {dimension}D, not {}", list.len()));
+            }
+            Some(list) if list.iter().any(|x| !x.is_finite()) => self.flaw(key, "its numbers must be finite".into()),
+            _ => {}
+        }
+    }
+
+    fn bodies(&mut self) {
+        let bodies = Key::parse("bodies");
+        if self.case.bodies.is_empty() {
+            self.flaw(&bodies, "there must be at least one body".into());
+        }
+        let obstacles = self.case.obstacles.iter().map(|obstacle| &obstacle.name);
+        let names: Vec<&String> = self.case.bodies.iter().map(|body| &body.name).chain(obstacles).collect();
+        for (index, body) in self.case.bodies.iter().enumerate() {
+            let key = bodies.then(index);
+            if names.iter().filter(|name| **name == &body.name).count() > 1 {
+                self.flaw(&key.then("name"), format!("there is another '{}'", body.name));
+            }
+            let material = key.then("material");
+            self.positive(&material.then("young"), body.material.young);
+            self.positive(&material.then("density"), body.material.density);
+            let poisson = body.material.poisson;
+            if !(poisson > -1.0 && poisson < 0.5) {
+                self.flaw(&material.then("poisson"), format!("it must be above −1 and below 0.5, not {poisson}"));
+            }
+            self.vector(&key.then("initial_velocity"), body.initial_velocity.as_ref());
+            self.vector(&key.then("position"), body.position.as_ref());
+            self.mesh(&key.then("mesh"), &body.mesh);
+        }
+    }
+
+    fn mesh(&mut self, key: &Key, mesh: &MeshSource) {
+        let dimension = self.case.dimension;
+        if let Some(own) = mesh.dimension().filter(|own| *own != dimension) {
+            self.flaw(key, format!("it is a {own}D mesh in a {dimension}D case"));
+        }
+        let mut cell_is = |cell: CellKind, right: &[CellKind]| {
+            if !right.contains(&cell) {
+                let names: Vec<String> = right.iter().map(|kind| format!("{kind:?}").to_lowercase()).collect();
+                self.flaw(&key.then("cell"), format!("it must be {} for this shape", names.join(" or ")));
+            }
+        };
+        match *mesh {
+            MeshSource::Rectangle { cell, min, max, cells } => {
+                cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
+                self.box_shape(key, &min, &max, &cells);
+            }
+            MeshSource::Cuboid { cell, min, max, cells } => {
+                cell_is(cell, &[CellKind::Tet4, CellKind::Hex8]);
+                self.box_shape(key, &min, &max, &cells);
+            }
+            MeshSource::Quadrilateral { cell, corners, cells } => {
+                cell_is(cell, &[CellKind::Quad4]);
+                let turn = |k: usize| {
+                    let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 4]);
+                    (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+                };
+                if !(0..4).all(|k| turn(k) > 0.0) {
+                    let message = "they must make a convex quadrilateral, counter-clockwise".into();
+                    self.flaw(&key.then("corners"), message);
+                }
+                self.counts(&key.then("cells"), &cells);
+            }
+            MeshSource::Star { cell, tips, outer, inner, side_edges, half_width } => {
+                cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
+                self.positive(&key.then("inner"), inner);
+                if tips < 3 {
+                    self.flaw(&key.then("tips"), format!("it must be at least 3, not {tips}"));
+                } else if !(outer.is_finite() && outer > inner) {
+                    self.flaw(&key.then("outer"), format!("it must be larger than inner = {inner}, not {outer}"));
+                }
+                if half_width == 0 || side_edges <= 2 * half_width {
+                    let message = "it must be more than twice half_width, and half_width at least 1".into();
+                    self.flaw(&key.then("side_edges"), message);
+                }
+            }
+            MeshSource::Disc { cell, radius, edges } => {
+                cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
+                self.positive(&key.then("radius"), radius);
+                if edges < 3 || cell == CellKind::Quad4 && !edges.is_multiple_of(4) {
+                    self.flaw(&key.then("edges"), "it must be at least 3, and a multiple of 4 for quad4".into());
+                }
+            }
+            MeshSource::Ball { cell, radius, layers, .. } => {
+                cell_is(cell, &[CellKind::Tet4]);
+                self.positive(&key.then("radius"), radius);
+                self.counts(&key.then("layers"), &[layers]);
+            }
+            MeshSource::File { .. } => {}
+        }
+    }
+
+    fn box_shape(&mut self, key: &Key, min: &[f64], max: &[f64], cells: &[usize]) {
+        if !min.iter().zip(max).all(|(low, high)| low.is_finite() && high.is_finite() && low < high) {
+            self.flaw(&key.then("max"), "it must be larger than min along every axis".into());
+        }
+        self.counts(&key.then("cells"), cells);
+    }
+
+    fn counts(&mut self, key: &Key, counts: &[usize]) {
+        if counts.contains(&0) {
+            self.flaw(key, "it must be at least 1".into());
+        }
+    }
+
+    fn body_name(&mut self, key: &Key, name: &str) {
+        if self.case.body(name).is_none() {
+            let names: Vec<&str> = self.case.bodies.iter().map(|body| body.name.as_str()).collect();
+            self.flaw(key, format!("there is no body '{name}'; there are: {}", names.join(", ")));
+        }
+    }
+
+    fn boundary(&mut self) {
+        for (index, support) in self.case.supports.iter().enumerate() {
+            let key = Key::parse("supports").then(index);
+            let Support { body, place, components, values } = support;
+            self.body_name(&key.then("body"), body);
+            self.place(&key.then("where"), place);
+            if components.is_empty() || components.iter().any(|axis| axis.index() >= self.case.dimension) {
+                let axes = if self.case.dimension == 2 { "\"x\" and \"y\"" } else { "\"x\", \"y\" and \"z\"" };
+                self.flaw(&key.then("components"), format!("it must list some of {axes}"));
+            }
+            if values.as_ref().is_some_and(|values| values.len() != components.len()) {
+                self.flaw(&key.then("values"), "it must have one number for every component".into());
+            }
+        }
+        for (index, load) in self.case.loads.iter().enumerate() {
+            let key = Key::parse("loads").then(index);
+            let Load { body, place, traction, pressure, body_force } = load;
+            self.body_name(&key.then("body"), body);
+            place.iter().for_each(|place| self.place(&key.then("where"), place));
+            self.vector(&key.then("traction"), traction.as_ref());
+            self.vector(&key.then("body_force"), body_force.as_ref());
+            let given = [traction.is_some(), pressure.is_some(), body_force.is_some()];
+            if given.iter().filter(|given| **given).count() != 1 {
+                self.flaw(&key, "it must have one of traction, pressure and body_force".into());
+            } else if place.is_some() == body_force.is_some() {
+                self.flaw(&key, "a traction or a pressure needs 'where'; a body_force acts on all of the body".into());
+            }
+        }
+    }
+
+    fn place(&mut self, key: &Key, place: &Place) {
+        let probe = |dimension| match dimension {
+            2 => place.holds(&[0.0; 2], &[0.0; 2], &[0.0; 2]),
+            _ => place.holds(&[0.0; 3], &[0.0; 3], &[0.0; 3]),
+        };
+        if probe(self.case.dimension).is_none() {
+            let message =
+                "it must be one of { side = \"bottom\" }, { axis = \"y\", at = 0.5 } and { min = […], max = […] }";
+            self.flaw(key, message.into());
+        }
+    }
+
+    fn obstacles(&mut self) {
+        for (index, obstacle) in self.case.obstacles.iter().enumerate() {
+            let key = Key::parse("obstacles").then(index);
+            let Obstacle { shape, position, axis, radius, half_height, half_extents, .. } = obstacle;
+            self.vector(&key.then("position"), position.as_ref());
+            self.vector(&key.then("axis"), axis.as_ref());
+            self.vector(&key.then("half_extents"), half_extents.as_ref());
+            if axis.as_ref().is_some_and(|axis| axis.iter().all(|&x| x == 0.0)) {
+                self.flaw(&key.then("axis"), "it must have a direction".into());
+            }
+            self.maybe_positive(&key.then("radius"), *radius);
+            self.maybe_positive(&key.then("half_height"), *half_height);
+            half_extents.iter().flatten().for_each(|&extent| self.positive(&key.then("half_extents"), extent));
+            let given = [radius.is_some(), half_height.is_some(), half_extents.is_some()];
+            let names = ["radius", "half_height", "half_extents"];
+            for ((name, needed), given) in names.into_iter().zip(shape.measures()).zip(given) {
+                match (needed, given) {
+                    (true, false) => self.flaw(&key, format!("this shape needs {name}")),
+                    (false, true) => self.flaw(&key.then(name), "this shape has no such measure".into()),
+                    _ => {}
+                }
+            }
+        }
+    }
+
+    fn contact(&mut self) {
+        let (key, contact) = (Key::parse("contact"), &self.case.contact);
+        self.positive(&key.then("stiffness"), contact.stiffness);
+        if !(contact.exponent.is_finite() && contact.exponent >= 1.0) {
+            self.flaw(&key.then("exponent"), format!("it must be at least 1, not {}", contact.exponent));
+        }
+        self.maybe_positive(&key.then("spacing"), contact.spacing);
+        self.maybe_positive(&key.then("fiber_length"), contact.fiber_length);
+        if contact.fibers == Some(0) {
+            self.flaw(&key.then("fibers"), "it must be at least 1".into());
+        }
+        if contact.fibers.is_some() && contact.spacing.is_some() {
+            self.flaw(&key.then("spacing"), "it cannot go together with fibers".into());
+        }
+    }
+
+    fn time(&mut self) {
+        let (key, time) = (Key::parse("time"), &self.case.time);
+        self.positive(&key.then("end"), time.end);
+        self.maybe_positive(&key.then("step"), time.step);
+        self.maybe_positive(&key.then("damping"), time.damping);
+        if time.step.is_some() == time.fraction.is_some() {
+            self.flaw(&key, "it must have one of step, in s, and fraction, of the largest stable step".into());
+        }
+        if let Some(fraction) = time.fraction
+            && !(fraction > 0.0 && fraction <= 1.0)
+        {
+            self.flaw(&key.then("fraction"), format!("it must be above 0 and at most 1, not {fraction}"));
+        }
+        if time.step.is_some_and(|step| step > time.end) {
+            self.flaw(&key.then("step"), format!("it must be at most end = {}", time.end));
+        }
+    }
+
+    fn figures(&mut self) {
+        let figures = &self.case.figures;
+        self.body_name(&Key::parse("figures.body"), &figures.body);
+        if let Some(index) = self.case.body(&figures.body) {
+            let still = |v: &Vec<f64>| v.iter().all(|&v| v == 0.0);
+            if self.case.bodies[index].initial_velocity.as_ref().is_none_or(still) {
+                self.flaw(&Key::parse("figures.body"), format!("'{}' must move at the start", figures.body));
+            }
+        }
+        let known = figures.kind.keys();
+        for (index, expected) in self.case.expected.iter().enumerate() {
+            let key = Key::parse("expected").then(index);
+            if !known.contains(&expected.figure.as_str()) {
+                let message = format!("there is no figure '{}' here; there are: {}", expected.figure, known.join(", "));
+                self.flaw(&key.then("figure"), message);
+            }
+            self.maybe_positive(&key.then("relative"), expected.relative);
+            self.maybe_positive(&key.then("absolute"), expected.absolute);
+            if expected.relative.is_some() && expected.absolute.is_some() {
+                self.flaw(&key.then("absolute"), "it cannot go together with relative".into());
+            }
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Energy law and estimator of a case.
+
+use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, LineWeights, Options, Resolution};
+use serde::{Deserialize, Serialize};
+
+/// `[contact]`
+///
+/// How fibers are laid may be said of a case that is measured exactly: it holds once the estimator is changed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Contact {
+    /// Energy of an overlap.
+    pub law: LawName,
+    /// Stiffness k: for `volume` energy / volumeᵐ (Pa for m = 1), for `fiber` pressure / penetration (Pa/m).
+    pub stiffness: f64,
+    /// Exponent m of `volume`, at least 1.
+    #[serde(default = "one")]
+    pub exponent: f64,
+    /// How overlap is measured.
+    #[serde(default)]
+    pub estimator: EstimatorName,
+    /// How fibers are laid.
+    #[serde(default)]
+    pub pattern: PatternName,
+    /// How several families of lines are combined.
+    #[serde(default)]
+    pub weights: WeightsName,
+    /// About this many fibers per pair; not together with `spacing`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fibers: Option<usize>,
+    /// Distance between neighbouring fibers, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spacing: Option<f64>,
+    /// Length of a segment of the isotropic pattern, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fiber_length: Option<f64>,
+    /// Another seed is another random shift of the fibers.
+    #[serde(default)]
+    pub seed: u64,
+    /// Whether every time step has fibers of its own, as in the paper; those that stay conserve energy better.
+    #[serde(default)]
+    pub new_fibers_every_step: bool,
+    /// Whether the forces of a sampled overlap are corrected so that their sum and moment vanish.
+    #[serde(default = "yes")]
+    pub balance: bool,
+    /// Whether a body may meet itself.
+    #[serde(default)]
+    pub self_contact: bool,
+}
+
+/// Names of energy laws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LawName {
+    /// w = k Vᵐ.
+    Volume,
+    /// Energy fiber by fiber, ψ = ½ k L²: the pressure is k times the penetration.
+    Fiber,
+}
+
+/// Names of estimators.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EstimatorName {
+    /// Sampled.
+    #[default]
+    Fibers,
+    /// Clipped.
+    Exact,
+}
+
+/// Names of fiber patterns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PatternName {
+    /// Families of parallel lines.
+    #[default]
+    Lines,
+    /// Segments of random start and direction, as in the paper.
+    Isotropic,
+}
+
+/// Names of weights.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WeightsName {
+    /// Least noise in the forces.
+    #[default]
+    Balance,
+    /// Forces are the exact gradient of the estimated energy.
+    Consistent,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn yes() -> bool {
+    true
+}
+
+impl Contact {
+    /// Options of the module; the result does not depend on `threads`.
+    pub fn options(&self, threads: usize) -> Options {
+        let law = match self.law {
+            LawName::Volume => EnergyLaw::Volume { k: self.stiffness, m: self.exponent },
+            LawName::Fiber => EnergyLaw::Volume { k: 5.0 * self.stiffness, m: 2.0 },
+        };
+        let estimator = match self.estimator {
+            EstimatorName::Exact => Estimator::Exact,
+            EstimatorName::Fibers => Estimator::Fibers(FiberOptions {
+                pattern: match self.pattern {
+                    PatternName::Lines => FiberPattern::Lines,
+                    PatternName::Isotropic => FiberPattern::Isotropic { length: self.fiber_length },
+                },
+                weights: match self.weights {
+                    WeightsName::Balance => LineWeights::Balance,
+                    WeightsName::Consistent => LineWeights::Consistent,
+                },
+                resolution: match (self.fibers, self.spacing) {
+                    (Some(count), _) => Resolution::Count(count),
+                    (None, Some(spacing)) => Resolution::Spacing(spacing),
+                    (None, None) => Resolution::Auto,
+                },
+                seed: self.seed,
+                balance: self.balance,
+            }),
+        };
+        Options { estimator, threads, self_contact: self.self_contact, ..Options::new(law) }
+    }
+
+    /// The estimator in a word: `exact`, `lines` or `isotropic`.
+    pub fn estimator_word(&self) -> &'static str {
+        match (self.estimator, self.pattern) {
+            (EstimatorName::Exact, _) => "exact",
+            (EstimatorName::Fibers, PatternName::Lines) => "lines",
+            (EstimatorName::Fibers, PatternName::Isotropic) => "isotropic",
+        }
+    }
+
+    /// The law as a formula with its numbers.
+    pub fn law_formula(&self) -> String {
+        match self.law {
+            LawName::Volume if self.exponent == 1.0 => format!("w = k V, k = {:e}", self.stiffness),
+            LawName::Volume => format!("w = k V^{}, k = {:e}", self.exponent, self.stiffness),
+            LawName::Fiber => format!("p = k L, k = {:e}", self.stiffness),
+        }
+    }
+}

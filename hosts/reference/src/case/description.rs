@@ -1,0 +1,117 @@
+//! What a case file says.
+
+use super::{Body, Contact, Expected, Load, Obstacle, Support, Time};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// A case file, table by table. Unknown keys are errors everywhere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// One line.
+    pub title: String,
+    /// Where the problem comes from.
+    pub source: String,
+    /// 2 (plane strain) or 3.
+    pub dimension: usize,
+    /// The elastic bodies; the order is that of their nodes.
+    pub bodies: Vec<Body>,
+    /// What is held.
+    #[serde(default)]
+    pub supports: Vec<Support>,
+    /// What pushes, from the start to the end.
+    #[serde(default)]
+    pub loads: Vec<Load>,
+    /// Rigid partners.
+    #[serde(default)]
+    pub obstacles: Vec<Obstacle>,
+    /// Energy law and estimator.
+    pub contact: Contact,
+    /// Step and duration.
+    pub time: Time,
+    /// What is written beside the history.
+    #[serde(default)]
+    pub output: Output,
+    /// Which figures are taken from the history.
+    pub figures: Figures,
+    /// Named sets of changes.
+    #[serde(default)]
+    pub variants: BTreeMap<String, Variant>,
+    /// What the figures should be.
+    #[serde(default)]
+    pub expected: Vec<Expected>,
+}
+
+/// `[output]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Output {
+    /// Intervals between the fields that are written; the first shows the start.
+    pub frames: u64,
+    /// Whether they also become an animation (2D only).
+    pub animation: bool,
+}
+
+/// `[figures]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Figures {
+    /// Which ones.
+    pub kind: FigureKind,
+    /// The body that they are about: the one that moves at the start.
+    pub body: String,
+}
+
+/// Sets of figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FigureKind {
+    /// A bar that falls on a rigid wall: pressure, contact time, exit velocity, energy.
+    Wall,
+    /// A body that hits another one: impulse, contact time, rebound, energy, balance.
+    Impact,
+}
+
+/// `[variants.NAME]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Variant {
+    /// One line.
+    pub about: String,
+    /// The keys that it changes, nested as in the file itself; entries of lists go by their name.
+    pub set: toml::Table,
+}
+
+impl FigureKind {
+    /// Keys of the figures, in the order of the report.
+    pub fn keys(self) -> &'static [&'static str] {
+        match self {
+            FigureKind::Wall => {
+                &["pressure_mean", "pressure_rms", "contact_start", "contact_end", "exit_velocity", "energy_error_max"]
+            }
+            FigureKind::Impact => &[
+                "impulse",
+                "contact_start",
+                "contact_end",
+                "rebound",
+                "sideways",
+                "energy_drift",
+                "force_peak",
+                "balance_max",
+            ],
+        }
+    }
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self { frames: 50, animation: false }
+    }
+}
+
+impl Case {
+    /// Index of a body by its name.
+    pub fn body(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|body| body.name == name)
+    }
+}

@@ -1,0 +1,83 @@
+//! Rigid partners.
+
+use crate::rotation::rotation_onto;
+use fmc_contact::{Pose, Shape};
+use serde::{Deserialize, Serialize};
+
+/// `[[obstacles]]`: a rigid shape of fmc-contact and where it stands.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Obstacle {
+    /// Name, unique among bodies and obstacles.
+    pub name: String,
+    /// Its shape; which measures it needs follows from it.
+    pub shape: ShapeName,
+    /// Where the origin of its frame lies, `[D]`, m; the origin of space if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position: Option<Vec<f64>>,
+    /// Direction of its axis (of the outward normal of a half-space), `[D]`; the last coordinate axis if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axis: Option<Vec<f64>>,
+    /// Radius, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radius: Option<f64>,
+    /// Half of the height, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub half_height: Option<f64>,
+    /// Half of each side, `[D]`, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub half_extents: Option<Vec<f64>>,
+}
+
+/// Names of shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ShapeName {
+    /// Everything below the plane through the position.
+    HalfSpace,
+    /// `radius`.
+    Ball,
+    /// `half_extents`.
+    Cuboid,
+    /// `radius`, `half_height`.
+    Cylinder,
+    /// `radius`, `half_height`; its apex is ahead.
+    Cone,
+    /// `radius`, `half_height`.
+    Capsule,
+}
+
+impl ShapeName {
+    /// Whether it is measured by a radius, a half height and half extents.
+    pub fn measures(self) -> [bool; 3] {
+        match self {
+            ShapeName::HalfSpace => [false, false, false],
+            ShapeName::Ball => [true, false, false],
+            ShapeName::Cuboid => [false, false, true],
+            ShapeName::Cylinder | ShapeName::Cone | ShapeName::Capsule => [true, true, false],
+        }
+    }
+}
+
+impl Obstacle {
+    /// The obstacle for the contact module; `None` if it lacks a measure or has lists of another length.
+    pub fn build<const D: usize>(&self) -> Option<fmc_contact::Obstacle<D>> {
+        let vector = |list: &Vec<f64>| <[f64; D]>::try_from(&list[..]).ok();
+        let (radius, half_height) = (self.radius, self.half_height);
+        let shape = match self.shape {
+            ShapeName::HalfSpace => Shape::HalfSpace,
+            ShapeName::Ball => Shape::Ball { radius: radius? },
+            ShapeName::Cuboid => Shape::Cuboid { half_extents: vector(self.half_extents.as_ref()?)? },
+            ShapeName::Cylinder => Shape::Cylinder { radius: radius?, half_height: half_height? },
+            ShapeName::Cone => Shape::Cone { radius: radius?, half_height: half_height? },
+            ShapeName::Capsule => Shape::Capsule { radius: radius?, half_height: half_height? },
+        };
+        let mut pose = Pose::at(self.position.as_ref().map_or(Some([0.0; D]), vector)?);
+        if let Some(axis) = &self.axis {
+            let axis = vector(axis)?;
+            let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+            pose.rotation = rotation_onto(axis.map(|x| x / length));
+        }
+        Some(fmc_contact::Obstacle { shape, pose })
+    }
+}

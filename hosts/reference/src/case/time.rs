@@ -1,0 +1,27 @@
+//! Time steps of a case.
+
+use serde::{Deserialize, Serialize};
+
+/// `[time]`. Exactly one of `step` and `fraction`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Time {
+    /// Step, s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step: Option<f64>,
+    /// Step as a part of the largest stable one, at most 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fraction: Option<f64>,
+    /// Duration, s.
+    pub end: f64,
+    /// Damping of the velocity per unit of mass, 1/s; none if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub damping: Option<f64>,
+}
+
+impl Time {
+    /// Steps of the given length that reach the end; what rounding adds to a whole number makes no step.
+    pub fn steps(&self, step: f64) -> u64 {
+        (self.end / step - 1e-6).ceil().max(1.0) as u64
+    }
+}

@@ -1,0 +1,71 @@
+//! How stiff the contact is, as the leapfrog scheme feels it: a bound of ω_c, ω_c² the largest eigenvalue of M⁻¹K_c.
+//!
+//! **w = k Vᵐ.** K_c = w''(V) g gᵀ + w'(V) ∂²V, g = ∂V/∂x, per pair. The first part has rank one, and M⁻¹ w'' g gᵀ has
+//! the single eigenvalue w'' Σ_i |g_i|²/m_i with w'' = k m (m − 1) V^(m−2). Several pairs add up at most. The second
+//! part comes from the rim of the contact, which moves; it has no bound (facets that come to lie in one plane enter the
+//! overlap at once), but the force that can jump there is at most w' times a facet, and w' goes to zero with V where
+//! m > 1. It is left out, and the total energy tells what it did. For 1 ≤ m < 2 the first part has no bound either: at
+//! V = 0 the traction jumps (m = 1) or rises with a vertical slope.
+//!
+//! Before the bodies meet, V and g are not known. For m = 2, w'' = 2k whatever V, and |g_i| is at most the area A_i that
+//! node i has on the surface, since g_i = ∫ N_i n dA over the part of the surface inside the other body. So
+//! ω_c² ≤ 2k Σ A_i²/m_i over all surface nodes of both bodies, which is safe, and by a factor too large.
+
+use super::surface_area::surface_areas;
+use fmc_contact::{Contact, EnergyLaw, Error};
+
+/// Bound of ω_c whatever the bodies do; `None` where the law has none.
+pub(super) fn before_contact<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    inverse_mass: &[[f64; D]],
+) -> Option<f64> {
+    match contact.options().law {
+        EnergyLaw::Volume { k, m: 2.0 } => {
+            let areas = surface_areas(contact.surface(), coords);
+            let mobility: f64 = areas.iter().zip(inverse_mass).map(|(a, w)| a * a * largest(w)).sum();
+            Some((2.0 * k * partner_count(contact) * mobility).sqrt())
+        }
+        _ => None,
+    }
+}
+
+/// Pairs that a body can be in.
+fn partner_count<const D: usize>(contact: &Contact<D>) -> f64 {
+    let itself = usize::from(contact.options().self_contact);
+    (contact.surface().body_count() - 1 + contact.obstacle_count() + itself) as f64
+}
+
+fn largest<const D: usize>(weights: &[f64; D]) -> f64 {
+    weights.iter().copied().fold(0.0, f64::max)
+}
+
+/// Bound of ω_c at `coords`; `None` where the law has none.
+pub(super) fn in_contact<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    inverse_mass: &[[f64; D]],
+) -> Result<Option<f64>, Error> {
+    let (k, m) = match contact.options().law {
+        EnergyLaw::Volume { k, m } if m >= 2.0 => (k, m),
+        _ => return Ok(None),
+    };
+    let mut squared = 0.0;
+    for overlap in contact.overlaps(coords)? {
+        if overlap.volume <= 0.0 {
+            continue;
+        }
+        let mut mobility = 0.0;
+        // A node that both sides share appears twice, one after the other; its gradient is the sum.
+        let entries: Vec<_> = overlap.nodes.iter().zip(&overlap.gradient).collect();
+        for same in entries.chunk_by(|a, b| a.0 == b.0) {
+            let weights = inverse_mass[*same[0].0 as usize];
+            for axis in 0..D {
+                let g: f64 = same.iter().map(|(_, gradient)| gradient[axis]).sum();
+                mobility += g * g * weights[axis];
+            }
+        }
+        squared += k * m * (m - 1.0) * overlap.volume.powf(m - 2.0) * mobility;
+    }
+    Ok(Some(squared.sqrt()))
+}

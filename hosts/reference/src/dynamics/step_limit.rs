@@ -1,0 +1,83 @@
+//! The largest stable step.
+
+use super::contact_frequency;
+use super::error::DynamicsError;
+use super::evaluation::placed;
+use crate::fem::Model;
+use fmc_contact::Contact;
+use std::fmt;
+
+/// Part of the stable step that is taken when none is given: frequencies rise where cells are compressed.
+const SAFETY: f64 = 0.9;
+
+/// What bounds the step of the leapfrog scheme.
+///
+/// The linearised motion M ü = −(K_s + K_c) u is stable for Δt ≤ 2/ω, where ω² is the largest eigenvalue of
+/// M⁻¹(K_s + K_c). The largest eigenvalue of a sum of symmetric matrices is at most the sum of the largest, so
+/// ω² ≤ ω_s² + ω_c², with ω_s from the structure and ω_c from the contact. Supports only lower ω.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepLimit {
+    /// Largest frequency of the structure alone, rad/time.
+    pub structure: f64,
+    /// Bound of the contact's frequency, rad/time; `None` where none exists because the force, or its slope, jumps.
+    pub contact: Option<f64>,
+}
+
+impl StepLimit {
+    /// 2/√(ω_s² + ω_c²), infinite for bodies without stiffness. Where the contact has no bound, that of the structure.
+    pub fn step(&self) -> f64 {
+        2.0 / self.structure.hypot(self.contact.unwrap_or(0.0))
+    }
+}
+
+impl fmt::Display for StepLimit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:.4e} (structure alone: {:.4e}", self.step(), 2.0 / self.structure)?;
+        match self.contact {
+            Some(contact) if contact > 0.0 => write!(f, ", contact alone: {:.4e})", 2.0 / contact),
+            Some(_) => write!(f, ", no contact)"),
+            None => write!(f, "; the contact's force jumps, and no step is small enough to resolve it)"),
+        }
+    }
+}
+
+/// What the stable step follows from.
+pub(super) struct Stiffness<'a, const D: usize> {
+    pub(super) model: &'a Model<D>,
+    pub(super) contact: &'a Contact<D>,
+    pub(super) mass: &'a [f64],
+    pub(super) inverse_mass: &'a [[f64; D]],
+}
+
+impl<const D: usize> Stiffness<'_, D> {
+    /// Limit for whatever contact may come, at the undeformed bodies.
+    pub(super) fn limit_before_contact(&self) -> StepLimit {
+        let coords = self.model.coords();
+        StepLimit {
+            structure: self.model.largest_frequency(&vec![[0.0; D]; coords.len()], self.mass),
+            contact: contact_frequency::before_contact(self.contact, coords, self.inverse_mass),
+        }
+    }
+
+    /// Limit at a displacement, with the contact that there is.
+    pub(super) fn limit_at(&self, displacement: &[[f64; D]]) -> Result<StepLimit, DynamicsError> {
+        let coords = placed(self.model.coords(), displacement);
+        let contact = contact_frequency::in_contact(self.contact, &coords, self.inverse_mass);
+        Ok(StepLimit {
+            structure: self.model.largest_frequency(displacement, self.mass),
+            contact: contact.map_err(DynamicsError::Setup)?,
+        })
+    }
+
+    /// The limit and the step to take when none is given.
+    pub(super) fn auto(&self) -> Result<(StepLimit, f64), DynamicsError> {
+        let limit = self.limit_before_contact();
+        if limit.step().is_finite() { Ok((limit, SAFETY * limit.step())) } else { Err(DynamicsError::NoLimit) }
+    }
+
+    /// The limit at a displacement, if it admits the step asked for.
+    pub(super) fn admits(&self, asked: f64, displacement: &[[f64; D]]) -> Result<StepLimit, DynamicsError> {
+        let limit = self.limit_at(displacement)?;
+        if asked <= limit.step() { Ok(limit) } else { Err(DynamicsError::StepTooLarge { asked, limit }) }
+    }
+}

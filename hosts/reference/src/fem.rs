@@ -1,0 +1,49 @@
+//! Finite elements: bodies of first-order cells, their energy, forces, stiffness and stress.
+//!
+//! Elements are `Tri3` and `Tet4` with one Gauss point, `Quad4` with 2 × 2 and `Hex8` with 2 × 2 × 2, all isoparametric
+//! and without any reduced integration or stabilisation. 2D is plane strain, per unit thickness. Everything is referred
+//! to the undeformed configuration (total Lagrangian): gradients of the shape functions are computed once.
+//!
+//! With H = ∂u/∂X, the displacement gradient, W the energy density of the [`Material`] and P = ∂W/∂H:
+//!
+//! ```text
+//! energy     E(u)  = ∫ W(H) dV                                  Model::internal
+//! force      f_a   = ∂E/∂u_a  = ∫ P ∇N_a dV                     Model::internal
+//! stiffness  K_ab  = ∂f_a/∂u_b = ∫ ∇N_a · ∂P/∂H · ∇N_b dV       Model::tangent
+//! mass       m_a   = ∫ ρ N_a dV   (row sum: diagonal)           Model::lumped_mass
+//! ```
+//!
+//! so that a body in motion obeys m ü = external − internal. Sums run over fixed blocks in a fixed order: the number of
+//! threads changes no bit.
+
+mod assembly;
+mod cofactor;
+mod constraints;
+mod elements;
+mod error;
+mod faces;
+mod frequency;
+mod internal;
+mod lanczos;
+mod linear_elastic;
+mod load;
+mod mass;
+mod material;
+mod model;
+mod neo_hookean;
+mod part;
+mod quadrature;
+mod response;
+mod stiffness;
+mod stress;
+mod tangent;
+mod triplets;
+
+pub use constraints::Constraints;
+pub use error::Error;
+pub use faces::Face;
+pub use material::{Law, Material};
+pub use model::Model;
+pub use part::Part;
+pub use stress::Stress;
+pub use triplets::Triplets;

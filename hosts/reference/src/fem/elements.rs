@@ -1,0 +1,147 @@
+//! Elements of one part: what of the reference configuration their integrals need.
+
+use super::cofactor::cofactor;
+use super::quadrature::gauss_points;
+use super::response::{Tensor, from_fn};
+use super::{Error, Material, Part};
+use fmc_contact::CellType;
+
+/// Elements of one part in flat arrays; node ids are those of the model.
+#[derive(Debug)]
+pub(super) struct Elements<const D: usize> {
+    pub(super) cell_type: CellType,
+    pub(super) material: Material,
+    /// Gauss points per cell.
+    pub(super) points_per_cell: usize,
+    /// First node of the part in the model.
+    pub(super) first_node: usize,
+    /// `[cell_count, node_count]`.
+    pub(super) conn: Vec<u32>,
+    /// Gradients ∇N_a by the reference place, `[cell_count, point_count, node_count]`.
+    pub(super) gradients: Vec<[f64; D]>,
+    /// Volume that each Gauss point stands for, `[cell_count, point_count]`.
+    pub(super) volumes: Vec<f64>,
+    /// ∫ N_a dV, `[cell_count, node_count]`.
+    pub(super) shares: Vec<f64>,
+    /// Entries of `conn` by the node that they name, each node's ascending, and where each node's begin.
+    slots: Vec<u32>,
+    first_slots: Vec<u32>,
+}
+
+impl<const D: usize> Elements<D> {
+    /// Elements of a part whose first node is `first_node` of the model.
+    pub(super) fn new(part: &Part<D>, first_node: usize) -> Result<Self, Error> {
+        check(part)?;
+        let points = gauss_points(part.cell_type);
+        let coords = &part.mesh.coords;
+        let (mut gradients, mut volumes, mut shares) = (Vec::new(), Vec::new(), Vec::new());
+        for (cell, nodes) in part.mesh.cells().enumerate() {
+            let mut share = vec![0.0; nodes.len()];
+            for point in &points {
+                // J = ∂X/∂ξ; ∇N = J^(−T) ∂N/∂ξ.
+                let jacobian: Tensor<D> = from_fn(|i, j| {
+                    nodes.iter().zip(&point.derivative).map(|(&node, d)| coords[node as usize][i] * d[j]).sum()
+                });
+                let (determinant, inverse) = inverse_transposed(&jacobian);
+                let volume = point.weight * determinant;
+                if volume.is_nan() || volume <= 0.0 {
+                    return Err(Error::InvertedCell { part: part.name.clone(), cell });
+                }
+                gradients.extend(point.derivative.iter().map(|derivative| -> [f64; D] {
+                    std::array::from_fn(|i| (0..D).map(|j| inverse[i][j] * derivative[j]).sum())
+                }));
+                volumes.push(volume);
+                share.iter_mut().zip(&point.shape).for_each(|(share, shape)| *share += shape * volume);
+            }
+            shares.extend(share);
+        }
+        let conn = part.mesh.conn.iter().map(|node| node + first_node as u32).collect();
+        let (slots, first_slots) = slots_by_node(&part.mesh.conn, coords.len());
+        Ok(Self {
+            cell_type: part.cell_type,
+            material: part.material,
+            points_per_cell: points.len(),
+            first_node,
+            conn,
+            gradients,
+            volumes,
+            shares,
+            slots,
+            first_slots,
+        })
+    }
+
+    /// Number of cells.
+    pub(super) fn len(&self) -> usize {
+        self.conn.len() / self.cell_type.node_count()
+    }
+
+    /// Number of nodes of the part.
+    pub(super) fn node_count(&self) -> usize {
+        self.first_slots.len() - 1
+    }
+
+    /// Entries of `conn` that name the part's node `node`, counted from 0 in the part.
+    pub(super) fn slots_of(&self, node: usize) -> &[u32] {
+        &self.slots[self.first_slots[node] as usize..self.first_slots[node + 1] as usize]
+    }
+
+    /// Nodes, gradients and volumes of a cell of `N` nodes.
+    #[inline(always)]
+    pub(super) fn cell<const N: usize>(&self, cell: usize) -> (&[u32; N], &[[[f64; D]; N]], &[f64]) {
+        let count = self.points_per_cell;
+        let nodes = &self.conn.as_chunks::<N>().0[cell];
+        let gradients = &self.gradients.as_chunks::<N>().0[cell * count..][..count];
+        (nodes, gradients, &self.volumes[cell * count..][..count])
+    }
+}
+
+/// Entries of `conn` sorted by node, and where each node's begin.
+fn slots_by_node(conn: &[u32], node_count: usize) -> (Vec<u32>, Vec<u32>) {
+    let mut first = vec![0u32; node_count + 1];
+    conn.iter().for_each(|&node| first[node as usize + 1] += 1);
+    (0..node_count).for_each(|node| first[node + 1] += first[node]);
+    let mut next = first.clone();
+    let mut slots = vec![0; conn.len()];
+    for (slot, &node) in conn.iter().enumerate() {
+        slots[next[node as usize] as usize] = slot as u32;
+        next[node as usize] += 1;
+    }
+    (slots, first)
+}
+
+/// Determinant and transposed inverse; the inverse of a singular matrix is not finite.
+fn inverse_transposed<const D: usize>(m: &Tensor<D>) -> (f64, Tensor<D>) {
+    let cofactor = cofactor(m);
+    let determinant: f64 = (0..D).map(|j| m[0][j] * cofactor[0][j]).sum();
+    (determinant, cofactor.map(|row| row.map(|entry| entry / determinant)))
+}
+
+/// Whether arrays fit together and constants are in their range.
+fn check<const D: usize>(part: &Part<D>) -> Result<(), Error> {
+    let (name, mesh, cell_type) = (|| part.name.clone(), &part.mesh, part.cell_type);
+    if mesh.nodes_per_cell != cell_type.node_count() || cell_type.dimension() != D {
+        return Err(Error::CellType { part: name(), cell_type, dimension: D, nodes_per_cell: mesh.nodes_per_cell });
+    }
+    if mesh.conn.is_empty() {
+        return Err(Error::Empty);
+    }
+    let node_count = mesh.coords.len();
+    let mut used = vec![false; node_count];
+    for (cell, nodes) in mesh.cells().enumerate() {
+        for &node in nodes {
+            let out_of_range = || Error::NodeOutOfRange { part: name(), cell, node, node_count };
+            *used.get_mut(node as usize).ok_or_else(out_of_range)? = true;
+        }
+    }
+    if let Some(node) = used.iter().position(|used| !used) {
+        return Err(Error::UnusedNode { part: name(), node });
+    }
+    if let Some(node) = mesh.coords.iter().position(|x| x.iter().any(|x| !x.is_finite())) {
+        return Err(Error::NonFiniteCoordinate { part: name(), node });
+    }
+    match part.material.flaw() {
+        Some((constant, value, range)) => Err(Error::Material { part: name(), name: constant, value, range }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,113 @@
+//! Strain energy, internal force and products with the stiffness.
+
+use super::Model;
+use super::assembly::assemble;
+use super::elements::Elements;
+use super::response::{Response, Tensor};
+use rayon::ThreadPool;
+
+impl<const D: usize> Model<D> {
+    /// Writes the internal force of every node, ∂E/∂u, to `force` and returns the strain energy E, in J (per unit
+    /// thickness in 2D). Both arrays are `[node_count, D]`.
+    ///
+    /// The energy is infinite where a neo-Hookean element is inverted (J ≤ 0 at a Gauss point).
+    ///
+    /// # Panics
+    /// If an array has another length.
+    pub fn internal(&self, displacement: &[[f64; D]], force: &mut [[f64; D]]) -> f64 {
+        assert_eq!((displacement.len(), force.len()), (self.node_count(), self.node_count()));
+        force.fill([0.0; D]);
+        let pool = self.pool.as_ref();
+        let energy = |elements: &Elements<D>| match elements.cell_type.node_count() {
+            3 => internal::<D, 3>(elements, pool, displacement, force),
+            4 => internal::<D, 4>(elements, pool, displacement, force),
+            _ => internal::<D, 8>(elements, pool, displacement, force),
+        };
+        self.elements.iter().map(energy).sum()
+    }
+
+    /// Writes to `product` the stiffness at `displacement` times `direction`: the derivative of the internal force.
+    ///
+    /// # Panics
+    /// If an array has another length than `[node_count, D]`.
+    pub fn stiffness_product(&self, displacement: &[[f64; D]], direction: &[[f64; D]], product: &mut [[f64; D]]) {
+        let count = self.node_count();
+        assert_eq!([displacement.len(), direction.len(), product.len()], [count; 3]);
+        product.fill([0.0; D]);
+        for elements in &self.elements {
+            match elements.cell_type.node_count() {
+                3 => stiffness_product::<D, 3>(elements, self.pool.as_ref(), displacement, direction, product),
+                4 => stiffness_product::<D, 4>(elements, self.pool.as_ref(), displacement, direction, product),
+                _ => stiffness_product::<D, 8>(elements, self.pool.as_ref(), displacement, direction, product),
+            }
+        }
+    }
+}
+
+fn internal<const D: usize, const N: usize>(
+    elements: &Elements<D>,
+    pool: Option<&ThreadPool>,
+    displacement: &[[f64; D]],
+    force: &mut [[f64; D]],
+) -> f64 {
+    let response = Response::new(&elements.material);
+    assemble::<D, N>(elements, pool, force, |cell, f| {
+        let (nodes, gradients, volumes) = elements.cell::<N>(cell);
+        let u = nodes.map(|node| displacement[node as usize]);
+        let mut energy = 0.0;
+        for (gradients, &volume) in gradients.iter().zip(volumes) {
+            let (stress, density) = response.stress(&gradient(&u, gradients));
+            energy += volume * density;
+            add_divergence(&stress, gradients, volume, f);
+        }
+        energy
+    })
+}
+
+fn stiffness_product<const D: usize, const N: usize>(
+    elements: &Elements<D>,
+    pool: Option<&ThreadPool>,
+    displacement: &[[f64; D]],
+    direction: &[[f64; D]],
+    product: &mut [[f64; D]],
+) {
+    let response = Response::new(&elements.material);
+    assemble::<D, N>(elements, pool, product, |cell, f| {
+        let (nodes, gradients, volumes) = elements.cell::<N>(cell);
+        let u = nodes.map(|node| displacement[node as usize]);
+        let du = nodes.map(|node| direction[node as usize]);
+        for (gradients, &volume) in gradients.iter().zip(volumes) {
+            let stress = response.stress_derivative(&gradient(&u, gradients), &gradient(&du, gradients));
+            add_divergence(&stress, gradients, volume, f);
+        }
+        0.0
+    });
+}
+
+/// H = Σ u_a ⊗ ∇N_a.
+#[inline(always)]
+fn gradient<const D: usize, const N: usize>(u: &[[f64; D]; N], gradients: &[[f64; D]; N]) -> Tensor<D> {
+    let mut h = [[0.0; D]; D];
+    for node in 0..N {
+        for i in 0..D {
+            (0..D).for_each(|j| h[i][j] += u[node][i] * gradients[node][j]);
+        }
+    }
+    h
+}
+
+/// f_a += P ∇N_a dV.
+#[inline(always)]
+fn add_divergence<const D: usize, const N: usize>(
+    stress: &Tensor<D>,
+    gradients: &[[f64; D]; N],
+    volume: f64,
+    f: &mut [[f64; D]; N],
+) {
+    for i in 0..D {
+        let row = stress[i].map(|p| volume * p);
+        for node in 0..N {
+            (0..D).for_each(|j| f[node][i] += row[j] * gradients[node][j]);
+        }
+    }
+}

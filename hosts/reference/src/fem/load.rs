@@ -1,0 +1,75 @@
+//! Loads that do not follow the deformation.
+
+use super::{Face, Model};
+
+/// Gauss points of a face as shape functions of its nodes and weights: what they integrate is in `surface_load`.
+/// Edges: two points; triangles: three inside; quadrilaterals: two per axis.
+fn face_points(node_count: usize) -> Vec<(Vec<f64>, f64)> {
+    let at = 0.5 - 0.5 / 3f64.sqrt();
+    match node_count {
+        2 => [at, 1.0 - at].map(|s| (vec![1.0 - s, s], 0.5)).into(),
+        3 => [0, 1, 2]
+            .map(|node| ((0..3).map(|k| if k == node { 2.0 / 3.0 } else { 1.0 / 6.0 }).collect(), 1.0 / 6.0))
+            .into(),
+        _ => [[at, at], [1.0 - at, at], [1.0 - at, 1.0 - at], [at, 1.0 - at]]
+            .map(|[s, t]| (vec![(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t], 0.25))
+            .into(),
+    }
+}
+
+impl<const D: usize> Model<D> {
+    /// Nodal forces ∫ N_a t dA of a traction on undeformed faces: `traction(x, n)` in Pa at place x, n the unit outward
+    /// normal.
+    ///
+    /// Exact for constant and linear tractions on edges, triangles and parallelograms.
+    pub fn surface_load(&self, faces: &[Face], traction: impl Fn(&[f64; D], &[f64; D]) -> [f64; D]) -> Vec<[f64; D]> {
+        let mut load = vec![[0.0; D]; self.node_count()];
+        for face in faces {
+            let x: Vec<[f64; D]> = face.nodes.iter().map(|&node| self.coords()[node as usize]).collect();
+            for (shape, weight) in face_points(face.nodes.len()) {
+                let place = std::array::from_fn(|i| x.iter().zip(&shape).map(|(x, s)| x[i] * s).sum());
+                let area = area_vector(&x, &shape);
+                let size = area.iter().map(|a| a * a).sum::<f64>().sqrt();
+                let t = traction(&place, &area.map(|a| a / size));
+                for (&node, s) in face.nodes.iter().zip(&shape) {
+                    (0..D).for_each(|axis| load[node as usize][axis] += weight * size * s * t[axis]);
+                }
+            }
+        }
+        load
+    }
+
+    /// Nodal forces ∫ N_a b dV of a force b per undeformed volume (ρ g for weight) in all of a part.
+    pub fn body_load(&self, part: usize, force_density: [f64; D]) -> Vec<[f64; D]> {
+        let mut load = vec![[0.0; D]; self.node_count()];
+        let elements = &self.elements[part];
+        for (&node, share) in elements.conn.iter().zip(&elements.shares) {
+            (0..D).for_each(|axis| load[node as usize][axis] += share * force_density[axis]);
+        }
+        load
+    }
+}
+
+/// Outward normal times the change of area with the coordinates in which the weights add up to the reference measure:
+/// 1 for edges and quadrilaterals, ½ for triangles.
+fn area_vector<const D: usize>(x: &[[f64; D]], shape: &[f64]) -> [f64; D] {
+    let mut tangents = [[0.0; D]; 2];
+    for i in 0..D {
+        (tangents[0][i], tangents[1][i]) = match x.len() {
+            2 => (x[1][i] - x[0][i], 0.0),
+            3 => (x[1][i] - x[0][i], x[2][i] - x[0][i]),
+            _ => {
+                let s = shape[1] + shape[2];
+                let t = shape[2] + shape[3];
+                let along_s = (1.0 - t) * (x[1][i] - x[0][i]) + t * (x[2][i] - x[3][i]);
+                (along_s, (1.0 - s) * (x[3][i] - x[0][i]) + s * (x[2][i] - x[1][i]))
+            }
+        };
+    }
+    let [a, b] = tangents;
+    match D {
+        // The body lies on the left: the normal points to the right.
+        2 => std::array::from_fn(|i| if i == 0 { a[1] } else { -a[0] }),
+        _ => std::array::from_fn(|i| a[(i + 1) % D] * b[(i + 2) % D] - a[(i + 2) % D] * b[(i + 1) % D]),
+    }
+}

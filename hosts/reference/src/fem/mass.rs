@@ -1,0 +1,16 @@
+//! Lumped mass.
+
+use super::Model;
+
+impl<const D: usize> Model<D> {
+    /// Mass of every node, by row sum: m_a = ∫ ρ N_a dV, positive for all cells of the model.
+    pub fn lumped_mass(&self) -> Vec<f64> {
+        let mut mass = vec![0.0; self.node_count()];
+        for elements in &self.elements {
+            for (&node, share) in elements.conn.iter().zip(&elements.shares) {
+                mass[node as usize] += elements.material.density * share;
+            }
+        }
+        mass
+    }
+}

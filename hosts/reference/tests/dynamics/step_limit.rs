@@ -1,0 +1,82 @@
+//! The stable step, against where the scheme does become unstable.
+
+use crate::scene::{exact, material, part, run, tip_on_block};
+use fmc_contact::CellType;
+use fmc_reference::dynamics::{DynamicsError, Setup, Simulation, Step};
+use fmc_reference::fem::{Constraints, Law, Model};
+use fmc_shapes::rectangle_quad4;
+
+/// Two unit cells, the upper one 0.1 deep in the lower one, each moving as one along y only: lower held, upper of mass 1.
+/// Material so soft that the contact decides.
+fn resting(k: f64, step: Step) -> Setup<2> {
+    let soft = |name: &str, y: f64| {
+        let mesh = rectangle_quad4([0.0, y], [1.0, 1.0 + y], [1, 1]);
+        let mut material = material(Law::LinearElastic, 0.0);
+        material.young = 1e-9;
+        part(name, CellType::Quad4, mesh, material)
+    };
+    let model = Model::new(vec![soft("lower", 0.0), soft("upper", 0.9)]).unwrap();
+    let mut supports = Constraints::default();
+    supports.fix(model.nodes_of(0));
+    supports.prescribe(model.nodes_of(1), 0, 0.0);
+    // The traction 2kV = 0.2 k is held by a dead load: equilibrium. A small velocity shows whether it is stable.
+    let mut load = vec![[0.0; 2]; 8];
+    let mut velocity = vec![[0.0; 2]; 8];
+    for node in model.nodes_of(1) {
+        velocity[node] = [0.0, 1e-6];
+        if model.coords()[node][1] < 1.0 {
+            load[node] = [0.0, -0.1 * k];
+        }
+    }
+    Setup { supports, load, velocity, step, check_every: 0, ..Setup::new(model, exact(k, 2.0)) }
+}
+
+#[test]
+fn contact_limit_is_where_stability_ends() {
+    // V = 1 · (0.1 − y) for the two lower nodes of the upper cell, each of mass 1/4, ∂V/∂y = −½ each:
+    // ω² = 2k (¼/¼ + ¼/¼) = 4k.
+    let k = 50.0;
+    let limit = 2.0 / (4.0f64 * k).sqrt();
+    let simulation = Simulation::start(resting(k, Step::Fixed(0.5 * limit))).unwrap();
+    assert!((simulation.limit().step() / limit - 1.0).abs() < 1e-6, "{}", simulation.limit());
+    let growth = |part: f64| {
+        let mut setup = resting(k, Step::Fixed(0.5 * limit));
+        setup.step = Step::Fixed(part * limit);
+        let mut simulation = Simulation::start(setup)?;
+        let samples = run(&mut simulation, 400);
+        Ok::<f64, DynamicsError>(samples.iter().map(|s| s.kinetic).fold(0.0, f64::max) / samples[0].kinetic)
+    };
+    assert!(growth(0.99).unwrap() < 100.0);
+    // A step beyond it is refused, and the message names who sets the limit.
+    let refused = growth(1.01).unwrap_err();
+    assert!(matches!(refused, DynamicsError::StepTooLarge { .. }));
+    assert!(refused.to_string().contains("contact alone: 1.4142e-1"), "{refused}");
+}
+
+#[test]
+fn structural_limit_is_where_stability_ends() {
+    let step = |step: Step| Simulation::start(tip_on_block(exact(1e-3, 2.0), step));
+    let limit = step(Step::Auto).unwrap().limit();
+    let stable = limit.step();
+    assert!((step(Step::Auto).unwrap().step_size() / (0.9 * stable) - 1.0).abs() < 1e-12);
+    let refused = step(Step::Fixed(1.01 * stable)).err().unwrap();
+    assert!(refused.to_string().contains("exceeds the limit of") && refused.to_string().contains("structure alone"));
+    assert!(step(Step::Fixed(0.99 * stable)).is_ok());
+}
+
+#[test]
+fn jumping_force_has_no_limit_and_says_so() {
+    let simulation = Simulation::start(tip_on_block(exact(1e3, 1.0), Step::Auto)).unwrap();
+    assert_eq!(simulation.limit().contact, None);
+    assert!(simulation.limit().to_string().contains("jumps"), "{}", simulation.limit());
+}
+
+#[test]
+fn step_that_comes_to_exceed_the_limit_is_told() {
+    // Before the bodies meet nothing speaks against this step; the contact is stiff.
+    let quiet = Simulation::start(tip_on_block(exact(1e-3, 2.0), Step::Auto)).unwrap();
+    let setup = Setup { check_every: 1, ..tip_on_block(exact(3e7, 2.0), Step::Fixed(quiet.step_size())) };
+    let mut simulation = Simulation::start(setup).unwrap();
+    let told = (0..100).find_map(|_| simulation.advance().ok()?.warnings.into_iter().find(|w| w.contains("exceeds")));
+    assert!(told.is_some_and(|warning| warning.contains("contact alone")));
+}

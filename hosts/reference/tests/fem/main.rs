@@ -1,0 +1,60 @@
+//! The finite elements against closed forms, finite differences and what must always hold.
+
+mod consistency;
+mod frequency;
+mod loads;
+mod patch;
+mod refusals;
+mod stress;
+
+use fmc_contact::CellType;
+use fmc_reference::fem::{Law, Material, Model, Part};
+use fmc_shapes::{Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
+
+const LAWS: [Law; 2] = [Law::LinearElastic, Law::NeoHookean];
+
+fn material(law: Law) -> Material {
+    Material { law, young: 100.0, poisson: 0.3, density: 2.5 }
+}
+
+fn part<const D: usize>(cell_type: CellType, mesh: Mesh<D>, law: Law) -> Part<D> {
+    Part { name: format!("{cell_type:?}"), cell_type, mesh, material: material(law) }
+}
+
+/// Every element type, distorted also at the boundary, where the faces of hexahedra are then not flat.
+fn distorted_2d() -> [(CellType, Mesh<2>); 2] {
+    let jittered = |mesh: Mesh<2>| mesh.jittered(0.3, 5, |_| true);
+    let (min, max, cells) = ([-1.0, 0.5], [2.0, 2.0], [6, 4]);
+    [
+        (CellType::Tri3, jittered(rectangle_tri3(min, max, cells, Diagonals::Alternating))),
+        (CellType::Quad4, jittered(rectangle_quad4(min, max, cells))),
+    ]
+}
+
+fn distorted_3d() -> [(CellType, Mesh<3>); 2] {
+    let jittered = |mesh: Mesh<3>| mesh.jittered(0.3, 6, |_| true);
+    let (min, max, cells) = ([-1.0, 0.5, 0.0], [2.0, 2.0, 1.0], [4, 3, 3]);
+    [(CellType::Tet4, jittered(cuboid_tet4(min, max, cells))), (CellType::Hex8, jittered(cuboid_hex8(min, max, cells)))]
+}
+
+/// Models of one part, for every element type of the dimension and both laws.
+fn models<const D: usize>(meshes: [(CellType, Mesh<D>); 2]) -> Vec<Model<D>> {
+    meshes
+        .into_iter()
+        .flat_map(|(cell_type, mesh)| LAWS.map(|law| Model::new(vec![part(cell_type, mesh.clone(), law)]).unwrap()))
+        .collect()
+}
+
+fn random_field<const D: usize>(count: usize, size: f64, seed: u64) -> Vec<[f64; D]> {
+    let mut random = Splitmix::new(seed);
+    (0..count).map(|_| std::array::from_fn(|_| random.between(-size, size))).collect()
+}
+
+/// Displacement H x.
+fn homogeneous<const D: usize>(model: &Model<D>, h: [[f64; D]; D]) -> Vec<[f64; D]> {
+    model.coords().iter().map(|x| h.map(|row| row.iter().zip(x).map(|(h, x)| h * x).sum())).collect()
+}
+
+fn largest<const D: usize>(field: &[[f64; D]]) -> f64 {
+    field.iter().flatten().fold(0.0, |most, x| x.abs().max(most))
+}

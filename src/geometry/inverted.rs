@@ -1,0 +1,103 @@
+//! Whether cells are inverted, or without measure.
+//!
+//! A host asks at every step, of every cell, and mostly all is well. So blocks of cells are run through with one test,
+//! whether all Jacobian determinants of a cell are positive, and only the first cell that fails it is looked at closely.
+
+use super::aabb::Aabb;
+use super::cells::Cells;
+use super::facet::determinant;
+use super::{CellType, Vector};
+use crate::Error;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Cells that a thread takes at once; some microseconds of work.
+const CHUNK: usize = 1024;
+
+impl Cells {
+    /// Jacobian determinant at every corner of a cell, as given.
+    pub(super) fn jacobians<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> impl Iterator<Item = f64> {
+        let nodes = self.nodes(cell);
+        let x = move |n: usize| Vector::<D>::from(coords[nodes[n] as usize]);
+        self.cell_type(cell)
+            .corners()
+            .iter()
+            .map(move |corner| determinant::<D>(&std::array::from_fn(|k| x(corner[k + 1]) - x(corner[0]))))
+    }
+
+    /// Checks that no cell is inverted or without measure at `coords`; the lowest offending cell is named.
+    ///
+    /// With `parallel`, the threads of the pool that calls share the work.
+    pub(crate) fn check<const D: usize>(&self, coords: &[[f64; D]], parallel: bool) -> Result<(), Error> {
+        for (cell_type, cells, conn) in self.blocks() {
+            let size = cell_type.node_count();
+            let check = |(chunk, conn): (usize, &[u32])| {
+                let first = cells.start + chunk * CHUNK;
+                self.check_chunk(cell_type, first..first + conn.len() / size, conn, coords)
+            };
+            let first = if parallel {
+                conn.par_chunks(CHUNK * size).enumerate().map(check).find_first(Result::is_err)
+            } else {
+                conn.chunks(CHUNK * size).enumerate().map(check).find(Result::is_err)
+            };
+            first.unwrap_or(Ok(()))?;
+        }
+        Ok(())
+    }
+
+    fn check_chunk<const D: usize>(
+        &self,
+        cell_type: CellType,
+        cells: Range<usize>,
+        conn: &[u32],
+        coords: &[[f64; D]],
+    ) -> Result<(), Error> {
+        // One loop for every type, with its corners known to the compiler.
+        match cell_type {
+            CellType::Tri3 => self.check_cells::<D, 3>(CellType::Tri3, cells, conn, coords),
+            CellType::Quad4 => self.check_cells::<D, 4>(CellType::Quad4, cells, conn, coords),
+            CellType::Tet4 => self.check_cells::<D, 4>(CellType::Tet4, cells, conn, coords),
+            CellType::Hex8 => self.check_cells::<D, 8>(CellType::Hex8, cells, conn, coords),
+        }
+    }
+
+    #[inline(always)]
+    fn check_cells<const D: usize, const N: usize>(
+        &self,
+        cell_type: CellType,
+        cells: Range<usize>,
+        conn: &[u32],
+        coords: &[[f64; D]],
+    ) -> Result<(), Error> {
+        let corners = cell_type.corners();
+        for (cell, nodes) in cells.zip(conn.as_chunks::<N>().0) {
+            let x = nodes.map(|n| Vector::<D>::from(coords[n as usize]));
+            let sign = if self.is_flipped(cell) { -1.0 } else { 1.0 };
+            let at =
+                |corner: &[usize]| sign * determinant::<D>(&std::array::from_fn(|k| x[corner[k + 1]] - x[corner[0]]));
+            if !corners.iter().all(|corner| at(corner) > 0.0) {
+                self.check_cell(cell, coords)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_cell<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> Result<(), Error> {
+        let (mut least, mut sum) = (f64::INFINITY, 0.0);
+        for determinant in self.jacobians(cell, coords) {
+            let determinant = if self.is_flipped(cell) { -determinant } else { determinant };
+            least = least.min(determinant);
+            sum += determinant;
+        }
+        let x = |&n: &u32| Vector::<D>::from(coords[n as usize]);
+        let size = Aabb::of(&self.nodes(cell).iter().map(x).collect::<Vec<_>>()).extent().amax().powi(D as i32);
+        // Rounding of a determinant of differences is a few 1e-16 of size^D; slivers in use are far above 1e-13.
+        if least <= 0.0 && sum.abs() <= 1e-13 * size {
+            return Err(Error::ZeroMeasure { cell });
+        }
+        if least < -1e-13 * size {
+            return Err(Error::InvertedCell { cell });
+        }
+        Ok(())
+    }
+}
