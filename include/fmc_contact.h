@@ -560,6 +560,18 @@ fmc_status fmc_context_evaluate(fmc_context *context,
 // Threads: several at once on one context, as long as no call changes it.
 const char *fmc_context_error(const fmc_context *context);
 
+// Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
+// evaluations to come: a solver's forces are then the gradient of one energy. `coords` NULL: forgets what was kept, and
+// patches are found at every evaluation again, as at the beginning.
+//
+// Call it at the start of a load step. Pairs of bodies that do not overlap at `coords` are not kept; theirs are found at
+// every evaluation. `direction_count`, which may be NULL, receives the number of directions kept: 0 with other laws.
+//
+// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_keep_patches(fmc_context *context,
+                                    const fmc_coords *coords,
+                                    size_t *direction_count);
+
 // Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
 //
 // `index` counts from 0 to `body_count` of `fmc_result`.

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 17] = [
     "version",
     "status",
     "failure",
@@ -15,6 +15,7 @@ const SOURCES: [&str; 16] = [
     "stateless",
     "creation",
     "context",
+    "patches",
     "evaluation",
     "getters",
     "pose",
