@@ -19,6 +19,7 @@
 mod assembly;
 mod cofactor;
 mod constraints;
+mod cube_root;
 mod elements;
 mod error;
 mod faces;

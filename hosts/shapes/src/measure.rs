@@ -30,7 +30,7 @@ impl<const D: usize> Mesh<D> {
     }
 
     /// Measure of one cell; of a facet, of the cone from the first node of the mesh over it.
-    fn cell_measure(&self, cell: &[u32]) -> f64 {
+    pub(crate) fn cell_measure(&self, cell: &[u32]) -> f64 {
         let x: Vec<[f64; D]> = cell.iter().map(|&node| self.coords[node as usize]).collect();
         let factorial = if D == 2 { 2.0 } else { 6.0 };
         if x.len() == D {

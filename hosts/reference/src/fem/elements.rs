@@ -28,6 +28,15 @@ pub(super) struct Elements<const D: usize> {
     first_slots: Vec<u32>,
 }
 
+/// One cell of `N` nodes.
+pub(super) struct Cell<'a, const D: usize, const N: usize> {
+    pub(super) nodes: &'a [u32; N],
+    /// ∇N_a at each Gauss point.
+    pub(super) gradients: &'a [[[f64; D]; N]],
+    /// Volume of each Gauss point.
+    pub(super) volumes: &'a [f64],
+}
+
 impl<const D: usize> Elements<D> {
     /// Elements of a part whose first node is `first_node` of the model.
     pub(super) fn new(part: &Part<D>, first_node: usize) -> Result<Self, Error> {
@@ -86,13 +95,15 @@ impl<const D: usize> Elements<D> {
         &self.slots[self.first_slots[node] as usize..self.first_slots[node + 1] as usize]
     }
 
-    /// Nodes, gradients and volumes of a cell of `N` nodes.
+    /// One cell, of `N` nodes.
     #[inline(always)]
-    pub(super) fn cell<const N: usize>(&self, cell: usize) -> (&[u32; N], &[[[f64; D]; N]], &[f64]) {
+    pub(super) fn cell<const N: usize>(&self, cell: usize) -> Cell<'_, D, N> {
         let count = self.points_per_cell;
-        let nodes = &self.conn.as_chunks::<N>().0[cell];
-        let gradients = &self.gradients.as_chunks::<N>().0[cell * count..][..count];
-        (nodes, gradients, &self.volumes[cell * count..][..count])
+        Cell {
+            nodes: &self.conn.as_chunks::<N>().0[cell],
+            gradients: &self.gradients.as_chunks::<N>().0[cell * count..][..count],
+            volumes: &self.volumes[cell * count..][..count],
+        }
     }
 }
 

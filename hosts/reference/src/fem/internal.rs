@@ -2,7 +2,7 @@
 
 use super::Model;
 use super::assembly::assemble;
-use super::elements::Elements;
+use super::elements::{Cell, Elements};
 use super::response::{Response, Tensor};
 use rayon::ThreadPool;
 
@@ -52,7 +52,7 @@ fn internal<const D: usize, const N: usize>(
 ) -> f64 {
     let response = Response::new(&elements.material);
     assemble::<D, N>(elements, pool, force, |cell, f| {
-        let (nodes, gradients, volumes) = elements.cell::<N>(cell);
+        let Cell { nodes, gradients, volumes } = elements.cell::<N>(cell);
         let u = nodes.map(|node| displacement[node as usize]);
         let mut energy = 0.0;
         for (gradients, &volume) in gradients.iter().zip(volumes) {
@@ -73,7 +73,7 @@ fn stiffness_product<const D: usize, const N: usize>(
 ) {
     let response = Response::new(&elements.material);
     assemble::<D, N>(elements, pool, product, |cell, f| {
-        let (nodes, gradients, volumes) = elements.cell::<N>(cell);
+        let Cell { nodes, gradients, volumes } = elements.cell::<N>(cell);
         let u = nodes.map(|node| displacement[node as usize]);
         let du = nodes.map(|node| direction[node as usize]);
         for (gradients, &volume) in gradients.iter().zip(volumes) {

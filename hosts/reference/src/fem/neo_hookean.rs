@@ -10,6 +10,7 @@
 
 use super::Material;
 use super::cofactor::{cofactor, cofactor_derivative, dilation};
+use super::cube_root::inverse_cube_root;
 use super::response::{Tensor, contract, from_fn};
 
 /// W = G/2 (J^(−2/3) I₁ − 3) + K/2 (J − 1)².
@@ -43,8 +44,8 @@ impl NeoHookean {
         let dilation = dilation(h);
         let j = 1.0 + dilation;
         let i1 = contract(&f, &f) + (3 - D) as f64;
-        let root = j.cbrt();
-        let a = self.shear / (root * root);
+        let root = inverse_cube_root(j);
+        let a = self.shear * root * root;
         let b = self.bulk * dilation - a * i1 / (3.0 * j);
         State { cofactor: cofactor(&f), f, dilation, i1, a, b, bulk: self.bulk }
     }
