@@ -5,6 +5,7 @@ use super::forces::ContactForces;
 use super::options::Options;
 use super::pair_energy::PairEnergy;
 use super::partners::{Rigid, check_pose};
+use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::geometry::{Bodies, CellBlock, Obstacle, Pose, Surface};
 use crate::overlap::{
@@ -96,7 +97,7 @@ impl<const D: usize> Contact<D> {
         let pairs = if law.is_fiber() {
             let balanced = self.is_balanced();
             self.for_each_pair(coords, |candidate| {
-                let spans = self.spans(candidate)?;
+                let spans = self.spans(candidate, false)?;
                 Ok(spans.map(|spans| PairEnergy::of_spans(&spans, candidate.fibers.pair, law, balanced, coords)))
             })?
         } else {
@@ -104,6 +105,31 @@ impl<const D: usize> Contact<D> {
             overlaps.into_iter().map(|overlap| PairEnergy::of_volume(overlap, law)).collect()
         };
         ContactForces::assemble(&self.surface, self.obstacles.len(), coords, &pairs)
+    }
+
+    /// Second derivative of the contact energy at `coords`.
+    ///
+    /// For the fiber law on kept patches it is the derivative of the forces, with balance off; the correction of the
+    /// balance, which is small, is not differentiated.
+    ///
+    /// # Errors
+    /// As [`Self::evaluate`]; [`Error::Unsupported`] for other laws.
+    pub fn tangent(&self, coords: &[[f64; D]], part: TangentPart) -> Result<Tangent<D>, Error> {
+        let law = &self.options.law;
+        if !law.is_fiber() {
+            return Err(Error::Unsupported { what: "the tangent of the volume law" });
+        }
+        let tangents = self.for_each_pair(coords, |candidate| {
+            let pair = candidate.fibers.pair;
+            let obstacle = if let Partner::Obstacle(obstacle) = pair.partners[1] { obstacle } else { 0 };
+            let number = (coords.len() + obstacle) as u32;
+            let spans = self.spans(candidate, part == TangentPart::Full)?;
+            Ok(spans.map(|spans| Tangent::of_spans(&spans, pair, law, part, number)))
+        })?;
+        let mut total = Tangent::default();
+        tangents.into_iter().for_each(|tangent| total.extend(tangent));
+        total.merge();
+        Ok(total)
     }
 
     /// Overlaps of all pairs at `coords` that overlap, with their gradients, ordered by pair. With the fiber law they
@@ -115,7 +141,7 @@ impl<const D: usize> Contact<D> {
         self.for_each_pair(coords, |candidate| {
             let overlap = match &candidate.exact {
                 _ if self.options.law.is_fiber() => {
-                    self.spans(candidate)?.map(|spans| spans.overlap(candidate.fibers.pair))
+                    self.spans(candidate, false)?.map(|spans| spans.overlap(candidate.fibers.pair))
                 }
                 Some(exact) => exact.overlap()?,
                 None => candidate.fibers.overlap()?,
@@ -155,7 +181,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Spans of a pair: on its kept patches, or on those that are found now.
-    fn spans(&self, Candidate { fibers, exact }: &Candidate<D>) -> Result<Option<Spans<D>>, Error> {
+    fn spans(&self, Candidate { fibers, exact }: &Candidate<D>, creases: bool) -> Result<Option<Spans<D>>, Error> {
         let found;
         let patches = match self.kept.iter().find(|(partners, _)| *partners == fibers.pair.partners) {
             Some((_, patches)) => patches,
@@ -168,7 +194,7 @@ impl<const D: usize> Contact<D> {
             },
         };
         let spans = match exact {
-            Some(exact) => exact.spans(patches)?,
+            Some(exact) => exact.spans(patches, creases)?,
             None => fibers.spans(patches)?,
         };
         Ok(spans.filter(|spans| !spans.spans.is_empty() || !spans.warnings.is_empty()))

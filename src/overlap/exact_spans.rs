@@ -19,18 +19,18 @@ use crate::geometry::{Pose, Shape, Vector, cover_count};
 use crate::sampling::Family;
 
 /// A facet as seen along the direction of a patch.
-struct Seen<const D: usize> {
-    of_b: bool,
-    facet: u32,
+pub(super) struct Seen<const D: usize> {
+    pub(super) of_b: bool,
+    pub(super) facet: u32,
     /// Across the lines (D − 1 entries used) and along them.
-    corners: [[f64; 3]; D],
+    pub(super) corners: [[f64; 3]; D],
     /// Whether lines leave their body through it.
-    leaves: bool,
+    pub(super) leaves: bool,
 }
 
 impl<const D: usize> Seen<D> {
     /// Barycentric coordinates as linear functions of the place across the lines.
-    fn barycentric(&self, p: &[f64; 3]) -> [f64; D] {
+    pub(super) fn barycentric(&self, p: &[f64; 3]) -> [f64; D] {
         let c = &self.corners;
         let mut w = [0.0; D];
         if D == 2 {
@@ -45,11 +45,11 @@ impl<const D: usize> Seen<D> {
     }
 
     /// Place along the lines.
-    fn t(&self, w: &[f64; D]) -> f64 {
+    pub(super) fn t(&self, w: &[f64; D]) -> f64 {
         (0..D).map(|a| w[a] * self.corners[a][2]).sum()
     }
 
-    fn place(&self, w: &[f64; D]) -> [f64; 3] {
+    pub(super) fn place(&self, w: &[f64; D]) -> [f64; 3] {
         std::array::from_fn(|i| (0..D).map(|a| w[a] * self.corners[a][i]).sum())
     }
 
@@ -69,9 +69,9 @@ impl<const D: usize> Seen<D> {
 }
 
 /// The facets of both sides, to be found by their place across the lines.
-struct Shadows<const D: usize> {
-    facets: Vec<Seen<D>>,
-    boxes: Vec<Aabb<D>>,
+pub(super) struct Shadows<const D: usize> {
+    pub(super) facets: Vec<Seen<D>>,
+    pub(super) boxes: Vec<Aabb<D>>,
     tree: Tree<D>,
 }
 
@@ -83,7 +83,7 @@ impl<const D: usize> Shadows<D> {
     }
 
     /// Facets whose shadow's box meets a box across the lines, ascending.
-    fn near(&self, query: &Aabb<D>) -> Vec<u32> {
+    pub(super) fn near(&self, query: &Aabb<D>) -> Vec<u32> {
         let mut found = Vec::new();
         self.tree.visit(|b| b.meets(query), |i| found.push(i));
         found.retain(|&i| self.boxes[i as usize].meets(query));
@@ -129,6 +129,10 @@ fn subtract<const D: usize>(piece: Vec<[f64; D]>, positive: &[[f64; D]]) -> Vec<
     rest
 }
 
+/// A facet whose shadow is a smaller part of it is seen edge-on: its barycentric coordinates are lost in rounding, and no
+/// line of any measure crosses it.
+const EDGE_ON: f64 = 1e-9;
+
 /// Part of a piece below which what hides it is rounding.
 const SLIVER: f64 = 1e-12;
 
@@ -139,13 +143,13 @@ fn measure<const D: usize>(piece: &[[f64; D]]) -> f64 {
 }
 
 /// A place across the lines.
-fn flat<const D: usize>(place: &[f64; 3]) -> Vector<D> {
+pub(super) fn flat<const D: usize>(place: &[f64; 3]) -> Vector<D> {
     Vector::from_fn(|i, _| if i + 1 < D { place[i] } else { 0.0 })
 }
 
 impl<const D: usize> ExactPair<'_, D> {
-    /// All spans along the directions of `patches`.
-    pub(crate) fn spans(&self, patches: &Patches<D>) -> Result<Option<Spans<D>>, Error> {
+    /// All spans along the directions of `patches`, and, if asked for, the creases that their tangent needs.
+    pub(crate) fn spans(&self, patches: &Patches<D>, creases: bool) -> Result<Option<Spans<D>>, Error> {
         let mut spans = Spans { directions: patches.directions.clone(), ..Spans::default() };
         for (direction, d) in patches.directions.iter().enumerate() {
             let family = Family::along(*d, 0, 0);
@@ -156,23 +160,30 @@ impl<const D: usize> ExactPair<'_, D> {
                     spans.spans.push(span);
                 }
             };
-            match &self.pair.opponent {
-                Opponent::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
-                    let seen = Shadows::new(self.seen(&family, false));
-                    self.spans_on_plane(&seen, &family, &Plane::of(pose), &mut add);
-                    self.spans_between(&seen, &mut add);
+            let mut seen = self.seen(&family, false);
+            let plane = match &self.pair.opponent {
+                Opponent::Itself => None,
+                Opponent::Facets(_) => {
+                    seen.extend(self.seen(&family, true));
+                    None
                 }
+                Opponent::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Some(Plane::of(pose)),
                 Opponent::Implicit(_) => {
                     let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as \
                                 a polygon or triangle mesh";
                     return Err(Error::Unsupported { what });
                 }
-                Opponent::Itself => self.spans_between(&Shadows::new(self.seen(&family, false)), &mut add),
-                Opponent::Facets(_) => {
-                    let mut seen = self.seen(&family, false);
-                    seen.extend(self.seen(&family, true));
-                    self.spans_between(&Shadows::new(seen), &mut add);
-                }
+            };
+            let seen = Shadows::new(seen);
+            if let Some(plane) = &plane {
+                self.spans_on_plane(&seen, &family, plane, &mut add);
+            }
+            self.spans_between(&seen, &mut add);
+            if creases {
+                self.visit_creases(&seen, &family, plane.as_ref(), |mut crease, ends| {
+                    crease.weight *= patches.part(direction, ends);
+                    spans.creases.push(crease);
+                });
             }
         }
         Ok(Some(spans))
@@ -188,10 +199,11 @@ impl<const D: usize> ExactPair<'_, D> {
         let region = side.aabb.intersection(&other);
         let region = region.inflated(region.rounding());
         let see = |facet: u32| {
-            let slope = area_vector(&side.corners(facet as usize)).dot(family.direction());
+            let area = area_vector(&side.corners(facet as usize));
+            let slope = area.dot(family.direction());
             let corners = side.corners(facet as usize).map(|x| family.view(&x));
             let seen = Seen { of_b, facet, corners, leaves: slope > 0.0 };
-            (seen.shadow() > 0.0).then_some(seen)
+            (seen.shadow() > EDGE_ON * area.norm()).then_some(seen)
         };
         side.facets_in(&region).into_iter().filter_map(see).collect()
     }
@@ -233,7 +245,7 @@ impl<const D: usize> ExactPair<'_, D> {
     }
 
     /// Whether, between two facets of one side, the other covers the line as well (or the body itself once more).
-    fn is_covered_between(&self, e: &Seen<D>, x: &Seen<D>, place: &[f64; 3]) -> bool {
+    pub(super) fn is_covered_between(&self, e: &Seen<D>, x: &Seen<D>, place: &[f64; 3]) -> bool {
         let side = self.pair.side(e.of_b);
         let [p, q] = [e, x].map(|s| {
             let w = s.barycentric(place);
@@ -274,9 +286,9 @@ impl<const D: usize> ExactPair<'_, D> {
 }
 
 /// The surface of a half-space.
-struct Plane<const D: usize> {
-    point: Vector<D>,
-    normal: Vector<D>,
+pub(super) struct Plane<const D: usize> {
+    pub(super) point: Vector<D>,
+    pub(super) normal: Vector<D>,
 }
 
 impl<const D: usize> Plane<D> {
@@ -286,12 +298,12 @@ impl<const D: usize> Plane<D> {
         Self { point: pose.position.into(), normal: pose.rotate(&up) }
     }
 
-    fn height(&self, x: &Vector<D>) -> f64 {
+    pub(super) fn height(&self, x: &Vector<D>) -> f64 {
         self.normal.dot(&(x - self.point))
     }
 }
 
-fn end<const D: usize>(seen: &Seen<D>, weights: [f64; D]) -> End<D> {
+pub(super) fn end<const D: usize>(seen: &Seen<D>, weights: [f64; D]) -> End<D> {
     End::Facet { of_b: seen.of_b, facet: seen.facet, weights }
 }
 

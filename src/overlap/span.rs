@@ -47,12 +47,35 @@ pub(crate) enum End<const D: usize> {
     },
 }
 
+/// A point at which L has a kink that moves with the nodes. Only where the integral over the lines is exact; there the
+/// derivative of the force gains weight ψ'(L) factor g gᵀ.
+#[derive(Clone, Debug)]
+pub(crate) struct Crease<const D: usize> {
+    /// Measure along the kink for which the point stands; 1 in 2D.
+    pub(crate) weight: f64,
+    /// Length of the span there.
+    pub(crate) length: f64,
+    pub(crate) factor: f64,
+    /// g by anchor.
+    pub(crate) gradient: Vec<(Anchor, Vector<D>)>,
+}
+
+/// What moves a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Anchor {
+    /// A vertex of a side.
+    Vertex { of_b: bool, vertex: u32 },
+    /// The pose of the obstacle.
+    Obstacle,
+}
+
 /// All spans of a pair.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spans<const D: usize> {
     /// Directions of the lines.
     pub(crate) directions: Vec<Vector<D>>,
     pub(crate) spans: Vec<Span<D>>,
+    pub(crate) creases: Vec<Crease<D>>,
     /// Standard error of the volume.
     pub(crate) standard_error: f64,
     pub(crate) fiber_count: usize,

@@ -68,6 +68,11 @@ impl<const D: usize> Family<D> {
         &self.axes[D - 1]
     }
 
+    /// The vector across the lines with these components.
+    pub(crate) fn across(&self, [u, v]: [f64; 2]) -> Vector<D> {
+        if D == 2 { self.axes[0] * u } else { self.axes[0] * u + self.axes[1] * v }
+    }
+
     /// A point across and along the lines, in units of length.
     pub(crate) fn view(&self, x: &Vector<D>) -> Projected {
         let v = if D == 2 { 0.0 } else { x.dot(&self.axes[1]) };

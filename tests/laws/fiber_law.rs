@@ -97,6 +97,24 @@ fn flat_patches_have_uniform_pressure() {
     }
 }
 
+/// In 3D too, where the walls of upright blocks are seen edge-on.
+#[test]
+fn flat_patches_of_blocks() {
+    let (k, depth) = (7.0, 1e-3);
+    let lower = cuboid_tet4([0.0; 3], [1.0; 3], [3, 2, 2]);
+    let upper = cuboid_hex8([-0.2, 0.1, 1.0 - depth], [0.7, 1.3, 2.0], [2, 3, 1]);
+    for turn in [0.0, 0.4] {
+        let scene = Scene::of(&[&lower.rotated([1.0, 2.0, 0.5], turn), &upper.rotated([1.0, 2.0, 0.5], turn)]);
+        for options in [exact(EnergyLaw::fiber(k)), sampled(EnergyLaw::fiber(k), 3e-3, 1)] {
+            let contact = scene.evaluate(options);
+            let force = norm(&[contact.bodies[1].force]);
+            // As in 2D; a sampled area of 0.7 by 0.9 is known to some lines of its rim.
+            let tolerance = if options.estimator == Estimator::Exact { 1e-5 } else { 5e-3 };
+            assert!((force / (k * depth * 0.63) - 1.0).abs() < tolerance, "{force}");
+        }
+    }
+}
+
 /// A tip of 45° flanks into a half-space: ∫ ½ k L² = k h³/3, and its derivative in the depth h.
 #[test]
 fn wedge_on_a_plane() {

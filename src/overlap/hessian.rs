@@ -1,0 +1,269 @@
+//! Second derivatives of sums over spans, in closed form.
+//!
+//! With the line o + t d fixed, a facet with corners x_a is crossed at barycentric N. Let m solve m·(x_b − x_c) = 0,
+//! m·d = 1, and h_a solve h_a·(x_b − x_c) = δ_ab − δ_ac, h_a·d = 0. Then
+//!
+//! ```text
+//! ∂t/∂x_a       =  N_a m
+//! ∂²t/∂x_a∂x_b  = −(N_b m h_aᵀ + N_a h_b mᵀ)
+//! ```
+//!
+//! so that a span of length L = t_leaving − t_entering adds ω [ψ'' ∇L ∇Lᵀ + ψ' ∇²L] on the nodes of two facets. The first
+//! part alone is positive semidefinite. For sampled lines this is the derivative of the force; where the integral over
+//! the lines is exact, the kinks of L along the edges of facets, which move with their nodes, add [`Crease`]s.
+
+use super::side::Pair;
+use super::span::{Anchor, Crease, End, Span, Spans};
+use crate::geometry::{Surface, Vector};
+
+/// A block ∂²w/∂x_row ∂x_col.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block<const D: usize> {
+    /// Node of the rows.
+    pub row: u32,
+    /// Node of the columns.
+    pub col: u32,
+    /// Entries, row by row.
+    pub value: [[f64; D]; D],
+}
+
+/// What a node has to do with one end of a span.
+#[derive(Clone, Copy)]
+struct Share<const D: usize> {
+    node: u32,
+    /// N, and h with the sign of the end.
+    weight: f64,
+    h: Vector<D>,
+}
+
+/// One end of a span: ∂t/∂x = ±N m on its nodes.
+struct EndShares<const D: usize> {
+    shares: Vec<Share<D>>,
+    m: Vector<D>,
+    /// +1 where the line leaves, −1 where it enters.
+    sign: f64,
+}
+
+/// m and h_a of a facet with these corners, for lines along `d`; `None` if they run along it.
+pub(super) fn slopes<const D: usize>(x: &[Vector<D>; D], d: &Vector<D>) -> Option<(Vector<D>, [Vector<D>; D])> {
+    let mut h = [Vector::zeros(); D];
+    let mut m = Vector::zeros();
+    let e = x[1] - x[0];
+    let det = match D {
+        2 => {
+            let det = e[0] * d[1] - e[1] * d[0];
+            (m[0], m[1]) = (-e[1], e[0]);
+            (h[1][0], h[1][1]) = (d[1], -d[0]);
+            det
+        }
+        _ => {
+            let f = x[2] - x[0];
+            (h[1], h[2], m) = (cross(&f, d), cross(d, &e), cross(&e, &f));
+            e.dot(&h[1])
+        }
+    };
+    if det == 0.0 {
+        return None;
+    }
+    m /= det;
+    for a in 1..D {
+        h[a] /= det;
+        h[0] = h[0] - h[a];
+    }
+    Some((m, h))
+}
+
+fn cross<const D: usize>(p: &Vector<D>, q: &Vector<D>) -> Vector<D> {
+    Vector::from_fn(|i, _| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        p[j] * q[k] - p[k] * q[j]
+    })
+}
+
+/// Nodes of a surface's vertex with their parts: itself, or the four of a face about whose centroid it is.
+pub(super) fn nodes_of<const D: usize>(surface: &Surface<D>, vertex: u32, mut visit: impl FnMut(u32, f64)) {
+    match surface.nodes.get(vertex as usize) {
+        Some(&node) => visit(node, 1.0),
+        None => {
+            let corners = surface.centroids[vertex as usize - surface.nodes.len()];
+            corners.iter().for_each(|&v| visit(surface.nodes[v as usize], 0.25));
+        }
+    }
+}
+
+impl<const D: usize> Spans<D> {
+    /// Hessian of Σ ω ψ(L), given ψ' and ψ'', as blocks sorted by row and column. The obstacle of the pair, if there is
+    /// one, has the row and column number `obstacle_node`: its translation. `semidefinite` leaves out what can be
+    /// negative.
+    pub(crate) fn hessian(
+        &self,
+        pair: &Pair<D>,
+        slope: impl Fn(f64) -> f64,
+        curvature: impl Fn(f64) -> f64,
+        semidefinite: bool,
+        obstacle_node: u32,
+    ) -> Vec<Block<D>> {
+        let mut order: Vec<(Key, u32)> = self.spans.iter().zip(0..).map(|(span, index)| (key(span), index)).collect();
+        order.sort_unstable();
+        let mut blocks = Vec::new();
+        for group in order.chunk_by(|p, q| p.0 == q.0) {
+            let mut local = Local::default();
+            for &(_, index) in group {
+                let span = &self.spans[index as usize];
+                let Some(ends) = self.end_shares(pair, span, obstacle_node) else { continue };
+                let geometric = if semidefinite { 0.0 } else { span.weight * slope(span.length) };
+                local.add(&ends, span.weight * curvature(span.length), geometric);
+            }
+            local.write(&mut blocks);
+        }
+        if !semidefinite {
+            for crease in &self.creases {
+                add_crease(pair, crease, slope(crease.length), obstacle_node, &mut blocks);
+            }
+        }
+        merged(blocks)
+    }
+
+    fn end_shares(&self, pair: &Pair<D>, span: &Span<D>, obstacle_node: u32) -> Option<[EndShares<D>; 2]> {
+        let d = &self.directions[span.direction as usize];
+        let of = |end: &End<D>, sign: f64| match *end {
+            End::Facet { of_b, facet, weights } => {
+                let side = pair.side(of_b);
+                let (m, h) = slopes(&side.corners(facet as usize), d)?;
+                let mut shares: Vec<Share<D>> = Vec::with_capacity(4);
+                if of_b && pair.pose.is_some() {
+                    // All corners move alike: Σ N = 1, Σ h = 0.
+                    shares.push(Share { node: obstacle_node, weight: 1.0, h: Vector::zeros() });
+                    return Some(EndShares { shares, m, sign });
+                }
+                for a in 0..D {
+                    nodes_of(pair.surface, side.facets[facet as usize][a], |node, part| {
+                        let place = shares.iter().position(|s| s.node == node).unwrap_or_else(|| {
+                            shares.push(Share { node, weight: 0.0, h: Vector::zeros() });
+                            shares.len() - 1
+                        });
+                        shares[place].weight += part * weights[a];
+                        shares[place].h += h[a] * part;
+                    });
+                }
+                Some(EndShares { shares, m, sign })
+            }
+            End::Point { normal, .. } => {
+                let slope = d.dot(&normal);
+                let share = Share { node: obstacle_node, weight: 1.0, h: Vector::zeros() };
+                (slope != 0.0).then(|| EndShares { shares: vec![share], m: normal / slope, sign })
+            }
+        };
+        Some([of(&span.ends[0], -1.0)?, of(&span.ends[1], 1.0)?])
+    }
+}
+
+/// Which facets a span lies between.
+type Key = ([(bool, u32); 2], u32);
+
+fn key<const D: usize>(span: &Span<D>) -> Key {
+    let of = |end: &End<D>| match *end {
+        End::Facet { of_b, facet, .. } => (of_b, facet),
+        End::Point { .. } => (true, u32::MAX),
+    };
+    ([of(&span.ends[0]), of(&span.ends[1])], span.direction)
+}
+
+/// The sum of the blocks of all spans between two facets.
+#[derive(Default)]
+struct Local<const D: usize> {
+    nodes: Vec<u32>,
+    /// Square, `nodes.len()` a side.
+    values: Vec<[[f64; D]; D]>,
+}
+
+impl<const D: usize> Local<D> {
+    fn add(&mut self, ends: &[EndShares<D>; 2], stiffness: f64, geometric: f64) {
+        if self.nodes.is_empty() {
+            self.nodes = ends.iter().flat_map(|end| end.shares.iter().map(|share| share.node)).collect();
+            self.values = vec![[[0.0; D]; D]; self.nodes.len().pow(2)];
+        }
+        let count = self.nodes.len();
+        let (mut row, mut first) = (0, 0);
+        for p in ends {
+            for a in &p.shares {
+                let mut col = 0;
+                for q in ends {
+                    for b in &q.shares {
+                        let block = &mut self.values[row * count + col];
+                        let product = stiffness * p.sign * q.sign * a.weight * b.weight;
+                        for i in 0..D {
+                            for j in 0..D {
+                                block[i][j] += product * p.m[i] * q.m[j];
+                            }
+                        }
+                        if geometric != 0.0 && std::ptr::eq(p, q) {
+                            for i in 0..D {
+                                for j in 0..D {
+                                    let second = b.weight * p.m[i] * a.h[j] + a.weight * b.h[i] * p.m[j];
+                                    block[i][j] -= geometric * p.sign * second;
+                                }
+                            }
+                        }
+                        col += 1;
+                    }
+                }
+                row += 1;
+            }
+            first += p.shares.len();
+        }
+        debug_assert_eq!(first, count);
+    }
+
+    fn write(&self, blocks: &mut Vec<Block<D>>) {
+        for (r, &row) in self.nodes.iter().enumerate() {
+            for (c, &col) in self.nodes.iter().enumerate() {
+                blocks.push(Block { row, col, value: self.values[r * self.nodes.len() + c] });
+            }
+        }
+    }
+}
+
+/// ψ' factor g gᵀ of one point of a crease.
+fn add_crease<const D: usize>(
+    pair: &Pair<D>,
+    crease: &Crease<D>,
+    slope: f64,
+    obstacle_node: u32,
+    blocks: &mut Vec<Block<D>>,
+) {
+    let mut gradient: Vec<(u32, Vector<D>)> = Vec::new();
+    for (anchor, g) in &crease.gradient {
+        match *anchor {
+            Anchor::Vertex { of_b: true, .. } if pair.pose.is_some() => gradient.push((obstacle_node, *g)),
+            Anchor::Vertex { vertex, .. } => {
+                nodes_of(pair.surface, vertex, |node, part| gradient.push((node, g * part)))
+            }
+            Anchor::Obstacle => gradient.push((obstacle_node, *g)),
+        }
+    }
+    let factor = crease.weight * slope * crease.factor;
+    for (row, p) in &gradient {
+        for (col, q) in &gradient {
+            let value = std::array::from_fn(|i| std::array::from_fn(|j| factor * p[i] * q[j]));
+            blocks.push(Block { row: *row, col: *col, value });
+        }
+    }
+}
+
+/// Blocks sorted by row and column, those of one place summed in the order in which they came.
+pub(crate) fn merged<const D: usize>(mut blocks: Vec<Block<D>>) -> Vec<Block<D>> {
+    blocks.sort_by_key(|block| (block.row, block.col));
+    blocks.dedup_by(|next, sum| {
+        let same = (next.row, next.col) == (sum.row, sum.col);
+        if same {
+            for i in 0..D {
+                for j in 0..D {
+                    sum.value[i][j] += next.value[i][j];
+                }
+            }
+        }
+        same
+    });
+    blocks
+}

@@ -1,0 +1,209 @@
+//! The tangent is the derivative of the force.
+
+use crate::pairs::{plane_scene, solid_scene};
+use crate::scene::Scene;
+use fmc_contact::contact::{Tangent, TangentPart};
+use fmc_contact::{
+    Contact, EnergyLaw, Estimator, FiberOptions, FiberProfile, Obstacle, Options, Pose, Resolution, Shape,
+};
+use fmc_shapes::{Splitmix, ball_tet4, cuboid_hex8, cuboid_tet4, rectangle_quad4};
+
+fn sampled(law: EnergyLaw, spacing: f64, seed: u64) -> Options {
+    let fibers = FiberOptions { resolution: Resolution::Spacing(spacing), seed, balance: false, ..Default::default() };
+    Options { estimator: Estimator::Fibers(fibers), ..Options::new(law) }
+}
+
+fn exact(law: EnergyLaw) -> Options {
+    Options { estimator: Estimator::Exact, ..Options::new(law) }
+}
+
+/// Dense columns of the tangent at some nodes, by name and by difference: the largest deviation over the largest entry.
+///
+/// Central differences of the force with the better of two steps: it jumps where a crossing passes an edge.
+fn deviation<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], size: f64, every: usize) -> f64 {
+    let tangent = contact.tangent(coords, TangentPart::Full).unwrap();
+    assert!(is_symmetric(&tangent));
+    let touched: Vec<usize> = {
+        let mut rows: Vec<usize> =
+            tangent.blocks.iter().map(|b| b.row as usize).filter(|&n| n < coords.len()).collect();
+        rows.dedup();
+        rows
+    };
+    assert!(!touched.is_empty());
+    let largest = tangent.triplets().fold(0.0, |m: f64, (_, _, v)| m.max(v.abs()));
+    let mut worst: f64 = 0.0;
+    for &node in touched.iter().step_by(every) {
+        for axis in 0..D {
+            let mut unit = vec![[0.0; D]; coords.len()];
+            unit[node][axis] = 1.0;
+            let column = tangent.product(&unit);
+            let of_step = |h: f64| {
+                let force = |h: f64| {
+                    let mut moved = coords.to_vec();
+                    moved[node][axis] += h;
+                    contact.evaluate(&moved).unwrap().forces
+                };
+                let (plus, minus) = (force(h), force(-h));
+                (0..coords.len())
+                    .flat_map(|n| (0..D).map(move |i| (n, i)))
+                    .map(|(n, i)| ((minus[n][i] - plus[n][i]) / (2.0 * h) - column[n][i]).abs())
+                    .fold(0.0, f64::max)
+            };
+            worst = worst.max(of_step(1e-6 * size).min(of_step(1e-7 * size)) / largest);
+        }
+    }
+    worst
+}
+
+fn is_symmetric<const D: usize>(tangent: &Tangent<D>) -> bool {
+    let entries: std::collections::BTreeMap<(usize, usize), f64> =
+        tangent.triplets().map(|(row, col, value)| ((row, col), value)).collect();
+    let largest = entries.values().fold(0.0, |m: f64, v| m.max(v.abs()));
+    entries.iter().all(|(&(row, col), value)| {
+        entries.get(&(col, row)).is_some_and(|other| (value - other).abs() <= 1e-12 * largest)
+    })
+}
+
+fn laws(size: f64) -> [EnergyLaw; 2] {
+    [EnergyLaw::fiber(3.0), EnergyLaw::Fiber { k: 2.0, profile: FiberProfile::Linear { epsilon: 0.05 * size } }]
+}
+
+/// With one patch kept; `None` where there are several, whose borders these deep overlaps reach.
+fn kept<const D: usize>(scene: &Scene<D>, options: Options) -> Option<Contact<D>> {
+    let mut contact = scene.contact(options);
+    (contact.keep_patches(&scene.coords).unwrap() == 1).then_some(contact)
+}
+
+#[test]
+fn of_lines_in_2d() {
+    let mut tried = 0;
+    for seed in 0..12 {
+        let size = [1.0, 1e-3, 1e3][seed as usize % 3];
+        let scene = plane_scene(seed).mapped(|x| x.map(|x| x * size));
+        for law in laws(size) {
+            let Some(contact) = kept(&scene, sampled(law, 0.03 * size, seed)) else { continue };
+            let found = deviation(&contact, &scene.coords, size, 1);
+            assert!(found < 1e-6, "seed {seed}: {found}");
+            tried += 1;
+        }
+    }
+    assert!(tried > 6);
+}
+
+#[test]
+fn of_the_exact_integral_in_2d() {
+    let mut tried = 0;
+    for seed in 0..12 {
+        let size = [1.0, 1e-3, 1e3][seed as usize % 3];
+        let scene = plane_scene(seed).mapped(|x| x.map(|x| x * size));
+        let Some(contact) = kept(&scene, exact(laws(size)[0])) else { continue };
+        let found = deviation(&contact, &scene.coords, size, 1);
+        assert!(found < 1e-6, "seed {seed}: {found}");
+        tried += 1;
+    }
+    assert!(tried > 3);
+}
+
+#[test]
+fn in_3d() {
+    for seed in 0..3 {
+        let scene = solid_scene(seed);
+        if let Some(contact) = kept(&scene, sampled(laws(1.0)[seed as usize % 2], 0.07, seed)) {
+            let found = deviation(&contact, &scene.coords, 1.0, 3);
+            assert!(found < 1e-6, "seed {seed}, lines: {found}");
+        }
+        if let Some(contact) = kept(&scene, exact(laws(1.0)[0])) {
+            let found = deviation(&contact, &scene.coords, 1.0, 3);
+            assert!(found < 1e-6, "seed {seed}, exact: {found}");
+        }
+    }
+    let scene = Scene::of(&[
+        &ball_tet4(0.5, 2, 3),
+        &cuboid_tet4([-0.6, -0.6, 0.0], [0.6, 0.6, 0.5], [4; 3]).translated([0.03, 0.02, 0.4]),
+    ]);
+    for options in [exact(laws(1.0)[0]), sampled(laws(1.0)[0], 0.02, 1)] {
+        let contact = kept(&scene, options).unwrap();
+        let found = deviation(&contact, &scene.coords, 1.0, 3);
+        assert!(found < 1e-6, "ball, {:?}: {found}", options.estimator);
+    }
+}
+
+/// Faces that are not flat pass their share on to four nodes.
+#[test]
+fn with_curved_faces() {
+    let a = cuboid_hex8([0.0; 3], [1.0; 3], [2; 3]).jittered(0.2, 3, |_| true);
+    let mut b = cuboid_hex8([0.0; 3], [0.8; 3], [2, 1, 2]).jittered(0.2, 4, |_| true);
+    // Walls that lean outwards: upright ones, jittered, have their shadows within the step of the differences.
+    b.coords.iter_mut().for_each(|x| *x = [0.4 + (x[0] - 0.4) * (0.7 + x[2]), 0.4 + (x[1] - 0.4) * (0.7 + x[2]), x[2]]);
+    let b = b.translated([0.1, 0.12, 0.95]);
+    let scene = Scene::of(&[&a, &b]);
+    for options in [exact(laws(1.0)[0]), sampled(laws(1.0)[0], 0.03, 1)] {
+        let contact = kept(&scene, options).unwrap();
+        let found = deviation(&contact, &scene.coords, 1.0, 2);
+        assert!(found < 1e-6, "{:?}: {found}", options.estimator);
+    }
+}
+
+/// The rows of an obstacle are the derivative of its reaction with respect to the nodes, its columns that of the forces
+/// with respect to its position.
+#[test]
+fn of_obstacles() {
+    let block = rectangle_quad4([-0.5, -0.5], [0.5, 0.5], [6, 5]).rotated(0.7).translated([0.1, 0.75]);
+    let triangle =
+        Shape::Polytope { points: vec![[-1.0, -1.0], [1.0, -1.0], [0.1, 0.05]], facets: vec![[0, 1], [1, 2], [2, 0]] };
+    for shape in [Shape::HalfSpace, triangle] {
+        for options in [exact(EnergyLaw::fiber(2.0)), sampled(EnergyLaw::fiber(2.0), 1e-2, 5)] {
+            let mut contact = Scene::of(&[&block]).contact(options);
+            let at = |x: [f64; 2]| Pose::at([x[0], x[1] + 0.1]);
+            contact.add_obstacle(Obstacle { shape: shape.clone(), pose: at([0.0; 2]) }).unwrap();
+            assert_eq!(contact.keep_patches(&block.coords).unwrap(), 1);
+            let tangent = contact.tangent(&block.coords, TangentPart::Full).unwrap();
+            let largest = tangent.triplets().fold(0.0, |m: f64, (_, _, v)| m.max(v.abs()));
+            let count = block.coords.len();
+            for axis in 0..2 {
+                let h = 1e-6;
+                let mut found = |h: f64| {
+                    let mut x = [0.0; 2];
+                    x[axis] = h;
+                    contact.set_pose(0, at(x)).unwrap();
+                    let found = contact.evaluate(&block.coords).unwrap();
+                    let mut forces = found.forces;
+                    forces.push(found.obstacles[0].force);
+                    forces
+                };
+                let (plus, minus) = (found(h), found(-h));
+                let mut unit = vec![[0.0; 2]; count + 1];
+                unit[count][axis] = 1.0;
+                for (node, column) in tangent.product(&unit).iter().enumerate() {
+                    for i in 0..2 {
+                        let slope = (minus[node][i] - plus[node][i]) / (2.0 * h);
+                        assert!(
+                            (slope - column[i]).abs() < 1e-6 * largest,
+                            "{node} {i}: {slope} against {}",
+                            column[i]
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Without the part that can be negative no displacement finds a negative stiffness.
+#[test]
+fn the_semidefinite_part_is() {
+    let mut random = Splitmix::new(7);
+    for seed in 0..6 {
+        let scene = plane_scene(seed);
+        for options in [exact(EnergyLaw::fiber(1.0)), sampled(EnergyLaw::fiber(1.0), 0.01, seed)] {
+            let tangent = scene.contact(options).tangent(&scene.coords, TangentPart::Semidefinite).unwrap();
+            assert!(is_symmetric(&tangent));
+            for _ in 0..20 {
+                let u: Vec<[f64; 2]> =
+                    scene.coords.iter().map(|_| [random.between(-1.0, 1.0), random.between(-1.0, 1.0)]).collect();
+                let work: f64 = tangent.product(&u).iter().zip(&u).map(|(f, u)| f[0] * u[0] + f[1] * u[1]).sum();
+                assert!(work >= 0.0);
+            }
+        }
+    }
+}
