@@ -34,8 +34,8 @@ pub struct Setup<const D: usize> {
     /// Lay new fibers at every step, as the paper does (Algorithm 1). Off by default: fibers that stay where they are
     /// have an energy, new ones do work at random.
     pub new_fibers_every_step: bool,
-    /// Steps between two checks of the stable step during the run, 0 for none. A check costs one eigenvalue of the
-    /// structure and one evaluation of the overlap.
+    /// Steps between two checks of the stable step during the run, 0 for none. A check costs about as
+    /// much as a step or two.
     pub check_every: u64,
 }
 

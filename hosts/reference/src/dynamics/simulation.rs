@@ -149,9 +149,8 @@ impl<const D: usize> Simulation<D> {
         if self.setup.check_every == 0 || !self.state.step.is_multiple_of(self.setup.check_every) {
             return Ok(None);
         }
-        let limit = self.stiffness().limit_at(&self.state.displacement)?;
-        let exceeded = || format!("the step of {:.4e} exceeds what is stable now: {limit}", self.step_size);
-        Ok((self.step_size > limit.step()).then(exceeded))
+        let exceeded = self.stiffness().exceeded(self.step_size, &self.state.displacement)?;
+        Ok(exceeded.map(|limit| format!("the step of {:.4e} exceeds what is stable now: {limit}", self.step_size)))
     }
 
     /// Energies and resultants now. After [`Self::advance`] they are those it returned, but for its timings and for the
