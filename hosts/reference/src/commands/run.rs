@@ -195,7 +195,7 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
         bar.set_length(progress.step_count);
         bar.set_position(progress.step);
         // The bar draws some times a second; a message for every step would cost more than small steps do.
-        if progress.step % 16 == 0 {
+        if progress.step.is_multiple_of(16) {
             bar.set_message(message(progress, dimension));
         }
         if stop.load(Ordering::SeqCst) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
