@@ -1,12 +1,11 @@
 //! One way of many to solve a problem, and what it came to.
 
-use super::Method;
+use super::{Impact, Method};
 use crate::case::{Case, FigureKind};
-use crate::dynamics::{Sample, Simulation};
+use crate::dynamics::{Sample, Setup, Simulation};
 use crate::run::Motion;
 use anyhow::{Context, Result};
 use std::ops::ControlFlow;
-use std::path::Path;
 
 /// A method with a law w = k Vᵐ, and how the impact went.
 #[derive(Clone, Debug)]
@@ -59,12 +58,14 @@ impl Attempt {
     pub(super) fn run<const D: usize>(
         method: Method,
         case: &Case,
-        folder: &Path,
-        threads: usize,
+        impact: &Impact,
         step_count: u64,
         watch: &mut dyn FnMut(u64) -> ControlFlow<()>,
     ) -> Result<Option<Self>> {
-        let mut simulation = Simulation::start(case.setup::<D>(folder, threads)?)?;
+        let mut simulation = Simulation::start(Setup {
+            contact_substeps: impact.contact_substeps,
+            ..case.setup::<D>(&impact.folder, impact.threads)?
+        })?;
         let motion = Motion::new(case, simulation.model().parts())?;
         let mut samples = vec![simulation.sample()];
         let mut failure = None;
