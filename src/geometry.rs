@@ -19,7 +19,7 @@ pub(crate) mod tree;
 pub use cell::{Bodies, CellBlock, CellType};
 pub(crate) use chord::chord;
 pub(crate) use facet::moment;
-pub(crate) use inside::cover_count;
+pub(crate) use inside::{cover_count, cover_counts};
 pub(crate) use march::{Passage, Stretch, march};
 pub use obstacle::{Obstacle, Shape, SignedDistance};
 pub use pose::Pose;

@@ -1,8 +1,13 @@
 //! Overlap volume and its gradient, by two estimators that return one type.
 
+mod around;
 mod assembly;
 mod bundle;
+mod cell_simplices;
+mod clearance;
 mod clip;
+mod clipper;
+mod cover;
 mod estimate;
 mod exact;
 mod exact_creases;
@@ -15,6 +20,7 @@ mod implicit;
 mod layout;
 mod options;
 mod patch;
+mod piece;
 mod region;
 mod resolution;
 mod side;

@@ -73,20 +73,71 @@ impl<const D: usize> Tree<D> {
     }
 }
 
+impl<const D: usize> Tree<D> {
+    /// Visits every pair of items, the first of `self`, that lie in leaves whose boxes meet.
+    pub(crate) fn visit_pairs(&self, other: &Self, mut pair: impl FnMut(u32, u32)) {
+        let mut stack = Vec::with_capacity(64);
+        if !self.nodes.is_empty() && !other.nodes.is_empty() {
+            stack.push((0u32, 0u32));
+        }
+        while let Some((p, q)) = stack.pop() {
+            let (here, there) = (&self.nodes[p as usize], &other.nodes[q as usize]);
+            if !here.aabb.meets(&there.aabb) {
+                continue;
+            }
+            match (here.right, there.right) {
+                (0, 0) => {
+                    for &i in &self.items[here.start as usize..here.end as usize] {
+                        other.items[there.start as usize..there.end as usize].iter().for_each(|&j| pair(i, j));
+                    }
+                }
+                // The larger of the two is opened.
+                (right, other_right)
+                    if other_right == 0 || right != 0 && here.aabb.extent().amax() >= there.aabb.extent().amax() =>
+                {
+                    stack.extend([(right, q), (p + 1, q)]);
+                }
+                (_, right) => stack.extend([(p, right), (p, q + 1)]),
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::Vector;
 
+    fn boxes(count: u32, size: f64) -> Vec<Aabb<3>> {
+        let random = |i: u32, k: u32| (i.wrapping_mul(2654435761u32.wrapping_mul(k)) >> 8) as f64 / 16777216.0;
+        (0..count)
+            .map(|i| {
+                let min = Vector::<3>::new(random(i, 1), random(i, 3), random(i, 7));
+                Aabb { min, max: min.add_scalar(size) }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn pairs_against_brute_force() {
+        let (here, there) = (boxes(300, 0.05), boxes(170, 0.2));
+        let mut found = Vec::new();
+        Tree::new(&here).visit_pairs(&Tree::new(&there), |i, j| {
+            if here[i as usize].meets(&there[j as usize]) {
+                found.push((i, j));
+            }
+        });
+        found.sort_unstable();
+        let all = (0..300).flat_map(|i| (0..170).map(move |j| (i, j)));
+        let expected: Vec<(u32, u32)> = all.filter(|&(i, j)| here[i as usize].meets(&there[j as usize])).collect();
+        assert!(expected.len() > 100);
+        assert_eq!(found, expected);
+        Tree::new(&here).visit_pairs(&Tree::new(&[]), |_, _| panic!("nothing meets an empty tree"));
+    }
+
     #[test]
     fn tree_against_brute_force() {
-        let boxes: Vec<Aabb<3>> = (0..500u32)
-            .map(|i| {
-                let f = |k: u32| ((i * 2654435761u32.wrapping_mul(k)) >> 8) as f64 / 16777216.0;
-                let min = Vector::<3>::new(f(1), f(3), f(7));
-                Aabb { min, max: min.add_scalar(0.05) }
-            })
-            .collect();
+        let boxes = boxes(500, 0.05);
         let tree = Tree::new(&boxes);
         let query = boxes[7].inflated(0.1);
         let mut found = Vec::new();

@@ -4,13 +4,18 @@
 //! ∂V/∂x_a = Σ_{facets f of one side} Σ_{simplices s of the other} ∫_{f ∩ s} N_a n dA
 //! ```
 //!
+//! A facet that keeps clear of the other body's boundary is all inside or all outside. Only the others, those near the
+//! curve in which the boundaries cross, are clipped.
+//!
 //! V is homogeneous of degree D in all coordinates, so D V = Σ_a x_a · ∂V/∂x_a (the divergence theorem on the same
 //! pieces). Exact for straight-sided cells and flat-sided obstacles; quadrilateral faces are split about their centroid.
 
-use super::assembly::{Assembly, FacetShare};
-use super::clip::clip_below;
+use super::assembly::Assembly;
+use super::clearance::{Clearance, Facets};
+use super::clipper::{Clipped, Clipper};
+use super::cover::covers;
 use super::estimate::{Overlap, Partner};
-use super::region::{Region, common_region};
+use super::region::common_region;
 use super::side::{FacetSide, ImplicitSide, Opponent, Pair};
 use super::solid::Solid;
 use super::warning::swallowed;
@@ -20,8 +25,8 @@ use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Vector};
 use rayon::prelude::*;
 
-/// What a facet has inside the other body, and the corners of its pieces there.
-type Clipped<const D: usize> = (FacetShare<D>, Vec<Vector<D>>);
+/// Facets that a thread takes at once.
+const CHUNK: usize = 16;
 
 /// A pair that is to be clipped.
 pub(crate) struct ExactPair<'a, const D: usize> {
@@ -32,95 +37,110 @@ pub(crate) struct ExactPair<'a, const D: usize> {
 impl<const D: usize> ExactPair<'_, D> {
     /// The overlap, or `None` where the sides are apart.
     pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
-        let mut assembly = Assembly::new(self.pair.a.views.points.len());
-        let volume = match &self.pair.opponent {
+        let (a, pose) = (&self.pair.a, self.pair.pose);
+        match &self.pair.opponent {
             Opponent::Itself => {
-                let aabb = self.pair.a.aabb;
-                let facets: Vec<u32> = (0..self.pair.a.facets.len() as u32).collect();
-                let shares = self.clip(&self.pair.a, &facets, &self.solid(0, &self.pair.a, &aabb), true, false);
-                self.add(&mut assembly, &self.pair.a, &shares, None, &aabb.center())
+                let tie = a.aabb.rounding();
+                let solid = match (&self.pair.surface.cells, self.pair.partners[0]) {
+                    (Some(cells), Partner::Body(body)) => Solid::from_cells(cells, body, self.coords),
+                    _ => Solid::from_facets(a, &a.aabb.inflated(tie), tie),
+                };
+                let facets: Vec<u32> = (0..a.facets.len() as u32).collect();
+                let shares = self.clip(a, &facets, &solid, tie, true, false);
+                Ok(Some(self.assemble(&[(a, &shares, None)], &a.aabb, None)))
             }
             Opponent::Facets(b) => {
-                let Some(region) = common_region(&self.pair.a, b) else { return Ok(None) };
+                let Some(region) = common_region(a, b) else { return Ok(None) };
+                let aabb = region.aabb;
+                let clearance = Clearance::new(a, b, region);
+                let tie = clearance.tie;
+                let [of_a, of_b] = &clearance.sides;
                 // One side after the other, so that a swap of the bodies swaps two numbers and no more.
-                let Region { aabb, facets } = &region;
-                let of_a = self.clip(&self.pair.a, &facets[0], &self.solid(1, b, aabb), false, false);
-                let of_b = self.clip(b, &facets[1], &self.solid(0, &self.pair.a, aabb), false, true);
-                let origin = aabb.center();
-                self.add(&mut assembly, &self.pair.a, &of_a, None, &origin)
-                    + self.add(&mut assembly, b, &of_b, self.pair.pose, &origin)
+                let shares_a = self.shares(a, of_a, 1, b, of_b, &aabb, tie);
+                let shares_b = self.shares(b, of_b, 0, a, of_a, &aabb, tie);
+                Ok(Some(self.assemble(&[(a, &shares_a, None), (b, &shares_b, pose)], &aabb, None)))
             }
             Opponent::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
                 let mut up = Vector::zeros();
                 up[D - 1] = 1.0;
                 let normal = pose.rotate(&up);
                 let origin = Vector::from(pose.position);
-                let shares: Vec<Clipped<D>> = (0..self.pair.a.facets.len())
-                    .filter_map(|facet| {
-                        let corners = self.pair.a.corners(facet);
-                        let piece =
-                            clip_below(&corners.map(|x| normal.dot(&(x - origin))), self.pair.a.aabb.rounding())?;
-                        let area = area_vector(&corners).norm();
-                        let shares = piece.moments.map(|w| w * area);
-                        let share = FacetShare { facet: facet as u32, of_b: false, shares };
-                        Some((share, piece.places(&corners).collect()))
-                    })
+                let tie = a.aabb.rounding();
+                let mut clipper = Clipper::default();
+                let shares: Vec<Clipped<D>> = (0..a.facets.len() as u32)
+                    .filter_map(|facet| clipper.below(facet, &a.corners(facet as usize), &normal, &origin, tie))
                     .collect();
-                // With the origin on the plane, the plane itself adds nothing to the volume.
-                let nearest = self.pair.a.aabb.center();
-                let origin = nearest - normal * normal.dot(&(nearest - origin));
-                let volume = self.add(&mut assembly, &self.pair.a, &shares, None, &origin);
-                assembly.add_reaction(&normal, &self.pair.a.views.points);
-                volume
+                Ok(Some(self.assemble(&[(a, &shares, None)], &a.aabb, Some((&normal, &origin)))))
             }
             Opponent::Implicit(_) => {
                 let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as a polygon or triangle mesh";
-                return Err(Error::Unsupported { what });
+                Err(Error::Unsupported { what })
             }
-        };
-        Ok(Some(self.finish(assembly, volume / D as f64)))
-    }
-
-    /// Simplices of one of the two sides.
-    fn solid(&self, which: usize, side: &FacetSide<D>, region: &Aabb<D>) -> Solid<D> {
-        match (&self.pair.surface.cells, self.pair.partners[which]) {
-            (Some(cells), Partner::Body(body)) => Solid::from_cells(cells, body, self.coords, region),
-            _ => Solid::from_facets(side, region),
         }
     }
 
-    /// What each of some facets of `side` has inside `solid`. With `own`, a facet's own cell does not count.
-    fn clip(&self, side: &FacetSide<D>, facets: &[u32], solid: &Solid<D>, own: bool, of_b: bool) -> Vec<Clipped<D>> {
-        let clip_facet = |facet: &u32| {
-            let facet = *facet;
-            let corners = side.corners(facet as usize);
-            let area = area_vector(&corners);
-            let (mut sums, mut ends, mut cancelled) = ([0.0; D], Vec::new(), false);
-            let own_cell = if own { Some(self.cell_of(facet)) } else { None };
-            solid.for_each_near(&Aabb::of(&corners), |simplex, origin| {
-                if Some(origin) == own_cell {
-                    return;
+    /// What the facets of one side have inside the other, which is side number `which` of the pair.
+    #[allow(clippy::too_many_arguments)]
+    fn shares(
+        &self,
+        side: &FacetSide<D>,
+        facets: &Facets<D>,
+        which: usize,
+        other: &FacetSide<D>,
+        other_facets: &Facets<D>,
+        region: &Aabb<D>,
+        tie: f64,
+    ) -> Vec<Clipped<D>> {
+        let of_b = which == 0;
+        let near: Vec<u32> = (facets.numbers.iter().zip(&facets.is_near)).filter(|f| *f.1).map(|f| *f.0).collect();
+        let mut clipped = Vec::new();
+        if !near.is_empty() {
+            let solid = match (&self.pair.surface.cells, self.pair.partners[which]) {
+                (Some(cells), Partner::Body(body)) => {
+                    let facet_cell = &self.pair.surface.facet_cell[self.pair.surface.ranges[body].clone()];
+                    Solid::Cells { cells, coords: self.coords, facets: other_facets, facet_cell }
                 }
-                if let Some(piece) = simplex.clip(&corners, &area, solid.tie) {
-                    for (sum, moment) in sums.iter_mut().zip(piece.moments) {
-                        *sum += simplex.sign * moment;
-                    }
-                    ends.extend(piece.places(&corners));
-                    // Where pieces are subtracted from one another, their corners are not those of the overlap.
-                    cancelled |= simplex.sign < 0.0;
+                _ => {
+                    let boxes = facets.boxes.iter().zip(&facets.is_near).filter(|f| *f.1);
+                    let around = boxes.fold(Aabb::empty(), |sum, f| sum.union(f.0));
+                    Solid::from_facets(other, &around, tie)
                 }
-            });
-            let measure = area.norm();
-            if cancelled {
-                ends.clear();
+            };
+            clipped = self.clip(side, &near, &solid, tie, false, of_b);
+        }
+        let covers = covers(side, facets, other, &region.inflated(tie));
+        let mut clipped = clipped.into_iter().peekable();
+        let mut shares = Vec::new();
+        for (f, &facet) in facets.numbers.iter().enumerate() {
+            if let Some(share) = clipped.next_if(|c| c.share.facet == facet) {
+                shares.push(share);
+            } else if covers[f] > 0 {
+                shares.push(Clipped::whole(facet, of_b, &facets.corners[f], covers[f]));
             }
-            let share = FacetShare { facet, of_b, shares: sums.map(|w| w * measure) };
-            (sums.iter().sum::<f64>() > 0.0).then_some((share, ends))
+        }
+        shares
+    }
+
+    /// What each of some facets of `side` has inside `solid`. With `own`, a facet's own cell does not count.
+    fn clip(
+        &self,
+        side: &FacetSide<D>,
+        facets: &[u32],
+        solid: &Solid<D>,
+        tie: f64,
+        own: bool,
+        of_b: bool,
+    ) -> Vec<Clipped<D>> {
+        let clip = |clipper: &mut Clipper<D>, &facet: &u32| {
+            let own_cell = own.then(|| self.cell_of(facet));
+            clipper.inside(facet, of_b, &side.corners(facet as usize), solid, tie, own_cell)
         };
         if self.pair.parallel {
-            facets.par_iter().filter_map(clip_facet).collect()
+            let work = facets.par_iter().with_min_len(CHUNK).map_init(Clipper::default, clip);
+            work.flatten_iter().collect()
         } else {
-            facets.iter().filter_map(clip_facet).collect()
+            let mut clipper = Clipper::default();
+            facets.iter().filter_map(|facet| clip(&mut clipper, facet)).collect()
         }
     }
 
@@ -135,6 +155,44 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 
+    /// Sums up the shares of one or two sides, and what the plane of a half-space must carry.
+    ///
+    /// The volume is taken about the middle of the boundary of the overlap: about a point at a distance r from a thin
+    /// overlap, the boundary on both of its sides would add two numbers of size r that cancel. A half-space has the
+    /// origin on its plane, which then adds nothing itself.
+    fn assemble(
+        &self,
+        sides: &[(&FacetSide<D>, &[Clipped<D>], Option<&Pose<D>>)],
+        region: &Aabb<D>,
+        plane: Option<(&Vector<D>, &Vector<D>)>,
+    ) -> Overlap<D> {
+        let near = region.center();
+        let (mut weight, mut origin) = (0.0, Vector::zeros());
+        for (side, shares, _) in sides {
+            let (mut of_side, mut moment) = (0.0, Vector::zeros());
+            for Clipped { share, .. } in *shares {
+                let corners = side.corners(share.facet as usize);
+                of_side += share.shares.iter().sum::<f64>();
+                moment += (0..D).fold(Vector::zeros(), |m, a| m + (corners[a] - near) * share.shares[a]);
+            }
+            weight += of_side;
+            origin += moment;
+        }
+        origin = if weight > 0.0 { near + origin / weight } else { near };
+        if let Some((normal, on_plane)) = plane {
+            origin -= normal * normal.dot(&(origin - on_plane));
+        }
+        let mut assembly = Assembly::new(self.pair.a.views.points.len());
+        let mut volume = 0.0;
+        for (side, shares, pose) in sides {
+            volume += self.add(&mut assembly, side, shares, *pose, &origin);
+        }
+        if let Some((normal, _)) = plane {
+            assembly.add_reaction(normal, &self.pair.a.views.points);
+        }
+        self.finish(assembly, volume / D as f64)
+    }
+
     /// Adds shares to the assembly and returns their part of D V.
     fn add(
         &self,
@@ -145,7 +203,7 @@ impl<const D: usize> ExactPair<'_, D> {
         origin: &Vector<D>,
     ) -> f64 {
         let mut moments = 0.0;
-        for (share, ends) in clipped {
+        for Clipped { share, ends } in clipped {
             assembly.add_facet(side, share, pose);
             assembly.extend_to(ends);
             let corners = side.corners(share.facet as usize);

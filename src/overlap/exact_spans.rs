@@ -6,9 +6,9 @@
 //! piece is cut where L = 0; Gauss points of degree 3 (2D) and 2 (3D) then integrate ψ'(L) N_a of the quadratic ψ
 //! exactly, and any smooth ψ to their order. What a third facet hides of a piece is cut out of it.
 
-use super::clip::{cut, whole};
 use super::exact::ExactPair;
 use super::patch::Patches;
+use super::piece::{cut, whole};
 use super::side::{FacetSide, ImplicitSide, Opponent};
 use super::span::{End, Span, Spans};
 use crate::Error;

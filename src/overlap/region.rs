@@ -1,6 +1,6 @@
 //! Where two bodies can overlap, found from their facets.
 
-use super::clip::clip_to_box;
+use super::piece::{Piece, clip_to_box};
 use super::side::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cover_count;
@@ -65,7 +65,7 @@ fn is_flat<const D: usize>(region: &Aabb<D>) -> bool {
 /// Between the facets' box and a side of the region there is no facet: such a slab is all inside or all outside, and
 /// one point tells.
 fn trim<const D: usize>(side: &FacetSide<D>, facets: &mut Vec<u32>, region: &Aabb<D>) -> Option<Aabb<D>> {
-    let mut bounds = Aabb::empty();
+    let (mut bounds, mut piece) = (Aabb::empty(), Piece::default());
     facets.retain(|&facet| {
         let aabb = side.facet_box(facet as usize);
         if region.contains(&aabb) {
@@ -75,7 +75,7 @@ fn trim<const D: usize>(side: &FacetSide<D>, facets: &mut Vec<u32>, region: &Aab
         let meets = aabb.meets(region);
         if meets {
             // A large facet may only cut a corner of the region.
-            bounds = bounds.union(&clip_to_box(&side.corners(facet as usize), region));
+            bounds = bounds.union(&clip_to_box(&side.corners(facet as usize), region, &mut piece));
         }
         meets
     });

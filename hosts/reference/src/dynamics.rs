@@ -12,6 +12,7 @@
 //! The step is bounded by the structure and by the contact's stiffness ([`StepLimit`]). There is no damping unless the
 //! setup asks for it. A simulation can be saved and resumed bit for bit ([`Simulation::save`]).
 
+mod advance;
 mod checkpoint;
 mod contact_frequency;
 mod error;

@@ -3,13 +3,17 @@
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
+mod commands;
 mod estimator_args;
 mod force;
 mod verify;
 
 /// Contact forces from overlap volume, by Fiber Monte Carlo
 #[derive(Parser)]
-#[command(version, after_help = "Exit status: 0 on success, 1 if verify misses a bound, 2 for bad usage or input.")]
+#[command(
+    version,
+    after_help = "Exit status: 0 on success, 1 if a bound or a check is missed, 2 for bad usage or input."
+)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -17,12 +21,18 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    Run(commands::run::RunArgs),
+    List(commands::list::ListArgs),
+    Study(commands::study::StudyArgs),
     Force(force::ForceArgs),
     Verify(verify::VerifyArgs),
 }
 
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
+        Command::Run(args) => commands::run::run(&args),
+        Command::List(args) => commands::list::run(&args).map(|()| ExitCode::SUCCESS),
+        Command::Study(args) => commands::study::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Force(args) => force::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Verify(args) => verify::run(&args),
     };

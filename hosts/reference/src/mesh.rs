@@ -125,6 +125,15 @@ impl Mesh {
     }
 }
 
+/// The numbers of a point or cell array of a VTU file, tuple after tuple.
+///
+/// # Errors
+/// If the file cannot be read or has no such array.
+pub fn read_floats(path: &Path, name: &str) -> Result<Vec<f64>> {
+    let bytes = std::fs::read(path).with_context(|| format!("{} cannot be read", path.display()))?;
+    vtu::floats(&bytes, name).with_context(|| path.display().to_string())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,1 +1,30 @@
-//! Cases carried out.
+//! Cases carried out: from a case to its history, fields, pictures and figures.
+//!
+//! ```text
+//! OUT/history.csv      every step: energies, contact forces, velocities, overlap    (streamed)
+//! OUT/fields.pvd       the series of OUT/fields/NNNN.vtu, for ParaView              (streamed)
+//! OUT/energies.png     and .svg: kinetic, strain, contact and total energy over time
+//! OUT/forces.png       and .svg: contact forces on bodies and obstacles over time
+//! OUT/animation.gif    the deformed bodies coloured by von Mises stress (2D, where the case asks for it)
+//! OUT/summary.json     figures and checks
+//! OUT/checkpoint.*     of a run that was interrupted, or still runs
+//! ```
+//!
+//! Everything but the seconds follows from the case: a run that was interrupted and resumed leaves the same files as one
+//! that was not, and figures and pictures are made from `history.csv` and the fields alone.
+
+mod animation;
+mod canvas;
+mod fields;
+mod figures;
+mod frames;
+mod history;
+mod palette;
+mod plots;
+mod runner;
+mod summary;
+
+pub use figures::{Figure, Motion};
+pub use history::History;
+pub use runner::{Ending, Progress, RunOptions, run};
+pub use summary::{Check, Reference, Summary};

@@ -46,6 +46,9 @@ pub struct Contact {
     /// Whether a body may meet itself.
     #[serde(default)]
     pub self_contact: bool,
+    /// Whether a cell that is turned inside out ends the run.
+    #[serde(default = "yes")]
+    pub check_cells: bool,
 }
 
 /// Names of energy laws.
@@ -104,7 +107,7 @@ impl Contact {
     pub fn options(&self, threads: usize) -> Options {
         let law = match self.law {
             LawName::Volume => EnergyLaw::Volume { k: self.stiffness, m: self.exponent },
-            LawName::Fiber => EnergyLaw::Volume { k: 5.0 * self.stiffness, m: 2.0 },
+            LawName::Fiber => EnergyLaw::fiber(self.stiffness),
         };
         let estimator = match self.estimator {
             EstimatorName::Exact => Estimator::Exact,
@@ -126,7 +129,8 @@ impl Contact {
                 balance: self.balance,
             }),
         };
-        Options { estimator, threads, self_contact: self.self_contact, ..Options::new(law) }
+        let Self { self_contact, check_cells, .. } = *self;
+        Options { estimator, threads, self_contact, check_cells, ..Options::new(law) }
     }
 
     /// The estimator in a word: `exact`, `lines` or `isotropic`.
@@ -135,15 +139,6 @@ impl Contact {
             (EstimatorName::Exact, _) => "exact",
             (EstimatorName::Fibers, PatternName::Lines) => "lines",
             (EstimatorName::Fibers, PatternName::Isotropic) => "isotropic",
-        }
-    }
-
-    /// The law as a formula with its numbers.
-    pub fn law_formula(&self) -> String {
-        match self.law {
-            LawName::Volume if self.exponent == 1.0 => format!("w = k V, k = {:e}", self.stiffness),
-            LawName::Volume => format!("w = k V^{}, k = {:e}", self.exponent, self.stiffness),
-            LawName::Fiber => format!("p = k L, k = {:e}", self.stiffness),
         }
     }
 }

@@ -145,7 +145,11 @@ impl Document {
 
     /// A problem with the value of a key, blamed on whoever put it there.
     pub fn problem(&self, key: Option<&Key>, message: String) -> CaseError {
-        let around = |change: &&Change| key.is_some_and(|key| key.is_within(&change.key));
+        // A table that only a change has brought in is that change's.
+        let brought_in = |key: &Key| self.text.parse().is_ok_and(|file: toml::Table| key.find(&file).is_none());
+        let around = |change: &&Change| {
+            key.is_some_and(|key| key.is_within(&change.key) || change.key.is_within(key) && brought_in(key))
+        };
         let place = match self.changes.iter().rev().find(around).map(|change| &change.origin) {
             Some(Origin::User(words)) => words.clone(),
             Some(Origin::Variant(name)) => {

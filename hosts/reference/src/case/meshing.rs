@@ -190,7 +190,7 @@ fn read<const D: usize>(path: &Path, group: Option<&str>) -> Result<(CellType, M
     let mut node_of = BTreeMap::new();
     let mut found: Option<CellType> = None;
     let (mut coords, mut conn) = (Vec::new(), Vec::new());
-    for (cell_type, nodes, _, own) in file.cells().filter(|cell| number.is_none() || cell.3 == number) {
+    for (cell_type, nodes, ..) in file.cells().filter(|cell| number.is_none() || cell.3 == number) {
         ensure!(
             found.is_none_or(|first| first == cell_type),
             "{}: cells of several types ({:?}, {cell_type:?}) in one body; give each a group and a body",
@@ -198,7 +198,6 @@ fn read<const D: usize>(path: &Path, group: Option<&str>) -> Result<(CellType, M
             found.unwrap_or(cell_type)
         );
         found = Some(cell_type);
-        let _ = own;
         for &node in nodes {
             conn.push(*node_of.entry(node).or_insert_with(|| {
                 coords.push(std::array::from_fn(|axis| file.points[node as usize][axis]));
@@ -208,7 +207,7 @@ fn read<const D: usize>(path: &Path, group: Option<&str>) -> Result<(CellType, M
     }
     let cell_type =
         found.ok_or_else(|| anyhow!("{}: group '{}' has no cells", file.file, group.unwrap_or_default()))?;
-    Ok((cell_type, Mesh { coords, conn, nodes_per_cell: cell_type.node_count() }))
+    Ok((cell_type, Mesh { coords, conn, nodes_per_cell: cell_type.node_count() }.oriented()))
 }
 
 /// Whether a node of a part belongs to a place.

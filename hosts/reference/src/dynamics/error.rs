@@ -15,12 +15,14 @@ pub enum DynamicsError {
         /// The contact's own error.
         error: fmc_contact::Error,
     },
-    /// A cell has been turned inside out: the strain energy is not defined there.
+    /// A cell has been turned inside out, at one of its corners at least.
     InvertedCell {
         /// Step at which.
         step: u64,
         /// Time at which.
         time: f64,
+        /// The cell, counted over all parts, where it is known.
+        cell: Option<usize>,
     },
     /// A displacement or velocity is NaN or infinite: the motion is not stable.
     NonFinite {
@@ -99,8 +101,9 @@ impl fmt::Display for DynamicsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Contact { step, time, error } => write!(f, "contact at step {step}, time {time:.6e}: {error}"),
-            Self::InvertedCell { step, time } => {
-                write!(f, "a cell is inverted at step {step}, time {time:.6e}: the step, or the mesh, is too coarse")
+            Self::InvertedCell { step, time, cell } => {
+                let cell = cell.map_or("a cell".into(), |cell| format!("cell {cell}"));
+                write!(f, "{cell} is inverted at step {step}, time {time:.6e}: the step, or the mesh, is too coarse")
             }
             Self::NonFinite { step, time, node } => {
                 write!(f, "the motion of node {node} is not finite at step {step}, time {time:.6e}: it is not stable")

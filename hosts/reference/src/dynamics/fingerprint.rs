@@ -36,8 +36,8 @@ pub(super) fn fingerprint<const D: usize>(setup: &Setup<D>) -> u64 {
     let polytopes: Vec<_> = (setup.obstacles.iter())
         .filter_map(|o| if let Shape::Polytope { points, facets } = &o.shape { Some((points, facets)) } else { None })
         .collect();
-    let Setup { obstacles, supports, load, damping, new_fibers_every_step, .. } = setup;
-    let settings = (contact, obstacles, polytopes, supports, load, damping, new_fibers_every_step);
+    let Setup { obstacles, supports, load, damping, contact_substeps, new_fibers_every_step, .. } = setup;
+    let settings = (contact, obstacles, polytopes, supports, load, damping, contact_substeps, new_fibers_every_step);
     let mut written = write!(hash, "{D} {settings:?}");
     for part in setup.model.parts() {
         let text = (&part.name, part.cell_type, &part.mesh, &part.material);

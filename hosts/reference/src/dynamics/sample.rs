@@ -19,9 +19,10 @@ pub struct Sample<const D: usize> {
     pub total: f64,
     /// Energy that damping has taken out so far; 0 without damping.
     pub dissipated: f64,
-    /// Sum of the contact forces on every body, in the order of the model's parts.
+    /// Sum of the contact forces on every body, in the order of the model's parts. With several contact sub-steps their
+    /// mean, so that the sum over the steps times Δt is the impulse.
     pub bodies: Vec<[f64; D]>,
-    /// Sum of the contact forces on every obstacle.
+    /// The same on every obstacle.
     pub obstacles: Vec<[f64; D]>,
     /// |ΣF| over bodies and obstacles: what action and reaction leave of each other.
     pub balance: f64,

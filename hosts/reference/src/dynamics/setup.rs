@@ -31,11 +31,16 @@ pub struct Setup<const D: usize> {
     pub step: Step,
     /// Rate α of the mass-proportional damping force −α M v, 1/time; 0 for none.
     pub damping: f64,
+    /// Evaluations of the contact in every step, at least 1 (the paper's scheme). More of them resolve a force that jumps,
+    /// at the cost of contact alone: on the star with m = 1, which gains 4 % of energy, four leave 0.6 %. In contact the
+    /// energy swings a little more, by what is done between two evaluations of the structure. The stable step is that of
+    /// one evaluation.
+    pub contact_substeps: u32,
     /// Lay new fibers at every step, as the paper does (Algorithm 1). Off by default: fibers that stay where they are
     /// have an energy, new ones do work at random.
     pub new_fibers_every_step: bool,
-    /// Steps between two checks of the stable step during the run, 0 for none. A check costs one eigenvalue of the
-    /// structure and one evaluation of the overlap.
+    /// Steps between two checks of the stable step during the run, 0 for none. A check costs about as
+    /// much as a step or two.
     pub check_every: u64,
 }
 
@@ -51,6 +56,7 @@ impl<const D: usize> Setup<D> {
             velocity: Vec::new(),
             step: Step::Auto,
             damping: 0.0,
+            contact_substeps: 1,
             new_fibers_every_step: false,
             check_every: 200,
         }

@@ -1,17 +1,16 @@
-//! The leapfrog scheme.
+//! Bodies in motion.
 
+use super::advance::sum;
 use super::checkpoint::Checkpoint;
 use super::error::{CheckpointError, DynamicsError};
-use super::evaluation::{Actors, Evaluation, placed};
+use super::evaluation::{Actors, Structure, Touch, placed};
 use super::fingerprint::fingerprint;
-use super::sample::Sample;
 use super::setup::{Setup, Step};
 use super::state::State;
 use super::step_limit::{StepLimit, Stiffness};
 use crate::fem::Model;
 use fmc_contact::{Contact, ContactForces};
 use std::path::Path;
-use std::time::Instant;
 
 /// Bodies in motion.
 ///
@@ -22,17 +21,24 @@ use std::time::Instant;
 /// v(n+1) = v(n+½) + ½ Δt a(n+1)        kick
 /// ```
 ///
+/// With several contact sub-steps ([`Setup::contact_substeps`]) the contact has a leapfrog of its own between the two
+/// kicks of the structure (impulse multiple time stepping, Tuckerman, Berne and Martyna 1992), symplectic and reversible
+/// as well. One sub-step is the scheme above.
+///
 /// Damping, where asked for, multiplies v by exp(−α Δt/2) before and after: its exact flow, so that it is stable for any
 /// α and the scheme stays of second order.
 pub struct Simulation<const D: usize> {
-    setup: Setup<D>,
-    contact: Contact<D>,
-    mass: Vec<f64>,
-    inverse_mass: Vec<[f64; D]>,
-    step_size: f64,
-    limit: StepLimit,
-    state: State<D>,
-    evaluation: Evaluation<D>,
+    pub(super) setup: Setup<D>,
+    pub(super) contact: Contact<D>,
+    pub(super) mass: Vec<f64>,
+    pub(super) inverse_mass: Vec<[f64; D]>,
+    pub(super) step_size: f64,
+    pub(super) limit: StepLimit,
+    pub(super) state: State<D>,
+    pub(super) structure: Structure<D>,
+    pub(super) touch: Touch<D>,
+    /// Contact forces on bodies, then on obstacles: means over the sub-steps of the last step.
+    pub(super) resultants: Vec<[f64; D]>,
 }
 
 impl<const D: usize> Simulation<D> {
@@ -101,97 +107,12 @@ impl<const D: usize> Simulation<D> {
             (Some(saved), _) => (stiffness.limit_before_contact(), saved),
         };
         let time = state.step as f64 * step_size;
-        let actors = Actors { model: &setup.model, contact: &contact, load: &setup.load, inverse_mass: &inverse_mass };
-        let evaluation = actors.evaluate(&state.displacement, state.step, time)?;
-        state.acceleration.clone_from(&evaluation.acceleration);
-        Ok(Self { setup, contact, mass, inverse_mass, step_size, limit, state, evaluation })
-    }
-
-    /// Makes one step.
-    ///
-    /// # Errors
-    /// [`DynamicsError::Contact`], [`DynamicsError::InvertedCell`], [`DynamicsError::NonFinite`]; the simulation is then
-    /// as it was before.
-    pub fn advance(&mut self) -> Result<Sample<D>, DynamicsError> {
-        let clock = Instant::now();
-        let mut next = self.state.clone();
-        next.step += 1;
-        let time = next.step as f64 * self.step_size;
-        let damped = self.setup.damping > 0.0;
-        let decay = (-0.5 * self.setup.damping * self.step_size).exp();
-        if damped {
-            next.decay(decay, &self.mass);
-        }
-        next.kick(self.step_size);
-        next.drift(self.step_size);
-        if let Some(node) = next.non_finite_node() {
-            return Err(DynamicsError::NonFinite { step: next.step, time, node });
-        }
-        if self.setup.new_fibers_every_step {
-            self.contact.set_options(self.setup.options_at(next.step)).map_err(DynamicsError::Setup)?;
-        }
-        let evaluation = self.actors().evaluate(&next.displacement, next.step, time)?;
-        next.acceleration.clone_from(&evaluation.acceleration);
-        next.kick(self.step_size);
-        if damped {
-            next.decay(decay, &self.mass);
-        }
-        (self.state, self.evaluation) = (next, evaluation);
-        let mut sample = self.sample();
-        sample.warnings.extend(self.check_step()?);
-        sample.contact_seconds = self.evaluation.contact_seconds;
-        sample.seconds = clock.elapsed().as_secs_f64();
-        Ok(sample)
-    }
-
-    /// A warning where the step exceeds what is stable now; looked at every [`Setup::check_every`] steps.
-    fn check_step(&self) -> Result<Option<String>, DynamicsError> {
-        if self.setup.check_every == 0 || !self.state.step.is_multiple_of(self.setup.check_every) {
-            return Ok(None);
-        }
-        let limit = self.stiffness().limit_at(&self.state.displacement)?;
-        let exceeded = || format!("the step of {:.4e} exceeds what is stable now: {limit}", self.step_size);
-        Ok((self.step_size > limit.step()).then(exceeded))
-    }
-
-    /// Energies and resultants now. After [`Self::advance`] they are those it returned, but for its timings and for the
-    /// warning of the step.
-    pub fn sample(&self) -> Sample<D> {
-        let Evaluation { strain, external, contact, .. } = &self.evaluation;
-        let kinetic = self.state.kinetic(&self.mass);
-        let forces = |resultants: &[fmc_contact::contact::Resultant<D>]| resultants.iter().map(|r| r.force).collect();
-        let (bodies, obstacles): (Vec<[f64; D]>, Vec<[f64; D]>) = (forces(&contact.bodies), forces(&contact.obstacles));
-        let sum = |axis: usize| bodies.iter().chain(&obstacles).map(|f| f[axis]).sum::<f64>();
-        Sample {
-            step: self.state.step,
-            time: self.time(),
-            kinetic,
-            strain: *strain,
-            contact: contact.energy,
-            external: *external,
-            total: kinetic + strain + contact.energy + external,
-            dissipated: self.state.dissipated,
-            balance: (0..D).map(|axis| sum(axis).powi(2)).sum::<f64>().sqrt(),
-            bodies,
-            obstacles,
-            velocities: (0..self.setup.model.parts().len()).map(|part| self.mean_velocity(part)).collect(),
-            overlap: contact.volume,
-            penetration: contact.penetration,
-            contact_area: contact.contact_area,
-            fibers: contact.fiber_count,
-            crossings: contact.crossing_count,
-            warnings: contact.warnings.iter().map(ToString::to_string).collect(),
-            contact_seconds: 0.0,
-            seconds: 0.0,
-        }
-    }
-
-    /// Velocity of the centre of mass of a part.
-    fn mean_velocity(&self, part: usize) -> [f64; D] {
-        let momentum = |axis: usize| -> f64 {
-            self.setup.model.nodes_of(part).map(|node| self.mass[node] * self.state.velocity[node][axis]).sum()
-        };
-        std::array::from_fn(|axis| momentum(axis) / self.part_mass(part))
+        let (step, load) = (state.step, &setup.load);
+        let actors = Actors { model: &setup.model, contact: &contact, load, inverse_mass: &inverse_mass, step, time };
+        let (structure, touch) = (actors.structure(&state.displacement)?, actors.touch(&state.displacement)?);
+        state.acceleration = sum(&structure.acceleration, &touch.acceleration);
+        let resultants = touch.resultants();
+        Ok(Self { setup, contact, mass, inverse_mass, step_size, limit, state, structure, touch, resultants })
     }
 
     /// Mass of a part.
@@ -231,7 +152,7 @@ impl<const D: usize> Simulation<D> {
 
     /// Contact forces at the current state.
     pub fn contact_forces(&self) -> &ContactForces<D> {
-        &self.evaluation.contact
+        &self.touch.forces
     }
 
     /// Mass of every node.
@@ -249,12 +170,12 @@ impl<const D: usize> Simulation<D> {
         self.state.velocity.iter_mut().flatten().for_each(|v| *v = -*v);
     }
 
-    fn actors(&self) -> Actors<'_, D> {
+    pub(super) fn actors(&self, step: u64, time: f64) -> Actors<'_, D> {
         let Self { setup, contact, inverse_mass, .. } = self;
-        Actors { model: &setup.model, contact, load: &setup.load, inverse_mass }
+        Actors { model: &setup.model, contact, load: &setup.load, inverse_mass, step, time }
     }
 
-    fn stiffness(&self) -> Stiffness<'_, D> {
+    pub(super) fn stiffness(&self) -> Stiffness<'_, D> {
         let Self { setup, contact, mass, inverse_mass, .. } = self;
         Stiffness { model: &setup.model, contact, mass, inverse_mass }
     }

@@ -16,20 +16,20 @@ pub struct State<const D: usize> {
 }
 
 impl<const D: usize> State<D> {
-    /// v += a Δt/2.
-    pub(super) fn kick(&mut self, step_size: f64) {
-        for (v, a) in self.velocity.iter_mut().zip(&self.acceleration) {
+    /// v += a τ.
+    pub(super) fn kick(&mut self, acceleration: &[[f64; D]], duration: f64) {
+        for (v, a) in self.velocity.iter_mut().zip(acceleration) {
             for axis in 0..D {
-                v[axis] += 0.5 * step_size * a[axis];
+                v[axis] += duration * a[axis];
             }
         }
     }
 
-    /// u += v Δt.
-    pub(super) fn drift(&mut self, step_size: f64) {
+    /// u += v τ.
+    pub(super) fn drift(&mut self, duration: f64) {
         for (u, v) in self.displacement.iter_mut().zip(&self.velocity) {
             for axis in 0..D {
-                u[axis] += step_size * v[axis];
+                u[axis] += duration * v[axis];
             }
         }
     }

@@ -15,24 +15,7 @@ const GROUP_ARRAYS: [&str; 4] = ["body", "gmsh:physical", "medit:ref", "CellEnti
 pub(super) fn parse(bytes: &[u8]) -> Result<Mesh> {
     let (xml, appended) = split_appended(bytes)?;
     let document = Document::parse(&xml).context("it is not well-formed XML")?;
-    let root = document.root_element();
-    ensure!(root.has_tag_name("VTKFile"), "it is not a VTK file");
-    let kind = root.attribute("type").unwrap_or_default();
-    ensure!(kind == "UnstructuredGrid", "it holds '{kind}'; save it as an unstructured grid (.vtu)");
-    let mut offsets: Vec<usize> = document.descendants().filter_map(offset).collect();
-    offsets.sort_unstable();
-    let encoding = Encoding {
-        little_endian: root.attribute("byte_order") != Some("BigEndian"),
-        header_size: if root.attribute("header_type") == Some("UInt64") { 8 } else { 4 },
-        compressor: root.attribute("compressor").filter(|name| !name.is_empty()),
-        appended,
-        offsets,
-    };
-    let grid = child(root, "UnstructuredGrid")?;
-    let size = |piece: &Node, name| piece.attribute(name).and_then(|text| text.trim().parse::<usize>().ok());
-    let mut pieces = grid.children().filter(|n| n.has_tag_name("Piece") && size(n, "NumberOfCells") != Some(0));
-    let piece = pieces.next().context("it has no cells")?;
-    ensure!(pieces.next().is_none(), "it has several pieces, which would be torn apart; merge them into one");
+    let (encoding, piece) = opened(&document, appended)?;
     let point_count = size(&piece, "NumberOfPoints").context("the number of points cannot be read")?;
     let cell_count = size(&piece, "NumberOfCells").context("the number of cells cannot be read")?;
     let points = child(piece, "Points")?.children().find(|n| n.has_tag_name("DataArray"));
@@ -56,6 +39,43 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh> {
         .and_then(|data| GROUP_ARRAYS.iter().find_map(|name| array(data, name)).map(|found| encoding.integers(found)));
     cells(&mut mesh, &conn, &ends, &types, &groups.transpose()?)?;
     Ok(mesh)
+}
+
+/// How arrays are encoded, and the one piece of the grid.
+fn opened<'a>(document: &'a Document, appended: Option<Appended<'a>>) -> Result<(Encoding<'a>, Node<'a, 'a>)> {
+    let root = document.root_element();
+    ensure!(root.has_tag_name("VTKFile"), "it is not a VTK file");
+    let kind = root.attribute("type").unwrap_or_default();
+    ensure!(kind == "UnstructuredGrid", "it holds '{kind}'; save it as an unstructured grid (.vtu)");
+    let mut offsets: Vec<usize> = document.descendants().filter_map(offset).collect();
+    offsets.sort_unstable();
+    let encoding = Encoding {
+        little_endian: root.attribute("byte_order") != Some("BigEndian"),
+        header_size: if root.attribute("header_type") == Some("UInt64") { 8 } else { 4 },
+        compressor: root.attribute("compressor").filter(|name| !name.is_empty()),
+        appended,
+        offsets,
+    };
+    let grid = child(root, "UnstructuredGrid")?;
+    let mut pieces = grid.children().filter(|n| n.has_tag_name("Piece") && size(n, "NumberOfCells") != Some(0));
+    let piece = pieces.next().context("it has no cells")?;
+    ensure!(pieces.next().is_none(), "it has several pieces, which would be torn apart; merge them into one");
+    Ok((encoding, piece))
+}
+
+/// A number that an element tells.
+fn size(node: &Node, name: &str) -> Option<usize> {
+    node.attribute(name).and_then(|text| text.trim().parse().ok())
+}
+
+/// The numbers of a point or cell array, tuple after tuple.
+pub(super) fn floats(bytes: &[u8], name: &str) -> Result<Vec<f64>> {
+    let (xml, appended) = split_appended(bytes)?;
+    let document = Document::parse(&xml).context("it is not well-formed XML")?;
+    let (encoding, piece) = opened(&document, appended)?;
+    let data = ["PointData", "CellData"].into_iter().filter_map(|kind| child(piece, kind).ok());
+    let found = data.into_iter().find_map(|data| array(data, name));
+    encoding.floats(found.with_context(|| format!("it has no array '{name}'"))?)
 }
 
 /// Takes over the cells of highest dimension.

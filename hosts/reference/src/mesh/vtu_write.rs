@@ -72,6 +72,11 @@ impl VtuWriter {
         data_array(&mut self.point_data, "Float64", name, 3, &float_bytes(vectors));
     }
 
+    /// `N` numbers for every cell; six are read as a symmetric tensor xx, yy, zz, xy, yz, xz.
+    pub fn cell_floats<const N: usize>(&mut self, name: &str, values: &[[f64; N]]) {
+        data_array(&mut self.cell_data, "Float64", name, N, &float_bytes(values));
+    }
+
     /// A whole number for every cell.
     pub fn cell_integers(&mut self, name: &str, values: &[i64]) {
         let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
@@ -105,7 +110,7 @@ impl VtuWriter {
     }
 }
 
-fn float_bytes(vectors: &[[f64; 3]]) -> Vec<u8> {
+fn float_bytes<const N: usize>(vectors: &[[f64; N]]) -> Vec<u8> {
     vectors.iter().flatten().flat_map(|value| value.to_le_bytes()).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use crate::scene::{exact, run, tip_on_block};
 use fmc_contact::{EnergyLaw, Estimator, FiberOptions, Options, Resolution};
-use fmc_reference::dynamics::{Sample, Simulation, Step};
+use fmc_reference::dynamics::{Sample, Setup, Simulation, Step};
 
 const K: f64 = 1e6;
 const STEP: f64 = 1.2e-3;
@@ -65,6 +65,32 @@ fn motion_can_be_turned_round() {
     for (v, start) in simulation.state().velocity.iter().flatten().zip(start.velocity.iter().flatten()) {
         assert!((v + start).abs() < 1e-7 * 3.0, "{v} {start}");
     }
+}
+
+#[test]
+fn contact_substeps_resolve_a_force_that_jumps() {
+    let left_over = |contact_substeps: u32| {
+        let setup = Setup { contact_substeps, ..tip_on_block(exact(2000.0, 1.0), Step::Fixed(STEP)) };
+        let mut simulation = Simulation::start(setup).unwrap();
+        let start = simulation.sample();
+        let samples = run(&mut simulation, 300);
+        let end = samples.last().unwrap();
+        assert!(end.overlap == 0.0 && samples.iter().any(|s| s.overlap > 0.0));
+        // The forces that are returned sum up to the change of momentum, as those of either scheme.
+        for axis in 0..2 {
+            let impulse: f64 = samples.iter().map(|s| s.bodies[1][axis] * STEP).sum();
+            let change = simulation.part_mass(1) * (end.velocities[1][axis] - start.velocities[1][axis]);
+            assert!((impulse - change).abs() < 1e-12 * simulation.part_mass(1) * 3.0, "{impulse} {change}");
+        }
+        // The way back is as exact as ever.
+        simulation.reverse();
+        run(&mut simulation, 300);
+        let away = simulation.state().displacement.iter().flatten().map(|u| u.abs()).fold(0.0, f64::max);
+        assert!(away < 1e-8, "{away}");
+        (end.total / start.total - 1.0).abs()
+    };
+    let errors = [left_over(1), left_over(8)];
+    assert!(errors[1] < 0.25 * errors[0], "{errors:?}");
 }
 
 #[test]

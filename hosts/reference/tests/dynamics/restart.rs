@@ -29,7 +29,13 @@ fn interrupted_run_goes_on_bit_for_bit() {
         (new_each_step(1000.0), 0.0, true, STEP),
     ];
     for (variant, (options, damping, new_fibers_every_step, step)) in variants.into_iter().enumerate() {
-        let setup = || Setup { damping, new_fibers_every_step, check_every: 7, ..tip_on_block(options, step) };
+        let setup = || Setup {
+            damping,
+            new_fibers_every_step,
+            check_every: 7,
+            contact_substeps: variant as u32 + 1,
+            ..tip_on_block(options, step)
+        };
         let path = path(&format!("restart-{variant}"));
         let mut whole = Simulation::start(setup()).unwrap();
         let samples = run(&mut whole, 60);

@@ -1,7 +1,7 @@
 //! The stable step, against where the scheme does become unstable.
 
 use crate::scene::{exact, material, part, run, tip_on_block};
-use fmc_contact::CellType;
+use fmc_contact::{CellType, EnergyLaw};
 use fmc_reference::dynamics::{DynamicsError, Setup, Simulation, Step};
 use fmc_reference::fem::{Constraints, Law, Model};
 use fmc_shapes::rectangle_quad4;
@@ -51,6 +51,39 @@ fn contact_limit_is_where_stability_ends() {
     let refused = growth(1.01).unwrap_err();
     assert!(matches!(refused, DynamicsError::StepTooLarge { .. }));
     assert!(refused.to_string().contains("contact alone: 1.4142e-1"), "{refused}");
+}
+
+#[test]
+fn fiber_law_limit_is_known_beforehand() {
+    // Two squares of one soft cell each, moving along y only, pressed onto one another by dead loads. Where both faces move
+    // as a whole, ω² = 2k A/m = 2k ½/¼ = 4k. The bound takes the corners, to which half of a side wall belongs too:
+    // 2k (½ + ½)/¼ = 8k.
+    let k = 50.0;
+    let fiber = |step: f64| {
+        let mut setup = resting(k, Step::Fixed(step));
+        setup.contact.law = EnergyLaw::fiber(k);
+        setup.supports = Constraints::default();
+        setup.supports.prescribe(0..8, 0, 0.0);
+        setup.load = vec![[0.0; 2]; 8];
+        // 0.1 deep: the traction 0.1 k over the width of 1, on the nodes of the faces in contact.
+        for (node, x) in setup.model.coords().iter().enumerate() {
+            setup.load[node] = match x[1] {
+                y if y == 1.0 => [0.0, 0.05 * k],
+                y if y == 0.9 => [0.0, -0.05 * k],
+                _ => [0.0; 2],
+            };
+        }
+        Simulation::start(setup)
+    };
+    let bound = 2.0 / (8.0 * k).sqrt();
+    let simulation = fiber(0.5 * bound).unwrap();
+    assert!((simulation.limit().step() / bound - 1.0).abs() < 1e-6, "{}", simulation.limit());
+    let refused = fiber(1.01 * bound).err().unwrap();
+    assert!(refused.to_string().contains("contact alone: 1.0000e-1"), "{refused}");
+    let mut simulation = fiber(0.99 * bound).unwrap();
+    let samples = run(&mut simulation, 400);
+    let largest = samples.iter().map(|s| s.kinetic).fold(0.0, f64::max);
+    assert!(largest < 1e-10, "{largest}"); // it starts with 2 × ½ (1e-6)² and lines are laid to some 1e-3
 }
 
 #[test]

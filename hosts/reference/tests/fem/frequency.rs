@@ -80,6 +80,9 @@ fn estimate_lies_between<const D: usize>(models: Vec<Model<D>>) {
         let bound = model.frequency_bound(&displacement, &mass);
         assert!(estimate >= exact * (1.0 - 1e-9) && estimate <= exact * (1.0 + 5.1e-4), "{estimate} {exact}");
         assert!(bound >= exact * (1.0 - 1e-12), "{bound} {exact}");
+        // Four times the mass, half the frequency.
+        mass.iter_mut().for_each(|mass| *mass *= 4.0);
+        assert!((model.frequency_bound(&displacement, &mass) / bound - 0.5).abs() < 1e-12);
     }
 }
 

@@ -1,0 +1,80 @@
+//! Arguments of the mesh generators.
+
+use super::super::{CellKind, Key, MeshSource};
+use super::Check;
+
+impl Check<'_> {
+    pub(super) fn mesh(&mut self, key: &Key, mesh: &MeshSource) {
+        let dimension = self.case.dimension;
+        if let Some(own) = mesh.dimension().filter(|own| *own != dimension) {
+            self.flaw(key, format!("it is a {own}D mesh in a {dimension}D case"));
+        }
+        let mut cell_is = |cell: CellKind, right: &[CellKind]| {
+            if !right.contains(&cell) {
+                let names: Vec<String> = right.iter().map(|kind| format!("{kind:?}").to_lowercase()).collect();
+                self.flaw(&key.then("cell"), format!("it must be {} for this shape", names.join(" or ")));
+            }
+        };
+        match *mesh {
+            MeshSource::Rectangle { cell, min, max, cells } => {
+                cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
+                self.box_shape(key, &min, &max, &cells);
+            }
+            MeshSource::Cuboid { cell, min, max, cells } => {
+                cell_is(cell, &[CellKind::Tet4, CellKind::Hex8]);
+                self.box_shape(key, &min, &max, &cells);
+            }
+            MeshSource::Quadrilateral { cell, corners, cells } => {
+                cell_is(cell, &[CellKind::Quad4]);
+                let turn = |k: usize| {
+                    let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 4]);
+                    (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+                };
+                if !(0..4).all(|k| turn(k) > 0.0) {
+                    let message = "they must make a convex quadrilateral, counter-clockwise".into();
+                    self.flaw(&key.then("corners"), message);
+                }
+                self.counts(&key.then("cells"), &cells);
+            }
+            MeshSource::Star { cell, tips, outer, inner, side_edges, half_width } => {
+                cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
+                self.positive(&key.then("inner"), inner);
+                if tips < 3 {
+                    self.flaw(&key.then("tips"), format!("it must be at least 3, not {tips}"));
+                } else if !(outer.is_finite() && outer > inner) {
+                    self.flaw(&key.then("outer"), format!("it must be larger than inner = {inner}, not {outer}"));
+                }
+                if half_width == 0 || side_edges <= 2 * half_width {
+                    let message = "it must be more than twice half_width, and half_width at least 1".into();
+                    self.flaw(&key.then("side_edges"), message);
+                }
+            }
+            MeshSource::Disc { cell, radius, edges } => {
+                cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
+                self.positive(&key.then("radius"), radius);
+                if edges < 3 || cell == CellKind::Quad4 && !edges.is_multiple_of(4) {
+                    self.flaw(&key.then("edges"), "it must be at least 3, and a multiple of 4 for quad4".into());
+                }
+            }
+            MeshSource::Ball { cell, radius, layers, .. } => {
+                cell_is(cell, &[CellKind::Tet4]);
+                self.positive(&key.then("radius"), radius);
+                self.counts(&key.then("layers"), &[layers]);
+            }
+            MeshSource::File { .. } => {}
+        }
+    }
+
+    fn box_shape(&mut self, key: &Key, min: &[f64], max: &[f64], cells: &[usize]) {
+        if !min.iter().zip(max).all(|(low, high)| low.is_finite() && high.is_finite() && low < high) {
+            self.flaw(&key.then("max"), "it must be larger than min along every axis".into());
+        }
+        self.counts(&key.then("cells"), cells);
+    }
+
+    fn counts(&mut self, key: &Key, counts: &[usize]) {
+        if counts.contains(&0) {
+            self.flaw(key, "it must be at least 1".into());
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Commands about cases.
+
+pub(crate) mod list;
+pub(crate) mod run;
+pub(crate) mod study;
