@@ -12,10 +12,10 @@
 //! with ν across the edge as seen along the lines, + being the side to which it points. On the second, the nearer end of
 //! the span passes from one facet to the other. Where a span shrinks to nothing there is no jump, since ψ'(0) = 0.
 
-use super::clip::{cut, whole};
 use super::exact::ExactPair;
 use super::exact_spans::{Plane, Seen, Shadows, end, flat};
 use super::hessian::slopes;
+use super::piece::{cut, whole};
 use super::span::{Anchor, Crease, End};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;

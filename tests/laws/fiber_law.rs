@@ -104,7 +104,8 @@ fn flat_patches_of_blocks() {
     let lower = cuboid_tet4([0.0; 3], [1.0; 3], [3, 2, 2]);
     let upper = cuboid_hex8([-0.2, 0.1, 1.0 - depth], [0.7, 1.3, 2.0], [2, 3, 1]);
     for turn in [0.0, 0.4] {
-        let scene = Scene::of(&[&lower.rotated([1.0, 2.0, 0.5], turn), &upper.rotated([1.0, 2.0, 0.5], turn)]);
+        let scene =
+            Scene::of(&[&lower.clone().rotated([1.0, 2.0, 0.5], turn), &upper.clone().rotated([1.0, 2.0, 0.5], turn)]);
         for options in [exact(EnergyLaw::fiber(k)), sampled(EnergyLaw::fiber(k), 3e-3, 1)] {
             let contact = scene.evaluate(options);
             let force = norm(&[contact.bodies[1].force]);
