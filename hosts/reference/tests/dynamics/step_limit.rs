@@ -68,8 +68,8 @@ fn fiber_law_limit_is_known_beforehand() {
         // 0.1 deep: the traction 0.1 k over the width of 1, on the nodes of the faces in contact.
         for (node, x) in setup.model.coords().iter().enumerate() {
             setup.load[node] = match x[1] {
-                y if y == 1.0 => [0.0, 0.05 * k],
-                y if y == 0.9 => [0.0, -0.05 * k],
+                1.0 => [0.0, 0.05 * k],
+                0.9 => [0.0, -0.05 * k],
                 _ => [0.0; 2],
             };
         }
