@@ -33,6 +33,9 @@
 // Level of a log message: something the user should know about a result that is an answer all the same.
 #define FMC_LOG_WARNING 1
 
+// Flag of `fmc_context_tangent`: without the part that can be negative, for use far from a solution.
+#define FMC_SEMIDEFINITE 1
+
 // What a call came to. 0 is success; every cause of failure has a code of its own, and the text that names the
 // offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
 //
@@ -391,7 +394,7 @@ const char *fmc_version(void);
 int32_t fmc_abi_version(void);
 
 // 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles",
-// "self_contact", "signed_distance", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
+// "self_contact", "signed_distance", "tangent", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
 int32_t fmc_has_feature(const char *name);
 
 // Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for a number that is none.
@@ -571,6 +574,55 @@ const char *fmc_context_error(const fmc_context *context);
 fmc_status fmc_context_keep_patches(fmc_context *context,
                                     const fmc_coords *coords,
                                     size_t *direction_count);
+
+// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces: to be added
+// to the host's stiffness matrix. It is kept in the context until the next call, to be fetched by
+// `fmc_context_tangent_entries`.
+//
+// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
+// is node `node_count + o`: a host that drives an obstacle by its load has its stiffness there, others leave out rows
+// and columns beyond theirs. `entry_count` receives the number of entries, which do not repeat a place;
+// `rank_one_count` that of parts of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be NULL.
+//
+// With the law "fiber", patches kept and `balance` 0 it is the derivative of the forces of `fmc_context_evaluate`; the
+// correction of the balance, which is small, is not differentiated. `flags`: 0 or `FMC_SEMIDEFINITE`.
+//
+// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator that has none. Threads: one call
+// at a time on a context.
+fmc_status fmc_context_tangent(fmc_context *context,
+                               const fmc_coords *coords,
+                               uint32_t flags,
+                               size_t *entry_count,
+                               size_t *rank_one_count);
+
+// Writes the entries of the tangent to the host's arrays, which have room for `capacity` each: entry i is `values[i]` at
+// row `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_tangent_entries(const fmc_context *context,
+                                       int32_t *rows,
+                                       int32_t *cols,
+                                       double *values,
+                                       size_t capacity);
+
+// Product of the tangent, parts of rank one included, with `x`: `length` numbers, `dim` for every node, and for every
+// obstacle after them if it is as long. `y` may be `x`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for fewer than `dim` times the number of nodes,
+// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_tangent_product(const fmc_context *context, const double *x, double *y, size_t length);
+
+// A part of rank one of the tangent, factor · g gᵀ: writes the factor, and g to `vector`, which has room for `length`
+// numbers laid out as in `fmc_context_tangent_product`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUSY`. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_tangent_rank_one(const fmc_context *context,
+                                        size_t index,
+                                        double *factor,
+                                        double *vector,
+                                        size_t length);
 
 // Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
 //

@@ -34,6 +34,7 @@ mod signed_distance;
 mod stateless;
 mod status;
 mod stiffness;
+mod tangent;
 mod version;
 mod view;
 

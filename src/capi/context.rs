@@ -8,6 +8,7 @@ use super::pointer::{Output, optional, reference};
 use super::session::Session;
 use super::status::fmc_status;
 use super::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_UNKNOWN_OPTION};
+use super::tangent::Kept;
 use super::view::{fmc_coords, fmc_forces};
 use std::ffi::{CString, c_char, c_void};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
@@ -36,6 +37,7 @@ pub struct fmc_context {
 pub(super) struct State {
     pub(super) session: Box<dyn Session>,
     pub(super) evaluation: Evaluation,
+    pub(super) tangent: Kept,
     pub(super) index_base: i32,
     error: CString,
     log: fmc_log_callback,
@@ -53,6 +55,7 @@ impl State {
         Self {
             session,
             evaluation: Evaluation::default(),
+            tangent: Kept::default(),
             index_base,
             error: CString::default(),
             log: None,

@@ -5,7 +5,9 @@ use super::failure::Failure;
 use super::pose::fmc_pose;
 use super::shape::ShapeOf;
 use super::status::fmc_status::FMC_ERROR_DIMENSION;
+use super::tangent::Kept;
 use super::view::{check_node_count, fmc_coords, fmc_forces};
+use crate::contact::TangentPart;
 use crate::{Contact, Obstacle, Options, Pose, Surface};
 
 /// 2 or 3.
@@ -40,6 +42,12 @@ pub(super) trait Session: Send + Sync {
     /// # Safety
     /// The host guarantees the view.
     unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure>;
+
+    /// Second derivative of the energy.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn tangent(&mut self, coords: &fmc_coords, part: TangentPart, index_base: i32) -> Result<Kept, Failure>;
 
     /// Evaluates, and writes the forces (if asked for) when all has gone well.
     ///
@@ -96,6 +104,15 @@ impl<const D: usize> Session for Resident<D> {
         // SAFETY: passed on to the caller.
         let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
         self.contact.keep_patches(rows).map_err(Failure::counted_from(index_base))
+    }
+
+    unsafe fn tangent(&mut self, coords: &fmc_coords, part: TangentPart, index_base: i32) -> Result<Kept, Failure> {
+        let node_count = self.contact.surface().node_count();
+        check_node_count(coords.node_count, node_count)?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        let tangent = self.contact.tangent(rows, part).map_err(Failure::counted_from(index_base))?;
+        Kept::new(&tangent, node_count)
     }
 
     unsafe fn evaluate(

@@ -12,7 +12,9 @@ use super::session::{Counts, Session};
 use super::shape::ShapeOf;
 use super::status::fmc_status;
 use super::status::fmc_status::*;
+use super::tangent::Kept;
 use super::view::{fmc_coords, fmc_forces};
+use crate::contact::TangentPart;
 use crate::{Bodies, CellBlock, CellType, EnergyLaw, Options, contact_force};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -90,6 +92,10 @@ impl Session for Brittle {
 
     unsafe fn keep_patches(&mut self, _: Option<&fmc_coords>, _: i32) -> Result<usize, Failure> {
         Ok(0)
+    }
+
+    unsafe fn tangent(&mut self, _: &fmc_coords, _: TangentPart, _: i32) -> Result<Kept, Failure> {
+        Ok(Kept::default())
     }
 
     unsafe fn evaluate(

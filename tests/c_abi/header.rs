@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 18] = [
     "version",
     "status",
     "failure",
@@ -16,6 +16,7 @@ const SOURCES: [&str; 17] = [
     "creation",
     "context",
     "patches",
+    "tangent",
     "evaluation",
     "getters",
     "pose",

@@ -93,6 +93,13 @@ fn obstacles_by_shape_and_by_callback() {
 }
 
 #[test]
+fn newton_with_the_contact_tangent() {
+    let printed = output("newton.c", Link::Shared);
+    // Linear where contact is closed: one step, and one to see that it was enough.
+    assert!(printed.lines().count() <= 4, "{printed}");
+}
+
+#[test]
 fn ways_that_must_agree_do() {
     assert!(output("agreement.c", Link::Shared).ends_with("\n0 failures\n"));
 }

@@ -1,0 +1,215 @@
+//! The tangent, counted first and filled into the host's arrays then.
+
+use super::boundary::entry;
+use super::context::{fmc_context, read, write};
+use super::failure::Failure;
+use super::pointer::{Output, check, reference, slice};
+use super::status::fmc_status;
+use super::status::fmc_status::{
+    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_INDEX_OUT_OF_RANGE, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_OPTION,
+};
+use super::view::fmc_coords;
+use crate::contact::{Tangent, TangentPart};
+
+/// Flag of `fmc_context_tangent`: without the part that can be negative, for use far from a solution.
+pub const FMC_SEMIDEFINITE: u32 = 1;
+
+/// A tangent with its dimension hidden: degree of freedom `node * dim + axis`, obstacles after the nodes.
+#[derive(Default)]
+pub(super) struct Kept {
+    entries: Vec<(i32, i32, f64)>,
+    rank_one: Vec<(f64, Vec<(usize, f64)>)>,
+    dof_count: usize,
+}
+
+impl Kept {
+    /// Flattens a tangent of a mesh with so many nodes and obstacles.
+    pub(super) fn new<const D: usize>(tangent: &Tangent<D>, node_count: usize) -> Result<Self, Failure> {
+        let dof_count = node_count * D;
+        if i32::try_from(dof_count).is_err() {
+            let text = format!("{dof_count} degrees of freedom cannot be numbered in 32 bits");
+            return Err(Failure::new(FMC_ERROR_LENGTH, text));
+        }
+        let entries = tangent.triplets().map(|(row, col, value)| (row as i32, col as i32, value)).collect();
+        let rank_one = tangent.rank_one.iter().map(|part| {
+            let entries = part.nodes.iter().zip(&part.vector);
+            let flat = entries.flat_map(|(&node, g)| (0..D).map(move |axis| (node as usize * D + axis, g[axis])));
+            (part.factor, flat.collect())
+        });
+        Ok(Self { entries, rank_one: rank_one.collect(), dof_count })
+    }
+
+    /// `y = K x`.
+    fn product(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; x.len()];
+        for &(row, col, value) in &self.entries {
+            if (row as usize) < x.len() && (col as usize) < x.len() {
+                y[row as usize] += value * x[col as usize];
+            }
+        }
+        for (factor, vector) in &self.rank_one {
+            let inside = || vector.iter().filter(|(dof, _)| *dof < x.len());
+            let along: f64 = inside().map(|(dof, g)| g * x[*dof]).sum::<f64>() * factor;
+            inside().for_each(|(dof, g)| y[*dof] += along * g);
+        }
+        y
+    }
+}
+
+/// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces: to be added
+/// to the host's stiffness matrix. It is kept in the context until the next call, to be fetched by
+/// `fmc_context_tangent_entries`.
+///
+/// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
+/// is node `node_count + o`: a host that drives an obstacle by its load has its stiffness there, others leave out rows
+/// and columns beyond theirs. `entry_count` receives the number of entries, which do not repeat a place;
+/// `rank_one_count` that of parts of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be NULL.
+///
+/// With the law "fiber", patches kept and `balance` 0 it is the derivative of the forces of `fmc_context_evaluate`; the
+/// correction of the balance, which is small, is not differentiated. `flags`: 0 or `FMC_SEMIDEFINITE`.
+///
+/// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator that has none. Threads: one call
+/// at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_tangent(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    flags: u32,
+    entry_count: *mut usize,
+    rank_one_count: *mut usize,
+) -> fmc_status {
+    entry(|| {
+        let entries = Output::optional("entry_count", entry_count)?;
+        let parts = Output::optional("rank_one_count", rank_one_count)?;
+        let part = match flags {
+            0 => TangentPart::Full,
+            FMC_SEMIDEFINITE => TangentPart::Semidefinite,
+            _ => return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}"))),
+        };
+        // SAFETY: the host passes a context and a view.
+        let counts = unsafe {
+            write(context, |state| {
+                state.tangent = state.session.tangent(reference("coords", coords)?, part, state.index_base)?;
+                Ok((state.tangent.entries.len(), state.tangent.rank_one.len()))
+            })
+        }?;
+        // SAFETY: the outputs, where given, may be written.
+        unsafe {
+            entries.write(counts.0);
+            parts.write(counts.1);
+        }
+        Ok(())
+    })
+}
+
+/// Writes the entries of the tangent to the host's arrays, which have room for `capacity` each: entry i is `values[i]` at
+/// row `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
+/// context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_tangent_entries(
+    context: *const fmc_context,
+    rows: *mut i32,
+    cols: *mut i32,
+    values: *mut f64,
+    capacity: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        let state = unsafe { read(context) }?;
+        let entries = &state.tangent.entries;
+        if capacity < entries.len() {
+            let text = format!("there is room for {capacity} entries, the tangent has {}", entries.len());
+            return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
+        }
+        if entries.is_empty() {
+            return Ok(());
+        }
+        check("rows", rows.cast_const())?;
+        check("cols", cols.cast_const())?;
+        check("values", values.cast_const())?;
+        for (index, &(row, col, value)) in entries.iter().enumerate() {
+            // SAFETY: the host guarantees `capacity` entries, of which there are no more than that.
+            unsafe {
+                rows.add(index).write(row);
+                cols.add(index).write(col);
+                values.add(index).write(value);
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Product of the tangent, parts of rank one included, with `x`: `length` numbers, `dim` for every node, and for every
+/// obstacle after them if it is as long. `y` may be `x`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for fewer than `dim` times the number of nodes,
+/// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_tangent_product(
+    context: *const fmc_context,
+    x: *const f64,
+    y: *mut f64,
+    length: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and `length` numbers.
+        let (state, x) = unsafe { (read(context)?, slice("x", x, length, 1)?) };
+        if length < state.tangent.dof_count {
+            let text = format!("'x' has {length} entries, the mesh has {} degrees of freedom", state.tangent.dof_count);
+            return Err(Failure::new(FMC_ERROR_LENGTH, text));
+        }
+        if length == 0 {
+            return Ok(());
+        }
+        let product = state.tangent.product(x);
+        check("y", y.cast_const())?;
+        for (index, value) in product.into_iter().enumerate() {
+            // SAFETY: the host guarantees `length` entries.
+            unsafe { y.add(index).write(value) };
+        }
+        Ok(())
+    })
+}
+
+/// A part of rank one of the tangent, factor · g gᵀ: writes the factor, and g to `vector`, which has room for `length`
+/// numbers laid out as in `fmc_context_tangent_product`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUSY`. Threads:
+/// several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_tangent_rank_one(
+    context: *const fmc_context,
+    index: usize,
+    factor: *mut f64,
+    vector: *mut f64,
+    length: usize,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::required("factor", factor)?;
+        // SAFETY: the host passes a context.
+        let state = unsafe { read(context) }?;
+        let kept = &state.tangent;
+        let (value, g) = kept.rank_one.get(index).ok_or_else(|| {
+            let text = format!("there is no part {index} of rank one, only {}", kept.rank_one.len());
+            Failure::new(FMC_ERROR_INDEX_OUT_OF_RANGE, text)
+        })?;
+        if length < kept.dof_count {
+            let text = format!("'vector' has {length} entries, the mesh has {} degrees of freedom", kept.dof_count);
+            return Err(Failure::new(FMC_ERROR_LENGTH, text));
+        }
+        check("vector", vector.cast_const())?;
+        // SAFETY: the host guarantees `length` entries, and the factor.
+        unsafe {
+            for dof in 0..length {
+                vector.add(dof).write(0.0);
+            }
+            for &(dof, g) in g.iter().filter(|(dof, _)| *dof < length) {
+                vector.add(dof).write(g);
+            }
+            output.write(*value);
+        }
+        Ok(())
+    })
+}
