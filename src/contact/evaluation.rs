@@ -109,22 +109,39 @@ impl<const D: usize> Contact<D> {
 
     /// Second derivative of the contact energy at `coords`.
     ///
-    /// For the fiber law on kept patches it is the derivative of the forces, with balance off; the correction of the
-    /// balance, which is small, is not differentiated.
+    /// For the fiber law on kept patches and for the volume law with the exact estimator or consistent weights it is
+    /// the derivative of the forces, with balance off; the correction of the balance, which is small, is not
+    /// differentiated. With balance weights it is that of consistent ones. The exact volume law has no finite tangent
+    /// where facets lie flat on one another.
     ///
     /// # Errors
-    /// As [`Self::evaluate`]; [`Error::Unsupported`] for other laws.
+    /// As [`Self::evaluate`]; [`Error::Unsupported`] for isotropic fibers, and for the exact volume law with a body
+    /// against itself.
     pub fn tangent(&self, coords: &[[f64; D]], part: TangentPart) -> Result<Tangent<D>, Error> {
         let law = &self.options.law;
-        if !law.is_fiber() {
-            return Err(Error::Unsupported { what: "the tangent of the volume law" });
-        }
         let tangents = self.for_each_pair(coords, |candidate| {
-            let pair = candidate.fibers.pair;
+            let Candidate { fibers, exact } = candidate;
+            let pair = fibers.pair;
             let obstacle = if let Partner::Obstacle(obstacle) = pair.partners[1] { obstacle } else { 0 };
             let number = (coords.len() + obstacle) as u32;
-            let spans = self.spans(candidate, part == TangentPart::Full)?;
-            Ok(spans.map(|spans| Tangent::of_spans(&spans, pair, law, part, number)))
+            if law.is_fiber() {
+                let spans = self.spans(candidate, part == TangentPart::Full)?;
+                return Ok(spans.map(|spans| Tangent::of_spans(&spans, pair, law, part, number)));
+            }
+            if exact.is_none() && fibers.families.is_empty() {
+                return Err(Error::Unsupported { what: "the tangent on isotropic fibers" });
+            }
+            let overlap = match exact {
+                Some(exact) => exact.overlap()?,
+                None => fibers.overlap()?,
+            };
+            let Some(overlap) = overlap.filter(|overlap| overlap.volume > 0.0) else { return Ok(None) };
+            let blocks = match (part, exact) {
+                (TangentPart::Semidefinite, _) => Vec::new(),
+                (_, Some(exact)) => exact.hessian(number)?,
+                _ => fibers.volume_spans()?.map_or(Vec::new(), |s| s.hessian(pair, |_| 1.0, |_| 0.0, false, number)),
+            };
+            Ok(Some(Tangent::of_volume(&overlap, blocks, law, number)))
         })?;
         let mut total = Tangent::default();
         tangents.into_iter().for_each(|tangent| total.extend(tangent));

@@ -1,7 +1,7 @@
 //! Second derivative of the contact energy.
 
 use super::EnergyLaw;
-use crate::overlap::{Block, Pair, Spans, merged};
+use crate::overlap::{Block, Overlap, Pair, Spans, merged};
 
 /// Which part of the second derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,7 +28,7 @@ pub struct Tangent<const D: usize> {
 /// factor · g gᵀ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RankOne<const D: usize> {
-    /// Second derivative of the law.
+    /// Second derivative w''(V) of the law.
     pub factor: f64,
     /// Nodes, numbered as in [`Tangent`], and g on them.
     pub nodes: Vec<u32>,
@@ -79,6 +79,26 @@ impl<const D: usize> Tangent<D> {
     pub(crate) fn extend(&mut self, other: Self) {
         self.blocks.extend(other.blocks);
         self.rank_one.extend(other.rank_one);
+    }
+
+    /// Tangent of w(V): w' ∇²V + w'' ∇V ∇Vᵀ, given the blocks of ∇²V (none for the semidefinite part).
+    pub(crate) fn of_volume(
+        overlap: &Overlap<D>,
+        mut blocks: Vec<Block<D>>,
+        law: &EnergyLaw,
+        obstacle_node: u32,
+    ) -> Self {
+        let slope = law.energy_gradient(overlap.volume);
+        blocks.iter_mut().flat_map(|block| block.value.iter_mut().flatten()).for_each(|value| *value *= slope);
+        let factor = law.energy_hessian(overlap.volume);
+        let mut nodes = overlap.nodes.clone();
+        let mut vector: Vec<[f64; D]> = overlap.gradient.iter().map(|g| (*g).into()).collect();
+        if let Some(pose) = &overlap.pose_gradient {
+            nodes.push(obstacle_node);
+            vector.push(pose.position.into());
+        }
+        let rank_one = if factor != 0.0 { vec![RankOne { factor, nodes, vector }] } else { Vec::new() };
+        Self { blocks, rank_one }
     }
 
     /// Tangent of the fiber law on the spans of one pair.

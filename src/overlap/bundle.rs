@@ -34,6 +34,11 @@ impl<const D: usize> Bundle<'_, D> {
         }
     }
 
+    /// Index of its family; segments have none.
+    pub(crate) fn family_index(&self) -> usize {
+        if let Bundle::Lines { index, .. } = self { *index } else { 0 }
+    }
+
     /// Length of the fibers, if they have ends.
     pub(crate) fn length(&self) -> Option<f64> {
         match self {

@@ -34,9 +34,23 @@ pub(crate) struct ExactPair<'a, const D: usize> {
     pub(crate) coords: &'a [[f64; D]],
 }
 
+/// What was clipped.
+pub(super) struct Found<'a, const D: usize> {
+    /// Sides that have facets, what of these lies inside the other side, and their pose if they are an obstacle.
+    pub(super) sides: Vec<(&'a FacetSide<'a, D>, Vec<Clipped<D>>, Option<&'a Pose<D>>)>,
+    pub(super) region: Aabb<D>,
+    /// Normal and a point of the plane of a half-space.
+    plane: Option<(Vector<D>, Vector<D>)>,
+}
+
 impl<const D: usize> ExactPair<'_, D> {
     /// The overlap, or `None` where the sides are apart.
     pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
+        Ok(self.clipped()?.map(|found| self.assemble(&found)))
+    }
+
+    /// The facets of each side as far as they are inside the other, or `None` where the sides are apart.
+    pub(super) fn clipped(&self) -> Result<Option<Found<'_, D>>, Error> {
         let (a, pose) = (&self.pair.a, self.pair.pose);
         match &self.pair.opponent {
             Opponent::Itself => {
@@ -47,7 +61,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 };
                 let facets: Vec<u32> = (0..a.facets.len() as u32).collect();
                 let shares = self.clip(a, &facets, &solid, tie, true, false);
-                Ok(Some(self.assemble(&[(a, &shares, None)], &a.aabb, None)))
+                Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: None }))
             }
             Opponent::Facets(b) => {
                 let Some(region) = common_region(a, b) else { return Ok(None) };
@@ -58,7 +72,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 // One side after the other, so that a swap of the bodies swaps two numbers and no more.
                 let shares_a = self.shares(a, of_a, 1, b, of_b, &aabb, tie);
                 let shares_b = self.shares(b, of_b, 0, a, of_a, &aabb, tie);
-                Ok(Some(self.assemble(&[(a, &shares_a, None), (b, &shares_b, pose)], &aabb, None)))
+                Ok(Some(Found { sides: vec![(a, shares_a, None), (b, shares_b, pose)], region: aabb, plane: None }))
             }
             Opponent::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
                 let mut up = Vector::zeros();
@@ -70,7 +84,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 let shares: Vec<Clipped<D>> = (0..a.facets.len() as u32)
                     .filter_map(|facet| clipper.below(facet, &a.corners(facet as usize), &normal, &origin, tie))
                     .collect();
-                Ok(Some(self.assemble(&[(a, &shares, None)], &a.aabb, Some((&normal, &origin)))))
+                Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: Some((normal, origin)) }))
             }
             Opponent::Implicit(_) => {
                 let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as a polygon or triangle mesh";
@@ -160,17 +174,12 @@ impl<const D: usize> ExactPair<'_, D> {
     /// The volume is taken about the middle of the boundary of the overlap: about a point at a distance r from a thin
     /// overlap, the boundary on both of its sides would add two numbers of size r that cancel. A half-space has the
     /// origin on its plane, which then adds nothing itself.
-    fn assemble(
-        &self,
-        sides: &[(&FacetSide<D>, &[Clipped<D>], Option<&Pose<D>>)],
-        region: &Aabb<D>,
-        plane: Option<(&Vector<D>, &Vector<D>)>,
-    ) -> Overlap<D> {
+    fn assemble(&self, Found { sides, region, plane }: &Found<D>) -> Overlap<D> {
         let near = region.center();
         let (mut weight, mut origin) = (0.0, Vector::zeros());
         for (side, shares, _) in sides {
             let (mut of_side, mut moment) = (0.0, Vector::zeros());
-            for Clipped { share, .. } in *shares {
+            for Clipped { share, .. } in shares {
                 let corners = side.corners(share.facet as usize);
                 of_side += share.shares.iter().sum::<f64>();
                 moment += (0..D).fold(Vector::zeros(), |m, a| m + (corners[a] - near) * share.shares[a]);

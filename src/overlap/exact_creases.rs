@@ -15,7 +15,7 @@
 use super::exact::ExactPair;
 use super::exact_spans::{Plane, Seen, Shadows, end, flat};
 use super::hessian::slopes;
-use super::piece::{cut, whole};
+use super::piece::{cut, whole, zeros};
 use super::span::{Anchor, Crease, End};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -251,22 +251,6 @@ struct Other<'a, const D: usize> {
     anchors: Vec<(Anchor, Weight<'a>)>,
 }
 
-/// Points on the boundary of a convex piece (2D: in an interval) where a linear function, given at the facet's corners,
-/// passes through zero: one in 2D, two in 3D, or none.
-fn zeros<const D: usize>(piece: &[[f64; D]], corner: &[f64; D]) -> Vec<[f64; D]> {
-    let value = |w: &[f64; D]| (0..D).map(|a| w[a] * corner[a]).sum::<f64>();
-    let sides = if D == 2 { piece.len().saturating_sub(1) } else { piece.len() };
-    let mut zeros = Vec::new();
-    for k in 0..sides {
-        let (p, q) = (&piece[k], &piece[(k + 1) % piece.len()]);
-        let (s, t) = (value(p), value(q));
-        if (s < 0.0) != (t < 0.0) {
-            zeros.push(std::array::from_fn(|a| p[a] + s / (s - t) * (q[a] - p[a])));
-        }
-    }
-    zeros
-}
-
 /// Unit vector across an edge in the plane across the lines, and the jump of the slope of t along it.
 fn kink<const D: usize>(ends: &[[f64; 3]; 2], facets: [&Seen<D>; 2]) -> Option<([f64; 2], f64)> {
     let [p, q] = *ends;
@@ -298,14 +282,6 @@ fn distance(ends: &[[f64; 3]; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn zeros_of_a_triangle() {
-        let found = zeros::<3>(&whole(), &[-1.0, 1.0, 3.0]);
-        assert_eq!(found, [[0.5, 0.5, 0.0], [0.75, 0.0, 0.25]]);
-        assert_eq!(zeros::<2>(&whole(), &[-1.0, 3.0]), [[0.75, 0.25]]);
-        assert!(zeros::<2>(&whole(), &[1.0, 3.0]).is_empty());
-    }
 
     #[test]
     fn slopes_jump_across_an_edge() {

@@ -105,6 +105,21 @@ pub(super) fn cut<const D: usize>(piece: &[[f64; D]], at_corners: &[f64; D]) -> 
     kept
 }
 
+/// Points on the boundary of a convex piece (2D: in an interval) where a linear function, given at the facet's corners,
+/// passes through zero: one in 2D, two in 3D, or none.
+pub(super) fn zeros<const D: usize>(piece: &[[f64; D]], corner: &[f64; D]) -> Vec<[f64; D]> {
+    let sides = if D == 2 { piece.len().saturating_sub(1) } else { piece.len() };
+    let mut zeros = Vec::new();
+    for k in 0..sides {
+        let (p, q) = (&piece[k], &piece[(k + 1) % piece.len()]);
+        let (s, t) = (value(p, corner), value(q, corner));
+        if (s < 0.0) != (t < 0.0) {
+            zeros.push(std::array::from_fn(|a| p[a] + s / (s - t) * (q[a] - p[a])));
+        }
+    }
+    zeros
+}
+
 /// Where a point with barycentric coordinates `w` lies in a facet.
 pub(crate) fn place<const D: usize>(facet: &[Vector<D>; D], w: &[f64; D]) -> Vector<D> {
     (0..D).fold(Vector::zeros(), |x, a| x + facet[a] * w[a])
@@ -171,5 +186,13 @@ mod tests {
         // Four of the six planes cut; a quadrilateral of 8 is left of 27²/2.
         assert!((piece.moments().iter().sum::<f64>() * 364.5 - 8.0).abs() < 1e-12);
         assert!(clip_to_box(&facet.map(|x| x + v(0.0, 0.0, 4.0)), &region, &mut piece).is_empty());
+    }
+
+    #[test]
+    fn zeros_of_a_triangle() {
+        let found = zeros::<3>(&whole(), &[-1.0, 1.0, 3.0]);
+        assert_eq!(found, [[0.5, 0.5, 0.0], [0.75, 0.0, 0.25]]);
+        assert_eq!(zeros::<2>(&whole(), &[-1.0, 3.0]), [[0.75, 0.25]]);
+        assert!(zeros::<2>(&whole(), &[1.0, 3.0]).is_empty());
     }
 }

@@ -1,7 +1,7 @@
 //! The tangent is the derivative of the force.
 
 use crate::pairs::{plane_scene, solid_scene};
-use crate::scene::Scene;
+use crate::scene::{Scene, consistent_lines};
 use fmc_contact::contact::{Tangent, TangentPart};
 use fmc_contact::{
     Contact, EnergyLaw, Estimator, FiberOptions, FiberProfile, Obstacle, Options, Pose, Resolution, Shape,
@@ -30,7 +30,8 @@ fn deviation<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], size: f6
         rows
     };
     assert!(!touched.is_empty());
-    let largest = tangent.triplets().fold(0.0, |m: f64, (_, _, v)| m.max(v.abs()));
+    let of_parts = tangent.rank_one.iter().flat_map(|p| p.vector.iter().flatten().map(|g| p.factor * g * g));
+    let largest = tangent.triplets().map(|(_, _, v)| v.abs()).chain(of_parts).fold(0.0, f64::max);
     let mut worst: f64 = 0.0;
     for &node in touched.iter().step_by(every) {
         for axis in 0..D {
@@ -152,13 +153,19 @@ fn of_obstacles() {
     let triangle =
         Shape::Polytope { points: vec![[-1.0, -1.0], [1.0, -1.0], [0.1, 0.05]], facets: vec![[0, 1], [1, 2], [2, 0]] };
     for shape in [Shape::HalfSpace, triangle] {
-        for options in [exact(EnergyLaw::fiber(2.0)), sampled(EnergyLaw::fiber(2.0), 1e-2, 5)] {
+        let volume = EnergyLaw::Volume { k: 2.0, m: 2.0 };
+        for options in [exact(EnergyLaw::fiber(2.0)), sampled(EnergyLaw::fiber(2.0), 1e-2, 5), exact(volume)] {
             let mut contact = Scene::of(&[&block]).contact(options);
             let at = |x: [f64; 2]| Pose::at([x[0], x[1] + 0.1]);
             contact.add_obstacle(Obstacle { shape: shape.clone(), pose: at([0.0; 2]) }).unwrap();
-            assert_eq!(contact.keep_patches(&block.coords).unwrap(), 1);
+            assert_eq!(contact.keep_patches(&block.coords).unwrap(), usize::from(options.law.is_fiber()));
             let tangent = contact.tangent(&block.coords, TangentPart::Full).unwrap();
-            let largest = tangent.triplets().fold(0.0, |m: f64, (_, _, v)| m.max(v.abs()));
+            let mut largest = tangent.triplets().fold(0.0, |m: f64, (_, _, v)| m.max(v.abs()));
+            largest = tangent
+                .rank_one
+                .iter()
+                .flat_map(|p| p.vector.iter().flatten().map(|g| p.factor * g * g))
+                .fold(largest, f64::max);
             let count = block.coords.len();
             for axis in 0..2 {
                 let h = 1e-6;
@@ -187,6 +194,43 @@ fn of_obstacles() {
             }
         }
     }
+}
+
+/// The volume law, m = 1 and 2: facets that turn, curves in which the boundaries cross, and the part of rank one.
+#[test]
+fn of_the_volume_law_in_2d() {
+    for seed in 0..9 {
+        let size = [1.0, 1e-2, 1e2][seed as usize % 3];
+        let scene = plane_scene(seed).mapped(|x| x.map(|x| x * size));
+        for m in [1.0, 2.0] {
+            let law = EnergyLaw::Volume { k: 2.0, m };
+            let found = deviation(&scene.contact(exact(law)), &scene.coords, size, 1);
+            assert!(found < 1e-6, "seed {seed}, m {m}, exact: {found}");
+            let lines = Options { law, ..consistent_lines(0.03 * size, seed) };
+            let found = deviation(&scene.contact(lines), &scene.coords, size, 1);
+            assert!(found < 1e-6, "seed {seed}, m {m}, lines: {found}");
+        }
+    }
+}
+
+#[test]
+fn of_the_volume_law_in_3d() {
+    for seed in 0..2 {
+        let scene = solid_scene(seed);
+        for m in [1.0, 2.0] {
+            let law = EnergyLaw::Volume { k: 2.0, m };
+            let found = deviation(&scene.contact(exact(law)), &scene.coords, 1.0, 3);
+            assert!(found < 1e-6, "seed {seed}, m {m}, exact: {found}");
+            let lines = Options { law, ..consistent_lines(0.07, seed) };
+            let found = deviation(&scene.contact(lines), &scene.coords, 1.0, 3);
+            assert!(found < 1e-6, "seed {seed}, m {m}, lines: {found}");
+        }
+    }
+    let a = cuboid_hex8([0.0; 3], [1.0; 3], [2; 3]).jittered(0.2, 3, |_| true);
+    let b = cuboid_hex8([0.0; 3], [0.8; 3], [2, 1, 2]).jittered(0.2, 4, |_| true);
+    let scene = Scene::of(&[&a, &b.rotated([0.3, 1.0, 0.2], 0.7).translated([0.5, 0.6, 0.55])]);
+    let found = deviation(&scene.contact(exact(EnergyLaw::volume(1.0))), &scene.coords, 1.0, 2);
+    assert!(found < 1e-6, "curved faces: {found}");
 }
 
 /// Without the part that can be negative no displacement finds a negative stiffness.
