@@ -22,6 +22,7 @@ mod implicit;
 mod layout;
 mod options;
 mod patch;
+mod patch_search;
 mod piece;
 mod region;
 mod resolution;

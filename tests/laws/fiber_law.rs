@@ -205,6 +205,19 @@ fn patches_have_their_own_directions() {
     assert!(sum < 1e-12 * expected);
 }
 
+/// Two squares that overlap by an upright strip at their sides push one another sideways, not up and down.
+#[test]
+fn strips_are_left_across() {
+    let square = |x: f64, y: f64| rectangle_quad4([x, y], [x + 1.0, y + 1.0], [1, 1]);
+    let scene = Scene::of(&[&square(0.0, 0.0), &square(0.9, -0.2)]);
+    for options in [exact(EnergyLaw::fiber(1e4)), Options::new(EnergyLaw::fiber(1e4))] {
+        let contact = scene.evaluate(options);
+        let force = contact.bodies[1].force;
+        // 1e4 times the depth of 0.1, over the height of 0.8.
+        assert!((force[0] - 800.0).abs() < 2.0 && force[1].abs() < 2.0, "{force:?}");
+    }
+}
+
 /// Exact integration is invariant under translation: ΣF = 0 without correction; lines are corrected.
 #[test]
 fn forces_balance() {
