@@ -183,10 +183,11 @@ typedef struct fmc_context fmc_context;
 typedef struct {
   // Set by `fmc_options_init`; tells an initialised struct from another.
   size_t struct_size;
-  // k > 0, no default. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
+  // k > 0, no default. For the law "fiber" a pressure per length (Pa/m): the pressure is k times the penetration; see
+  // `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
   // pressure; in general energy / (length^dim)^m. See `fmc_suggest_stiffness_from_modulus`.
   double stiffness;
-  // m >= 1 of the law "volume". Default 1.
+  // m >= 1 of the law "volume", and only of that. Default 1.
   double exponent;
   // Distance between neighbouring lines; 0, the default: found from the facets in contact.
   double spacing;
@@ -196,7 +197,7 @@ typedef struct {
   uint64_t fiber_count;
   // Another seed is another random shift of the same pattern. Default 0.
   uint64_t seed;
-  // A value of `fmc_law`. Default `FMC_LAW_VOLUME`.
+  // A value of `fmc_law`. Default `FMC_LAW_FIBER`.
   int32_t law;
   // A value of `fmc_estimator`. Default `FMC_ESTIMATOR_FIBERS`.
   int32_t estimator;
@@ -736,6 +737,15 @@ fmc_status fmc_context_add_signed_distance(fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads:
 // one call at a time on a context.
 fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc_pose *pose);
+
+// Stiffness k of the quadratic law "fiber" (Pa/length) from the largest contact pressure expected (Pa) and the
+// penetration that may be accepted when it is reached (length): their ratio. From a modulus E and facets of size h, take
+// E and h / 10.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
+fmc_status fmc_suggest_fiber_stiffness(double pressure,
+                                       double penetration,
+                                       double *stiffness);
 
 // Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact (length):
 // an overlap a tenth of a facet deep over a patch one facet wide is resisted by the traction E. `exponent` is m.

@@ -14,5 +14,5 @@ pub use evaluation::{Contact, contact_force};
 pub use forces::{ContactForces, PairForces, Resultant};
 pub use law::{EnergyLaw, FiberProfile};
 pub use options::Options;
-pub use stiffness::{StiffnessFrom, suggest_stiffness};
+pub use stiffness::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 pub use tangent::{RankOne, Tangent, TangentPart};

@@ -39,6 +39,7 @@ static void warned(void *user, int32_t level, const char *text) {
 static void run(int32_t estimator) {
   fmc_options options;
   OK(fmc_options_init(&options));
+  options.law = FMC_LAW_VOLUME;
   options.stiffness = 1000;
   options.exponent = 2;
   options.estimator = estimator;
@@ -162,6 +163,7 @@ static void *evaluate_often(void *reference) {
   fmc_options options;
   fmc_context *context = NULL;
   int same = fmc_options_init(&options) == FMC_OK;
+  options.law = FMC_LAW_VOLUME;
   options.stiffness = 1000;
   same = same && fmc_context_new_from_cells(2, &x, &block, 1, NULL, &options, &context) == FMC_OK;
   for (int time = 0; time < 50 && same; time++) {
@@ -175,6 +177,7 @@ static void two_contexts_at_once(void) {
   double reference[NODES][2];
   fmc_options options;
   OK(fmc_options_init(&options));
+  options.law = FMC_LAW_VOLUME;
   options.stiffness = 1000;
   OK(fmc_contact_force(2, coords[0], NODES, FMC_TRI3, conn, CELLS, NULL, &options, reference[0], NULL));
   pthread_t threads[2];
@@ -193,6 +196,7 @@ static void warnings(void) {
   const fmc_coords x = {nested[0], 8, 0, 0};
   fmc_options options;
   OK(fmc_options_init(&options));
+  options.law = FMC_LAW_VOLUME;
   options.stiffness = 1;
   options.estimator = FMC_ESTIMATOR_EXACT;
   fmc_context *context;

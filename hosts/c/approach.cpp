@@ -35,6 +35,7 @@ int main() try {
   // 2. The context, which gives itself back.
   fmc_options options;
   check(fmc_options_init(&options));
+  options.law = FMC_LAW_VOLUME;
   options.stiffness = 1e6;
   options.estimator = FMC_ESTIMATOR_EXACT;
   const fmc_coords x = {coords[0].data(), coords.size(), 3, 1};

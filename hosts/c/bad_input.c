@@ -39,6 +39,7 @@ static const int32_t shell[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
 static fmc_options defaults(void) {
   fmc_options options;
   EXPECT_OK(fmc_options_init(&options));
+  options.law = FMC_LAW_VOLUME;
   options.stiffness = 1000.0;
   options.estimator = FMC_ESTIMATOR_EXACT;
   return options;

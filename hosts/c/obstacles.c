@@ -34,6 +34,7 @@ int main(void) {
   const fmc_coords x = {coords[0], 4, 2, 1};
   fmc_options options;
   check(fmc_options_init(&options));
+  options.law = FMC_LAW_VOLUME;
   check(fmc_options_set(&options, "stiffness", "1000"));
   check(fmc_options_set(&options, "spacing", "0.001"));
   fmc_pose pose;

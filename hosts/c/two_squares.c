@@ -1,8 +1,8 @@
 /* The contact forces of two unit squares that overlap by a strip 0.1 wide and 0.8 high:
  *
  *       3 ------- 2                      volume   0.1 * 0.8 = 0.08
- *       |       7-|----- 6               energy   k * volume, so the traction is k and
- *       |       | |      |               force    k * 0.8 = 800 to the left on the first square
+ *       |       7-|----- 6               pressure k * depth = 10000 * 0.1, and
+ *       |       | |      |               force    pressure * 0.8 = 800 to the left on the first square
  *       0 ------|-1      |
  *               4 ------ 5               cc two_squares.c $(pkg-config --cflags --libs fmc_contact)   */
 #include <fmc_contact.h>
@@ -15,7 +15,7 @@ int main(void) {
 
   fmc_options options;
   fmc_options_init(&options);
-  options.stiffness = 1000.0;
+  options.stiffness = 10000.0;
   options.estimator = FMC_ESTIMATOR_EXACT;
   if (fmc_contact_force(2, coords[0], 8, FMC_QUAD4, conn[0], 2, NULL, &options, forces[0], &volume) != FMC_OK) {
     fprintf(stderr, "%s\n", fmc_last_error());

@@ -96,7 +96,7 @@ mod tests {
             let mut options = fmc_options { balance: 0, check_cells: 0, ..fmc_options::default() };
             let before = options;
             let value = match key {
-                "law" => "fiber",
+                "law" => "volume",
                 "estimator" => "exact",
                 "pattern" => "isotropic",
                 "weights" => "consistent",

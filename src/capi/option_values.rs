@@ -101,7 +101,11 @@ impl fmc_options {
 
     fn law(&self) -> Result<EnergyLaw, Failure> {
         let k = self.stiffness;
-        match (LAW.name(self.law)?, self.epsilon) {
+        let law = LAW.name(self.law)?;
+        if law == "fiber" && self.exponent != 1.0 {
+            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, "option 'exponent' belongs to the law 'volume'"));
+        }
+        match (law, self.epsilon) {
             ("fiber", 0.0) => Ok(EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic }),
             ("fiber", epsilon) => Ok(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } }),
             (_, 0.0) => Ok(EnergyLaw::Volume { k, m: self.exponent }),
@@ -152,7 +156,7 @@ mod tests {
     #[test]
     fn defaults_are_those_of_the_crate() {
         let options = fmc_options { stiffness: 3.0, ..fmc_options::default() };
-        assert_eq!(options.to_options().unwrap(), Options::new(EnergyLaw::volume(3.0)));
+        assert_eq!(options.to_options().unwrap(), Options::new(EnergyLaw::fiber(3.0)));
     }
 
     #[test]
@@ -178,7 +182,8 @@ mod tests {
             |o| o.reserved[3] = 1,
             |o| o.reserved_flags = 1,
             |o| (o.spacing, o.fiber_count) = (0.1, 10),
-            |o| o.epsilon = 1e-3,
+            |o| (o.law, o.epsilon) = (0, 1e-3),
+            |o| o.exponent = 2.0,
         ] {
             assert_eq!(refused(change).0, FMC_ERROR_UNKNOWN_OPTION);
         }

@@ -52,10 +52,11 @@ pub enum fmc_weights {
 pub struct fmc_options {
     /// Set by `fmc_options_init`; tells an initialised struct from another.
     pub struct_size: usize,
-    /// k > 0, no default. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
+    /// k > 0, no default. For the law "fiber" a pressure per length (Pa/m): the pressure is k times the penetration; see
+    /// `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
     /// pressure; in general energy / (length^dim)^m. See `fmc_suggest_stiffness_from_modulus`.
     pub stiffness: f64,
-    /// m >= 1 of the law "volume". Default 1.
+    /// m >= 1 of the law "volume", and only of that. Default 1.
     pub exponent: f64,
     /// Distance between neighbouring lines; 0, the default: found from the facets in contact.
     pub spacing: f64,
@@ -65,7 +66,7 @@ pub struct fmc_options {
     pub fiber_count: u64,
     /// Another seed is another random shift of the same pattern. Default 0.
     pub seed: u64,
-    /// A value of `fmc_law`. Default `FMC_LAW_VOLUME`.
+    /// A value of `fmc_law`. Default `FMC_LAW_FIBER`.
     pub law: i32,
     /// A value of `fmc_estimator`. Default `FMC_ESTIMATOR_FIBERS`.
     pub estimator: i32,
@@ -103,7 +104,7 @@ impl Default for fmc_options {
             fiber_length: 0.0,
             fiber_count: 0,
             seed: 0,
-            law: 0,
+            law: fmc_law::FMC_LAW_FIBER as i32,
             estimator: 0,
             pattern: 0,
             weights: 0,

@@ -5,12 +5,33 @@ use super::failure::Failure;
 use super::pointer::Output;
 use super::session::checked_dimension;
 use super::status::fmc_status;
-use crate::contact::{StiffnessFrom, suggest_stiffness};
+use crate::contact::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 
 fn suggest(dim: i32, exponent: f64, from: StiffnessFrom, stiffness: *mut f64) -> fmc_status {
     entry(|| {
         let output = Output::required("stiffness", stiffness)?;
         let suggested = suggest_stiffness(from, checked_dimension(dim)?, exponent).map_err(Failure::from)?;
+        // SAFETY: the host passes a number that may be written.
+        unsafe { output.write(suggested) };
+        Ok(())
+    })
+}
+
+/// Stiffness k of the quadratic law "fiber" (Pa/length) from the largest contact pressure expected (Pa) and the
+/// penetration that may be accepted when it is reached (length): their ratio. From a modulus E and facets of size h, take
+/// E and h / 10.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_suggest_fiber_stiffness(
+    pressure: f64,
+    penetration: f64,
+    stiffness: *mut f64,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::required("stiffness", stiffness)?;
+        let from = StiffnessFrom::PeakPressure { pressure, overlap: penetration };
+        let suggested = suggest_fiber_stiffness(from).map_err(Failure::from)?;
         // SAFETY: the host passes a number that may be written.
         unsafe { output.write(suggested) };
         Ok(())

@@ -39,7 +39,7 @@ fn evaluate(context: *mut fmc_context) -> (fmc_status, [[f64; 2]; 8], fmc_result
 #[test]
 fn forces_are_those_of_the_rust_api_to_the_bit() {
     let block = fmc_cell_block { cell_type: fmc_cell_type::FMC_QUAD4 as i32, conn: CONN.as_ptr(), cell_count: 2 };
-    let options = fmc_options { stiffness: 1e3, exponent: 2.0, seed: 5, ..fmc_options::default() };
+    let options = fmc_options { law: 0, stiffness: 1e3, exponent: 2.0, seed: 5, ..fmc_options::default() };
     let mut context = null_mut();
     // SAFETY: all arguments live through the call.
     let status = unsafe { fmc_context_new_from_cells(2, &view(), &block, 1, null(), &options, &mut context) };

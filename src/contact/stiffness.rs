@@ -15,12 +15,12 @@ pub enum StiffnessFrom {
         facet_size: f64,
     },
     /// The largest contact pressure expected (Pa) and the overlap that may be accepted when it is reached
-    /// (2D: area, 3D: volume; not used for m = 1). The stiffness is 1.2 times what resists that pressure, since with
+    /// (2D: area, 3D: volume; not used for m = 1; for the fiber law the penetration, a length). The stiffness is 1.2 times what resists that pressure, since with
     /// m = 1 a lower k than the peak pressure lets the bodies pass through one another.
     PeakPressure {
         /// Pressure, Pa.
         pressure: f64,
-        /// Accepted overlap of one pair, length^D.
+        /// Accepted overlap of one pair, length^D; for the fiber law the accepted penetration.
         overlap: f64,
     },
 }
@@ -40,9 +40,6 @@ pub enum StiffnessFrom {
 /// # Ok::<(), fmc_contact::Error>(())
 /// ```
 pub fn suggest_stiffness(from: StiffnessFrom, dimension: usize, m: f64) -> Result<f64, Error> {
-    let positive = |name, value: f64| {
-        if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::NotPositive { name, value }) }
-    };
     EnergyLaw::Volume { k: 1.0, m }.check()?;
     let (pressure, overlap) = match from {
         StiffnessFrom::Modulus { modulus, facet_size } => {
@@ -56,4 +53,25 @@ pub fn suggest_stiffness(from: StiffnessFrom, dimension: usize, m: f64) -> Resul
         }
     };
     Ok(if m == 1.0 { pressure } else { pressure / (m * overlap.powf(m - 1.0)) })
+}
+
+/// Stiffness k of the quadratic fiber law, pressure = k × penetration, in Pa/length: E is reached at a tenth of a facet's
+/// size, or the peak pressure at the accepted penetration.
+///
+/// # Errors
+/// [`Error::NotPositive`] for a value that is not positive and finite.
+pub fn suggest_fiber_stiffness(from: StiffnessFrom) -> Result<f64, Error> {
+    let (pressure, penetration) = match from {
+        StiffnessFrom::Modulus { modulus, facet_size } => {
+            (positive("modulus", modulus)?, 0.1 * positive("facet_size", facet_size)?)
+        }
+        StiffnessFrom::PeakPressure { pressure, overlap } => {
+            (positive("pressure", pressure)?, positive("overlap", overlap)?)
+        }
+    };
+    Ok(pressure / penetration)
+}
+
+fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::NotPositive { name, value }) }
 }
