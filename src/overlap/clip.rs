@@ -75,7 +75,7 @@ impl<const D: usize> Simplex<D> {
     /// With its points in ascending order of k, they and corner k make up the simplex turned by (−1)^(D−k).
     fn plane(&self, k: usize) -> (Vector<D>, Vector<D>) {
         let mut points: [Vector<D>; D] = std::array::from_fn(|p| self.corners[p + usize::from(p >= k)]);
-        let mut turn = if (D - k) % 2 == 0 { self.turn } else { -self.turn };
+        let mut turn = if (D - k).is_multiple_of(2) { self.turn } else { -self.turn };
         let mut order = |p: usize, q: usize| {
             if is_after(&points[p], &points[q]) {
                 points.swap(p, q);
