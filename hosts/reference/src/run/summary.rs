@@ -216,7 +216,6 @@ impl Summary {
             LawName::Volume if *exponent == 1.0 => "w = k V".to_owned(),
             LawName::Volume => format!("w = k V^{exponent}"),
             LawName::Fiber => "pressure = k × penetration".to_owned(),
-            LawName::FiberLinear => "w = Σ ω k (√(L² + ε²) − ε)".to_owned(),
         };
         let variant = variant.as_ref().map_or(String::new(), |name| format!("; variant {name}"));
         let times = if *contact_substeps == 1 { String::new() } else { format!(", {contact_substeps} times a step") };
