@@ -12,4 +12,5 @@ pub mod fem;
 pub mod mesh;
 pub mod rotation;
 pub mod run;
+pub mod statics;
 pub mod study;

@@ -20,6 +20,9 @@ pub(super) fn flaws(case: &Case) -> Vec<(Key, String)> {
     check.flaws
 }
 
+/// Evaluations of the contact in one step; beyond some tens the structure's step bounds the error, so that more is a slip.
+const MOST_SUBSTEPS: u32 = 1000;
+
 struct Check<'a> {
     case: &'a Case,
     flaws: Vec<(Key, String)>,
@@ -171,6 +174,10 @@ impl Check<'_> {
         self.positive(&key.then("end"), time.end);
         self.maybe_positive(&key.then("step"), time.step);
         self.maybe_positive(&key.then("damping"), time.damping);
+        if !(1..=MOST_SUBSTEPS).contains(&time.contact_substeps) {
+            let message = format!("it must be 1 to {MOST_SUBSTEPS}, not {}", time.contact_substeps);
+            self.flaw(&key.then("contact_substeps"), message);
+        }
         if time.step.is_some() == time.fraction.is_some() {
             self.flaw(&key, "it must have one of step, in s, and fraction, of the largest stable step".into());
         }

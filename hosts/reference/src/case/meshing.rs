@@ -46,6 +46,7 @@ impl Case {
             velocity,
             step: self.time.step.map_or(Step::Auto, Step::Fixed),
             damping: self.time.damping.unwrap_or(0.0),
+            contact_substeps: self.time.contact_substeps,
             new_fibers_every_step: self.contact.new_fibers_every_step,
             ..Setup::new(model, self.contact.options(threads))
         })

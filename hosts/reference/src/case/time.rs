@@ -14,9 +14,16 @@ pub struct Time {
     pub fraction: Option<f64>,
     /// Duration, s.
     pub end: f64,
+    /// Evaluations of the contact in every step; more than the usual one resolve a force that jumps.
+    #[serde(default = "one")]
+    pub contact_substeps: u32,
     /// Damping of the velocity per unit of mass, 1/s; none if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub damping: Option<f64>,
+}
+
+fn one() -> u32 {
+    1
 }
 
 impl Time {

@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:\n  \
     fmc run star\n  \
-    fmc run star --variant smooth --estimator fibers --override contact.fibers=4000\n  \
+    fmc run star --variant smooth-lines --override contact.spacing=4e-5\n  \
     fmc run my_case.toml --override bodies.star.material.young=1e7 --override time.step=1e-6\n\n\
     Exit status: 0, 1 if a check fails, 2 for bad usage or input, 130 if interrupted.")]
 pub(crate) struct RunArgs {

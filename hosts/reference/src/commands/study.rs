@@ -46,9 +46,9 @@ struct ImpactArgs {
     #[arg(long, value_name = "H", default_value_t = 2e-5, value_parser = positive)]
     spacing: f64,
 
-    /// Evaluations of the contact in every step; 1 is the paper's scheme
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..))]
-    contact_substeps: u32,
+    /// Evaluations of the contact in every step; 1 is the paper's scheme [default: as the case says]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
+    contact_substeps: Option<u32>,
 
     /// Only some 0.6 ms of the impact
     #[arg(long)]
@@ -74,6 +74,9 @@ const QUICK_STEPS: u64 = 150;
 pub(crate) fn run(args: &StudyArgs) -> Result<()> {
     let Study::Impact(args) = &args.study;
     let mut document = Document::open(&args.case)?;
+    if let Some(count) = args.contact_substeps {
+        document.override_with("--contact-substeps", &format!("time.contact_substeps={count}"))?;
+    }
     for assignment in &args.overrides {
         document.override_with("--override", assignment)?;
     }
@@ -84,7 +87,6 @@ pub(crate) fn run(args: &StudyArgs) -> Result<()> {
         quadratic_stiffness: args.quadratic_stiffness,
         segments: args.segments as usize,
         spacing: Some(args.spacing),
-        contact_substeps: args.contact_substeps,
         step_count: args.quick.then_some(QUICK_STEPS),
         threads: args.threads.into(),
     };

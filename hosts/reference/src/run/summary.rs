@@ -28,6 +28,8 @@ pub struct Summary {
     pub step: f64,
     /// Largest stable step at the start, s.
     pub step_limit: f64,
+    /// Evaluations of the contact in a step.
+    pub contact_substeps: u32,
     /// Figures by key.
     #[serde(serialize_with = "by_name")]
     pub figures: Vec<Figure>,
@@ -124,6 +126,7 @@ impl Summary {
             changes: changes.collect(),
             step,
             step_limit,
+            contact_substeps: case.time.contact_substeps,
             figures,
             checks,
             references,
@@ -208,14 +211,15 @@ impl Summary {
 
     /// Law and estimator in a sentence.
     pub fn setting(&self) -> String {
-        let Self { estimator, law, exponent, stiffness, variant, .. } = self;
+        let Self { estimator, law, exponent, stiffness, variant, contact_substeps, .. } = self;
         let law = match law {
             LawName::Volume if *exponent == 1.0 => "w = k V".to_owned(),
             LawName::Volume => format!("w = k V^{exponent}"),
             LawName::Fiber => "pressure = k × penetration".to_owned(),
         };
         let variant = variant.as_ref().map_or(String::new(), |name| format!("; variant {name}"));
-        format!("{law}, k = {stiffness:e}; overlap measured by {estimator}{variant}")
+        let times = if *contact_substeps == 1 { String::new() } else { format!(", {contact_substeps} times a step") };
+        format!("{law}, k = {stiffness:e}; overlap measured by {estimator}{times}{variant}")
     }
 
     /// Steps, seconds and crossings in a sentence.

@@ -2,7 +2,7 @@
 
 use super::{Impact, Method};
 use crate::case::{Case, FigureKind};
-use crate::dynamics::{Sample, Setup, Simulation};
+use crate::dynamics::{Sample, Simulation};
 use crate::run::Motion;
 use anyhow::{Context, Result};
 use std::ops::ControlFlow;
@@ -62,10 +62,7 @@ impl Attempt {
         step_count: u64,
         watch: &mut dyn FnMut(u64) -> ControlFlow<()>,
     ) -> Result<Option<Self>> {
-        let mut simulation = Simulation::start(Setup {
-            contact_substeps: impact.contact_substeps,
-            ..case.setup::<D>(&impact.folder, impact.threads)?
-        })?;
+        let mut simulation = Simulation::start(case.setup::<D>(&impact.folder, impact.threads)?)?;
         let motion = Motion::new(case, simulation.model().parts())?;
         let mut samples = vec![simulation.sample()];
         let mut failure = None;

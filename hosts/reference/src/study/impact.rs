@@ -21,8 +21,6 @@ pub struct Impact {
     pub segments: usize,
     /// Distance between lines, m; `None` for that of the case.
     pub spacing: Option<f64>,
-    /// Evaluations of the contact in every step; 1 is the paper's scheme.
-    pub contact_substeps: u32,
     /// Steps, at most; `None` for all of the case.
     pub step_count: Option<u64>,
     /// Threads; nothing but the seconds depends on them.

@@ -11,7 +11,7 @@ fn fmc(arguments: &[&str]) -> Output {
 #[test]
 fn list_names_every_case() {
     let listed = String::from_utf8(fmc(&["list"]).stdout).unwrap();
-    for name in ["bar", "bar3d", "diamond", "star"] {
+    for name in ["bar", "bar3d", "blocks3d", "diamond", "star"] {
         assert!(listed.contains(&format!("| {name} ")), "{listed}");
     }
     let json: serde_json::Value = serde_json::from_slice(&fmc(&["list", "--json"]).stdout).unwrap();

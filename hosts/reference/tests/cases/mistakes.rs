@@ -47,6 +47,7 @@ fn every_mistake_has_its_line_and_key() {
         ("law = \"fiber\"", "law = \"fibre\"", "contact.law", "fiber"),
         ("step = 1.6666666666666667e-3", "step = 1", "time.step", "at most end"),
         ("step = 1.6666666666666667e-3", "fraction = 1.5", "time.fraction", "at most 1"),
+        ("end = 0.9", "end = 0.9\ncontact_substeps = 0", "time.contact_substeps", "1 to"),
         ("end = 0.9", "", "time", "end"),
         ("body = \"bar\"", "body = \"rod\"", "supports.0.body", "there are: bar"),
         ("figure = \"pressure_mean\"", "figure = \"pressure\"", "expected.0.figure", "pressure_mean"),

@@ -1,0 +1,45 @@
+//! Bodies at rest: equilibrium of elastic bodies, loads and contact.
+//!
+//! Sought is the displacement u at which the total energy is least,
+//!
+//! ```text
+//! Π(u) = E(u) + w(x + u) − f·u          strain, contact and work of dead loads
+//! r(u) = ∂Π/∂u = f_internal − f_contact − f = 0        on what is not held
+//! K(u) = ∂²Π/∂u² = K_elastic + ∂²w/∂x²                 Model::tangent, Contact::tangent
+//! ```
+//!
+//! [`Equilibrium`] is solved by Newton's method with a sparse factorisation and a line search on Π, see
+//! [`NewtonSettings`]; [`Path`] leads there in load steps that halve and grow. Bodies that only contact holds are first
+//! brought into light contact. [`Equilibrium::continue_epsilon`] makes the linear fiber law sharp, and
+//! [`Equilibrium::augment`] drives the penetration of the quadratic one to nothing. [`FixedPoint`] is the loop of Wang, Xu and
+//! Xue (Algorithm 2), to compare.
+//!
+//! For the fiber law the lines are kept during a solve, so that the forces are those of one energy; its forces are not
+//! corrected to balance, for the same reason.
+
+mod approach;
+mod augmented;
+mod balance;
+mod continuation;
+mod equilibrium;
+mod error;
+mod factorisation;
+mod fixed_point;
+mod iteration;
+mod line_search;
+mod motion;
+mod newton;
+mod path;
+mod pressure;
+mod problem;
+
+pub use augmented::Augmentation;
+pub use balance::Balance;
+pub use equilibrium::Equilibrium;
+pub use error::StaticsError;
+pub use fixed_point::{FixedPoint, FixedPointEnd};
+pub use iteration::{Iteration, Tangent};
+pub use newton::NewtonSettings;
+pub use path::Path;
+pub use pressure::{NodalPressure, nodal_pressures};
+pub use problem::Problem;

@@ -1,0 +1,101 @@
+//! Bodies that nothing but contact holds, brought to where it does.
+
+use super::equilibrium::Equilibrium;
+use super::error::StaticsError;
+use super::motion::Motion;
+
+/// Part of the load on a motion that may be left over: Newton's method does the rest.
+const LEFT_OVER: f64 = 0.1;
+
+/// Directions tried; one does where one motion is free.
+const MOST_DIRECTIONS: usize = 30;
+
+impl<const D: usize> Equilibrium<D> {
+    /// Moves bodies without deforming them until contact balances their loads, roughly; those that are held already
+    /// stay. The energy of contact and load over rigid motions is smooth, and nothing is factorised.
+    pub(super) fn approach(&mut self, start: Vec<[f64; D]>, load: f64) -> Result<Vec<[f64; D]>, StaticsError> {
+        let motions = self.free_motions(&start);
+        if motions.is_empty() {
+            return Ok(start);
+        }
+        self.contact.release_patches();
+        if self.unsupported(&start)?.is_none() {
+            return Ok(start);
+        }
+        let mut u = start;
+        let mut driven = 0.0;
+        for _ in 0..MOST_DIRECTIONS {
+            let slopes = self.slopes(&motions, &u, load)?;
+            let size = norm(&slopes);
+            driven = f64::max(driven, size);
+            if size <= LEFT_OVER * driven {
+                break;
+            }
+            let direction: Vec<f64> = slopes.iter().map(|slope| -slope / size).collect();
+            u = self.march(&motions, &direction, u, load)?;
+        }
+        self.keep_patches(&u)?;
+        self.unsupported(&u)?.map_or(Ok(u), Err)
+    }
+
+    /// Derivative of the energy along every motion; what deforms the bodies does no work on them.
+    fn slopes(&mut self, motions: &[Motion<D>], u: &[[f64; D]], load: f64) -> Result<Vec<f64>, StaticsError> {
+        let balance = self.evaluate(u, load)?;
+        Ok(motions.iter().map(|motion| motion.work(&balance.residual)).collect())
+    }
+
+    /// Goes along a direction to where the energy is least.
+    fn march(
+        &mut self,
+        motions: &[Motion<D>],
+        direction: &[f64],
+        u: Vec<[f64; D]>,
+        load: f64,
+    ) -> Result<Vec<[f64; D]>, StaticsError> {
+        let at = |length: f64| {
+            let mut moved = u.clone();
+            motions.iter().zip(direction).for_each(|(motion, part)| motion.add_to(&mut moved, length * part));
+            moved
+        };
+        let slope_at = |this: &mut Self, length: f64| -> Result<f64, StaticsError> {
+            let slopes = this.slopes(motions, &at(length), load)?;
+            Ok(slopes.iter().zip(direction).map(|(slope, part)| slope * part).sum())
+        };
+        let size = self.size();
+        let first = slope_at(self, 0.0)?;
+        let (mut low, mut low_slope, mut high) = (0.0, first, 1e-6 * size);
+        let mut high_slope = slope_at(self, high)?;
+        while high_slope < 0.0 {
+            (low, low_slope, high) = (high, high_slope, 2.0 * high);
+            if high > 10.0 * size {
+                return Err(self.driven_off(motions, direction));
+            }
+            high_slope = slope_at(self, high)?;
+        }
+        // Regula falsi, halving the weight of an end that stays (Illinois).
+        for _ in 0..60 {
+            let middle = (low * high_slope - high * low_slope) / (high_slope - low_slope);
+            let slope = slope_at(self, middle)?;
+            if slope.abs() <= 0.5 * LEFT_OVER * first.abs() {
+                return Ok(at(middle));
+            }
+            if slope < 0.0 {
+                (low, low_slope, high_slope) = (middle, slope, 0.5 * high_slope);
+            } else {
+                (high, high_slope, low_slope) = (middle, slope, 0.5 * low_slope);
+            }
+        }
+        Ok(at(high))
+    }
+
+    fn driven_off(&self, motions: &[Motion<D>], direction: &[f64]) -> StaticsError {
+        let most = (0..motions.len()).max_by(|p, q| direction[*p].abs().total_cmp(&direction[*q].abs())).unwrap_or(0);
+        let motion = &motions[most];
+        let body = self.problem.model.parts()[motion.part].name.clone();
+        StaticsError::Separated { body, motion: motion.name.clone() }
+    }
+}
+
+fn norm(vector: &[f64]) -> f64 {
+    vector.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

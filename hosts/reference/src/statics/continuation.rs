@@ -1,0 +1,44 @@
+//! The linear fiber law made sharp.
+
+use super::equilibrium::Equilibrium;
+use super::error::StaticsError;
+use super::newton::Watch;
+use fmc_contact::{EnergyLaw, FiberProfile};
+
+/// Part to which ε is reduced at once: smaller ones cost more iterations than they save.
+const STRIDE: f64 = 0.3;
+
+/// Strides of less than this are given up.
+const LEAST_STRIDE: f64 = 0.97;
+
+impl<const D: usize> Equilibrium<D> {
+    /// From the last equilibrium to that of the law ψ = k(√(L² + ε²) − ε) with a smaller ε, in strides to 0.3 of it or,
+    /// where that fails, shorter ones. The pressures hardly change; the penetration falls with ε.
+    ///
+    /// # Errors
+    /// Those of [`StaticsError`]; the last equilibrium is kept, with its ε in force. Other laws are left alone.
+    pub fn continue_epsilon(&mut self, target: f64, watch: Watch) -> Result<(), StaticsError> {
+        let mut stride = STRIDE;
+        while let EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } = self.problem.contact.law
+            && epsilon > target
+        {
+            let next = (stride * epsilon).max(target);
+            self.set_law(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon: next } })?;
+            match self.newton(self.displacement.clone(), self.load, watch) {
+                Ok((u, balance)) => {
+                    self.accept(u, balance, self.load);
+                    stride = STRIDE.max(stride * stride);
+                }
+                Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
+                Err(error) => {
+                    self.set_law(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } })?;
+                    stride = stride.sqrt();
+                    if stride > LEAST_STRIDE {
+                        return Err(error);
+                    }
+                }
+            }
+        }
+        self.too_soft(&self.balance).map_or(Ok(()), Err)
+    }
+}

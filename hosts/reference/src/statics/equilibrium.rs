@@ -1,0 +1,197 @@
+//! State and means of a solver.
+
+use super::balance::Balance;
+use super::error::StaticsError;
+use super::factorisation::Factorisation;
+use super::newton::NewtonSettings;
+use super::problem::Problem;
+use crate::fem::Model;
+use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
+use std::time::Instant;
+
+/// A problem, the last state in equilibrium that was found, and what finding it took.
+pub struct Equilibrium<const D: usize> {
+    pub(super) problem: Problem<D>,
+    pub(super) contact: Contact<D>,
+    /// Equation of every degree of freedom; `u32::MAX` for those that are held.
+    pub(super) equations: Vec<u32>,
+    pub(super) equation_count: usize,
+    pub(super) system: Factorisation,
+    /// How Newton's method is led.
+    pub settings: NewtonSettings,
+    pub(super) displacement: Vec<[f64; D]>,
+    pub(super) balance: Balance<D>,
+    pub(super) load: f64,
+    /// Added to the coordinates that the contact is shown; empty for none. See [`Equilibrium::augment`].
+    pub(super) offset: Vec<[f64; D]>,
+    /// Linear systems solved.
+    pub iterations: usize,
+    /// Evaluations of forces and energy.
+    pub evaluations: usize,
+    /// Seconds in the contact.
+    pub contact_seconds: f64,
+}
+
+impl<const D: usize> Equilibrium<D> {
+    /// Undeformed and unloaded.
+    ///
+    /// # Errors
+    /// [`StaticsError::Length`]; those of the contact.
+    pub fn new(mut problem: Problem<D>) -> Result<Self, StaticsError> {
+        let expected = problem.model.node_count();
+        if problem.load.is_empty() {
+            problem.load.resize(expected, [0.0; D]);
+        }
+        if problem.load.len() != expected {
+            return Err(StaticsError::Length { expected, found: problem.load.len() });
+        }
+        // Corrected forces would not be the gradient of the energy any more.
+        if let (Estimator::Fibers(fibers), true) = (&mut problem.contact.estimator, problem.contact.law.is_fiber()) {
+            fibers.balance = false;
+        }
+        let mut contact = Contact::new(problem.model.surface()?, problem.contact)?;
+        for obstacle in &problem.obstacles {
+            contact.add_obstacle(obstacle.clone())?;
+        }
+        let mut equations = vec![0; expected * D];
+        problem.supports.iter().for_each(|(node, axis, _)| equations[node * D + axis] = u32::MAX);
+        let mut equation_count = 0;
+        for equation in equations.iter_mut().filter(|equation| **equation == 0) {
+            *equation = equation_count;
+            equation_count += 1;
+        }
+        let displacement = vec![[0.0; D]; expected];
+        let touch = contact.evaluate(problem.model.coords())?;
+        let load = |_| [0.0; D];
+        let balance = Balance::new(0.0, displacement.clone(), touch, load, &displacement, &problem.supports);
+        Ok(Self {
+            problem,
+            contact,
+            equations,
+            equation_count: equation_count as usize,
+            system: Factorisation::default(),
+            settings: NewtonSettings::default(),
+            displacement,
+            balance,
+            load: 0.0,
+            offset: Vec::new(),
+            iterations: 0,
+            evaluations: 0,
+            contact_seconds: 0.0,
+        })
+    }
+
+    /// The bodies.
+    pub fn model(&self) -> &Model<D> {
+        &self.problem.model
+    }
+
+    /// The problem.
+    pub fn problem(&self) -> &Problem<D> {
+        &self.problem
+    }
+
+    /// Displacement of the last equilibrium.
+    pub fn displacement(&self) -> &[[f64; D]] {
+        &self.displacement
+    }
+
+    /// Forces and energies of the last equilibrium.
+    pub fn balance(&self) -> &Balance<D> {
+        &self.balance
+    }
+
+    /// Part of the full load at which it was found.
+    pub fn load(&self) -> f64 {
+        self.load
+    }
+
+    /// Coordinates of the deformed bodies.
+    pub fn coords(&self) -> Vec<[f64; D]> {
+        self.placed(&self.displacement)
+    }
+
+    /// Equations that are solved.
+    pub fn equation_count(&self) -> usize {
+        self.equation_count
+    }
+
+    /// What contact finds at the true coordinates of the last equilibrium, without the offset of an augmentation.
+    ///
+    /// # Errors
+    /// Those of the contact.
+    pub fn true_contact(&self) -> Result<ContactForces<D>, StaticsError> {
+        Ok(self.contact.evaluate(&self.placed(&self.displacement))?)
+    }
+
+    /// Replaces the energy law; the state stays.
+    ///
+    /// # Errors
+    /// Those of the contact.
+    pub fn set_law(&mut self, law: EnergyLaw) -> Result<(), StaticsError> {
+        self.problem.contact.law = law;
+        Ok(self.contact.set_options(self.problem.contact)?)
+    }
+
+    /// Largest side of the box around all bodies.
+    pub fn size(&self) -> f64 {
+        let coords = self.problem.model.coords();
+        (0..D)
+            .map(|axis| {
+                let along = coords.iter().map(|x| x[axis]);
+                let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+                high - low
+            })
+            .fold(0.0, f64::max)
+    }
+
+    pub(super) fn placed(&self, displacement: &[[f64; D]]) -> Vec<[f64; D]> {
+        let coords = self.problem.model.coords().iter();
+        coords.zip(displacement).map(|(x, u)| std::array::from_fn(|i| x[i] + u[i])).collect()
+    }
+
+    /// Coordinates that the contact is shown.
+    pub(super) fn shown(&self, displacement: &[[f64; D]]) -> Vec<[f64; D]> {
+        let mut coords = self.placed(displacement);
+        coords.iter_mut().zip(&self.offset).for_each(|(x, o)| (0..D).for_each(|i| x[i] += o[i]));
+        coords
+    }
+
+    /// Sets what is prescribed at a load.
+    pub(super) fn prescribe(&self, displacement: &mut [[f64; D]], load: f64) {
+        self.problem.supports.iter().for_each(|(node, axis, value)| displacement[node][axis] = load * value);
+    }
+
+    /// Forces and energies at a displacement.
+    pub(super) fn evaluate(&mut self, displacement: &[[f64; D]], load: f64) -> Result<Balance<D>, StaticsError> {
+        let coords = self.shown(displacement);
+        self.evaluations += 1;
+        let clock = Instant::now();
+        let touch = self.contact.evaluate(&coords);
+        self.contact_seconds += clock.elapsed().as_secs_f64();
+        let touch = touch.map_err(|error| match error {
+            fmc_contact::Error::InvertedCell { cell, .. } => StaticsError::Inverted { load, cell: Some(cell) },
+            error => StaticsError::Contact(error),
+        })?;
+        let mut internal = vec![[0.0; D]; displacement.len()];
+        let strain = self.problem.model.internal(displacement, &mut internal);
+        let forces = &self.problem.load;
+        let external = |node: usize| forces[node].map(|f| load * f);
+        let balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
+        if !balance.energy().is_finite() || !balance.norm.is_finite() {
+            return Err(StaticsError::Inverted { load, cell: None });
+        }
+        Ok(balance)
+    }
+
+    /// Keeps the patches of the fiber law as they are at a displacement.
+    pub(super) fn keep_patches(&mut self, displacement: &[[f64; D]]) -> Result<(), StaticsError> {
+        let coords = self.shown(displacement);
+        self.contact.keep_patches(&coords)?;
+        Ok(())
+    }
+
+    pub(super) fn accept(&mut self, displacement: Vec<[f64; D]>, balance: Balance<D>, load: f64) {
+        (self.displacement, self.balance, self.load) = (displacement, balance, load);
+    }
+}

@@ -1,0 +1,51 @@
+//! How far along a step the energy is lowered.
+
+use super::balance::Balance;
+use super::equilibrium::Equilibrium;
+use super::error::StaticsError;
+
+/// Part of what the slope promises that a step must gain (Armijo).
+const GAIN: f64 = 1e-4;
+
+/// Trials: 2⁻³⁰ of a step is nothing.
+const MOST_TRIALS: usize = 30;
+
+impl<const D: usize> Equilibrium<D> {
+    /// State after a part of a step that lowers the energy, and the part; the whole step if it does.
+    ///
+    /// Where the energy has grown, its slope has changed sign: the next trial is where the slope would vanish if it were
+    /// linear, kept away from the ends. Changes as small as rounding do not count.
+    pub(super) fn line_search(
+        &mut self,
+        u: &[[f64; D]],
+        balance: &Balance<D>,
+        direction: &[[f64; D]],
+        load: f64,
+    ) -> Result<(Vec<[f64; D]>, Balance<D>, f64), StaticsError> {
+        let slope = balance.slope(direction);
+        let mut length = 1.0;
+        let mut inverted = None;
+        for _ in 0..MOST_TRIALS {
+            let next: Vec<[f64; D]> =
+                u.iter().zip(direction).map(|(u, d)| std::array::from_fn(|i| u[i] + length * d[i])).collect();
+            match self.evaluate(&next, load) {
+                Ok(reached) => {
+                    let promised = balance.energy() + GAIN * length * slope + balance.rounding();
+                    if reached.energy() <= promised {
+                        return Ok((next, reached, length));
+                    }
+                    let there = reached.slope(direction);
+                    let part = if there > slope { slope / (slope - there) } else { 0.5 };
+                    length *= part.clamp(0.1, 0.7);
+                    inverted = None;
+                }
+                Err(error @ StaticsError::Inverted { .. }) => {
+                    inverted = Some(error);
+                    length *= 0.5;
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Err(inverted.unwrap_or(StaticsError::LineSearch { load, residual: balance.relative() }))
+    }
+}

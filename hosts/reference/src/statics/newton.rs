@@ -1,0 +1,189 @@
+//! Newton's method.
+
+use super::balance::Balance;
+use super::equilibrium::Equilibrium;
+use super::error::StaticsError;
+use super::iteration::{Iteration, Tangent};
+use fmc_contact::contact::TangentPart;
+use fmc_contact::{EnergyLaw, FiberProfile};
+use std::ops::ControlFlow;
+
+/// How Newton's method is led.
+///
+/// The energy of the fiber law is not convex where lines meet inclined flanks, and the full tangent may lead astray far
+/// from the solution. So the matrix is semidefinite in its contact part until the residual is below `full_below`, and
+/// full then; back for one step if a full one does not halve the residual, or if the full matrix is not positive definite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NewtonSettings {
+    /// Residual by the forces at which a state counts as balanced.
+    pub tolerance: f64,
+    /// Iterations of one load step, at most.
+    pub most_iterations: usize,
+    /// Residual by the forces below which the full tangent is used.
+    pub full_below: f64,
+}
+
+impl Default for NewtonSettings {
+    fn default() -> Self {
+        Self { tolerance: 1e-10, most_iterations: 60, full_below: 0.1 }
+    }
+}
+
+/// What a solver is watched by; it may break off.
+pub(super) type Watch<'a> = &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>;
+
+/// A displacement and its balance.
+pub(super) type State<const D: usize> = (Vec<[f64; D]>, Balance<D>);
+
+impl<const D: usize> Equilibrium<D> {
+    /// Newton's method from a displacement; nothing is accepted.
+    pub(super) fn newton(&mut self, start: Vec<[f64; D]>, load: f64, watch: Watch) -> Result<State<D>, StaticsError> {
+        let NewtonSettings { tolerance, most_iterations, full_below } = self.settings;
+        self.keep_patches(&start)?;
+        let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
+        let mut kept = Extent::of(&balance);
+        let mut full_failed = false;
+        for iteration in 0..=most_iterations {
+            let residual = balance.relative();
+            // Far from the solution the patches may follow the contact, which has just begun or has spread.
+            if residual > full_below && kept.is_outgrown_by(&balance) {
+                self.keep_patches(&u)?;
+                balance = self.evaluate(&u, load)?;
+                kept = Extent::of(&balance);
+            }
+            let mut told = Iteration {
+                load,
+                iteration,
+                residual,
+                energy: balance.energy(),
+                facets: balance.contact.facet_count,
+                penetration: balance.contact.penetration,
+                tangent: None,
+                length: 0.0,
+            };
+            if residual <= tolerance {
+                return self.tell(&told, watch).map(|()| (u, balance));
+            }
+            if iteration == most_iterations {
+                break;
+            }
+            let wish = if residual > full_below || full_failed { Tangent::Semidefinite } else { Tangent::Full };
+            let (direction, tangent) = self.direction(&u, &balance, load, wish)?;
+            let (next, reached, length) = match self.line_search(&u, &balance, &direction, load) {
+                Err(StaticsError::LineSearch { .. }) if residual <= 1e3 * tolerance => return Ok((u, balance)),
+                searched => searched?,
+            };
+            (told.tangent, told.length) = (Some(tangent), length);
+            self.tell(&told, watch)?;
+            full_failed = tangent == Tangent::Full && reached.norm > 0.5 * balance.norm;
+            (u, balance) = (next, reached);
+        }
+        Err(self.not_converged(&balance, load, most_iterations))
+    }
+
+    /// Tells the one who watches.
+    pub(super) fn tell(&self, iteration: &Iteration, watch: Watch) -> Result<(), StaticsError> {
+        if watch(iteration).is_break() { Err(StaticsError::Interrupted) } else { Ok(()) }
+    }
+
+    /// The likeliest reason.
+    fn not_converged(&self, balance: &Balance<D>, load: f64, iterations: usize) -> StaticsError {
+        let residual = balance.relative();
+        self.too_soft(balance).unwrap_or(StaticsError::NotConverged { load, iterations, residual })
+    }
+
+    /// With the linear law, whether bodies pass through one another: the pressure is then that of the law far from zero.
+    pub(super) fn too_soft(&self, balance: &Balance<D>) -> Option<StaticsError> {
+        let penetration = balance.contact.penetration;
+        match self.problem.contact.law {
+            // k L/√(L² + ε²) is k to 0.5 % at L = 10 ε: what resists more is elastic, or nothing.
+            EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } if penetration > 10.0 * epsilon => {
+                Some(StaticsError::PeakPressureAboveStiffness { stiffness: k, penetration, epsilon })
+            }
+            _ => None,
+        }
+    }
+
+    /// Step towards a balance, and the matrix that gave it: the one wished for, or the semidefinite one.
+    pub(super) fn direction(
+        &mut self,
+        u: &[[f64; D]],
+        balance: &Balance<D>,
+        load: f64,
+        wish: Tangent,
+    ) -> Result<(Vec<[f64; D]>, Tangent), StaticsError> {
+        let right: Vec<f64> = self.on_equations(&balance.residual).iter().map(|r| -r).collect();
+        for tangent in [wish, Tangent::Semidefinite] {
+            if self.factorise(u, tangent)?
+                && let Some(step) = self.system.solve(&right)
+            {
+                self.iterations += 1;
+                let direction = self.on_nodes(&step);
+                let longest = direction.iter().flatten().fold(0.0, |most: f64, d| most.max(d.abs()));
+                // A singular matrix may slip through the factorisation; its solutions do not.
+                if longest.is_finite() && longest < 1e3 * self.size() && balance.slope(&direction) < 0.0 {
+                    return Ok((direction, tangent));
+                }
+            }
+        }
+        Err(self.unsupported(u)?.unwrap_or(StaticsError::Unstable { load }))
+    }
+
+    /// Factorises the tangent at a displacement. `false` if it is not positive definite.
+    pub(super) fn factorise(&mut self, u: &[[f64; D]], tangent: Tangent) -> Result<bool, StaticsError> {
+        let elastic = self.problem.model.tangent(u);
+        let part = match tangent {
+            Tangent::Elastic => None,
+            Tangent::Semidefinite => Some(TangentPart::Semidefinite),
+            Tangent::Full => Some(TangentPart::Full),
+        };
+        let clock = std::time::Instant::now();
+        let touch = part.map(|part| self.contact.tangent(&self.shown(u), part)).transpose()?.unwrap_or_default();
+        self.contact_seconds += clock.elapsed().as_secs_f64();
+        let equations = &self.equations;
+        let equation = |freedom: usize| equations.get(freedom).copied().filter(|e| *e != u32::MAX).map(|e| e as usize);
+        let entries = elastic.iter().chain(touch.triplets());
+        let entries = entries.filter_map(|(row, column, value)| Some((equation(row)?, equation(column)?, value)));
+        Ok(self.system.factorise(self.equation_count, entries))
+    }
+
+    /// Components of a nodal vector that have equations.
+    pub(super) fn on_equations(&self, vector: &[[f64; D]]) -> Vec<f64> {
+        let mut values = vec![0.0; self.equation_count];
+        for (&equation, value) in self.equations.iter().zip(vector.iter().flatten()) {
+            if equation != u32::MAX {
+                values[equation as usize] = *value;
+            }
+        }
+        values
+    }
+
+    /// A nodal vector that is zero on what is held.
+    pub(super) fn on_nodes(&self, values: &[f64]) -> Vec<[f64; D]> {
+        let at = |freedom: usize| match self.equations[freedom] {
+            u32::MAX => 0.0,
+            equation => values[equation as usize],
+        };
+        (0..self.equations.len() / D).map(|node| std::array::from_fn(|axis| at(node * D + axis))).collect()
+    }
+}
+
+/// Pairs in contact and the area of their contact.
+struct Extent {
+    pairs: Vec<[fmc_contact::overlap::Partner; 2]>,
+    area: f64,
+}
+
+impl Extent {
+    fn of<const D: usize>(balance: &Balance<D>) -> Self {
+        let contact = &balance.contact;
+        Self { pairs: contact.pairs.iter().map(|pair| [pair.a, pair.b]).collect(), area: contact.contact_area }
+    }
+
+    /// Whether there is a new pair, or the area has changed by more than half.
+    fn is_outgrown_by<const D: usize>(&self, balance: &Balance<D>) -> bool {
+        let now = Self::of(balance);
+        now.pairs.iter().any(|pair| !self.pairs.contains(pair))
+            || !(0.5 * self.area..=2.0 * self.area).contains(&now.area)
+    }
+}

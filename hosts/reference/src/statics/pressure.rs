@@ -1,0 +1,44 @@
+//! Pressure on the contact surface.
+
+use crate::fem::Model;
+
+/// Pressure at a node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodalPressure<const D: usize> {
+    /// Node.
+    pub node: usize,
+    /// Where it was, undeformed.
+    pub place: [f64; D],
+    /// Its part of the undeformed surface, seen along its force.
+    pub area: f64,
+    /// Force by area, Pa, positive where it presses.
+    pub pressure: f64,
+}
+
+/// Pressures of the nodes of a part on which contact forces act: the force by the node's part of the surface, that is
+/// ∫ N_a p dA by ∫ N_a dA.
+///
+/// A face counts as far as it looks against the force, so that the sides of a block add nothing to its edges. Everything is
+/// per undeformed area, as in linear theory.
+pub fn nodal_pressures<const D: usize>(model: &Model<D>, part: usize, forces: &[[f64; D]]) -> Vec<NodalPressure<D>> {
+    let size = |node: usize| forces[node].iter().map(|f| f * f).sum::<f64>().sqrt();
+    let mut areas = vec![0.0; model.node_count()];
+    let faces = model.faces_where(part, |_| true);
+    for face in &faces {
+        // ∫ N_a n dA of this face alone.
+        let normals = model.surface_load(std::slice::from_ref(face), |_, normal| *normal);
+        for &node in &face.nodes {
+            let (node, size) = (node as usize, size(node as usize));
+            let against: f64 = forces[node].iter().zip(&normals[node]).map(|(f, n)| -f * n).sum();
+            areas[node] += (against / size.max(f64::MIN_POSITIVE)).max(0.0);
+        }
+    }
+    let touched = model.nodes_of(part).filter(|&node| size(node) > 0.0 && areas[node] > 0.0);
+    let pressure = |node| NodalPressure {
+        node,
+        place: model.coords()[node],
+        area: areas[node],
+        pressure: size(node) / areas[node],
+    };
+    touched.map(pressure).collect()
+}

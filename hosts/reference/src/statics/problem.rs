@@ -1,0 +1,25 @@
+//! What a solution is sought for.
+
+use crate::fem::{Constraints, Model};
+use fmc_contact::{Obstacle, Options};
+
+/// Bodies, what holds and drives them, and how they touch. Arrays are `[node_count, D]`.
+pub struct Problem<const D: usize> {
+    /// The bodies.
+    pub model: Model<D>,
+    /// Energy law and estimator of the contact.
+    pub contact: Options,
+    /// Rigid partners; they do not move.
+    pub obstacles: Vec<Obstacle<D>>,
+    /// Degrees of freedom that are held, and their displacements at full load.
+    pub supports: Constraints<D>,
+    /// Dead forces on the nodes at full load; empty for none.
+    pub load: Vec<[f64; D]>,
+}
+
+impl<const D: usize> Problem<D> {
+    /// Bodies that are free and without loads.
+    pub fn new(model: Model<D>, contact: Options) -> Self {
+        Self { model, contact, obstacles: Vec::new(), supports: Constraints::default(), load: Vec::new() }
+    }
+}

@@ -1,0 +1,6 @@
+//! Bodies at rest.
+
+mod scene;
+
+mod hertz;
+mod patch;
