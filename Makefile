@@ -1,5 +1,6 @@
 # make demo      forces of two meshes in examples/, printed and written as VTU
-# make test      everything: format, lints, tests in release mode, C and C++ hosts, valgrind, installation
+# make test      everything: format, lints, tests in release mode, C and C++ hosts, valgrind, installation, Python package
+# make python    the Python package, in an environment of its own under target/, and its tests
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi
 # make install   PREFIX=/usr/local: shared and static library, header, pkg-config and CMake files (Linux)
@@ -14,7 +15,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: demo test tools bench header build install clean
+.PHONY: demo test tools python bench header build install clean
 
 demo:
 	$(CARGO) run --release -p fmc-reference --bin fmc -- force examples/star.msh examples/block.msh --stiffness 2.8e7
@@ -23,6 +24,7 @@ test: tools
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets --release -- -D warnings
 	$(CARGO) test --workspace --release
+	$(MAKE) python
 
 # Programs that the tests call, with the Debian package that has each.
 TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake
@@ -35,6 +37,17 @@ tools:
 	fi
 	@$(CARGO) clippy --version >/dev/null 2>&1 && $(CARGO) fmt --version >/dev/null 2>&1 \
 	  || rustup component add clippy rustfmt
+
+PYTHON ?= python3
+VENV = $(TARGET)/python
+
+# Debian has the module that makes environments in a package of its own.
+python:
+	@$(PYTHON) -c 'import ensurepip' 2>/dev/null \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3 python3-venv; }
+	@$(VENV)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV)
+	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
+	$(VENV)/bin/python -m pytest -q bindings/python
 
 bench:
 	$(CARGO) bench

@@ -1,0 +1,46 @@
+"""Contact forces and overlap volume for any finite element code.
+
+Node coordinates and connectivity go in, nodal contact forces and the overlap volume come out, by ``contact_force`` in one
+call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N (2D:
+N/m).
+
+    contact_force, Contact  ->  mesh, obstacles, options, result, tangent  ->  _handle, _arrays  ->  _library
+                                                                           ->  _signatures, _structs  ->  errors
+"""
+
+from . import errors
+from ._library import library as _shared
+from .contact import Contact
+from .errors import FmcError
+from .options import Options
+from .pose import Pose
+from .result import ContactWarning, Pair, Result, Resultant
+from .stateless import contact_force
+from .stiffness import suggest_fiber_stiffness, suggest_stiffness
+from .tangent import RankOne, Tangent
+
+__version__: str = _shared.fmc_version().decode()
+
+
+def has_feature(name: str) -> bool:
+    """Whether the library has a feature: "2d", "3d", "exact", "fiber_law", "tangent", ... (see ``fmc_has_feature``)."""
+    return _shared.fmc_has_feature(name.encode()) == 1
+
+
+__all__ = [
+    "Contact",
+    "ContactWarning",
+    "FmcError",
+    "Options",
+    "Pair",
+    "Pose",
+    "RankOne",
+    "Result",
+    "Resultant",
+    "Tangent",
+    "contact_force",
+    "errors",
+    "has_feature",
+    "suggest_fiber_stiffness",
+    "suggest_stiffness",
+]

@@ -1,0 +1,73 @@
+"""A context of the library: freed when nothing refers to it any more, and used by one call at a time."""
+
+from __future__ import annotations
+
+import threading
+import weakref
+from ctypes import byref
+from typing import Callable
+
+from ._library import check, library
+from ._signatures import Context
+from .errors import BusyError
+
+
+def _free(pointer: Context) -> None:
+    library.fmc_context_free(byref(pointer))
+
+
+class Handle:
+    """Owner of a context. ``with handle:`` claims it for several calls that belong together."""
+
+    def __init__(self, create: Callable[..., int]) -> None:
+        self.pointer = Context()
+        check(create(byref(self.pointer)))
+        finalizer = weakref.finalize(self, _free, self.pointer)
+        # At exit a daemon thread may still be inside; the system takes the memory back.
+        finalizer.atexit = False
+        self._lock = threading.Lock()
+        self._raised: list[BaseException] = []
+        self._callbacks: dict[object, object] = {}
+
+    def __enter__(self) -> None:
+        if not self._lock.acquire(blocking=False):
+            raise BusyError("the contact is in use by another call: from another thread, or from a function it calls")
+
+    def __exit__(self, *_: object) -> None:
+        self._lock.release()
+
+    def call(self, function: Callable[..., int], *arguments: object) -> None:
+        """Calls a function of the library. What a callback raised meanwhile goes before the status that it came to."""
+        status = function(self.pointer, *arguments)
+        if self._raised:
+            raised = self._raised[0]
+            self._raised.clear()
+            raise raised
+        check(status)
+
+    def guarded(self, function: Callable[..., None]) -> Callable[..., int]:
+        """The function for the library to call: 0 when it returns, -1 when it raises, which ``call`` raises again."""
+        raised = self._raised
+
+        def guard(*arguments: object) -> int:
+            try:
+                function(*arguments)
+            except BaseException as error:
+                raised.append(error)
+                return -1
+            return 0
+
+        return guard
+
+    def told(self, function: Callable[[str], None]) -> Callable[..., None]:
+        """The function for the library to call with messages; what it raises, ``call`` raises again."""
+        guard = self.guarded(lambda text: function(text.decode()))
+
+        def tell(_user: object, _level: int, text: bytes) -> None:
+            guard(text)
+
+        return tell
+
+    def keep(self, key: object, callback: object) -> None:
+        """Keeps a callback alive as long as the context, or until another takes its key."""
+        self._callbacks[key] = callback

@@ -1,0 +1,131 @@
+"""Functions of ``include/fmc_contact.h``: result and arguments of each. The tests compare this table with the header."""
+
+from __future__ import annotations
+
+from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_void_p
+
+import numpy as np
+
+from ._structs import (
+    fmc_cell_block,
+    fmc_cell_block_i64,
+    fmc_coords,
+    fmc_forces,
+    fmc_options,
+    fmc_pair,
+    fmc_pose,
+    fmc_result,
+    fmc_resultant,
+)
+
+
+class _Array(c_void_p):
+    """Pointer to the first entry of a numpy array of one dtype without gaps, or ``None`` for NULL."""
+
+    dtype: np.dtype
+
+    @classmethod
+    def from_param(cls, array):
+        if array is None:
+            return None
+        if array.dtype != cls.dtype or not array.flags.c_contiguous:
+            raise TypeError(f"an array of dtype {cls.dtype} without gaps is wanted, not of {array.dtype}")
+        return c_void_p(array.ctypes.data)
+
+
+class Float64Array(_Array):
+    dtype = np.dtype(np.float64)
+
+
+class Int32Array(_Array):
+    dtype = np.dtype(np.int32)
+
+
+class Int64Array(_Array):
+    dtype = np.dtype(np.int64)
+
+
+class Context(c_void_p):
+    """``fmc_context *``. A class of its own, so that ctypes neither unpacks nor mixes it up."""
+
+
+STATUS = c_int32
+"""``fmc_status``."""
+
+SIGNED_DISTANCE = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double), POINTER(c_double))
+"""``fmc_signed_distance``."""
+
+LOG = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
+"""``fmc_log_callback``."""
+
+_COUNT = POINTER(c_size_t)
+_NUMBER = POINTER(c_double)
+_OPTIONS = POINTER(fmc_options)
+_COORDS = POINTER(fmc_coords)
+_POSE = POINTER(fmc_pose)
+_HANDLE = POINTER(Context)
+
+FUNCTIONS = {
+    "fmc_version": (c_char_p, []),
+    "fmc_abi_version": (c_int32, []),
+    "fmc_has_feature": (c_int32, [c_char_p]),
+    "fmc_status_name": (c_char_p, [c_int32]),
+    "fmc_last_error": (c_char_p, []),
+    "fmc_options_init": (STATUS, [_OPTIONS]),
+    "fmc_options_set": (STATUS, [_OPTIONS, c_char_p, c_char_p]),
+    "fmc_contact_force": (
+        STATUS,
+        [c_int32, Float64Array, c_size_t, c_int32, Int32Array, c_size_t, Int32Array, _OPTIONS, Float64Array, _NUMBER],
+    ),
+    "fmc_contact_force_i64": (
+        STATUS,
+        [c_int32, Float64Array, c_size_t, c_int32, Int64Array, c_size_t, Int64Array, _OPTIONS, Float64Array, _NUMBER],
+    ),
+    "fmc_context_new_from_cells": (
+        STATUS,
+        [c_int32, _COORDS, POINTER(fmc_cell_block), c_size_t, Int32Array, _OPTIONS, _HANDLE],
+    ),
+    "fmc_context_new_from_cells_i64": (
+        STATUS,
+        [c_int32, _COORDS, POINTER(fmc_cell_block_i64), c_size_t, Int64Array, _OPTIONS, _HANDLE],
+    ),
+    "fmc_context_new_from_facets": (
+        STATUS,
+        [c_int32, _COORDS, Int32Array, c_size_t, Int32Array, _OPTIONS, _HANDLE],
+    ),
+    "fmc_context_new_from_facets_i64": (
+        STATUS,
+        [c_int32, _COORDS, Int64Array, c_size_t, Int64Array, _OPTIONS, _HANDLE],
+    ),
+    "fmc_context_free": (STATUS, [_HANDLE]),
+    "fmc_context_set_options": (STATUS, [Context, _OPTIONS]),
+    "fmc_context_set_log": (STATUS, [Context, LOG, c_void_p]),
+    "fmc_context_counts": (STATUS, [Context, _COUNT, _COUNT, _COUNT]),
+    "fmc_context_evaluate": (STATUS, [Context, _COORDS, POINTER(fmc_forces), c_uint32, POINTER(fmc_result)]),
+    "fmc_context_error": (c_char_p, [Context]),
+    "fmc_context_keep_patches": (STATUS, [Context, _COORDS, _COUNT]),
+    "fmc_context_tangent": (STATUS, [Context, _COORDS, c_uint32, _COUNT, _COUNT]),
+    "fmc_context_tangent_entries": (STATUS, [Context, Int32Array, Int32Array, Float64Array, c_size_t]),
+    "fmc_context_tangent_product": (STATUS, [Context, Float64Array, Float64Array, c_size_t]),
+    "fmc_context_tangent_rank_one": (STATUS, [Context, c_size_t, _NUMBER, Float64Array, c_size_t]),
+    "fmc_context_body": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),
+    "fmc_context_obstacle": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),
+    "fmc_context_pair": (STATUS, [Context, c_size_t, POINTER(fmc_pair)]),
+    "fmc_context_warning": (STATUS, [Context, c_size_t, POINTER(c_int32), POINTER(c_char_p)]),
+    "fmc_pose_init": (STATUS, [_POSE]),
+    "fmc_pose_along": (STATUS, [c_int32, Float64Array, Float64Array, _POSE]),
+    "fmc_context_add_half_space": (STATUS, [Context, _POSE, _COUNT]),
+    "fmc_context_add_ball": (STATUS, [Context, c_double, _POSE, _COUNT]),
+    "fmc_context_add_cuboid": (STATUS, [Context, Float64Array, _POSE, _COUNT]),
+    "fmc_context_add_cylinder": (STATUS, [Context, c_double, c_double, _POSE, _COUNT]),
+    "fmc_context_add_cone": (STATUS, [Context, c_double, c_double, _POSE, _COUNT]),
+    "fmc_context_add_capsule": (STATUS, [Context, c_double, c_double, _POSE, _COUNT]),
+    "fmc_context_add_polytope": (STATUS, [Context, _COORDS, Int32Array, c_size_t, _POSE, _COUNT]),
+    "fmc_context_add_polytope_i64": (STATUS, [Context, _COORDS, Int64Array, c_size_t, _POSE, _COUNT]),
+    "fmc_context_add_signed_distance": (STATUS, [Context, SIGNED_DISTANCE, c_void_p, _POSE, _COUNT]),
+    "fmc_context_set_pose": (STATUS, [Context, c_size_t, _POSE]),
+    "fmc_suggest_fiber_stiffness": (STATUS, [c_double, c_double, _NUMBER]),
+    "fmc_suggest_stiffness_from_modulus": (STATUS, [c_int32, c_double, c_double, c_double, _NUMBER]),
+    "fmc_suggest_stiffness_from_pressure": (STATUS, [c_int32, c_double, c_double, c_double, _NUMBER]),
+}
+"""Result and argument types by name."""

@@ -1,0 +1,131 @@
+"""Structs and enumerations of ``include/fmc_contact.h``, under the names that they have there."""
+
+from __future__ import annotations
+
+from ctypes import Structure, c_double, c_int32, c_int64, c_size_t, c_ssize_t, c_uint64, c_void_p
+
+ABI_VERSION = 1
+"""``FMC_ABI_VERSION`` of the header that these tables were written from."""
+
+FMC_ADD = 1
+FMC_SEMIDEFINITE = 1
+
+CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12}
+"""Values of ``fmc_cell_type`` by the names of meshio."""
+
+CELL_NODES = {"triangle": 3, "quad": 4, "tetra": 4, "hexahedron": 8}
+CELL_DIMENSION = {"triangle": 2, "quad": 2, "tetra": 3, "hexahedron": 3}
+
+CHOICES = {
+    "law": {0: "volume", 1: "fiber"},
+    "estimator": {0: "fibers", 1: "exact"},
+    "pattern": {0: "lines", 1: "isotropic"},
+    "weights": {0: "balance", 1: "consistent"},
+}
+"""Options that take one of a few values: names by number."""
+
+PARTNERS = {0: "body", 1: "obstacle"}
+WARNINGS = {1: "coarse_fibers", 2: "unresolved_overlap", 3: "swallowed_body"}
+
+
+class fmc_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("stiffness", c_double),
+        ("exponent", c_double),
+        ("spacing", c_double),
+        ("fiber_length", c_double),
+        ("fiber_count", c_uint64),
+        ("seed", c_uint64),
+        ("law", c_int32),
+        ("estimator", c_int32),
+        ("pattern", c_int32),
+        ("weights", c_int32),
+        ("balance", c_int32),
+        ("self_contact", c_int32),
+        ("check_cells", c_int32),
+        ("threads", c_int32),
+        ("index_base", c_int32),
+        ("reserved_flags", c_int32),
+        ("epsilon", c_double),
+        ("reserved", c_uint64 * 15),
+    ]
+
+
+class _View(Structure):
+    _fields_ = [
+        ("data", c_void_p),
+        ("node_count", c_size_t),
+        ("node_stride", c_ssize_t),
+        ("axis_stride", c_ssize_t),
+    ]
+
+
+class fmc_coords(_View):
+    pass
+
+
+class fmc_forces(_View):
+    pass
+
+
+class _CellBlock(Structure):
+    _fields_ = [("cell_type", c_int32), ("conn", c_void_p), ("cell_count", c_size_t)]
+
+
+class fmc_cell_block(_CellBlock):
+    pass
+
+
+class fmc_cell_block_i64(_CellBlock):
+    pass
+
+
+class fmc_result(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("volume", c_double),
+        ("volume_standard_error", c_double),
+        ("energy", c_double),
+        ("contact_area", c_double),
+        ("penetration", c_double),
+        ("fiber_count", c_size_t),
+        ("crossing_count", c_size_t),
+        ("facet_count", c_size_t),
+        ("pair_count", c_size_t),
+        ("body_count", c_size_t),
+        ("obstacle_count", c_size_t),
+        ("warning_count", c_size_t),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_resultant(Structure):
+    _fields_ = [
+        ("id", c_int64),
+        ("force", c_double * 3),
+        ("moment", c_double * 3),
+        ("node_count", c_size_t),
+    ]
+
+
+class fmc_pair(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("a_kind", c_int32),
+        ("b_kind", c_int32),
+        ("a", c_size_t),
+        ("b", c_size_t),
+        ("volume", c_double),
+        ("volume_standard_error", c_double),
+        ("energy", c_double),
+        ("pressure", c_double),
+        ("contact_area", c_double),
+        ("penetration", c_double),
+        ("spacing", c_double),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_pose(Structure):
+    _fields_ = [("position", c_double * 3), ("rotation", c_double * 9), ("scale", c_double)]

@@ -1,0 +1,181 @@
+"""A mesh in contact, evaluated again and again."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_size_t
+from typing import TYPE_CHECKING, Callable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import mesh
+from ._arrays import View, coords_view, forces_view
+from ._library import library
+from ._signatures import LOG
+from ._structs import FMC_ADD, fmc_result
+from .obstacles import Obstacles
+from .options import changed, defaults, described
+from .result import Result, gather
+from .tangent import Tangent, assemble
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .options import Options
+
+
+class Contact(Obstacles):
+    """Boundary, search trees and obstacles of a mesh, kept between evaluations.
+
+    ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
+    (dim, n), read where they lie. ``conn`` are node numbers, (m, nodes per cell), of cells of one ``cell_type``:
+    ``"triangle"``, ``"quad"``, ``"tetra"`` or ``"hexahedron"``, in VTK's node order; or, without a cell type, a list
+    of ``(cell type, node numbers)`` for a mixed mesh. ``bodies``, one integer for every cell counted over the list,
+    says which body a cell belongs to; ``None``: bodies are what hangs together by faces. ``stiffness`` is k > 0 of the
+    law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
+
+    Errors: those of ``fmc_contact.errors`` for the mesh and the options; ``TypeError`` and ``ValueError`` for arrays of
+    another dtype or shape. After any error a contact is as it was before the call.
+
+    Threads: contacts share nothing, so different ones may be used by different threads at once, and Python runs on
+    during an evaluation. Calls on one contact that collide raise ``BusyError``.
+    """
+
+    dim: int
+    """Number of axes, 2 or 3."""
+    node_count: int
+    """Number of nodes of ``coords``."""
+    facet_count: int
+    """Number of boundary facets; a quadrilateral face in 3D counts as the triangles that stand for it."""
+    body_count: int
+    """Number of bodies."""
+
+    def __init__(
+        self,
+        coords: ArrayLike,
+        conn: mesh.Cells,
+        cell_type: str | None = None,
+        *,
+        stiffness: float,
+        bodies: ArrayLike | None = None,
+        **options: Unpack[Options],
+    ) -> None:
+        self._options = changed(defaults(), {"stiffness": stiffness, **options})
+        self._begin(mesh.from_cells(coords, conn, cell_type, bodies, self._options))
+
+    @classmethod
+    def from_facets(
+        cls,
+        coords: ArrayLike,
+        facets: ArrayLike,
+        *,
+        stiffness: float,
+        bodies: ArrayLike | None = None,
+        **options: Unpack[Options],
+    ) -> Contact:
+        """From the boundary of closed bodies: edges (m, 2) in 2D, the body on their left; triangles (m, 3) in 3D,
+        counter-clockwise seen from outside. ``bodies``, one integer for every facet; ``None``: bodies are what hangs
+        together by nodes. Errors: also ``OpenSurfaceError``, ``InconsistentOrientationError``,
+        ``InvertedSurfaceError``."""
+        contact = cls.__new__(cls)
+        contact._options = changed(defaults(), {"stiffness": stiffness, **options})
+        contact._begin(mesh.from_facets(coords, facets, bodies, contact._options))
+        return contact
+
+    def _begin(self, start: mesh.Start) -> None:
+        self._handle, self.dim, self._is_columns = start
+        counts = [c_size_t() for _ in range(3)]
+        self._handle.call(library.fmc_context_counts, *map(byref, counts))
+        self.node_count, self.facet_count, self.body_count = (count.value for count in counts)
+
+    @property
+    def options(self) -> dict[str, object]:
+        """All options, with the defaults of what was not given."""
+        return described(self._options)
+
+    def set_options(self, **options: Unpack[Options]) -> None:
+        """Changes some options, ``stiffness`` too; the others stay. They count from the next evaluation."""
+        with self._handle:
+            replaced = changed(self._options, options)
+            self._handle.call(library.fmc_context_set_options, byref(replaced))
+            self._options = replaced
+
+    def evaluate(self, coords: ArrayLike, out: np.ndarray | None = None, add: bool = False) -> Result:
+        """Contact forces at ``coords``, the current coordinates of all nodes, laid out in any way of the class.
+
+        ``out``, a float64 array in any such layout, receives the forces in place of a new one; with ``add`` they are
+        added to what it holds. A third column in 2D is left alone. On an error it is not touched.
+
+        Errors: ``LengthError``, ``NonFiniteCoordinateError``, ``InvertedCellError``, ``ZeroMeasureError``,
+        ``UnsupportedError``, ``SignedDistanceError``, ``TooManyFibersError``, ``RangeError``, ``BufferTooSmallError``,
+        ``StrideError``, ``BusyError``, and what the function of a signed distance raises.
+        """
+        view = coords_view(coords, self.dim)
+        if out is None:
+            if add:
+                raise ValueError("add is for forces that are there already: give the array as out")
+            forces = np.empty((self.dim, self.node_count) if view.is_columns else (self.node_count, self.dim))
+        else:
+            forces = out
+        target, found = forces_view(forces, self.dim), fmc_result()
+        flags = FMC_ADD if add else 0
+        with self._handle:
+            self._handle.call(
+                library.fmc_context_evaluate, byref(view.struct), byref(target.struct), flags, byref(found)
+            )
+            return gather(self._handle, forces, found, self.dim)
+
+    def tangent(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False):
+        """Second derivative of the contact energy, which is minus the derivative of the forces: to be added to a
+        stiffness matrix.
+
+        A symmetric ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; without scipy
+        ``(rows, cols, values)``, where values of one place add up. ``semidefinite`` leaves out the part that can be
+        negative, for use far from a solution. ``obstacles`` appends the translations of the obstacles, as nodes after
+        the last. For the law ``"volume"`` all nodes of a pair are coupled: see ``tangent_parts`` for large ones.
+
+        With the law ``"fiber"``, ``keep_patches`` and ``balance=False`` it is the derivative of the forces; the
+        correction of the balance, which is small, is not differentiated.
+
+        Errors: those of ``evaluate``; ``UnsupportedError`` for a law or an estimator that has none.
+        """
+        tangent = self.tangent_parts(coords, semidefinite, obstacles)
+        try:
+            return tangent.csr()
+        except ImportError:
+            return tangent.triplets()
+
+    def tangent_parts(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False) -> Tangent:
+        """The same in its parts, with nothing multiplied out, for matrices of one's own and as an operator."""
+        view = coords_view(coords, self.dim)
+        with self._handle:
+            # An obstacle that is there has a node of its own after those of the mesh.
+            nodes = self.node_count + (self.obstacle_count if obstacles else 0)
+            return assemble(self._handle, view, nodes * self.dim, semidefinite)
+
+    def keep_patches(self, coords: ArrayLike) -> int:
+        """Finds the patches of the law ``"fiber"`` at ``coords`` and keeps direction and spacing of their lines, so
+        that a solver's forces are the gradient of one energy: for the start of a load step. Pairs that do not overlap
+        there are not kept. Returns the number of directions kept, 0 with other laws. Errors: those of ``evaluate``."""
+        return self._patches(coords_view(coords, self.dim))
+
+    def release_patches(self) -> None:
+        """Forgets what was kept: patches are found at every evaluation again."""
+        self._patches(None)
+
+    def _patches(self, view: View | None) -> int:
+        count = c_size_t()
+        with self._handle:
+            coords = None if view is None else byref(view.struct)
+            self._handle.call(library.fmc_context_keep_patches, coords, byref(count))
+        return count.value
+
+    def set_log(self, function: Callable[[str], None] | None) -> None:
+        """Has ``function`` called with a sentence for every warning of an evaluation; ``None``: nobody is told.
+
+        ``Result.warnings`` has them in any case. What the function raises comes out of the evaluation.
+        """
+        callback = LOG() if function is None else LOG(self._handle.told(function))
+        with self._handle:
+            self._handle.call(library.fmc_context_set_log, callback, None)
+            self._handle.keep("log", callback)

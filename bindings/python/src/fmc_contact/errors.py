@@ -1,0 +1,211 @@
+"""Exceptions: one class for every status of the library, with the sentence that names indices and values.
+
+All of them are ``FmcError``, and also what Python would call them: ``except ValueError`` catches an inverted cell,
+``except IndexError`` a node that does not exist.
+"""
+
+from __future__ import annotations
+
+
+class FmcError(Exception):
+    """A call that failed. Its outputs are untouched, and the contact is as it was before.
+
+    ``status`` is the number of the header's ``fmc_status``; 0 for a library that could not be loaded.
+    """
+
+    status: int = 0
+
+
+class LibraryError(FmcError, ImportError):
+    """The shared library was not found, or is not of the version that this package is for."""
+
+
+class NullPointerError(FmcError, ValueError):
+    """Something that the library needs was not given."""
+
+    status = 1
+
+
+class MisalignedPointerError(FmcError, ValueError):
+    """An array does not begin at a multiple of its element's size."""
+
+    status = 2
+
+
+class LengthError(FmcError, ValueError):
+    """The length of an array is not what the mesh says."""
+
+    status = 3
+
+
+class BufferTooSmallError(FmcError, ValueError):
+    """An output is shorter than what is to be written into it."""
+
+    status = 4
+
+
+class StrideError(FmcError, ValueError):
+    """Entries of an output fall on one another."""
+
+    status = 5
+
+
+class DimensionError(FmcError, ValueError):
+    """A dimension other than 2 and 3, or a cell type of another dimension than the coordinates."""
+
+    status = 6
+
+
+class UnknownCellTypeError(FmcError, ValueError):
+    """Not one of ``triangle``, ``quad``, ``tetra``, ``hexahedron``."""
+
+    status = 7
+
+
+class NodeOutOfRangeError(FmcError, IndexError):
+    """A cell or facet names a node that does not exist."""
+
+    status = 8
+
+
+class NonFiniteCoordinateError(FmcError, ValueError):
+    """A coordinate is NaN or infinite."""
+
+    status = 9
+
+
+class RepeatedNodeError(FmcError, ValueError):
+    """A cell or facet names one node twice."""
+
+    status = 10
+
+
+class InvertedCellError(FmcError, ValueError):
+    """A cell is turned inside out."""
+
+    status = 11
+
+
+class ZeroMeasureError(FmcError, ValueError):
+    """A cell or facet has no length, area or volume."""
+
+    status = 12
+
+
+class OpenSurfaceError(FmcError, ValueError):
+    """A surface given by facets has a border."""
+
+    status = 13
+
+
+class NonManifoldError(FmcError, ValueError):
+    """More than two facets meet at an edge (2D: at a node), or more than two cells at a face."""
+
+    status = 14
+
+
+class InconsistentOrientationError(FmcError, ValueError):
+    """Two neighbouring facets disagree about which side is out."""
+
+    status = 15
+
+
+class InvertedSurfaceError(FmcError, ValueError):
+    """The facets of a body point inwards."""
+
+    status = 16
+
+
+class EmptyError(FmcError, ValueError):
+    """There are no cells and no facets."""
+
+    status = 17
+
+
+class NotPositiveError(FmcError, ValueError):
+    """A parameter is not positive and finite, or an exponent not at least 1."""
+
+    status = 18
+
+
+class UnknownOptionError(FmcError, ValueError):
+    """No such option, no such value of an option, or two options that exclude one another."""
+
+    status = 19
+
+
+class StructSizeError(FmcError, RuntimeError):
+    """A struct of another version of the library: package and library do not belong together."""
+
+    status = 20
+
+
+class BadPoseError(FmcError, ValueError):
+    """A position or scale is not finite, a scale not positive, or a rotation not orthonormal with determinant +1."""
+
+    status = 21
+
+
+class ObstacleOutOfRangeError(FmcError, IndexError):
+    """No obstacle of this index."""
+
+    status = 22
+
+
+class IndexOutOfRangeError(FmcError, IndexError):
+    """No such entry in the last evaluation, or no evaluation yet."""
+
+    status = 23
+
+
+class UnsupportedError(FmcError, NotImplementedError):
+    """The estimator or the law cannot do this."""
+
+    status = 24
+
+
+class SignedDistanceError(FmcError, ValueError):
+    """A signed distance is not finite. What a function raises is raised as it is."""
+
+    status = 25
+
+
+class TooManyFibersError(FmcError, ValueError):
+    """The spacing is too small for the bodies."""
+
+    status = 26
+
+
+class ThreadsError(FmcError, RuntimeError):
+    """The threads could not be started."""
+
+    status = 27
+
+
+class BusyError(FmcError, RuntimeError):
+    """The contact is in use: by another thread, or from inside a function that it calls."""
+
+    status = 28
+
+
+class RangeError(FmcError, OverflowError):
+    """A volume, energy or force exceeds the range of a double."""
+
+    status = 29
+
+
+class PanicError(FmcError, RuntimeError):
+    """A defect of the library. The text says what and where."""
+
+    status = 30
+
+
+BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
+"""Exception classes by the number of their status."""
+
+
+def of_status(status: int, text: str) -> FmcError:
+    """The exception for a status; one that this package does not know keeps its number."""
+    error = BY_STATUS.get(status, FmcError)(text)
+    error.status = status
+    return error

@@ -1,0 +1,114 @@
+"""Rigid partners of the mesh: they push and are not moved by it. An obstacle meets every body, but no other obstacle."""
+
+from __future__ import annotations
+
+from ctypes import addressof, byref, c_double, c_size_t
+from typing import Callable, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import coords_view, indices, vector
+from ._handle import Handle
+from ._library import library
+from ._signatures import SIGNED_DISTANCE
+from .pose import Placement, Pose, pose_struct
+
+SignedDistance = Callable[[np.ndarray], Tuple[ArrayLike, ArrayLike]]
+"""From points (n, dim) to distances (n,), negative inside, and their gradients (n, dim), of any length."""
+
+
+def _memory(pointer, *shape: int) -> np.ndarray:
+    """The library's own doubles behind a pointer, valid during the callback only."""
+    return np.frombuffer((c_double * int(np.prod(shape))).from_address(addressof(pointer.contents))).reshape(shape)
+
+
+class Obstacles:
+    """The part of ``Contact`` that deals with obstacles. Every ``add_`` returns the obstacle's index: 0, 1, 2, ...
+
+    ``pose`` is a ``Pose``, a position alone, or ``None`` for the origin. Errors: ``BadPoseError``,
+    ``NotPositiveError`` for a size that is not positive, ``BusyError``.
+    """
+
+    dim: int
+    obstacle_count: int = 0
+    """Number of obstacles."""
+    _handle: Handle
+
+    def _add(self, function, *arguments, pose: Placement) -> int:
+        obstacle = c_size_t()
+        with self._handle:
+            self._handle.call(function, *arguments, byref(pose_struct(pose, self.dim)), byref(obstacle))
+            self.obstacle_count = obstacle.value + 1
+        return obstacle.value
+
+    def add_half_space(self, point: ArrayLike, normal: ArrayLike) -> int:
+        """Adds all points behind the plane (2D: line) through ``point``; ``normal`` points out of the obstacle."""
+        point, normal = vector(point, self.dim, "point"), vector(normal, self.dim, "normal")
+        return self._add(library.fmc_context_add_half_space, pose=Pose.along(point, normal))
+
+    def add_ball(self, radius: float, pose: Placement = None) -> int:
+        """Adds a ball (2D: a disc) about the origin of its frame."""
+        return self._add(library.fmc_context_add_ball, float(radius), pose=pose)
+
+    def add_cuboid(self, half_extents: ArrayLike, pose: Placement = None) -> int:
+        """Adds a box about the origin of its frame; ``half_extents``, (dim,), are halves of its sides."""
+        halves = vector(half_extents, self.dim, "half_extents")
+        return self._add(library.fmc_context_add_cuboid, halves, pose=pose)
+
+    def add_cylinder(self, radius: float, half_height: float, pose: Placement = None) -> int:
+        """Adds a cylinder (2D: a rectangle) about the last axis of its frame, centred."""
+        return self._add(library.fmc_context_add_cylinder, float(radius), float(half_height), pose=pose)
+
+    def add_cone(self, radius: float, half_height: float, pose: Placement = None) -> int:
+        """Adds a cone (2D: a triangle) about the last axis: apex at +half_height, base of ``radius`` at -half_height."""
+        return self._add(library.fmc_context_add_cone, float(radius), float(half_height), pose=pose)
+
+    def add_capsule(self, radius: float, half_height: float, pose: Placement = None) -> int:
+        """Adds a capsule (2D: a stadium): what lies within ``radius`` of the last axis between -+half_height."""
+        return self._add(library.fmc_context_add_capsule, float(radius), float(half_height), pose=pose)
+
+    def add_polytope(self, points: ArrayLike, facets: ArrayLike, pose: Placement = None) -> int:
+        """Adds a closed polygon (2D) or triangle mesh (3D); both arrays are copied.
+
+        ``points`` are the corners, laid out as coordinates; ``facets``, (m, dim), numbers of corners: in 2D the body
+        lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside. Errors: also those of
+        ``Contact.from_facets``.
+        """
+        corners, conn = coords_view(points, self.dim, "points"), indices(facets, "facets", self.dim)
+        wide = conn.dtype == np.int64
+        function = library.fmc_context_add_polytope_i64 if wide else library.fmc_context_add_polytope
+        return self._add(function, byref(corners.struct), conn, len(conn), pose=pose)
+
+    def add_signed_distance(self, function: SignedDistance, pose: Placement = None) -> int:
+        """Adds a body given by its signed distance; only the estimator ``fibers`` can meet it.
+
+        ``function`` takes points (n, dim) in the obstacle's frame and returns ``(phi, grad)``: distances (n,), negative
+        inside and growing no faster than distance does, and gradients (n, dim), which give the outward normal where
+        phi = 0. It is called on the thread that evaluates. What it raises comes out of the evaluation as it is; a value
+        that is not finite raises ``SignedDistanceError``.
+        """
+        dim = self.dim
+
+        def distances(_user, count, x, phi, grad) -> None:
+            distance, gradient = function(_memory(x, count, dim).copy())
+            for name, target, found in (
+                ("phi", _memory(phi, count), distance),
+                ("grad", _memory(grad, count, dim), gradient),
+            ):
+                found = np.asarray(found, np.float64)
+                if found.shape != target.shape:
+                    raise ValueError(f"the signed distance returned {name} of shape {found.shape}, not {target.shape}")
+                target[...] = found
+
+        callback = SIGNED_DISTANCE(self._handle.guarded(distances))
+        obstacle = self._add(library.fmc_context_add_signed_distance, callback, None, pose=pose)
+        self._handle.keep(obstacle, callback)
+        return obstacle
+
+    def set_pose(self, obstacle: int, pose: Placement) -> None:
+        """Moves an obstacle. Errors: ``ObstacleOutOfRangeError``, ``BadPoseError``, ``BusyError``."""
+        if obstacle < 0:
+            raise IndexError(f"no obstacle {obstacle}")
+        with self._handle:
+            self._handle.call(library.fmc_context_set_pose, obstacle, byref(pose_struct(pose, self.dim)))

@@ -1,0 +1,86 @@
+"""Options as keywords. Names, values and defaults are the library's: what is not given stays as it sets it."""
+
+from __future__ import annotations
+
+from ctypes import byref
+from numbers import Integral, Real
+from typing import TypedDict
+
+import numpy as np
+
+from ._library import check, library
+from ._structs import CHOICES, fmc_options
+
+_SWITCHES = ("balance", "self_contact", "check_cells")
+_HIDDEN = ("struct_size", "reserved_flags", "reserved")
+
+
+class Options(TypedDict, total=False):
+    """Keywords of ``contact_force``, ``Contact`` and ``Contact.set_options``, beside ``stiffness``.
+
+    The header, ``include/fmc_contact.h``, says more of each at ``fmc_options``.
+    """
+
+    law: str
+    """``"fiber"``, the default: a pressure that grows with the penetration. ``"volume"``: energy k V^exponent per pair."""
+    exponent: float
+    """m >= 1 of the law ``"volume"``, and only of that; 1."""
+    epsilon: float
+    """Length over which the pressure of the law ``"fiber"`` grows to k; 0: k times the penetration."""
+    estimator: str
+    """``"fibers"``: sampled, for any shape. ``"exact"``: for straight-sided meshes and flat-sided obstacles."""
+    pattern: str
+    """``"lines"``: families of parallel lines. ``"isotropic"``: short segments, as in the paper."""
+    weights: str
+    """``"balance"``: least noise. ``"consistent"``: the force is the gradient of the estimated energy."""
+    spacing: float
+    """Distance between neighbouring lines (length); 0: found from the facets in contact."""
+    fiber_length: float
+    """Length of an isotropic fiber; 0: the mean size of the facets in contact."""
+    fiber_count: int
+    """About so many fibers per pair; 0: found from the facets in contact. Not together with ``spacing``."""
+    seed: int
+    """Another seed is another shift of the same pattern; 0."""
+    balance: bool
+    """Whether the forces are corrected so that their sum and moment vanish; True."""
+    self_contact: bool
+    """Whether the overlap of a body with itself counts; False."""
+    check_cells: bool
+    """Whether every evaluation checks the orientation of every cell; True."""
+    threads: int
+    """Number of threads, at least 1; 1. The result does not depend on it."""
+    index_base: int
+    """Number of the first node, 0 or 1; 0. Node numbers are counted from it, in messages too."""
+
+
+def _text(key: str, value: object) -> str:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (Integral, np.bool_)):
+        return str(int(value))
+    if isinstance(value, Real):
+        return repr(float(value))
+    raise TypeError(f"option '{key}' is a {type(value).__name__}, a number or a name is wanted")
+
+
+def defaults() -> fmc_options:
+    """The library's own defaults."""
+    options = fmc_options()
+    check(library.fmc_options_init(byref(options)))
+    return options
+
+
+def changed(options: fmc_options, changes: dict[str, object]) -> fmc_options:
+    """A copy with some options changed. Raises ``UnknownOptionError`` for a name or a value that is none."""
+    copy = fmc_options.from_buffer_copy(options)
+    for key, value in changes.items():
+        check(library.fmc_options_set(byref(copy), key.encode(), _text(key, value).encode()))
+    return copy
+
+
+def described(options: fmc_options) -> dict[str, object]:
+    """The options as they would be given by keywords."""
+    values = {name: getattr(options, name) for name, *_ in fmc_options._fields_ if name not in _HIDDEN}
+    values.update({key: names[values[key]] for key, names in CHOICES.items()})
+    values.update({key: bool(values[key]) for key in _SWITCHES})
+    return values

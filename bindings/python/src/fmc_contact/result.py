@@ -1,0 +1,144 @@
+"""What an evaluation says. Units follow from the coordinates and the stiffness: with m and Pa, volumes are m^3 (2D: m^2),
+areas m^2 (m), energies J (J/m) and forces N (N/m)."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_char_p, c_int32
+from dataclasses import dataclass
+
+import numpy as np
+
+from ._handle import Handle
+from ._library import library
+from ._structs import PARTNERS, WARNINGS, fmc_pair, fmc_result, fmc_resultant
+
+
+@dataclass(frozen=True, eq=False)
+class Resultant:
+    """Contact force and moment on one body or obstacle."""
+
+    id: int
+    """Id of the body as given, or its number among the connected components; index of the obstacle."""
+    force: np.ndarray
+    """Sum of the forces, (dim,)."""
+    moment: np.ndarray
+    """Moment of the forces about the origin of space, (3,); in 2D only the last entry differs from 0."""
+    node_count: int
+    """Nodes on the body's surface; 0 for an obstacle."""
+
+
+@dataclass(frozen=True, eq=False)
+class Pair:
+    """One overlapping pair; no side is master or slave.
+
+    ``a`` and ``b`` are ``("body", index)`` or ``("obstacle", index)``, for ``Result.bodies`` and ``Result.obstacles``;
+    both are the same for a body that overlaps itself.
+    """
+
+    a: tuple[str, int]
+    b: tuple[str, int]
+    volume: float
+    """Overlap volume (2D: area)."""
+    volume_standard_error: float
+    """Standard error of the volume; 0 for ``exact``."""
+    energy: float
+    pressure: float
+    """Traction dw/dV."""
+    contact_area: float
+    """Area of contact (2D: length)."""
+    penetration: float
+    """Extent of the overlap along its mean normal."""
+    spacing: float
+    """Spacing of the fibers; 0 for ``exact``. Given back as the option ``spacing``, it keeps the pattern."""
+
+
+@dataclass(frozen=True)
+class ContactWarning:
+    """Something to know about a result that is an answer all the same.
+
+    ``kind`` is ``"coarse_fibers"``, ``"unresolved_overlap"`` or ``"swallowed_body"``; ``text`` a sentence.
+    """
+
+    kind: str
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """Contact forces and what belongs to them."""
+
+    forces: np.ndarray
+    """Force on every node, (n, dim), in the order of the nodes; (dim, n) for coordinates in columns. They push bodies
+    apart; nodes that touch nothing have 0. The caller's own array where one was given."""
+    volume: float
+    """Overlap volume (2D: area), summed over the pairs."""
+    volume_standard_error: float
+    """Standard error of the volume; 0 for ``exact``."""
+    energy: float
+    """Contact energy, summed over the pairs."""
+    contact_area: float
+    """Area of contact (2D: length), summed over the pairs."""
+    penetration: float
+    """Largest penetration of any pair."""
+    fiber_count: int
+    """Fibers laid."""
+    crossing_count: int
+    """Crossings that bound an overlap."""
+    facet_count: int
+    """Facets that bound an overlap."""
+    bodies: tuple[Resultant, ...]
+    """Force and moment on every body, ordered by id."""
+    obstacles: tuple[Resultant, ...]
+    """Force and moment on every obstacle."""
+    pairs: tuple[Pair, ...]
+    """Pairs that overlap."""
+    warnings: tuple[ContactWarning, ...]
+    """What to know about this result."""
+
+
+def _resultant(handle: Handle, getter, index: int, dim: int) -> Resultant:
+    found = fmc_resultant()
+    handle.call(getter, index, byref(found))
+    return Resultant(found.id, np.array(found.force[:dim]), np.array(found.moment[:]), found.node_count)
+
+
+def _pair(handle: Handle, index: int) -> Pair:
+    found = fmc_pair()
+    handle.call(library.fmc_context_pair, index, byref(found))
+    return Pair(
+        (PARTNERS[found.a_kind], found.a),
+        (PARTNERS[found.b_kind], found.b),
+        found.volume,
+        found.volume_standard_error,
+        found.energy,
+        found.pressure,
+        found.contact_area,
+        found.penetration,
+        found.spacing,
+    )
+
+
+def _warning(handle: Handle, index: int) -> ContactWarning:
+    kind, text = c_int32(), c_char_p()
+    handle.call(library.fmc_context_warning, index, byref(kind), byref(text))
+    return ContactWarning(WARNINGS.get(kind.value, str(kind.value)), text.value.decode())
+
+
+def gather(handle: Handle, forces: np.ndarray, found: fmc_result, dim: int) -> Result:
+    """The result of the evaluation that has just succeeded, with what the library keeps only until the next one."""
+    body, obstacle = library.fmc_context_body, library.fmc_context_obstacle
+    return Result(
+        forces,
+        found.volume,
+        found.volume_standard_error,
+        found.energy,
+        found.contact_area,
+        found.penetration,
+        found.fiber_count,
+        found.crossing_count,
+        found.facet_count,
+        tuple(_resultant(handle, body, index, dim) for index in range(found.body_count)),
+        tuple(_resultant(handle, obstacle, index, dim) for index in range(found.obstacle_count)),
+        tuple(_pair(handle, index) for index in range(found.pair_count)),
+        tuple(_warning(handle, index) for index in range(found.warning_count)),
+    )

@@ -1,0 +1,172 @@
+"""Obstacles against the overlap that they have with a square or a cube, and the push that follows."""
+
+import numpy as np
+import pytest
+from fmc_contact import Contact, Pose
+from fmc_contact.errors import SignedDistanceError, UnsupportedError
+from scenes import K
+
+SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+CUBE = np.vstack([np.c_[SQUARE, np.zeros(4)], np.c_[SQUARE, np.ones(4)]])
+FINE = {"stiffness": K, "law": "volume", "fiber_count": 20000}
+
+
+def body(dim, **options):
+    if dim == 2:
+        return Contact(SQUARE, [[0, 1, 2, 3]], "quad", **{**FINE, **options})
+    return Contact(CUBE, [list(range(8))], "hexahedron", **{**FINE, **options})
+
+
+def centre(dim, height):
+    """Above or below the middle of the body, at ``height``."""
+    return (0.5,) * (dim - 1) + (height,)
+
+
+def up(dim):
+    return (0.0,) * (dim - 1) + (1.0,)
+
+
+def wedge(dim):
+    """A box 2 wide and 1 high below its origin, as a polytope."""
+    if dim == 2:
+        return np.array([[-1, -1], [1, -1], [1, 0], [-1, 0.0]]), [[0, 1], [1, 2], [2, 3], [3, 0]]
+    low, high = [[-1, -1], [1, -1], [1, 1], [-1, 1]], [0, 1, 2, 3]
+    points = np.array([[*xy, -1.0] for xy in low] + [[*xy, 0.0] for xy in low])
+    sides = [t for a, b in zip(high, high[1:] + [0]) for t in ([a, b, b + 4], [a, b + 4, a + 4])]
+    return points, [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], *sides]
+
+
+def plane(points):
+    return points[:, -1], np.tile(np.eye(points.shape[1])[-1], (len(points), 1))
+
+
+# Every flat obstacle reaches up into the body from below, 0.25 deep and wider than the body.
+FLAT = {
+    "half space": lambda c, d: c.add_half_space(centre(d, 0.25), up(d)),
+    "half space of any normal": lambda c, d: c.add_half_space(centre(d, 0.25), [3 * x for x in up(d)]),
+    "cuboid": lambda c, d: c.add_cuboid((1,) * d, centre(d, -0.75)),
+    "cylinder": lambda c, d: c.add_cylinder(2, 0.5, centre(d, -0.25)),
+    "polytope": lambda c, d: c.add_polytope(*wedge(d), centre(d, 0.25)),
+    "polytope of int32": lambda c, d: c.add_polytope(wedge(d)[0], np.array(wedge(d)[1], np.int32), centre(d, 0.25)),
+    "polytope in columns": lambda c, d: c.add_polytope(wedge(d)[0].T, wedge(d)[1], centre(d, 0.25)),
+    "signed distance": lambda c, d: c.add_signed_distance(plane, centre(d, 0.25)),
+    "scaled cuboid": lambda c, d: c.add_cuboid((0.5,) * d, Pose(centre(d, -0.75), scale=2)),
+    "turned cuboid": lambda c, d: c.add_cuboid((1,) * d, Pose.along(centre(d, -0.75), [-x for x in up(d)])),
+}
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+@pytest.mark.parametrize("name", FLAT)
+def test_flat_obstacles_push_upwards(name, dim):
+    contact = body(dim)
+    assert FLAT[name](contact, dim) == 0 and contact.obstacle_count == 1
+    result = contact.evaluate(SQUARE if dim == 2 else CUBE)
+    assert result.volume == pytest.approx(0.25, rel=0.01)
+    (obstacle,) = result.obstacles
+    assert obstacle.id == 0 and obstacle.node_count == 0
+    assert obstacle.force == pytest.approx([-K * x for x in up(dim)], abs=0.02 * K)
+    assert result.bodies[0].force == pytest.approx(-obstacle.force, abs=1e-9 * K)
+    assert result.pairs[0].a == ("body", 0) and result.pairs[0].b == ("obstacle", 0)
+
+
+# Half of each round obstacle is inside the body: centred on its lower face.
+ROUND = {
+    "ball": (lambda c, d: c.add_ball(0.25, centre(d, 0)), {2: np.pi / 32, 3: np.pi / 96}),
+    "capsule": (
+        lambda c, d: c.add_capsule(0.125, 0.25, centre(d, 0)),
+        {2: 0.0625 + np.pi / 128, 3: np.pi / 256 + np.pi / 768},
+    ),
+    # Apex 0.25 above the face, base 0.25 below it: half its radius where they meet.
+    "cone": (lambda c, d: c.add_cone(0.25, 0.25, centre(d, 0)), {2: 0.125 * 0.25, 3: np.pi * 0.125**2 * 0.25 / 3}),
+}
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+@pytest.mark.parametrize("name", ROUND)
+def test_round_obstacles_overlap_by_their_volume(name, dim):
+    add, volume = ROUND[name]
+    contact = body(dim)
+    add(contact, dim)
+    result = contact.evaluate(SQUARE if dim == 2 else CUBE)
+    assert result.volume == pytest.approx(volume[dim], rel=0.01)
+    assert result.bodies[0].force[-1] > 0
+
+
+def test_an_obstacle_moves_with_its_pose():
+    contact = body(2, estimator="exact")
+    wall = contact.add_half_space((0, -1), (0, 1))
+    assert contact.evaluate(SQUARE).volume == 0
+    contact.set_pose(wall, (0, 0.25))
+    assert contact.evaluate(SQUARE).volume == pytest.approx(0.25)
+    contact.set_pose(wall, Pose.along((0, 0.75), (0, -1)))
+    assert contact.evaluate(SQUARE).volume == pytest.approx(0.25)
+    contact.set_pose(wall, None)
+    assert contact.evaluate(SQUARE).volume == pytest.approx(0)
+
+
+def test_poses_say_where_they_are():
+    pose = Pose.along((1, 2, 3), (0, 1, 0), scale=2)
+    assert pose.rotation @ [0, 0, 1] == pytest.approx([0, 1, 0]) and np.linalg.det(pose.rotation) == pytest.approx(1)
+    assert repr(Pose((1, 2))) == "Pose([1.0, 2.0], [[1.0, 0.0], [0.0, 1.0]], 1.0)"
+    with pytest.raises(ValueError, match="position has shape"):
+        Pose(0.0)
+    with pytest.raises(ValueError, match="rotation has shape"):
+        Pose((0, 0), np.eye(3))
+
+
+def test_what_a_signed_distance_raises_comes_out():
+    class Unexpected(Exception):
+        pass
+
+    def fail(points):
+        raise Unexpected(f"{len(points)} points")
+
+    contact = body(2)
+    contact.add_signed_distance(fail)
+    out = np.full((4, 2), 7.0)
+    with pytest.raises(Unexpected, match="points"):
+        contact.evaluate(SQUARE, out=out)
+    assert np.all(out == 7)
+    # The same contact, the same answer; an error that was raised does not come back.
+    with pytest.raises(Unexpected):
+        contact.evaluate(SQUARE)
+
+
+def test_a_keyboard_interrupt_comes_out():
+    def interrupt(points):
+        raise KeyboardInterrupt
+
+    contact = body(2)
+    contact.add_signed_distance(interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        contact.evaluate(SQUARE)
+
+
+def test_bad_signed_distances_are_refused():
+    for error, text, function in [
+        (SignedDistanceError, "obstacle 0", lambda x: (np.full(len(x), np.nan), x)),
+        (ValueError, r"returned phi of shape \(1,\)", lambda x: (np.zeros(1), x)),
+        (ValueError, "returned grad of shape", lambda x: (np.zeros(len(x)), x[:, :1])),
+        (TypeError, "None", lambda x: None),
+    ]:
+        contact = body(2)
+        contact.add_signed_distance(function)
+        with pytest.raises(error, match=text):
+            contact.evaluate(SQUARE)
+    contact = body(2, estimator="exact")
+    contact.add_signed_distance(plane)
+    with pytest.raises(UnsupportedError):
+        contact.evaluate(SQUARE)
+
+
+def test_points_of_a_signed_distance_may_be_kept():
+    kept = []
+
+    def remember(points):
+        kept.append(points)
+        return plane(points)
+
+    contact = body(2)
+    contact.add_signed_distance(remember, (0, 0.25))
+    contact.evaluate(SQUARE)
+    assert kept and all(points.flags.owndata and np.isfinite(points).all() for points in kept)

@@ -1,0 +1,41 @@
+"""The programs of the README run as they stand there."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+README = (Path(__file__).parents[1] / "README.md").read_text()
+SHELL = re.findall(r"```sh\n(.*?)```", README, flags=re.S)
+PROGRAMS = re.findall(r"```python\n(.*?)```", README, flags=re.S)
+
+
+def printed(program):
+    return subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True).stdout
+
+
+def test_first_force_in_ten_lines():
+    lines = [line for line in (SHELL[0] + PROGRAMS[0]).splitlines() if line]
+    assert lines[0].startswith("pip install") and len(lines) <= 10
+    output = printed(PROGRAMS[0])
+    numbers = [float(number) for number in re.findall(r"-?\d+\.?\d*(?:e[-+]\d+)?", output)]
+    # Eight nodes, the overlap, the force on the second square: k 0.1 over the height 0.8. Lines are near 1 %.
+    assert len(numbers) == 19
+    assert sum(numbers[0:8:2]) == pytest.approx(-80, rel=0.02) and sum(numbers[8:16:2]) == pytest.approx(80, rel=0.02)
+    assert numbers[16] == pytest.approx(0.08, rel=0.02) and numbers[17] == pytest.approx(80, rel=0.02)
+
+
+def test_a_step_of_a_solver():
+    energy, *_ = printed(PROGRAMS[1]).split()
+    # k / 2 L^2 over the length 1, with L = 0.1.
+    assert float(energy) == pytest.approx(5.0)
+
+
+def test_the_docstrings_run():
+    import doctest
+
+    from fmc_contact import stateless
+
+    assert doctest.testmod(stateless) == doctest.TestResults(failed=0, attempted=4)

@@ -1,0 +1,117 @@
+"""The tangent against differences of the forces, in its three forms."""
+
+import sys
+
+import numpy as np
+import pytest
+from ctypes import c_size_t
+from fmc_contact import Contact
+from fmc_contact._library import check, library
+from scenes import K
+
+sparse = pytest.importorskip("scipy.sparse")
+
+
+def turned(coords, degrees):
+    angle = np.radians(degrees)
+    rotation = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    return coords @ rotation.T
+
+
+def differences(contact, coords, h):
+    """Minus the derivative of the forces, by central differences."""
+    size = coords.size
+    columns = np.empty((size, size))
+    for dof in range(size):
+        step = np.zeros(size)
+        step[dof] = h
+        ahead, back = (contact.evaluate(coords + sign * step.reshape(coords.shape)).forces for sign in (1, -1))
+        columns[:, dof] = (back - ahead).ravel() / (2 * h)
+    return columns
+
+
+@pytest.mark.parametrize(("law", "estimator"), [("fiber", "exact"), ("volume", "exact")])
+def test_tangent_is_minus_the_derivative_of_the_forces(squares, law, estimator):
+    coords, conn = squares
+    coords = turned(coords, 20) + 0.01 * np.random.default_rng(3).standard_normal(coords.shape)
+    exponent = {"exponent": 2} if law == "volume" else {}
+    contact = Contact(coords, conn, "quad", stiffness=K, law=law, estimator=estimator, balance=False, **exponent)
+    assert contact.keep_patches(coords) == (1 if law == "fiber" else 0)
+    tangent = contact.tangent(coords)
+    assert sparse.issparse(tangent) and tangent.format == "csr" and tangent.shape == (16, 16)
+    dense = tangent.toarray()
+    scale = np.abs(dense).max()
+    assert np.abs(dense - dense.T).max() < 1e-12 * scale
+    # Truncation h^2 over the square of the overlap's size, 0.1; roundoff of the force over h: both about 1e-9.
+    assert np.abs(dense - differences(contact, coords, 1e-5)).max() < 1e-6 * scale
+
+
+@pytest.mark.parametrize("law", ["fiber", "volume"])
+def test_the_forms_of_the_tangent_agree(squares, law):
+    coords, conn = squares
+    exponent = {"exponent": 2} if law == "volume" else {}
+    contact = Contact(coords, conn, "quad", stiffness=K, law=law, estimator="exact", **exponent)
+    contact.add_half_space((0, 0.05), (0, 1))
+    for obstacles, size in ((False, 16), (True, 18)):
+        parts = contact.tangent_parts(coords, obstacles=obstacles)
+        assert parts.size == size and (len(parts.rank_one) > 0) == (law == "volume")
+        dense = contact.tangent(coords, obstacles=obstacles).toarray()
+        x = np.random.default_rng(4).standard_normal(size)
+        y = np.empty(size)
+        check(library.fmc_context_tangent_product(contact._handle.pointer, x, y, c_size_t(size)))
+        tolerance = 1e-12 * np.abs(dense).max()
+        assert parts @ x == pytest.approx(dense @ x, abs=tolerance)
+        assert parts.operator() @ x == pytest.approx(dense @ x, abs=tolerance)
+        assert y == pytest.approx(dense @ x, abs=tolerance)
+    # An overlap does not change when everything moves, the obstacle too; lines of the law "fiber" stay where they are.
+    if law == "volume":
+        assert dense @ np.tile([1.0, 2.0], 9) == pytest.approx(np.zeros(18), abs=1e-9 * np.abs(dense).max())
+
+
+def test_the_semidefinite_part_has_no_negative_eigenvalue(squares):
+    coords, conn = squares
+    coords = turned(coords, 20)
+    contact = Contact(coords, conn, "quad", stiffness=K, law="fiber", estimator="exact")
+    values = np.linalg.eigvalsh(contact.tangent(coords, semidefinite=True).toarray())
+    assert values.min() > -1e-10 * values.max() and values.max() > 0
+
+
+def test_without_scipy_the_tangent_comes_as_triplets(squares, monkeypatch):
+    coords, conn = squares
+    contact = Contact(coords, conn, "quad", stiffness=K, law="volume", exponent=2, estimator="exact")
+    expected = contact.tangent(coords).toarray()
+    monkeypatch.setitem(sys.modules, "scipy.sparse", None)
+    rows, cols, values = contact.tangent(coords)
+    dense = np.zeros((16, 16))
+    np.add.at(dense, (rows, cols), values)
+    assert dense == pytest.approx(expected, abs=1e-12 * np.abs(expected).max())
+
+
+def test_newton_reaches_the_equilibrium_of_hosts_c_newton():
+    # A rigid square on a spring sinks onto another; see hosts/c/newton.c for the drawing and the closed form.
+    start = np.array([[0, 0], [2, 0], [2, 1], [0, 1], [0.5, 1.1], [1.5, 1.1], [1.5, 2], [0.5, 2]])
+    contact = Contact(start, [[0, 1, 2, 3], [4, 5, 6, 7]], "quad", stiffness=K, law="fiber", estimator="exact")
+    motion = np.zeros(16)
+    motion[9::2] = -1
+    u = 0.12
+    contact.keep_patches(start + u * motion.reshape(8, 2))
+    for iteration in range(3):
+        coords = start + u * motion.reshape(8, 2)
+        residual = 0.8 - u + contact.evaluate(coords).forces.ravel() @ motion
+        if abs(residual) < 1e-10:
+            break
+        u += residual / (1 + motion @ (contact.tangent(coords) @ motion))
+    assert u == pytest.approx(100.8 / 1001, abs=1e-9) and iteration < 3
+    contact.release_patches()
+
+
+def test_patches_are_kept_and_released(squares):
+    coords, conn = squares
+    contact = Contact(coords, conn, "quad", stiffness=K, law="fiber", estimator="exact")
+    free = contact.evaluate(turned(coords, 5)).forces
+    assert contact.keep_patches(coords) == 1
+    kept = contact.evaluate(turned(coords, 5)).forces
+    # The direction no longer turns with the squares.
+    assert np.abs(kept - free).max() > 1e-6 * K
+    contact.release_patches()
+    assert np.array_equal(contact.evaluate(turned(coords, 5)).forces, free)
