@@ -8,6 +8,9 @@
 //! OUT/animation.gif    the deformed bodies coloured by von Mises stress (2D, where the case asks for it)
 //! OUT/summary.json     figures and checks
 //! OUT/checkpoint.*     of a run that was interrupted, or still runs
+//! OUT/iterations.csv   every iteration of an equilibrium
+//! OUT/equilibrium.vtu  its fields
+//! OUT/pressure.*       pressure on the contact surface, beside the closed form: CSV, PNG and SVG
 //! ```
 //!
 //! Everything but the seconds follows from the case: a run that was interrupted and resumed leaves the same files as one
@@ -15,16 +18,21 @@
 
 mod animation;
 mod canvas;
+mod equilibrium;
 mod fields;
 mod figures;
 mod frames;
+mod hertz;
 mod history;
 mod palette;
+mod patch;
 mod plots;
 mod runner;
 mod summary;
 
+pub use equilibrium::solve;
 pub use figures::{Figure, Motion};
+pub use hertz::HertzLine;
 pub use history::History;
 pub use runner::{Ending, Progress, RunOptions, run};
 pub use summary::{Check, Reference, Summary};

@@ -16,6 +16,9 @@ pub struct Body {
     /// Velocity of every node at the start, `[D]`, in m/s; zero if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_velocity: Option<Vec<f64>>,
+    /// Lean of the inner lines of a block, by its width; see `Mesh::skewed`.
+    #[serde(default)]
+    pub skew: f64,
     /// Turn about the origin before `position` is added, in degrees: counter-clockwise in 2D; about z in 3D.
     #[serde(default)]
     pub rotation: f64,
@@ -110,6 +113,19 @@ pub enum MeshSource {
         /// Edges on the circle.
         edges: usize,
     },
+    /// Lower half of a disc with its tip at the origin, fine there; `tri3`.
+    GradedHalfDisc {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Radius.
+        radius: f64,
+        /// Size of the cells at the tip.
+        finest: f64,
+        /// Distance from the tip up to which they are that fine.
+        fine_to: f64,
+        /// What the size of the cells grows by per length beyond.
+        growth: f64,
+    },
     /// Box with faces across the axes; `tet4` or `hex8`.
     Cuboid {
         /// Kind of cell.
@@ -149,6 +165,7 @@ impl MeshSource {
             MeshSource::Rectangle { .. }
             | MeshSource::Quadrilateral { .. }
             | MeshSource::Star { .. }
+            | MeshSource::GradedHalfDisc { .. }
             | MeshSource::Disc { .. } => Some(2),
             MeshSource::Cuboid { .. } | MeshSource::Ball { .. } => Some(3),
             MeshSource::File { .. } => None,

@@ -1,6 +1,6 @@
 //! What a case must fulfil beyond the types of its values.
 
-use super::{Case, Key, Load, Obstacle, Place, Support};
+use super::{Case, Key, LawName, Load, Obstacle, Place, Support};
 
 mod mesh;
 
@@ -72,6 +72,9 @@ impl Check<'_> {
             let poisson = body.material.poisson;
             if !(poisson > -1.0 && poisson < 0.5) {
                 self.flaw(&material.then("poisson"), format!("it must be above −1 and below 0.5, not {poisson}"));
+            }
+            if body.skew.is_nan() || body.skew.abs() >= 0.5 {
+                self.flaw(&key.then("skew"), format!("it must be above −0.5 and below 0.5, not {}", body.skew));
             }
             self.vector(&key.then("initial_velocity"), body.initial_velocity.as_ref());
             self.vector(&key.then("position"), body.position.as_ref());
@@ -159,6 +162,10 @@ impl Check<'_> {
         if !(contact.exponent.is_finite() && contact.exponent >= 1.0) {
             self.flaw(&key.then("exponent"), format!("it must be at least 1, not {}", contact.exponent));
         }
+        self.maybe_positive(&key.then("epsilon"), contact.epsilon);
+        if (contact.law == LawName::FiberLinear) != contact.epsilon.is_some() {
+            self.flaw(&key.then("epsilon"), "it belongs to the law \"fiber-linear\", and to it alone".into());
+        }
         self.maybe_positive(&key.then("spacing"), contact.spacing);
         self.maybe_positive(&key.then("fiber_length"), contact.fiber_length);
         if contact.fibers == Some(0) {
@@ -171,6 +178,21 @@ impl Check<'_> {
 
     fn time(&mut self) {
         let (key, time) = (Key::parse("time"), &self.case.time);
+        if let Some(steps) = &self.case.load_steps {
+            let key = Key::parse("load_steps");
+            self.positive(&key.then("tolerance"), steps.tolerance);
+            self.maybe_positive(&key.then("penetration"), steps.penetration);
+            if steps.count == 0 {
+                self.flaw(&key.then("count"), "it must be at least 1".into());
+            }
+            if !time.is_absent() {
+                self.flaw(&key, "a case has load steps or time, not both".into());
+            }
+            return;
+        }
+        if time.is_absent() {
+            return self.flaw(&key, "it is missing; a case has [time] or [load_steps]".into());
+        }
         self.positive(&key.then("end"), time.end);
         self.maybe_positive(&key.then("step"), time.step);
         self.maybe_positive(&key.then("damping"), time.damping);
@@ -194,7 +216,14 @@ impl Check<'_> {
     fn figures(&mut self) {
         let figures = &self.case.figures;
         self.body_name(&Key::parse("figures.body"), &figures.body);
-        if let Some(index) = self.case.body(&figures.body) {
+        if figures.kind.is_static() != self.case.load_steps.is_some() {
+            let message =
+                "these figures are taken from an equilibrium, with [load_steps], if they are \"patch\" or \"hertz\"";
+            self.flaw(&Key::parse("figures.kind"), message.into());
+        }
+        if !figures.kind.is_static()
+            && let Some(index) = self.case.body(&figures.body)
+        {
             let still = |v: &Vec<f64>| v.iter().all(|&v| v == 0.0);
             if self.case.bodies[index].initial_velocity.as_ref().is_none_or(still) {
                 self.flaw(&Key::parse("figures.body"), format!("'{}' must move at the start", figures.body));

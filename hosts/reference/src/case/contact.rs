@@ -1,6 +1,6 @@
 //! Energy law and estimator of a case.
 
-use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, LineWeights, Options, Resolution};
+use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
 use serde::{Deserialize, Serialize};
 
 /// `[contact]`
@@ -13,6 +13,9 @@ pub struct Contact {
     pub law: LawName,
     /// Stiffness k: for `volume` energy / volumeᵐ (Pa for m = 1), for `fiber` pressure / penetration (Pa/m).
     pub stiffness: f64,
+    /// Length over which the pressure of `fiber-linear` grows to k, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub epsilon: Option<f64>,
     /// Exponent m of `volume`, at least 1.
     #[serde(default = "one")]
     pub exponent: f64,
@@ -59,6 +62,8 @@ pub enum LawName {
     Volume,
     /// Energy fiber by fiber, ψ = ½ k L²: the pressure is k times the penetration.
     Fiber,
+    /// The same with ψ = k(√(L² + ε²) − ε): the pressure is k wherever there is overlap, for ε to 0; k in Pa.
+    FiberLinear,
 }
 
 /// Names of estimators.
@@ -108,6 +113,10 @@ impl Contact {
         let law = match self.law {
             LawName::Volume => EnergyLaw::Volume { k: self.stiffness, m: self.exponent },
             LawName::Fiber => EnergyLaw::fiber(self.stiffness),
+            LawName::FiberLinear => {
+                let profile = FiberProfile::Linear { epsilon: self.epsilon.unwrap_or(0.0) };
+                EnergyLaw::Fiber { k: self.stiffness, profile }
+            }
         };
         let estimator = match self.estimator {
             EstimatorName::Exact => Estimator::Exact,

@@ -1,6 +1,6 @@
 //! What a case file says.
 
-use super::{Body, Contact, Expected, Load, Obstacle, Support, Time};
+use super::{Body, Contact, Expected, Load, LoadSteps, Obstacle, Support, Time};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -27,8 +27,12 @@ pub struct Case {
     pub obstacles: Vec<Obstacle>,
     /// Energy law and estimator.
     pub contact: Contact,
-    /// Step and duration.
+    /// Step and duration of a motion.
+    #[serde(default, skip_serializing_if = "Time::is_absent")]
     pub time: Time,
+    /// Steps to an equilibrium, instead.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_steps: Option<LoadSteps>,
     /// What is written beside the history.
     #[serde(default)]
     pub output: Output,
@@ -70,6 +74,10 @@ pub enum FigureKind {
     Wall,
     /// A body that hits another one: impulse, contact time, rebound, energy, balance.
     Impact,
+    /// Blocks under uniform pressure: largest error of the stress.
+    Patch,
+    /// A half-disc on a rigid plane: force, pressure and half width against Hertz.
+    Hertz,
 }
 
 /// `[variants.NAME]`
@@ -83,6 +91,11 @@ pub struct Variant {
 }
 
 impl FigureKind {
+    /// Whether they are taken from an equilibrium, not from a motion.
+    pub fn is_static(self) -> bool {
+        matches!(self, FigureKind::Patch | FigureKind::Hertz)
+    }
+
     /// Keys of the figures, in the order of the report.
     pub fn keys(self) -> &'static [&'static str] {
         match self {
@@ -99,6 +112,8 @@ impl FigureKind {
                 "force_peak",
                 "balance_max",
             ],
+            FigureKind::Patch => &["stress_error_max", "penetration_max"],
+            FigureKind::Hertz => &["force", "half_width", "peak_pressure", "profile_error", "penetration_max"],
         }
     }
 }

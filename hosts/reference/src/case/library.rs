@@ -1,10 +1,13 @@
 //! The cases that are part of the program.
 
 /// Name and text of every case in `cases/`.
-pub const CASES: [(&str, &str); 5] = [
+pub const CASES: [(&str, &str); 8] = [
     ("bar", include_str!("../../../../cases/bar.toml")),
     ("bar3d", include_str!("../../../../cases/bar3d.toml")),
     ("blocks3d", include_str!("../../../../cases/blocks3d.toml")),
     ("diamond", include_str!("../../../../cases/diamond.toml")),
+    ("hertz", include_str!("../../../../cases/hertz.toml")),
+    ("patch2d", include_str!("../../../../cases/patch2d.toml")),
+    ("patch3d", include_str!("../../../../cases/patch3d.toml")),
     ("star", include_str!("../../../../cases/star.toml")),
 ];

@@ -1,15 +1,16 @@
 //! From a case to the bodies, supports and loads of a model.
 
 use super::body::{Body, CellKind, MaterialLaw, MeshSource};
-use super::{Case, Place};
+use super::{Case, Obstacle, Place};
 use crate::dynamics::{Setup, Step};
 use crate::fem::{self, Constraints, Face, Model, Part};
 use crate::mesh;
+use crate::statics::Problem;
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use fmc_contact::CellType;
 use fmc_shapes::{
-    Diagonals, Mesh, ball_tet4, cuboid_hex8, cuboid_tet4, disc_quad4, disc_tri3, quadrilateral_quad4, rectangle_quad4,
-    rectangle_tri3, star_quad4, star_tri3,
+    Diagonals, Mesh, ball_tet4, cuboid_hex8, cuboid_tet4, disc_quad4, disc_tri3, graded_half_disc_tri3,
+    quadrilateral_quad4, rectangle_quad4, rectangle_tri3, star_quad4, star_tri3,
 };
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -35,12 +36,8 @@ impl Case {
         for (part, body) in self.bodies.iter().enumerate() {
             velocity[model.nodes_of(part)].fill(vector(body.initial_velocity.as_ref())?);
         }
-        let obstacles = self
-            .obstacles
-            .iter()
-            .map(|obstacle| obstacle.build().with_context(|| format!("obstacle '{}' lacks a measure", obstacle.name)));
         Ok(Setup {
-            obstacles: obstacles.collect::<Result<_>>()?,
+            obstacles: self.partners()?,
             supports,
             load,
             velocity,
@@ -50,6 +47,26 @@ impl Case {
             new_fibers_every_step: self.contact.new_fibers_every_step,
             ..Setup::new(model, self.contact.options(threads))
         })
+    }
+
+    /// The case as a problem of statics, on `threads` threads.
+    ///
+    /// # Errors
+    /// Those of [`Self::parts`], of the model, and supports or loads that meet no node or face.
+    pub fn problem<const D: usize>(&self, folder: &Path, threads: usize) -> Result<Problem<D>> {
+        let model = Model::new(self.parts(folder)?)?.with_threads(threads)?;
+        let (supports, load) = (self.constraints(&model)?, self.load(&model)?);
+        Ok(Problem {
+            supports,
+            load,
+            obstacles: self.partners()?,
+            ..Problem::new(model, self.contact.options(threads))
+        })
+    }
+
+    fn partners<const D: usize>(&self) -> Result<Vec<fmc_contact::Obstacle<D>>> {
+        let build = |o: &Obstacle| o.build().with_context(|| format!("obstacle '{}' lacks a measure", o.name));
+        self.obstacles.iter().map(build).collect()
     }
 
     fn constraints<const D: usize>(&self, model: &Model<D>) -> Result<Constraints<D>> {
@@ -98,6 +115,7 @@ impl Body {
     fn part<const D: usize>(&self, folder: &Path) -> Result<Part<D>> {
         let (cell_type, mesh) =
             self.mesh.generate::<D>(folder).with_context(|| format!("the mesh of body '{}'", self.name))?;
+        let mesh = if self.skew == 0.0 { mesh } else { mesh.skewed(self.skew) };
         let (sine, cosine) = self.rotation.to_radians().sin_cos();
         let offset: [f64; D] = vector(self.position.as_ref())?;
         let place = |x: [f64; D]| -> [f64; D] {
@@ -141,6 +159,9 @@ impl MeshSource {
             }
             &MeshSource::Disc { cell: Quad4, radius, edges } => Made::Flat(disc_quad4(radius, edges)),
             &MeshSource::Disc { cell: Tri3, radius, edges } => Made::Flat(disc_tri3(radius, edges)),
+            &MeshSource::GradedHalfDisc { cell: Tri3, radius, finest, fine_to, growth } => {
+                Made::Flat(graded_half_disc_tri3(radius, finest, fine_to, growth))
+            }
             &MeshSource::Cuboid { cell: Hex8, min, max, cells } => Made::Solid(cuboid_hex8(min, max, cells)),
             &MeshSource::Cuboid { cell: Tet4, min, max, cells } => Made::Solid(cuboid_tet4(min, max, cells)),
             &MeshSource::Ball { cell: Tet4, radius, level, layers } => Made::Solid(ball_tet4(radius, level, layers)),

@@ -26,7 +26,18 @@ fn one() -> u32 {
     1
 }
 
+impl Default for Time {
+    fn default() -> Self {
+        Self { step: None, fraction: None, end: 0.0, contact_substeps: one(), damping: None }
+    }
+}
+
 impl Time {
+    /// Whether the case does not speak of time.
+    pub fn is_absent(&self) -> bool {
+        *self == Self::default()
+    }
+
     /// Steps of the given length that reach the end; what rounding adds to a whole number makes no step.
     pub fn steps(&self, step: f64) -> u64 {
         (self.end / step - 1e-6).ceil().max(1.0) as u64

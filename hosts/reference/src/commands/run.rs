@@ -5,6 +5,7 @@ use anyhow::{Context, Result, bail};
 use clap::{ValueEnum, value_parser};
 use fmc_reference::case::Document;
 use fmc_reference::run::{self, Ending, Progress, RunOptions, Summary};
+use fmc_reference::statics::Iteration;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::Write;
 use std::ops::ControlFlow;
@@ -191,6 +192,19 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
     let bar = if args.quiet { ProgressBar::hidden() } else { ProgressBar::new(1) };
     bar.set_style(ProgressStyle::with_template("{bar:24} {pos}/{len} {msg}")?);
     let dimension = case.dimension;
+    if case.load_steps.is_some() {
+        let mut watch = |iteration: &Iteration| {
+            if !args.quiet && !args.json {
+                eprintln!("{iteration}");
+            }
+            if stop.load(Ordering::SeqCst) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let ending = match dimension {
+            2 => run::solve::<2>(document, &case, &options, &mut watch),
+            _ => run::solve::<3>(document, &case, &options, &mut watch),
+        };
+        return report(args, &case.title, &out, ending.with_context(|| name)?);
+    }
     let mut watch = |progress: &Progress| {
         bar.set_length(progress.step_count);
         bar.set_position(progress.step);
@@ -205,7 +219,12 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
         _ => run::run::<3>(document, &case, &options, &mut watch),
     };
     bar.finish_and_clear();
-    match ending.with_context(|| name)? {
+    report(args, &case.title, &out, ending.with_context(|| name)?)
+}
+
+/// Says how a run ended.
+fn report(args: &RunArgs, title: &str, out: &std::path::Path, ending: Ending) -> Result<Outcome> {
+    match ending {
         Ending::Interrupted { step, time } => {
             if !args.quiet {
                 eprintln!(
@@ -217,7 +236,7 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
             Ok(Outcome::Interrupted)
         }
         Ending::Finished(summary) => {
-            print(args, &case.title, &out, &summary)?;
+            print(args, title, out, &summary)?;
             Ok(Outcome::Finished(summary))
         }
     }

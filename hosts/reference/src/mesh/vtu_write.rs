@@ -72,6 +72,11 @@ impl VtuWriter {
         data_array(&mut self.point_data, "Float64", name, 3, &float_bytes(vectors));
     }
 
+    /// Numbers of all points, `N` each.
+    pub fn point_floats<const N: usize>(&mut self, name: &str, values: &[[f64; N]]) {
+        data_array(&mut self.point_data, "Float64", name, N, &float_bytes(values));
+    }
+
     /// `N` numbers for every cell; six are read as a symmetric tensor xx, yy, zz, xy, yz, xz.
     pub fn cell_floats<const N: usize>(&mut self, name: &str, values: &[[f64; N]]) {
         data_array(&mut self.cell_data, "Float64", name, N, &float_bytes(values));

@@ -24,10 +24,15 @@ pub struct Summary {
     pub variant: Option<String>,
     /// What the user changed.
     pub changes: Vec<String>,
-    /// Time step, s.
+    /// Time step, s; 0 for an equilibrium.
+    #[serde(skip_serializing_if = "is_zero")]
     pub step: f64,
     /// Largest stable step at the start, s.
+    #[serde(skip_serializing_if = "is_zero")]
     pub step_limit: f64,
+    /// Residual by the forces before every iteration, of an equilibrium.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub residuals: Vec<f64>,
     /// Evaluations of the contact in a step.
     pub contact_substeps: u32,
     /// Figures by key.
@@ -37,13 +42,13 @@ pub struct Summary {
     pub checks: Vec<Check>,
     /// Numbers to be read beside a figure.
     pub references: Vec<Reference>,
-    /// Steps made.
+    /// Steps made; for an equilibrium linear systems solved.
     pub iterations: u64,
-    /// Seconds that the steps took.
+    /// Seconds that they took.
     pub seconds: f64,
     /// Seconds of these in contact.
     pub contact_seconds: f64,
-    /// Most crossings of one step.
+    /// Most crossings of one evaluation.
     pub crossings: usize,
     /// What the contact had to say, each sentence once.
     pub warnings: Vec<String>,
@@ -87,6 +92,10 @@ pub(super) struct Costs {
     pub(super) warnings: Vec<String>,
 }
 
+fn is_zero(x: &f64) -> bool {
+    *x == 0.0
+}
+
 fn by_name<S: Serializer>(figures: &[Figure], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(figures.iter().map(|figure| (figure.name, figure.value)))
 }
@@ -126,6 +135,7 @@ impl Summary {
             changes: changes.collect(),
             step,
             step_limit,
+            residuals: Vec::new(),
             contact_substeps: case.time.contact_substeps,
             figures,
             checks,
@@ -216,6 +226,7 @@ impl Summary {
             LawName::Volume if *exponent == 1.0 => "w = k V".to_owned(),
             LawName::Volume => format!("w = k V^{exponent}"),
             LawName::Fiber => "pressure = k × penetration".to_owned(),
+            LawName::FiberLinear => "w = Σ ω k (√(L² + ε²) − ε)".to_owned(),
         };
         let variant = variant.as_ref().map_or(String::new(), |name| format!("; variant {name}"));
         let times = if *contact_substeps == 1 { String::new() } else { format!(", {contact_substeps} times a step") };
@@ -226,6 +237,12 @@ impl Summary {
     pub fn costs(&self) -> String {
         let Self { iterations, seconds, contact_seconds, crossings, step, step_limit, .. } = self;
         let (rate, part) = (*iterations as f64 / seconds, 100.0 * contact_seconds / seconds);
+        if let Some(residual) = self.residuals.last() {
+            return format!(
+                "{iterations} iterations in {seconds:.2} s, contact {part:.0} %; residual {residual:.1e}; {crossings} \
+                 crossings"
+            );
+        }
         format!(
             "{iterations} steps of {step:.4e} s (stable: {step_limit:.4e} s) in {seconds:.2} s: {rate:.0} steps/s, contact \
              {part:.0} %; at most {crossings} crossings a step"

@@ -18,8 +18,7 @@ impl<const D: usize> Equilibrium<D> {
         if motions.is_empty() {
             return Ok(start);
         }
-        self.contact.release_patches();
-        if self.unsupported(&start)?.is_none() {
+        if self.is_supported(&start)? {
             return Ok(start);
         }
         let mut u = start;
@@ -36,6 +35,12 @@ impl<const D: usize> Equilibrium<D> {
         }
         self.keep_patches(&u)?;
         self.unsupported(&u)?.map_or(Ok(u), Err)
+    }
+
+    /// Whether supports and contact, where it is now, hold all bodies.
+    pub(super) fn is_supported(&mut self, u: &[[f64; D]]) -> Result<bool, StaticsError> {
+        self.contact.release_patches();
+        Ok(self.unsupported(u)?.is_none())
     }
 
     /// Derivative of the energy along every motion; what deforms the bodies does no work on them.

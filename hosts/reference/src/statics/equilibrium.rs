@@ -135,14 +135,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Largest side of the box around all bodies.
     pub fn size(&self) -> f64 {
-        let coords = self.problem.model.coords();
-        (0..D)
-            .map(|axis| {
-                let along = coords.iter().map(|x| x[axis]);
-                let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-                high - low
-            })
-            .fold(0.0, f64::max)
+        size(self.problem.model.coords())
     }
 
     pub(super) fn placed(&self, displacement: &[[f64; D]]) -> Vec<[f64; D]> {
@@ -194,4 +187,14 @@ impl<const D: usize> Equilibrium<D> {
     pub(super) fn accept(&mut self, displacement: Vec<[f64; D]>, balance: Balance<D>, load: f64) {
         (self.displacement, self.balance, self.load) = (displacement, balance, load);
     }
+}
+
+/// Largest side of the box around some points.
+pub(super) fn size<const D: usize>(coords: &[[f64; D]]) -> f64 {
+    let extent = |axis: usize| {
+        let along = coords.iter().map(|x| x[axis]);
+        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        high - low
+    };
+    (0..D).map(extent).fold(0.0, f64::max)
 }

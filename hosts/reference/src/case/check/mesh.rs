@@ -56,6 +56,16 @@ impl Check<'_> {
                     self.flaw(&key.then("edges"), "it must be at least 3, and a multiple of 4 for quad4".into());
                 }
             }
+            MeshSource::GradedHalfDisc { cell, radius, finest, fine_to, growth } => {
+                cell_is(cell, &[CellKind::Tri3]);
+                let lengths = [("radius", radius), ("finest", finest), ("fine_to", fine_to), ("growth", growth)];
+                lengths.into_iter().for_each(|(name, length)| self.positive(&key.then(name), length));
+                for (name, length) in [("finest", finest), ("fine_to", fine_to)] {
+                    if length >= radius {
+                        self.flaw(&key.then(name), format!("it must be less than the radius, not {length}"));
+                    }
+                }
+            }
             MeshSource::Ball { cell, radius, layers, .. } => {
                 cell_is(cell, &[CellKind::Tet4]);
                 self.positive(&key.then("radius"), radius);

@@ -1,0 +1,25 @@
+//! Load steps of a case of statics.
+
+use serde::{Deserialize, Serialize};
+
+/// `[load_steps]`, in the place of `[time]`: the case is about equilibrium, and loads and prescribed displacements grow
+/// together from nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct LoadSteps {
+    /// Equal steps that are tried; one that fails is halved.
+    pub count: usize,
+    /// Residual by the forces at which a state counts as balanced.
+    pub tolerance: f64,
+    /// Iterations of one step, at most.
+    pub most_iterations: usize,
+    /// For the law `fiber`: penetration that multipliers are to reach, m; none if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub penetration: Option<f64>,
+}
+
+impl Default for LoadSteps {
+    fn default() -> Self {
+        Self { count: 1, tolerance: 1e-10, most_iterations: 60, penetration: None }
+    }
+}
