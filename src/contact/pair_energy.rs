@@ -47,7 +47,7 @@ impl<const D: usize> PairEnergy<D> {
         let slope = |length: f64| law.energy_gradient(length);
         let mut gradient = spans.gradient(pair, slope);
         if balanced {
-            balance(&gradient.nodes, &gradient.of_b, &mut gradient.values, &mut gradient.pose, coords);
+            balance(&gradient.nodes, &gradient.of_b, &mut gradient.values, &mut gradient.pose, coords, 0.0);
         }
         let across = spans.sum(|_| 1.0);
         Self {

@@ -14,6 +14,7 @@ impl<const D: usize> Aabb<D> {
         Self { min: Vector::repeat(f64::INFINITY), max: Vector::repeat(f64::NEG_INFINITY) }
     }
 
+    #[inline]
     pub(crate) fn of<'a>(points: impl IntoIterator<Item = &'a Vector<D>>) -> Self {
         let mut aabb = Self::empty();
         for x in points {
@@ -36,7 +37,8 @@ impl<const D: usize> Aabb<D> {
     }
 
     pub(crate) fn meets(&self, other: &Self) -> bool {
-        (0..D).all(|i| self.min[i] <= other.max[i] && other.min[i] <= self.max[i])
+        // Without branches: which axis tells cannot be foretold, and boxes are compared by the thousand.
+        (0..D).fold(true, |meets, i| meets & (self.min[i] <= other.max[i]) & (other.min[i] <= self.max[i]))
     }
 
     pub(crate) fn contains(&self, other: &Self) -> bool {

@@ -78,9 +78,10 @@ impl Cells {
         &self.conn[self.offsets[cell]..self.offsets[cell + 1]]
     }
 
-    /// The cell of the same body behind a face.
-    pub(crate) fn neighbour(&self, cell: usize, face: usize) -> Option<u32> {
-        Some(self.neighbours[self.offsets[cell] + face]).filter(|&other| other != NO_CELL)
+    /// Cells of the same body behind the faces of a cell.
+    pub(crate) fn neighbours(&self, cell: usize) -> impl Iterator<Item = &u32> {
+        let all = &self.neighbours[self.offsets[cell]..self.offsets[cell + 1]];
+        all.iter().filter(|&&other| other != NO_CELL)
     }
 
     /// For every block as given: its type, its cells and their nodes one after the other.

@@ -1,11 +1,13 @@
 //! A tree of boxes.
 
+use super::Vector;
 use super::aabb::Aabb;
 
 /// Largest number of items in a leaf. Between 2 and 8 the queries take the same time; above, boxes become loose.
-const LEAF: usize = 4;
+const LEAF: usize = 8;
 
-/// Binary tree over boxes, split at the median of the longest axis.
+/// Binary tree over boxes. Items are sorted along a curve that fills space (their centres' Morton codes), and every node
+/// takes one half of its parent's.
 pub(crate) struct Tree<const D: usize> {
     nodes: Vec<Node<D>>,
     items: Vec<u32>,
@@ -21,35 +23,40 @@ struct Node<const D: usize> {
 
 impl<const D: usize> Tree<D> {
     pub(crate) fn new(boxes: &[Aabb<D>]) -> Self {
-        let mut tree = Self { nodes: Vec::new(), items: (0..boxes.len() as u32).collect() };
+        // Twice the centre serves as well.
+        let center = |b: &Aabb<D>| b.min + b.max;
+        let centers = boxes.iter().fold(Aabb::<D>::empty(), |a, b| {
+            let c = center(b);
+            Aabb { min: a.min.inf(&c), max: a.max.sup(&c) }
+        });
+        // One scale for all axes, so that a flat set is not split across its thickness.
+        let scale = f64::from(1u32 << BITS) / centers.extent().amax();
+        let code = |b: &Aabb<D>| morton(&((center(b) - centers.min) * scale));
+        // The item's number breaks ties, so that the tree is a function of its input.
+        let mut order: Vec<(u64, u32)> = boxes.iter().enumerate().map(|(i, b)| (code(b), i as u32)).collect();
+        order.sort_unstable();
+        let items: Vec<u32> = order.into_iter().map(|(_, item)| item).collect();
+        let mut tree = Self { nodes: Vec::with_capacity(4 * items.len() / LEAF + 1), items };
         if !boxes.is_empty() {
             tree.build(boxes, 0, boxes.len());
         }
         tree
     }
 
-    fn build(&mut self, boxes: &[Aabb<D>], start: usize, end: usize) {
-        let items = &mut self.items[start..end];
-        let aabb = items.iter().fold(Aabb::empty(), |a, &i| a.union(&boxes[i as usize]));
-        let centers = items.iter().fold(Aabb::<D>::empty(), |a, &i| {
-            let c = boxes[i as usize].center();
-            Aabb { min: a.min.inf(&c), max: a.max.sup(&c) }
-        });
+    /// Adds the node over items `start..end` and those below it; returns its box.
+    fn build(&mut self, boxes: &[Aabb<D>], start: usize, end: usize) -> Aabb<D> {
         let node = self.nodes.len();
-        self.nodes.push(Node { aabb, start: start as u32, end: end as u32, right: 0 });
-        if items.len() <= LEAF {
-            return;
-        }
-        let axis = centers.extent().imax();
-        let middle = items.len() / 2;
-        // The item's number breaks ties, so that the tree is a function of its input.
-        items.select_nth_unstable_by(middle, |&i, &j| {
-            let (ci, cj) = (boxes[i as usize].center()[axis], boxes[j as usize].center()[axis]);
-            ci.total_cmp(&cj).then(i.cmp(&j))
-        });
-        self.build(boxes, start, start + middle);
-        self.nodes[node].right = self.nodes.len() as u32;
-        self.build(boxes, start + middle, end);
+        self.nodes.push(Node { aabb: Aabb::empty(), start: start as u32, end: end as u32, right: 0 });
+        let aabb = if end - start <= LEAF {
+            self.items[start..end].iter().fold(Aabb::empty(), |a, &i| a.union(&boxes[i as usize]))
+        } else {
+            let middle = start + (end - start) / 2;
+            let left = self.build(boxes, start, middle);
+            self.nodes[node].right = self.nodes.len() as u32;
+            left.union(&self.build(boxes, middle, end))
+        };
+        self.nodes[node].aabb = aabb;
+        aabb
     }
 
     /// Visits every item that lies in a leaf whose box, and those of all nodes above it, `accept`s.
@@ -71,11 +78,9 @@ impl<const D: usize> Tree<D> {
             }
         }
     }
-}
 
-impl<const D: usize> Tree<D> {
-    /// Visits every pair of items, the first of `self`, that lie in leaves whose boxes meet.
-    pub(crate) fn visit_pairs(&self, other: &Self, mut pair: impl FnMut(u32, u32)) {
+    /// Visits every pair of items, the first of `self`, whose boxes meet; `boxes` are those that the trees were made of.
+    pub(crate) fn visit_pairs(&self, other: &Self, boxes: [&[Aabb<D>]; 2], mut pair: impl FnMut(u32, u32)) {
         let mut stack = Vec::with_capacity(64);
         if !self.nodes.is_empty() && !other.nodes.is_empty() {
             stack.push((0u32, 0u32));
@@ -88,7 +93,11 @@ impl<const D: usize> Tree<D> {
             match (here.right, there.right) {
                 (0, 0) => {
                     for &i in &self.items[here.start as usize..here.end as usize] {
-                        other.items[there.start as usize..there.end as usize].iter().for_each(|&j| pair(i, j));
+                        let aabb = &boxes[0][i as usize];
+                        if aabb.meets(&there.aabb) {
+                            let others = &other.items[there.start as usize..there.end as usize];
+                            others.iter().filter(|&&j| boxes[1][j as usize].meets(aabb)).for_each(|&j| pair(i, j));
+                        }
                     }
                 }
                 // The larger of the two is opened.
@@ -103,10 +112,44 @@ impl<const D: usize> Tree<D> {
     }
 }
 
+/// Bits of a coordinate in a Morton code.
+const BITS: u32 = 21;
+
+/// The bits of coordinates below 2^[`BITS`] in turn, the highest first.
+fn morton<const D: usize>(x: &Vector<D>) -> u64 {
+    let mut code = 0;
+    for axis in 0..D {
+        // What lies on the upper rim, or is no number because all centres are one, goes to some end.
+        let mut spread = (x[axis] as u64).min((1 << BITS) - 1);
+        // Every step halves the groups of bits and moves them apart, to twice (2D) or three times their places.
+        let steps: [(u32, u64); 5] = if D == 2 {
+            [
+                (16, 0x0000_ffff_0000_ffff),
+                (8, 0x00ff_00ff_00ff_00ff),
+                (4, 0x0f0f_0f0f_0f0f_0f0f),
+                (2, 0x3333_3333_3333_3333),
+                (1, 0x5555_5555_5555_5555),
+            ]
+        } else {
+            [
+                (32, 0x001f_0000_0000_ffff),
+                (16, 0x001f_0000_ff00_00ff),
+                (8, 0x100f_00f0_0f00_f00f),
+                (4, 0x10c3_0c30_c30c_30c3),
+                (2, 0x1249_2492_4924_9249),
+            ]
+        };
+        for (shift, mask) in steps {
+            spread = (spread | spread << shift) & mask;
+        }
+        code |= spread << axis;
+    }
+    code
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Vector;
 
     fn boxes(count: u32, size: f64) -> Vec<Aabb<3>> {
         let random = |i: u32, k: u32| (i.wrapping_mul(2654435761u32.wrapping_mul(k)) >> 8) as f64 / 16777216.0;
@@ -122,17 +165,24 @@ mod tests {
     fn pairs_against_brute_force() {
         let (here, there) = (boxes(300, 0.05), boxes(170, 0.2));
         let mut found = Vec::new();
-        Tree::new(&here).visit_pairs(&Tree::new(&there), |i, j| {
-            if here[i as usize].meets(&there[j as usize]) {
-                found.push((i, j));
-            }
-        });
+        Tree::new(&here).visit_pairs(&Tree::new(&there), [&here, &there], |i, j| found.push((i, j)));
         found.sort_unstable();
         let all = (0..300).flat_map(|i| (0..170).map(move |j| (i, j)));
         let expected: Vec<(u32, u32)> = all.filter(|&(i, j)| here[i as usize].meets(&there[j as usize])).collect();
         assert!(expected.len() > 100);
         assert_eq!(found, expected);
-        Tree::new(&here).visit_pairs(&Tree::new(&[]), |_, _| panic!("nothing meets an empty tree"));
+        Tree::new(&here).visit_pairs(&Tree::new(&[]), [&here, &[]], |_, _| panic!("nothing meets an empty tree"));
+    }
+
+    #[test]
+    fn morton_codes_take_bits_in_turn() {
+        let plane = |x: f64, y: f64| morton(&Vector::<2>::new(x, y));
+        let solid = |x: f64, y: f64, z: f64| morton(&Vector::<3>::new(x, y, z));
+        assert_eq!((plane(1.0, 0.0), plane(0.0, 1.0), plane(3.0, 1.0)), (1, 2, 7));
+        assert_eq!((solid(1.0, 0.0, 0.0), solid(0.0, 2.0, 0.0), solid(0.0, 0.0, 5.0)), (1, 1 << 4, 4 | 1 << 8));
+        let last = f64::from((1u32 << BITS) - 1);
+        assert_eq!((plane(last, last), solid(last, last, last)), ((1 << 42) - 1, (1 << 63) - 1));
+        assert_eq!(solid(f64::NAN, 3e6, -1.0), solid(0.0, last, 0.0));
     }
 
     #[test]

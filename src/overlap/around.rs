@@ -1,15 +1,23 @@
 //! The cells of a body around a facet of another, found from neighbour to neighbour.
 //!
-//! The part of the body in a box is bounded, inside the box, by boundary facets that meet the box. So whoever starts at
-//! the cells of those facets, and goes from cell to neighbour while the cell's box meets the box, finds every cell in
-//! the box, unless no boundary facet meets it at all. The cost is that of the cells found, whatever the size of the
-//! body.
+//! The part of the body in a convex set is bounded, inside that set, by boundary facets that meet it. So whoever starts
+//! at the cells of those facets, and goes from cell to neighbour while cells meet the set, finds every cell in it,
+//! unless no boundary facet meets it at all. Here the set is the facet's box as far as it lies on the facet's plane.
+//! The cost is that of the cells found, whatever the size of the body.
 
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 
-/// A walk from cell to cell; its memory serves one box after the other.
+/// A facet's box, as far as it lies on the facet's plane, both widened by the same distance.
+pub(crate) struct Plate<const D: usize> {
+    pub(crate) aabb: Aabb<D>,
+    point: Vector<D>,
+    normal: Vector<D>,
+    width: f64,
+}
+
+/// A walk from cell to cell; its memory serves one facet after the other.
 #[derive(Default)]
 pub(crate) struct Walk {
     met: CellSet,
@@ -17,14 +25,33 @@ pub(crate) struct Walk {
     found: Vec<u32>,
 }
 
+impl<const D: usize> Plate<D> {
+    /// About a facet with these corners and this area vector.
+    pub(crate) fn new(corners: &[Vector<D>; D], area: &Vector<D>, width: f64) -> Self {
+        let normal = area.try_normalize(0.0).unwrap_or_else(Vector::zeros);
+        Self { aabb: Aabb::of(corners).inflated(width), point: corners[0], normal, width }
+    }
+
+    /// Whether the convex hull of some points may meet it.
+    pub(crate) fn meets(&self, points: impl Iterator<Item = Vector<D>>) -> bool {
+        let (mut aabb, mut low, mut high) = (Aabb::<D>::empty(), f64::INFINITY, f64::NEG_INFINITY);
+        for x in points {
+            aabb = Aabb { min: aabb.min.inf(&x), max: aabb.max.sup(&x) };
+            let height = self.normal.dot(&(x - self.point));
+            (low, high) = (low.min(height), high.max(height));
+        }
+        (low <= self.width) & (high >= -self.width) & aabb.meets(&self.aabb)
+    }
+}
+
 impl Walk {
-    /// Cells whose box meets `query`, ascending: those of `starts`, and those that can be reached from them.
+    /// Cells that may meet `plate`, ascending: those of `starts`, and those that can be reached from them.
     pub(crate) fn around<const D: usize>(
         &mut self,
         cells: &Cells,
         coords: &[[f64; D]],
         starts: impl IntoIterator<Item = u32>,
-        query: &Aabb<D>,
+        plate: &Plate<D>,
     ) -> &[u32] {
         self.met.clear();
         self.queue.clear();
@@ -35,19 +62,12 @@ impl Walk {
             }
         }
         while let Some(cell) = self.queue.pop() {
-            let mut aabb = Aabb::<D>::empty();
-            for &n in cells.nodes(cell as usize) {
-                let x = Vector::<D>::from(coords[n as usize]);
-                aabb = Aabb { min: aabb.min.inf(&x), max: aabb.max.sup(&x) };
-            }
-            if !aabb.meets(query) {
+            if !plate.meets(cells.nodes(cell as usize).iter().map(|&n| coords[n as usize].into())) {
                 continue;
             }
             self.found.push(cell);
-            for face in 0..cells.cell_type(cell as usize).faces().len() {
-                if let Some(next) = cells.neighbour(cell as usize, face)
-                    && self.met.insert(next)
-                {
+            for &next in cells.neighbours(cell as usize) {
+                if self.met.insert(next) {
                     self.queue.push(next);
                 }
             }
@@ -101,37 +121,44 @@ impl CellSet {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::facet::area_vector;
     use crate::geometry::{Bodies, CellBlock, CellType, Surface};
     use fmc_shapes::{cuboid_hex8, cuboid_tet4};
 
     #[test]
-    fn cells_in_a_box_against_brute_force() {
+    fn cells_on_a_plate_against_brute_force() {
         let meshes = [
             (cuboid_tet4([0.0; 3], [1.0; 3], [5, 6, 7]), CellType::Tet4),
             (cuboid_hex8([0.0; 3], [1.0; 3], [9, 8, 7]), CellType::Hex8),
         ];
         for (mesh, cell_type) in meshes {
+            let mut walked = 0;
             let mesh = mesh.rotated([1.0, 2.0, 3.0], 0.5);
             let blocks = [CellBlock { cell_type, conn: &mesh.conn }];
             let surface = Surface::from_cells(&mesh.coords, &blocks, Bodies::Connected).expect("a valid mesh");
             let cells = surface.cells.as_ref().expect("cells");
-            let boxes: Vec<Aabb<3>> = (0..cells.len())
-                .map(|c| {
-                    let x: Vec<Vector<3>> = cells.nodes(c).iter().map(|&n| mesh.coords[n as usize].into()).collect();
-                    Aabb::of(&x)
-                })
-                .collect();
             let points = surface.points(&mesh.coords);
             let mut walk = Walk::default();
-            for (facet, corners) in surface.facets.iter().enumerate() {
-                let query = Aabb::of(corners.iter().map(|&v| &points[v as usize])).inflated(0.02 * (facet % 9) as f64);
-                // From all facets in the box, as the walk promises; one of them is enough here, where the box is small.
+            for (facet, vertices) in surface.facets.iter().enumerate() {
+                // The facet, moved into the body and out of it.
+                let corners = vertices.map(|v| points[v as usize] + Vector::<3>::new(0.03, -0.02, 0.05));
+                let plate = Plate::new(&corners, &area_vector(&corners), 0.02 * (facet % 9) as f64);
                 let starts = (0..surface.facets.len())
-                    .filter(|&f| Aabb::of(surface.facets[f].iter().map(|&v| &points[v as usize])).meets(&query))
+                    .filter(|&f| plate.meets(surface.facets[f].iter().map(|&v| points[v as usize])))
                     .map(|f| surface.facet_cell[f]);
-                let expected: Vec<u32> = (0..cells.len() as u32).filter(|&c| boxes[c as usize].meets(&query)).collect();
-                assert_eq!(walk.around(cells, &mesh.coords, starts, &query), expected);
+                let place = |&n: &u32| Vector::from(mesh.coords[n as usize]);
+                let expected: Vec<u32> = (0..cells.len())
+                    .filter(|&c| plate.meets(cells.nodes(c).iter().map(place)))
+                    .map(|c| c as u32)
+                    .collect();
+                let mut starts = starts.peekable();
+                // Where no facet of the boundary meets the plate, it lies inside or outside.
+                if starts.peek().is_some() {
+                    walked += 1;
+                    assert_eq!(walk.around(cells, &mesh.coords, starts, &plate), expected);
+                }
             }
+            assert!(walked > 100, "{walked} walks");
         }
     }
 

@@ -4,6 +4,9 @@ use super::clip::Simplex;
 use crate::geometry::cells::Cells;
 use crate::geometry::{CellType, Vector};
 
+/// Corner opposite to every face of a triangle, and of a tetrahedron.
+const OPPOSITE: [&[usize]; 2] = [&[2, 0, 1], &[3, 2, 0, 1]];
+
 /// Calls `visit` for every simplex of a cell: triangles and tetrahedra as they are, others split about the centroids of
 /// the cell and of its faces, so that neighbours agree on the faces between them.
 pub(crate) fn for_each_simplex<const D: usize>(
@@ -21,9 +24,8 @@ pub(crate) fn for_each_simplex<const D: usize>(
         *x = at(n);
     }
     if matches!(cell_type, CellType::Tri3 | CellType::Tet4) {
-        let faces = cell_type.faces().iter().enumerate();
-        let opposite = |face: &[usize]| (0..=D).find(|k| !face.contains(k)).unwrap_or(0);
-        let boundary = faces.fold(0, |mask, (f, face)| mask | (bounds >> f & 1) << opposite(face));
+        let opposite = OPPOSITE[D - 2];
+        let boundary = opposite.iter().enumerate().fold(0, |mask, (face, &k)| mask | (bounds >> face & 1) << k);
         Simplex::new(&x, boundary, flipped).into_iter().for_each(visit);
         return;
     }
@@ -48,4 +50,16 @@ pub(crate) fn for_each_simplex<const D: usize>(
 
 fn mean<const D: usize>(x: &[Vector<D>]) -> Vector<D> {
     x.iter().fold(Vector::zeros(), |s, x| s + x) / x.len() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn opposite_corners_are_not_on_the_face() {
+        for (cell_type, opposite) in [CellType::Tri3, CellType::Tet4].into_iter().zip(OPPOSITE) {
+            assert!(cell_type.faces().iter().zip(opposite).all(|(face, k)| !face.contains(k)));
+        }
+    }
 }

@@ -36,9 +36,9 @@ impl<const D: usize> Clearance<D> {
         let [of_a, of_b] = region.facets;
         let mut sides = [Facets::new(a, of_a, tie), Facets::new(b, of_b, tie)];
         let [a, b] = &mut sides;
-        a.tree.visit_pairs(&b.tree, |f, g| {
+        a.tree.visit_pairs(&b.tree, [&a.boxes, &b.boxes], |f, g| {
             let (f, g) = (f as usize, g as usize);
-            if a.is_near[f] && b.is_near[g] || !a.boxes[f].meets(&b.boxes[g]) {
+            if a.is_near[f] && b.is_near[g] {
                 return;
             }
             let apart = is_beside(&a.corners[f], &b.corners[g], &b.normals[g], tie)

@@ -12,22 +12,34 @@ use crate::geometry::facet::determinant;
 /// A triangle (2D) or tetrahedron (3D); face k lies opposite to corner k.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Simplex<const D: usize> {
-    /// D + 1 corners, and zeros.
+    /// D + 1 corners in the order of their coordinates, and zeros.
     corners: [Vector<D>; 4],
     /// Bit k is set where face k lies on the boundary of the body.
     boundary: u8,
-    /// +1 where the corners enclose a positive volume, or −1.
+    /// +1 where the corners in this order enclose a positive volume, or −1.
     turn: f64,
     /// +1, or −1 where what the simplex covers is to be subtracted.
     pub(crate) sign: f64,
 }
 
 impl<const D: usize> Simplex<D> {
-    /// Simplex with these D + 1 corners, `None` if it is flat. It counts negative where its corners enclose a negative
-    /// volume, and the other way round with `flipped`.
+    /// Simplex with these D + 1 corners, `None` if it is flat; bit k of `boundary` belongs to the face opposite to corner
+    /// k. It counts negative where its corners enclose a negative volume, and the other way round with `flipped`.
     pub(crate) fn new(corners: &[Vector<D>], boundary: u8, flipped: bool) -> Option<Self> {
         let mut all = [Vector::zeros(); 4];
         all[..=D].copy_from_slice(&corners[..=D]);
+        let (mut boundary, mut flipped) = (boundary, flipped);
+        for last in 1..=D {
+            for k in (0..last).rev() {
+                if !is_after(&all[k], &all[k + 1]) {
+                    break;
+                }
+                all.swap(k, k + 1);
+                let differ = (boundary >> k ^ boundary >> (k + 1)) & 1;
+                boundary ^= differ << k | differ << (k + 1);
+                flipped = !flipped;
+            }
+        }
         let volume = determinant::<D>(&std::array::from_fn(|k| all[k + 1] - all[0]));
         let turn = volume.signum();
         (volume != 0.0).then_some(Self { corners: all, boundary, turn, sign: if flipped { -turn } else { turn } })
@@ -48,20 +60,22 @@ impl<const D: usize> Simplex<D> {
         let mut cut_count = 0;
         for k in 0..=D {
             let (outward, point) = self.plane(k);
-            let mut distance = [0.0; D];
+            let tie = tie * outward.norm();
+            // Distances in units of the normal's length, the least and the largest: few branches, which are hard to
+            // foretell here.
+            let (mut distance, mut least, mut largest) = ([0.0; D], f64::INFINITY, f64::NEG_INFINITY);
             for (s, x) in distance.iter_mut().zip(facet) {
                 let exact = outward.dot(&(x - point));
                 *s = if exact.abs() <= tie { 0.0 } else { exact };
+                (least, largest) = (least.min(*s), largest.max(*s));
             }
-            if distance.iter().all(|&s| s == 0.0) {
+            if least >= 0.0 {
                 let same_way = outward.dot(area) > 0.0;
-                if self.boundary >> k & 1 == 1 && !same_way {
+                if largest > 0.0 || self.boundary >> k & 1 == 1 && !same_way {
                     return None;
                 }
                 part = 0.5;
-            } else if distance.iter().all(|&s| s >= 0.0) {
-                return None;
-            } else if distance.iter().any(|&s| s > 0.0) {
+            } else if largest > 0.0 {
                 cuts[cut_count] = distance;
                 cut_count += 1;
             }
@@ -70,23 +84,11 @@ impl<const D: usize> Simplex<D> {
         cuts[..cut_count].iter().all(|distance| piece.cut(distance)).then_some(part)
     }
 
-    /// Unit outward normal of face k, and a point of it.
+    /// Outward normal of face k, of any length, and a point of the face.
     ///
-    /// With its points in ascending order of k, they and corner k make up the simplex turned by (−1)^(D−k).
+    /// Followed by corner k, its points make up the simplex turned by (−1)^(D−k).
     fn plane(&self, k: usize) -> (Vector<D>, Vector<D>) {
-        let mut points: [Vector<D>; D] = std::array::from_fn(|p| self.corners[p + usize::from(p >= k)]);
-        let mut turn = if (D - k).is_multiple_of(2) { self.turn } else { -self.turn };
-        let mut order = |p: usize, q: usize| {
-            if is_after(&points[p], &points[q]) {
-                points.swap(p, q);
-                turn = -turn;
-            }
-        };
-        order(0, 1);
-        if D == 3 {
-            order(1, D - 1);
-            order(0, 1);
-        }
+        let points: [Vector<D>; D] = std::array::from_fn(|p| self.corners[p + usize::from(p >= k)]);
         let e = points[1] - points[0];
         let mut normal = Vector::<D>::zeros();
         if D == 2 {
@@ -98,7 +100,7 @@ impl<const D: usize> Simplex<D> {
             normal[1] = e[2] * f[0] - e[0] * f[2];
             normal[2] = e[0] * f[1] - e[1] * f[0];
         }
-        (normal * (-turn / normal.norm()), points[0])
+        (normal * if (D - k) % 2 == 0 { -self.turn } else { self.turn }, points[0])
     }
 }
 

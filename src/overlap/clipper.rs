@@ -1,18 +1,18 @@
 //! What a facet has inside a body.
 
-use super::around::Walk;
+use super::around::{Plate, Walk};
 use super::assembly::FacetShare;
 use super::piece::{Piece, clip_below, place};
 use super::solid::Solid;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 
 /// What a facet has inside the other side.
 pub(crate) struct Clipped<const D: usize> {
     pub(crate) share: FacetShare<D>,
-    /// Corners of the part inside, where they are known; a few more where it was put together from pieces.
-    pub(crate) ends: Vec<Vector<D>>,
+    /// Corners of the part inside, where they are known; a few more where it was put together from pieces. `None` for
+    /// the corners of the facet itself.
+    pub(crate) ends: Option<Vec<Vector<D>>>,
 }
 
 /// Clips facets one after the other; it keeps memory only.
@@ -29,7 +29,7 @@ impl<const D: usize> Clipped<D> {
     /// A facet that is covered all over, `cover` times.
     pub(crate) fn whole(facet: u32, of_b: bool, corners: &[Vector<D>; D], cover: i32) -> Self {
         let each = area_vector(corners).norm() / D as f64 * f64::from(cover);
-        Self { share: FacetShare { facet, of_b, shares: [each; D] }, ends: corners.to_vec() }
+        Self { share: FacetShare { facet, of_b, shares: [each; D] }, ends: None }
     }
 }
 
@@ -48,8 +48,8 @@ impl<const D: usize> Clipper<D> {
         let (mut sums, mut cancelled) = ([0.0; D], false);
         self.ends.clear();
         let (piece, ends) = (&mut self.piece, &mut self.ends);
-        let query = Aabb::of(corners).inflated(tie);
-        solid.for_each_near(&query, &mut self.walk, &mut self.found, |simplex, origin| {
+        let plate = Plate::new(corners, &area, tie);
+        solid.for_each_near(&plate, &mut self.walk, &mut self.found, |simplex, origin| {
             if Some(origin) == except {
                 return;
             }
@@ -65,7 +65,7 @@ impl<const D: usize> Clipper<D> {
         let ends = if cancelled { Vec::new() } else { ends.iter().map(|w| place(corners, w)).collect() };
         let measure = area.norm();
         let share = FacetShare { facet, of_b, shares: sums.map(|w| w * measure) };
-        (sums.iter().sum::<f64>() > 0.0).then_some(Clipped { share, ends })
+        (sums.iter().sum::<f64>() > 0.0).then_some(Clipped { share, ends: Some(ends) })
     }
 
     /// What a facet of the first side has below the plane through `origin`, `None` if nothing.
@@ -82,6 +82,6 @@ impl<const D: usize> Clipper<D> {
         }
         let area = area_vector(corners).norm();
         let share = FacetShare { facet, of_b: false, shares: self.piece.moments().map(|w| w * area) };
-        Some(Clipped { share, ends: self.piece.corners().iter().map(|w| place(corners, w)).collect() })
+        Some(Clipped { share, ends: Some(self.piece.corners().iter().map(|w| place(corners, w)).collect()) })
     }
 }

@@ -214,8 +214,8 @@ impl<const D: usize> ExactPair<'_, D> {
         let mut moments = 0.0;
         for Clipped { share, ends } in clipped {
             assembly.add_facet(side, share, pose);
-            assembly.extend_to(ends);
             let corners = side.corners(share.facet as usize);
+            assembly.extend_to(ends.as_deref().unwrap_or(&corners));
             if let Some(normal) = area_vector(&corners).try_normalize(0.0) {
                 moments += (0..D).map(|a| share.shares[a] * normal.dot(&(corners[a] - origin))).sum::<f64>();
             }

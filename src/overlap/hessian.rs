@@ -68,8 +68,7 @@ pub(super) fn slopes<const D: usize>(x: &[Vector<D>; D], d: &Vector<D>) -> Optio
     m /= det;
     for a in 1..D {
         h[a] /= det;
-        let part = h[a];
-        h[0] -= part;
+        h[0] = h[0] - h[a];
     }
     Some((m, h))
 }

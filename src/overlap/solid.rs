@@ -1,6 +1,6 @@
 //! A body as a set of simplices, for the exact estimator.
 
-use super::around::Walk;
+use super::around::{Plate, Walk};
 use super::cell_simplices::for_each_simplex;
 use super::clearance::Facets;
 use super::clip::Simplex;
@@ -79,26 +79,27 @@ impl<const D: usize> Solid<'_, D> {
         Solid::Simplices { simplices, boxes, origins, tree }
     }
 
-    /// Calls `visit(simplex, origin)` for every simplex whose box meets `query`, in a fixed order.
+    /// Calls `visit(simplex, origin)` for every simplex that may meet `plate`, in a fixed order.
     pub(crate) fn for_each_near(
         &self,
-        query: &Aabb<D>,
+        plate: &Plate<D>,
         walk: &mut Walk,
         found: &mut Vec<u32>,
         mut visit: impl FnMut(&Simplex<D>, u32),
     ) {
         found.clear();
+        let query = &plate.aabb;
         match self {
             Solid::Cells { cells, coords, facets, facet_cell } => {
                 facets.tree.visit(
                     |aabb| aabb.meets(query),
                     |f| {
-                        if facets.boxes[f as usize].meets(query) {
+                        if plate.meets(facets.corners[f as usize].iter().copied()) {
                             found.push(facet_cell[facets.numbers[f as usize] as usize]);
                         }
                     },
                 );
-                for &cell in walk.around(cells, coords, found.iter().copied(), query) {
+                for &cell in walk.around(cells, coords, found.iter().copied(), plate) {
                     for_each_simplex(cells, cell as usize, coords, |simplex| {
                         if simplex.aabb().meets(query) {
                             visit(&simplex, cell);
