@@ -54,7 +54,8 @@ def test_every_keyword_sets_its_option_and_no_other(key):
 
 
 def test_numbers_of_numpy_are_numbers():
-    options = described(changed(defaults(), {"stiffness": np.float32(0.5), "seed": np.int64(4), "balance": np.bool_(0)}))
+    numbers = {"stiffness": np.float32(0.5), "seed": np.int64(4), "balance": np.bool_(0)}
+    options = described(changed(defaults(), numbers))
     assert (options["stiffness"], options["seed"], options["balance"]) == (0.5, 4, False)
 
 

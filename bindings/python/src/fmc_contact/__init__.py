@@ -1,8 +1,8 @@
 """Contact forces and overlap volume for any finite element code.
 
-Node coordinates and connectivity go in, nodal contact forces and the overlap volume come out, by ``contact_force`` in one
-call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N (2D:
-N/m).
+Node coordinates and connectivity go in, nodal contact forces and the overlap volume come out, by ``contact_force`` in
+one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
+(2D: N/m).
 
     contact_force, Contact  ->  mesh, obstacles, options, result, tangent  ->  _handle, _arrays  ->  _library
                                                                            ->  _signatures, _structs  ->  errors

@@ -1,4 +1,4 @@
-"""Functions of ``include/fmc_contact.h``: result and arguments of each. The tests compare this table with the header."""
+"""Functions of ``include/fmc_contact.h``: result and arguments of each. The tests compare the table with the header."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import byref, c_size_t
-from typing import TYPE_CHECKING, Callable
+from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -125,7 +125,7 @@ class Contact(Obstacles):
             )
             return gather(self._handle, forces, found, self.dim)
 
-    def tangent(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False):
+    def tangent(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False) -> Any:
         """Second derivative of the contact energy, which is minus the derivative of the forces: to be added to a
         stiffness matrix.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import byref
-from typing import NamedTuple, Sequence, Tuple, Union
+from typing import Any, NamedTuple, Sequence, Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,8 +28,8 @@ class Start(NamedTuple):
 
 def _named_blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, ArrayLike]]:
     if cell_type is not None:
-        return [(cell_type, conn)]
-    blocks = list(conn) if isinstance(conn, (list, tuple)) else [conn]
+        return [(cell_type, cast(ArrayLike, conn))]
+    blocks: list = list(conn) if isinstance(conn, (list, tuple)) else [conn]
     for block in blocks:
         if not isinstance(block, (list, tuple)) or len(block) != 2 or not isinstance(block[0], str):
             raise TypeError("give the cell type beside conn, or a list of (cell type, node numbers) for a mixed mesh")
@@ -74,7 +74,7 @@ def from_cells(
     arrays = [cells for _, cells in blocks]
     *arrays, ids = of_one_width(arrays + (_body_ids(bodies, sum(map(len, arrays)), "cells") or [arrays[0]]))
     wide = ids.dtype == np.int64
-    block = fmc_cell_block_i64 if wide else fmc_cell_block
+    block: Any = fmc_cell_block_i64 if wide else fmc_cell_block
     function = library.fmc_context_new_from_cells_i64 if wide else library.fmc_context_new_from_cells
     structs = [block(CELL_TYPES[name], cells.ctypes.data, len(cells)) for (name, _), cells in zip(blocks, arrays)]
     array = (block * len(structs))(*structs)

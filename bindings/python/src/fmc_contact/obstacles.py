@@ -1,4 +1,4 @@
-"""Rigid partners of the mesh: they push and are not moved by it. An obstacle meets every body, but no other obstacle."""
+"""Rigid partners of the mesh: they push and are not moved by it. An obstacle meets every body, no other obstacle."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ SignedDistance = Callable[[np.ndarray], Tuple[ArrayLike, ArrayLike]]
 
 def _memory(pointer, *shape: int) -> np.ndarray:
     """The library's own doubles behind a pointer, valid during the callback only."""
-    return np.frombuffer((c_double * int(np.prod(shape))).from_address(addressof(pointer.contents))).reshape(shape)
+    memory = (c_double * int(np.prod(shape))).from_address(addressof(pointer.contents))
+    return np.frombuffer(memoryview(memory)).reshape(shape)
 
 
 class Obstacles:
@@ -61,7 +62,7 @@ class Obstacles:
         return self._add(library.fmc_context_add_cylinder, float(radius), float(half_height), pose=pose)
 
     def add_cone(self, radius: float, half_height: float, pose: Placement = None) -> int:
-        """Adds a cone (2D: a triangle) about the last axis: apex at +half_height, base of ``radius`` at -half_height."""
+        """Adds a cone (2D: a triangle) about the last axis: apex at +half_height, base of ``radius`` below."""
         return self._add(library.fmc_context_add_cone, float(radius), float(half_height), pose=pose)
 
     def add_capsule(self, radius: float, half_height: float, pose: Placement = None) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ctypes import byref
 from numbers import Integral, Real
-from typing import TypedDict
+from typing import Mapping, TypedDict
 
 import numpy as np
 
@@ -22,7 +22,8 @@ class Options(TypedDict, total=False):
     """
 
     law: str
-    """``"fiber"``, the default: a pressure that grows with the penetration. ``"volume"``: energy k V^exponent per pair."""
+    """``"fiber"``: a pressure that grows with the penetration. ``"volume"``: energy k V^exponent per pair. The default
+    is the library's, ``"fiber"``."""
     exponent: float
     """m >= 1 of the law ``"volume"``, and only of that; 1."""
     epsilon: float
@@ -70,7 +71,7 @@ def defaults() -> fmc_options:
     return options
 
 
-def changed(options: fmc_options, changes: dict[str, object]) -> fmc_options:
+def changed(options: fmc_options, changes: Mapping[str, object]) -> fmc_options:
     """A copy with some options changed. Raises ``UnknownOptionError`` for a name or a value that is none."""
     copy = fmc_options.from_buffer_copy(options)
     for key, value in changes.items():

@@ -1,5 +1,5 @@
-"""What an evaluation says. Units follow from the coordinates and the stiffness: with m and Pa, volumes are m^3 (2D: m^2),
-areas m^2 (m), energies J (J/m) and forces N (N/m)."""
+"""What an evaluation says. Units follow from the coordinates and the stiffness: with m and Pa, volumes are m^3 (2D:
+m^2), areas m^2 (m), energies J (J/m) and forces N (N/m)."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def _pair(handle: Handle, index: int) -> Pair:
 def _warning(handle: Handle, index: int) -> ContactWarning:
     kind, text = c_int32(), c_char_p()
     handle.call(library.fmc_context_warning, index, byref(kind), byref(text))
-    return ContactWarning(WARNINGS.get(kind.value, str(kind.value)), text.value.decode())
+    return ContactWarning(WARNINGS.get(kind.value, str(kind.value)), (text.value or b"").decode())
 
 
 def gather(handle: Handle, forces: np.ndarray, found: fmc_result, dim: int) -> Result:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ctypes import byref, c_double, c_size_t
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -54,14 +54,14 @@ class Tangent:
         rows, cols, values = zip(*parts)
         return np.concatenate(rows), np.concatenate(cols), np.concatenate(values)
 
-    def csr(self):
+    def csr(self) -> Any:
         """The whole as ``scipy.sparse.csr_matrix``, (size, size)."""
         from scipy.sparse import csr_matrix
 
         rows, cols, values = self.triplets()
         return csr_matrix((values, (rows, cols)), shape=(self.size, self.size))
 
-    def operator(self):
+    def operator(self) -> Any:
         """The whole as ``scipy.sparse.linalg.LinearOperator``, with nothing multiplied out."""
         from scipy.sparse.linalg import LinearOperator
 
