@@ -1,8 +1,10 @@
 //! Energy law, forces and their balance.
 
 mod balance;
+mod candidate;
 mod evaluation;
 mod forces;
+mod kept_patches;
 mod law;
 mod options;
 mod pair_energy;

@@ -1,6 +1,7 @@
 //! From coordinates to overlaps.
 
 use super::balance::{self, balance};
+use super::candidate::Candidate;
 use super::forces::ContactForces;
 use super::options::Options;
 use super::pair_energy::PairEnergy;
@@ -8,23 +9,19 @@ use super::partners::{Rigid, check_pose};
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::geometry::{Bodies, CellBlock, Obstacle, Pose, Surface};
-use crate::overlap::{
-    Estimator, ExactPair, FacetSide, FiberOptions, FiberPair, FiberTrace, ImplicitSide, Opponent, Overlap, Pair,
-    Partner, Patches, Spans, Views,
-};
-use crate::sampling::{Family, FiberPattern};
+use crate::overlap::{Estimator, FiberTrace, Overlap, Partner, Patches};
 
 /// Contact between the bodies of one mesh, and with rigid obstacles.
 ///
 /// It holds topology, obstacles and options, and nothing of any evaluation: two evaluations at the same coordinates give
 /// the same bits, and [`contact_force`] gives the same bits as a `Contact` that is kept.
 pub struct Contact<const D: usize> {
-    surface: Surface<D>,
-    obstacles: Vec<Rigid<D>>,
-    options: Options,
-    pool: Option<rayon::ThreadPool>,
+    pub(super) surface: Surface<D>,
+    pub(super) obstacles: Vec<Rigid<D>>,
+    pub(super) options: Options,
+    pub(super) pool: Option<rayon::ThreadPool>,
     /// Patches of the fiber law that are kept, by pair.
-    kept: Vec<([Partner; 2], Patches<D>)>,
+    pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
 }
 
 impl<const D: usize> Contact<D> {
@@ -59,7 +56,7 @@ impl<const D: usize> Contact<D> {
         Ok(())
     }
 
-    /// Replaces the options.
+    /// Replaces the options. Patches that are kept stay so with another law, and are forgotten with another estimator.
     ///
     /// # Errors
     /// As [`Self::new`]; the old options then stay in force.
@@ -67,6 +64,9 @@ impl<const D: usize> Contact<D> {
         options.check()?;
         if options.threads != self.options.threads {
             self.pool = pool(options.threads)?;
+        }
+        if options.estimator != self.options.estimator {
+            self.release_patches();
         }
         self.options = options;
         Ok(())
@@ -172,52 +172,6 @@ impl<const D: usize> Contact<D> {
         })
     }
 
-    /// Finds the patches of the fiber law at `coords` and keeps them for all evaluations to come, until this is called
-    /// again or [`Self::release_patches`]: the directions of the lines and their spacing. With kept patches the forces
-    /// are the gradient of one energy, as a Newton solver needs. Pairs that do not overlap at `coords` are not kept, and
-    /// theirs are found at every evaluation. Returns the number of directions kept; 0 for other laws.
-    ///
-    /// # Errors
-    /// As [`Self::evaluate`]; what was kept then stays.
-    pub fn keep_patches(&mut self, coords: &[[f64; D]]) -> Result<usize, Error> {
-        if !self.options.law.is_fiber() {
-            return Ok(0);
-        }
-        self.kept = self.for_each_pair(coords, |Candidate { fibers, exact }| {
-            let Some(mut patches) = fibers.patches(false)? else { return Ok(None) };
-            if exact.is_none() {
-                patches.spacing = fibers.spans(&patches)?.map(|spans| spans.spacing);
-            }
-            Ok(Some((fibers.pair.partners, patches)))
-        })?;
-        Ok(self.kept.iter().map(|(_, patches)| patches.directions.len()).sum())
-    }
-
-    /// Forgets kept patches.
-    pub fn release_patches(&mut self) {
-        self.kept.clear();
-    }
-
-    /// Spans of a pair: on its kept patches, or on those that are found now.
-    fn spans(&self, Candidate { fibers, exact }: &Candidate<D>, creases: bool) -> Result<Option<Spans<D>>, Error> {
-        let found;
-        let patches = match self.kept.iter().find(|(partners, _)| *partners == fibers.pair.partners) {
-            Some((_, patches)) => patches,
-            None => match fibers.patches(true)? {
-                Some(patches) => {
-                    found = patches;
-                    &found
-                }
-                None => return Ok(None),
-            },
-        };
-        let spans = match exact {
-            Some(exact) => exact.spans(patches, creases)?,
-            None => fibers.spans(patches)?,
-        };
-        Ok(spans.filter(|spans| !spans.spans.is_empty() || !spans.warnings.is_empty()))
-    }
-
     fn is_balanced(&self) -> bool {
         matches!(&self.options.estimator, Estimator::Fibers(fibers) if fibers.balance)
     }
@@ -233,78 +187,6 @@ impl<const D: usize> Contact<D> {
         })?;
         Ok(traces.into_iter().flatten().collect())
     }
-
-    /// Runs through all pairs whose boxes meet, in the order of their indices, on the threads of the options.
-    fn for_each_pair<T: Send>(
-        &self,
-        coords: &[[f64; D]],
-        work: impl Fn(&Candidate<D>) -> Result<Option<T>, Error> + Sync,
-    ) -> Result<Vec<T>, Error> {
-        match &self.pool {
-            Some(pool) => pool.install(|| self.surface.check(coords, self.options.check_cells, true)),
-            None => self.surface.check(coords, self.options.check_cells, false),
-        }?;
-        let (exact, options) = match self.options.estimator {
-            Estimator::Fibers(options) => (false, options),
-            Estimator::Exact => (true, FiberOptions::default()),
-        };
-        let with_lines = self.options.law.is_fiber() || (!exact && options.pattern == FiberPattern::Lines);
-        let families = if with_lines { Family::all(options.seed) } else { Vec::new() };
-        let views = Views::new(self.surface.points(coords), &families);
-        let placed: Vec<Option<PlacedFacets<D>>> = (self.obstacles.iter())
-            .map(|rigid| rigid.placed_facets(exact).map(|(facets, points)| (facets, Views::new(points, &families))))
-            .collect();
-        let body = |body: usize| {
-            let facets = &self.surface.facets[self.surface.ranges[body].clone()];
-            FacetSide::new(facets, self.surface.vertices[body].iter().copied(), &views)
-        };
-        let bodies: Vec<FacetSide<D>> = (0..self.surface.body_count()).map(body).collect();
-
-        let parallel = self.pool.is_some();
-        let measure = |partners: [Partner; 2], a: FacetSide<D>, opponent: Opponent<D>, pose: Option<&Pose<D>>| {
-            let pair = Pair { partners, a, opponent, pose, surface: &self.surface, parallel };
-            let candidate = Candidate {
-                fibers: FiberPair { pair: &pair, families: &families, options: &options },
-                exact: exact.then_some(ExactPair { pair: &pair, coords }),
-            };
-            match &self.pool {
-                // A signed distance function belongs to the host and is called on the calling thread.
-                Some(pool) if !opponent.is_marched() => pool.install(|| work(&candidate)),
-                _ => work(&candidate),
-            }
-        };
-        let mut results = Vec::new();
-        for (i, &a) in bodies.iter().enumerate() {
-            if self.options.self_contact {
-                results.extend(measure([Partner::Body(i); 2], a, Opponent::Itself, None)?);
-            }
-            for (j, b) in bodies.iter().enumerate().skip(i + 1) {
-                if a.aabb.meets(&b.aabb) {
-                    results.extend(measure([Partner::Body(i), Partner::Body(j)], a, Opponent::Facets(*b), None)?);
-                }
-            }
-            for (obstacle, (rigid, placed)) in self.obstacles.iter().zip(&placed).enumerate() {
-                let pose = &rigid.obstacle.pose;
-                let opponent = match placed {
-                    Some((facets, views)) => {
-                        Opponent::Facets(FacetSide::new(facets, 0..views.points.len() as u32, views))
-                    }
-                    None => Opponent::Implicit(ImplicitSide { obstacle, shape: &rigid.obstacle.shape, pose }),
-                };
-                results.extend(measure([Partner::Body(i), Partner::Obstacle(obstacle)], a, opponent, Some(pose))?);
-            }
-        }
-        Ok(results)
-    }
-}
-
-/// Facets of an obstacle and where their corners are.
-type PlacedFacets<'a, const D: usize> = (&'a [[u32; D]], Views<D>);
-
-/// A pair that may overlap, as fibers see it and, where that is asked for, as it is clipped.
-struct Candidate<'a, const D: usize> {
-    fibers: FiberPair<'a, D>,
-    exact: Option<ExactPair<'a, D>>,
 }
 
 /// Threads of one contact; none are started for one.

@@ -100,7 +100,7 @@ impl<const D: usize> Simplex<D> {
             normal[1] = e[2] * f[0] - e[0] * f[2];
             normal[2] = e[0] * f[1] - e[1] * f[0];
         }
-        (normal * if (D - k) % 2 == 0 { -self.turn } else { self.turn }, points[0])
+        (normal * if (D - k).is_multiple_of(2) { -self.turn } else { self.turn }, points[0])
     }
 }
 

@@ -13,9 +13,10 @@
 //! the span passes from one facet to the other. Where a span shrinks to nothing there is no jump, since ψ'(0) = 0.
 
 use super::exact::ExactPair;
-use super::exact_spans::{Plane, Seen, Shadows, end, flat};
+use super::exact_spans::{Plane, end};
 use super::hessian::slopes;
 use super::piece::{cut, whole, zeros};
+use super::shadow::{Seen, Shadows, flat};
 use super::span::{Anchor, Crease, End};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -155,7 +156,7 @@ impl<const D: usize> ExactPair<'_, D> {
 
     /// Edges (2D: nodes) between two seen facets of one side through which lines run the same way.
     fn edges(&self, seen: &Shadows<D>, family: &Family<D>) -> Vec<Curve<D>> {
-        let mut sides: Vec<([u32; 2], bool, bool, u32, [usize; 2])> = Vec::new();
+        let mut sides: Vec<EdgeSide> = Vec::new();
         for (index, facet) in seen.facets.iter().enumerate() {
             let vertices = self.pair.side(facet.of_b).facets[facet.facet as usize];
             for k in 0..D {
@@ -240,6 +241,10 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 }
+
+/// An edge as one facet has it: its vertices ascending, whether the facet is of the second side, whether lines leave
+/// through it, its number, and its corners at the edge.
+type EdgeSide = ([u32; 2], bool, bool, u32, [usize; 2]);
 
 /// Weight of an anchor at a place.
 type Weight<'a> = Box<dyn Fn(&[f64; 3]) -> f64 + 'a>;

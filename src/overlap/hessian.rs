@@ -68,7 +68,8 @@ pub(super) fn slopes<const D: usize>(x: &[Vector<D>; D], d: &Vector<D>) -> Optio
     m /= det;
     for a in 1..D {
         h[a] /= det;
-        h[0] = h[0] - h[a];
+        let part = h[a];
+        h[0] -= part;
     }
     Some((m, h))
 }

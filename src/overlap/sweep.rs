@@ -141,6 +141,9 @@ pub(crate) fn sweep(
     }
 }
 
+/// An event at an end of a span, and its part of that end.
+type Bound = (Event, f64);
+
 /// Calls `visit(entering, leaving)` for every stretch of a line on which the measure is positive, with the events that
 /// bound it and the part of each; the parts at either end sum to 1. How often the stretch is covered does not matter.
 pub(crate) fn for_each_span(
@@ -148,9 +151,9 @@ pub(crate) fn for_each_span(
     events: &[Event],
     own: bool,
     tie: f64,
-    mut visit: impl FnMut(&[(Event, f64)], &[(Event, f64)]),
+    mut visit: impl FnMut(&[Bound], &[Bound]),
 ) {
-    let (mut entering, mut leaving): (Vec<(Event, f64)>, Vec<(Event, f64)>) = (Vec::new(), Vec::new());
+    let (mut entering, mut leaving): (Vec<Bound>, Vec<Bound>) = (Vec::new(), Vec::new());
     for place in Walk::new(start, events, own, tie) {
         let [before, after] = [&place.before, &place.after].map(|c| integrand(own, c) > 0.0);
         if before == after {
