@@ -66,7 +66,7 @@ pub fn suggest_fiber_stiffness(from: StiffnessFrom) -> Result<f64, Error> {
             (positive("modulus", modulus)?, 0.1 * positive("facet_size", facet_size)?)
         }
         StiffnessFrom::PeakPressure { pressure, overlap } => {
-            (positive("pressure", pressure)?, positive("overlap", overlap)?)
+            (positive("pressure", pressure)?, positive("penetration", overlap)?)
         }
     };
     Ok(pressure / penetration)
