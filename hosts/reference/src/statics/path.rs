@@ -88,9 +88,7 @@ impl<const D: usize> Equilibrium<D> {
         watch: Watch,
     ) -> Result<Vec<[f64; D]>, StaticsError> {
         let mut u = start;
-        let exp = std::env::var("FMC_STAGES").ok();
-        let exp: Vec<f64> = exp.map_or(stages.to_vec(), |s| s.split(',').map(|x| x.parse().unwrap()).collect());
-        for (stage, stiffness) in exp.into_iter().enumerate() {
+        for (stage, stiffness) in stages.into_iter().enumerate() {
             self.set_law(EnergyLaw::fiber(stiffness))?;
             if stage == 0 {
                 u = self.approach(u, load)?;
@@ -115,7 +113,7 @@ impl<const D: usize> Equilibrium<D> {
         if moved == u {
             return Ok(u);
         }
-        self.contact.release_patches();
+        self.keep_patches(&u)?;
         let balance = self.evaluate(&u, load)?;
         // Forces that the change of the supports calls up, to first order.
         let change: Vec<f64> = moved.iter().flatten().zip(u.iter().flatten()).map(|(moved, u)| moved - u).collect();

@@ -25,8 +25,9 @@ fn is_hertz(at: &Equilibrium<2>) {
     let [peak, width] = fitted(at);
     assert!((peak / PEAK - 1.0).abs() < 0.01, "peak {peak}");
     assert!((width / HALF_WIDTH - 1.0).abs() < 0.02, "half width {width}");
+    // Along the plane nothing acts; what lines do there is their sampling error, and the axis takes it.
     let force = at.balance().contact.bodies[0].force;
-    assert!(force[0].abs() < 1e-8 && (force[1] - 10.0).abs() < 1e-8, "{force:?}");
+    assert!(force[0].abs() < 1e-4 && (force[1] - 10.0).abs() < 1e-8, "{force:?}");
 }
 
 fn both() -> [Options; 2] {
@@ -38,7 +39,7 @@ fn from_rest_in_one_load_step() {
     for contact in both() {
         let (at, _) = solved(hertz(8.0, contact));
         is_hertz(&at);
-        assert!(at.iterations <= 16, "{} iterations", at.iterations);
+        assert!(at.iterations <= 12, "{} iterations", at.iterations);
     }
 }
 
@@ -56,9 +57,10 @@ fn energy_never_grows_and_the_end_is_quadratic() {
 
 #[test]
 fn multipliers_take_the_penetration_and_keep_the_pressure() {
-    // A soft contact: a penetration of 5e-4 without multipliers, and a peak that is 0.6 % low.
-    let (mut at, _) = solved(hertz(8.0, exact(EnergyLaw::fiber(2e4))));
-    let target = 8e-6;
+    // A soft contact: a penetration of 5e-4 without multipliers, and a peak that is 0.6 % low. With them it vanishes on the
+    // mean about every node; within a facet at the rim h²/8R = 1.3e-5 remains. The target is 1e-6 of the disc's width.
+    let (mut at, _) = solved(hertz(24.0, exact(EnergyLaw::fiber(2e4))));
+    let target = 1.6e-5;
     let how = at.augment(target, 10, &mut |_: &Iteration| ControlFlow::Continue(())).unwrap();
     println!("{how:?}");
     assert!(how.reached && at.true_contact().unwrap().penetration <= target, "{how:?}");
