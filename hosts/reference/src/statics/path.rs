@@ -111,7 +111,7 @@ impl<const D: usize> Equilibrium<D> {
         self.iterations += 1;
         let step = self.on_nodes(&step);
         let longest = step.iter().flatten().fold(0.0, |most: f64, d| most.max(d.abs()));
-        if !(longest < 1e3 * self.size()) {
+        if longest.is_nan() || longest >= 1e3 * self.size() {
             return Ok(moved);
         }
         let told = Iteration {
