@@ -7,10 +7,14 @@ from typing import Any, Sequence
 import dolfinx.fem.petsc as fpetsc
 import ufl
 from dolfinx import fem
+from fmc_contact.errors import InvertedCellError
 from petsc4py import PETSc
 
 from .adapter import DolfinxContact
 from .versions import create_vector, vector_of
+
+FAR = 0.1
+"""Part of the contact forces that the residual exceeds far from a solution."""
 
 
 class ContactProblem:
@@ -19,7 +23,10 @@ class ContactProblem:
     ``residual``: the UFL form of internal less external forces. ``u``: the displacement, which holds the start and
     receives the solution. ``bcs`` as for any nonlinear problem. ``jacobian``: its derivative; default: by UFL.
 
-    ``semidefinite``: set it to leave out of the matrix what contact makes negative, for use far from a solution.
+    ``semidefinite``: whether to leave out of the matrix what contact makes negative; ``None``: far from a solution, where
+    the residual is more than a tenth of the contact forces.
+
+    A trial that turns a cell inside out is answered by an infinite residual, so that a line search draws back.
     """
 
     def __init__(
@@ -29,7 +36,8 @@ class ContactProblem:
         self.u, self.bcs, self.contact = u, list(bcs), contact
         self.residual = fem.form(residual)
         self.jacobian = fem.form(ufl.derivative(residual, u, ufl.TrialFunction(space)) if jacobian is None else jacobian)
-        self.semidefinite = False
+        self.semidefinite: bool | None = None
+        self._is_far = True
         self.vector = create_vector(self.residual, space)
         self.matrix = fpetsc.create_matrix(self.jacobian)
 
@@ -44,10 +52,18 @@ class ContactProblem:
         with residual.localForm() as local:
             local.set(0.0)
         fpetsc.assemble_vector(residual, self.residual)
-        fpetsc.apply_lifting(residual, [self.jacobian], [self.bcs], [x], -1.0)
+        # The ghosts of the displacement are those of now; those of a vector of SNES need not be.
+        now = vector_of(self.u)
+        fpetsc.apply_lifting(residual, [self.jacobian], [self.bcs], [now], -1.0)
         residual.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
-        self.contact.add_forces(residual, self.contact.evaluate(x), -1.0)
-        fpetsc.set_bc(residual, self.bcs, x, -1.0)
+        try:
+            result = self.contact.evaluate(x)
+        except InvertedCellError:
+            residual.set(float("inf"))
+            return
+        self.contact.add_forces(residual, result, -1.0)
+        fpetsc.set_bc(residual, self.bcs, now, -1.0)
+        self._is_far = residual.norm() > FAR * float((result.forces**2).sum()) ** 0.5
 
     def J(self, snes: Any, x: Any, matrix: Any, preconditioner: Any) -> None:
         """Derivative at ``x``, for ``SNES.setJacobian``."""
@@ -55,7 +71,8 @@ class ContactProblem:
         preconditioner.zeroEntries()
         fpetsc.assemble_matrix(preconditioner, self.jacobian, self.bcs)
         preconditioner.assemble()
-        tangent = self.contact.tangent(x, semidefinite=self.semidefinite)
+        semidefinite = self._is_far if self.semidefinite is None else self.semidefinite
+        tangent = self.contact.tangent(x, semidefinite=semidefinite)
         self.contact.add_tangent(preconditioner, tangent, self.bcs)
         if matrix != preconditioner:
             matrix.assemble()
@@ -65,7 +82,8 @@ class ContactProblem:
         snes = PETSc.SNES().create(self.u.function_space.mesh.comm)
         snes.setFunction(self.F, self.vector)
         snes.setJacobian(self.J, self.matrix)
-        snes.setTolerances(rtol=1e-10, atol=1e-12, max_it=50)
+        # A short step of a line search is no sign of convergence.
+        snes.setTolerances(rtol=1e-10, atol=1e-12, stol=0.0, max_it=50)
         solver = snes.getKSP()
         solver.setType("preonly")
         solver.getPC().setType("lu")

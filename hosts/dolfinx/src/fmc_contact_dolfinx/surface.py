@@ -11,7 +11,7 @@ from fmc_contact.trace import Trace
 
 from .replica import Replica, gather_rows
 from .space import Displacement
-from .versions import CELL_TYPES, TENSOR_ORDER, cell_geometry
+from .versions import CELL_TYPES, TENSOR_ORDER, cell_dofs, cell_geometry
 
 
 class Shown(NamedTuple):
@@ -97,8 +97,6 @@ def _local_faces(displacement: Displacement) -> tuple[np.ndarray, np.ndarray, np
     corner_table = np.array([corners for corners, _ in variants])
     node_table = np.array([nodes for _, nodes in variants])
     geometry, x = cell_geometry(mesh)[cells], mesh.geometry.x[:, :dim]
-    from .versions import cell_dofs
-
     def pick(table: np.ndarray, of_cells: np.ndarray, variant: np.ndarray) -> np.ndarray:
         return np.take_along_axis(of_cells, table[variant], axis=1)
 

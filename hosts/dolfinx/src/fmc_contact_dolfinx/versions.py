@@ -57,9 +57,10 @@ def create_vector(form: Any, space: Any) -> Any:
     return petsc.create_vector(form if next(iter(parameters)) in ("L", "form") else space)
 
 
-def _rows(adjacency: Any, count: int) -> np.ndarray:
-    array = adjacency.array if hasattr(adjacency, "array") else adjacency
-    return np.asarray(array).reshape(count, -1)
+def _rows(adjacency: Any, count: int, width: int) -> np.ndarray:
+    array = np.asarray(adjacency.array if hasattr(adjacency, "array") else adjacency)
+    # A rank may have no cells, whose width nothing tells then.
+    return array.reshape(count, -1) if count else array.reshape(0, width)
 
 
 def _cell_count(mesh: Any) -> int:
@@ -71,12 +72,12 @@ def cell_geometry(mesh: Any) -> np.ndarray:
     """Geometry nodes of all cells here, ghosts last, (cells, nodes)."""
     geometry = mesh.geometry
     table = geometry.dofmaps[0] if hasattr(geometry, "dofmaps") else geometry.dofmap
-    return _rows(table, _cell_count(mesh))
+    return _rows(table, _cell_count(mesh), CORNER_COUNT[cell_name(mesh)])
 
 
 def cell_dofs(space: Any) -> np.ndarray:
     """Blocks of unknowns of all cells here, ghosts last, (cells, blocks)."""
-    return _rows(space.dofmap.list, _cell_count(space.mesh))
+    return _rows(space.dofmap.list, _cell_count(space.mesh), space.dofmap.dof_layout.num_dofs)
 
 
 def cell_name(mesh: Any) -> str:
@@ -109,3 +110,5 @@ TENSOR_ORDER = {
 }
 
 CELL_TYPES = {"triangle": "triangle", "quadrilateral": "quad", "tetrahedron": "tetra", "hexahedron": "hexahedron"}
+
+CORNER_COUNT = {"triangle": 3, "quadrilateral": 4, "tetrahedron": 4, "hexahedron": 8}
