@@ -13,6 +13,9 @@ from scipy.sparse.linalg import splu
 
 from model import Model
 
+MOST_TURNS = 4
+"""Times that the lines are turned into the contact normal of an equilibrium, and it is sought anew."""
+
 FAR = 0.1
 """Residual by the forces above which the contact's matrix is semidefinite."""
 
@@ -34,10 +37,12 @@ class Newton:
         load = self.load[self.model.dofs]
         start = approach(problem, load, lambda u: self._force(self.model.on_dofs(u))[self.model.dofs])
         u = self.model.on_dofs(start)
-        if soft < hard:
-            u = self._solve(u, max(FAR, self.tolerance))
-            self.contact.contact.set_options(stiffness=hard)
-        return self._solve(u, self.tolerance)
+        for stiffness in (soft, (soft * hard) ** 0.5):
+            if soft < hard:
+                self.contact.contact.set_options(stiffness=stiffness)
+                u = self._solve(u, max(FAR, self.tolerance), 0)
+        self.contact.contact.set_options(stiffness=hard)
+        return self._solve(u, self.tolerance, MOST_TURNS)
 
     def _force(self, u: np.ndarray) -> np.ndarray:
         return self._timed(self.contact.force, u)
@@ -61,11 +66,15 @@ class Newton:
         self.touch = touch
         return residual, float(np.linalg.norm(residual) / scale), float(strain + touch.energy - self.load @ u)
 
-    def _solve(self, u: np.ndarray, tolerance: float) -> np.ndarray:
+    def _solve(self, u: np.ndarray, tolerance: float, turns: int) -> np.ndarray:
         self._timed(self.contact.keep_patches, u)
         residual, size, energy = self._state(u)
         area, pairs = self.touch.contact_area, len(self.touch.pairs)
-        for _ in range(60):
+        for _ in range(100):
+            if size <= tolerance and turns > 0:
+                turns -= 1
+                self._timed(self.contact.keep_patches, u)
+                residual, size, energy = self._state(u)
             # Far from the solution the patches follow the contact when it has begun or spread.
             if size > FAR and (len(self.touch.pairs) > pairs or not 0.5 * area <= self.touch.contact_area <= 2.0 * area):
                 self._timed(self.contact.keep_patches, u)

@@ -9,10 +9,19 @@ MPI ranks.
 """
 
 from .adapter import DolfinxContact
-from .input_numbers import by_input_number
+from .input_numbers import by_input_number, set_by_input_number
 from .nonlinear import attach, with_contact
 from .snes import ContactProblem
 from .space import LayoutError
 from .together import OtherRankError
 
-__all__ = ["ContactProblem", "DolfinxContact", "LayoutError", "OtherRankError", "attach", "by_input_number", "with_contact"]
+__all__ = [
+    "ContactProblem",
+    "DolfinxContact",
+    "LayoutError",
+    "OtherRankError",
+    "attach",
+    "by_input_number",
+    "set_by_input_number",
+    "with_contact",
+]

@@ -138,7 +138,7 @@ class DolfinxContact:
         count = shown.displacement.owned * self.dim
         held = np.zeros(count, bool)
         for bc in bcs:
-            if _same(bc.function_space, shown.displacement.space):
+            if _holds_part_of(shown.displacement.space, bc.function_space):
                 dofs = held_dofs(bc)
                 held[dofs[dofs < count]] = True
         return held.reshape(-1, self.dim)
@@ -196,7 +196,7 @@ def _comm(space: Any) -> Any:
     return mesh.comm
 
 
-def _same(one: Any, other: Any) -> bool:
-    """Whether two wrappers stand for one space."""
-    cpp = lambda space: getattr(space, "_cpp_object", space)  # noqa: E731
-    return cpp(one) is cpp(other) or cpp(one) == cpp(other)
+def _holds_part_of(space: Any, other: Any) -> bool:
+    """Whether ``other`` is ``space``, or a component of it; wrappers do not count."""
+    space, other = (getattr(one, "_cpp_object", one) for one in (space, other))
+    return space is other or space == other or bool(space.contains(other))

@@ -60,7 +60,8 @@ def whole(displacement: Displacement, bodies: np.ndarray | None) -> Shown:
 def boundary(displacement: Displacement, divisions: int | None, bodies: np.ndarray | None) -> Shown:
     """The boundary, face after face in the order of their cells."""
     comm = displacement.mesh.comm
-    cells, corners, nodes, x = _local_faces(displacement)
+    _, cells, corners, nodes = owned_faces(displacement)
+    x = np.ascontiguousarray(displacement.mesh.geometry.x[corners][:, :, : displacement.dim])
     number = np.asarray(displacement.mesh.topology.original_cell_index, np.int64)[cells]
     inputs = _inputs(displacement)[corners]
     key = gather_rows(comm, np.column_stack([number, np.sort(inputs, axis=1)]))
@@ -80,8 +81,19 @@ def boundary(displacement: Displacement, divisions: int | None, bodies: np.ndarr
     return Shown(displacement, replica, trace.straight(corner_coords), np.empty((0, 0), int), trace, body)
 
 
-def _local_faces(displacement: Displacement) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Boundary faces that this rank owns: their cells, geometry nodes and blocks, and the coordinates of the corners."""
+class Faces(NamedTuple):
+    """Boundary faces that this rank owns."""
+
+    facets: np.ndarray
+    cells: np.ndarray
+    corners: np.ndarray
+    """Geometry nodes of the corners, (faces, corners), seen from outside."""
+    nodes: np.ndarray
+    """Blocks of the nodes, (faces, nodes), as ``fmc_contact.trace`` draws them."""
+
+
+def owned_faces(displacement: Displacement) -> Faces:
+    """The boundary faces that this rank owns."""
     mesh, facet_dim = displacement.mesh, displacement.facet_dim
     topology, dim = mesh.topology, displacement.dim
     topology.create_entities(facet_dim)
@@ -105,7 +117,7 @@ def _local_faces(displacement: Displacement) -> tuple[np.ndarray, np.ndarray, np
     variant = 2 * place + inward
     corners = pick(corner_table, geometry, variant)
     nodes = pick(node_table, cell_dofs(displacement.space)[cells], variant)
-    return cells, corners, nodes, np.ascontiguousarray(x[corners])
+    return Faces(facets, cells, corners, nodes)
 
 
 def _inward(at: np.ndarray, middles: np.ndarray) -> Any:
