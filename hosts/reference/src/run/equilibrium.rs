@@ -149,7 +149,7 @@ impl FieldSeries {
 
     fn add<const D: usize>(&mut self, out: &Folder, at: &Equilibrium<D>, wanted: bool) {
         if wanted && self.failed.is_none() {
-            self.failed = fields::grid_at_rest(at).write(&out.join(Self::file(self.count))).err().map(Into::into);
+            self.failed = fields::grid_at_rest(at).write(&out.join(Self::file(self.count))).err();
             self.count += 1;
         }
     }
