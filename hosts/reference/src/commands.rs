@@ -1,5 +1,6 @@
 //! Commands about cases.
 
 pub(crate) mod list;
+pub(crate) mod mesh;
 pub(crate) mod run;
 pub(crate) mod study;

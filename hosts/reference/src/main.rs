@@ -23,6 +23,7 @@ struct Cli {
 enum Command {
     Run(commands::run::RunArgs),
     List(commands::list::ListArgs),
+    Mesh(commands::mesh::MeshArgs),
     Study(commands::study::StudyArgs),
     Force(force::ForceArgs),
     Verify(verify::VerifyArgs),
@@ -32,6 +33,7 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Run(args) => commands::run::run(&args),
         Command::List(args) => commands::list::run(&args).map(|()| ExitCode::SUCCESS),
+        Command::Mesh(args) => commands::mesh::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Study(args) => commands::study::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Force(args) => force::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Verify(args) => verify::run(&args),
