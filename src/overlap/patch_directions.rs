@@ -1,8 +1,9 @@
 //! The directions of one patch's lines.
 //!
 //! One, the mean normal, ∂V summed over the patch, so that L is the penetration depth. Where the contact wraps so far
-//! around that lines along it would run flat along the surfaces, as a pin's in its hole, there are several: axes, so that
-//! the opposite walls of a hole share theirs. Each facet then belongs to the axis to which its normal is closest.
+//! around that lines along it would run flat along the surfaces, as a pin's in its hole, there are others at right angles:
+//! axes, so that the opposite walls of a hole share theirs. Each facet then belongs to the axis to which its normal is
+//! closest, and three serve any normal within 55°.
 
 use crate::geometry::Vector;
 use nalgebra::{Matrix3, Vector3};
@@ -19,9 +20,6 @@ const SERVED: f64 = 0.5;
 
 /// Another direction is worth its lines for more than this part of the patch.
 const WORTHWHILE: f64 = 0.05;
-
-/// Rounds in which axes and their facets find one another.
-const ROUNDS: usize = 8;
 
 /// Boundary at the two ends of one span: unit normals, outwards of the first side and into the second, and what they
 /// stand for of either surface.
@@ -53,9 +51,13 @@ impl<const D: usize> Resultant<D> {
         if self.resultant.norm() > CANCELLED * self.measure {
             return upright(self.resultant);
         }
+        upright(self.axis())
+    }
+
+    fn axis(&self) -> Vector<D> {
         let eigen = self.moments.symmetric_eigen();
         let most = eigen.eigenvectors.column(eigen.eigenvalues.imax());
-        upright(Vector::from_fn(|i, _| most[i]))
+        Vector::from_fn(|i, _| most[i])
     }
 }
 
@@ -64,43 +66,24 @@ fn upright<const D: usize>(d: Vector<D>) -> Vector<D> {
     (d / d[d.iamax()]).normalize()
 }
 
-/// Directions of a patch with these spans, the first of which is the mean normal if it is the only one.
+/// Directions of a patch with these spans, the first of which is the mean normal.
 pub(super) fn directions<const D: usize>(spans: &[Ends<D>], rounded: bool) -> Vec<Vector<D>> {
     let mut all = Resultant::new();
     spans.iter().flatten().for_each(|(normal, measure)| all.add(normal, *measure));
     let mut axes = vec![all.direction()];
-    // As many as are at right angles to one another serve any normal.
     while axes.len() < D {
-        let served = |ends: &Ends<D>| {
-            let of = |(n, _): &(Vector<D>, f64)| axes.iter().map(|d| n.dot(d).abs()).fold(0.0, f64::max);
-            of(&ends[0]).max(of(&ends[1]))
-        };
-        let (mut unserved, mut farthest) = (0.0, (SERVED, Vector::zeros()));
-        for ends in spans {
-            let best = served(ends);
-            if best < SERVED {
-                unserved += ends[0].1 + ends[1].1;
-            }
-            if best < farthest.0 {
-                farthest = (best, if ends[0].1 > 0.0 { ends[0].0 } else { ends[1].0 });
-            }
-        }
-        if unserved <= WORTHWHILE * all.measure {
+        let served = |normal: &Vector<D>| axes.iter().any(|d| normal.dot(d).abs() >= SERVED);
+        let unserved = || spans.iter().filter(|ends| ends.iter().all(|(n, m)| *m == 0.0 || !served(n))).flatten();
+        if unserved().map(|(_, measure)| measure).sum::<f64>() <= WORTHWHILE * all.measure {
             break;
         }
-        axes.push(upright(farthest.1));
-        for _ in 0..ROUNDS {
-            let mut sums = vec![Vector::zeros(); axes.len()];
-            for (normal, measure) in spans.iter().flatten().filter(|(_, measure)| *measure > 0.0) {
-                let axis = nearest(&axes, normal);
-                sums[axis] += normal * measure.copysign(normal.dot(&axes[axis]));
-            }
-            for (axis, sum) in axes.iter_mut().zip(sums) {
-                if sum.norm() > 0.0 {
-                    *axis = upright(sum);
-                }
-            }
+        let mut beside = Resultant::new();
+        for (normal, measure) in unserved() {
+            beside.add(&axes.iter().fold(*normal, |rest, d| rest - d * rest.dot(d)), *measure);
         }
+        let axis = beside.axis();
+        // At right angles but for rounding of the sums.
+        axes.push(upright(axes.iter().fold(axis, |rest, d| rest - d * rest.dot(d))));
     }
     if rounded {
         axes.iter_mut().for_each(|d| *d = (*d / d[d.iamax()]).map(|x| (x / ROUNDING).round() * ROUNDING).normalize());
