@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import ufl
 from dolfinx import fem
-from fmc_agreement import figures, leapfrog, outcome
+from fmc_agreement import bits, figures, leapfrog, outcome
 from fmc_agreement.approach import approach, soft_stiffness
 from fmc_agreement.leapfrog import Motion, Touch
 from fmc_agreement.problem import Problem, from_json, load
@@ -60,6 +60,22 @@ def forces_at(model: Model, contact: Any) -> np.ndarray:
     return contact.evaluate(model.u).forces
 
 
+def same_bits(out: Path, problem: Problem, model: Model, contact: Any) -> dict[str, np.ndarray]:
+    """Forces at the displacement of the reference host, where it has run."""
+    if not (out / "reference.npz").exists():
+        return {}
+    contact.contact.release_patches()
+    u, force = fem.Function(model.space), fem.Function(model.space)
+
+    def at(displacement: np.ndarray) -> np.ndarray:
+        set_by_input_number(u, displacement)
+        owned = contact.force(u)
+        force.x.array[: len(owned)] = owned
+        return by_input_number(force)
+
+    return bits.compared(out, problem, at)
+
+
 def at_rest(problem: Problem, out: Path, host: str) -> None:
     """Solves a case of statics."""
     model = Model(problem)
@@ -98,9 +114,10 @@ def at_rest(problem: Problem, out: Path, host: str) -> None:
         found = {"stress_error_max": largest_stress_error(model, pressure)}
         curve = np.column_stack([np.arange(len(residuals)), residuals])
     found["penetration_max"] = result.penetration
+    arrays = same_bits(out, problem, model, contact)
     if model.mesh.comm.rank == 0:
         outcome.write(
-            out, host, problem, found, u, force, curve, iterations, seconds, contact.seconds,
+            out, host, problem, found, u, force, curve, iterations, seconds, contact.seconds, arrays,
             ranks=model.mesh.comm.size,
         )  # fmt: skip
 
@@ -174,10 +191,11 @@ def in_motion(problem: Problem, out: Path, host: str) -> None:
     found = figures.motion(problem, history, masses)
     about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
     curve = np.column_stack([history.time, np.linalg.norm(np.array(history.bodies)[:, about], axis=1)])
+    arrays = same_bits(out, problem, model, contact)
     if comm.rank == 0:
         outcome.write(
             out, host, problem, found, field, force, curve, len(history.time) - 1, history.seconds,
-            history.contact_seconds, ranks=comm.size,
+            history.contact_seconds, arrays, ranks=comm.size,
         )  # fmt: skip
 
 

@@ -33,7 +33,8 @@ def write(problem: Problem, path: Path) -> None:
     lines = [f"dimension {problem.dim}"]
 
     def table(name: str, rows: Iterable) -> None:
-        rows = [" ".join(repr(x) for x in np.asarray(row).tolist()) for row in rows]
+        # Number by number, so that node numbers stay whole.
+        rows = [" ".join(repr(x.item() if isinstance(x, np.generic) else x) for x in row) for row in rows]
         lines.append(f"{name} {len(rows)}")
         lines.extend(rows)
 

@@ -115,13 +115,15 @@ class DolfinxContact:
         To be called after contributions of ghosts were added up. Unknowns that ``bcs`` hold are left alone.
         """
         targets = list(vectors) if isinstance(vectors, (list, tuple)) else [vectors]
+        on_nodes = self._on_nodes(result.forces)
         for shown, first, target in zip(self._shown, self._first, targets):
-            on_nodes = self._on_nodes(result.forces)[first : first + shown.replica.count]
-            mine = scale * on_nodes[shown.replica.rows]
-            mine[self._held(shown, bcs)[shown.replica.local]] = 0.0
+            mine = on_nodes.take(first + shown.replica.rows, axis=0)
+            if scale != 1.0:
+                mine *= scale
+            if bcs:
+                mine[self._held(shown, bcs)[shown.replica.local]] = 0.0
             array = target if isinstance(target, np.ndarray) else target.array
-            count = shown.displacement.owned
-            array[: count * self.dim].reshape(count, self.dim)[shown.replica.local] += mine
+            shown.replica.add_rows(array, mine)
 
     def force(self, *displacements: Any) -> Any:
         """Contact forces on what this rank owns, (owned unknowns,); a list of such for several spaces."""

@@ -83,7 +83,7 @@ class SkfemContact:
         u = np.asarray(u)
         if u.shape != (self.size,):
             raise ValueError(f"the displacement has shape {u.shape}, ({self.size},) is wanted")
-        at_nodes = self._undeformed + u[self._dofs]
+        at_nodes = self._undeformed + u.take(self._dofs)
         return at_nodes if self._skin is None else self._skin.points(at_nodes)
 
     def evaluate(self, u: np.ndarray) -> Result:
@@ -98,7 +98,8 @@ class SkfemContact:
     def on_dofs(self, forces: np.ndarray) -> np.ndarray:
         """Forces of ``evaluate`` brought to the degrees of freedom, (size,)."""
         total = np.zeros(self.size)
-        total[self._dofs] = forces if self._skin is None else self._skin.to_nodes(forces)
+        on_nodes = forces if self._skin is None else self._skin.to_nodes(forces)
+        total[self._dofs.ravel()] = on_nodes.ravel()
         return total
 
     def tangent(self, u: np.ndarray, semidefinite: bool = False) -> csr_matrix:
