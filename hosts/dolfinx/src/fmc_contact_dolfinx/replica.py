@@ -34,6 +34,7 @@ class Replica:
         self._counts = np.array(comm.allgather(len(self.rows)))
         self._place = np.argsort(order)
         """Where a row stands among those of all ranks, one rank after another."""
+        self._unknowns = np.empty(0, np.int64)
 
     def gather(self, owned_values: np.ndarray) -> np.ndarray:
         """From the values of all blocks that this rank owns, (owned, dim), those of all rows, (count, dim)."""
@@ -48,6 +49,9 @@ class Replica:
 
     def add_rows(self, target: np.ndarray, values: np.ndarray) -> None:
         """Adds values of the rows that this rank owns, (rows, dim), to its blocks in ``target``, (owned * dim,)."""
-        width = values.shape[1]
-        at = (self.local[:, None] * width + np.arange(width)).ravel()
-        target[at] = target.take(at) + values.ravel()
+        if len(self._unknowns) != values.size:
+            width = values.shape[1]
+            self._unknowns = (self.local[:, None] * width + np.arange(width)).ravel()
+        sums = target.take(self._unknowns)
+        sums += values.ravel()
+        target[self._unknowns] = sums
