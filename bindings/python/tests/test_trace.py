@@ -1,4 +1,5 @@
-"""Boundaries of finite element spaces as flat facets: closed, true to the shape functions, and forces back on the nodes."""
+"""Boundaries of finite element spaces as flat facets: closed, true to the shape functions, and forces back on the
+nodes."""
 
 import numpy as np
 import pytest

@@ -24,6 +24,6 @@ for estimator in ("fibers", "exact"):
     whole, inner = comm.allreduce(whole, MPI.MAX), comm.allreduce(inner, MPI.MAX)
     if comm.rank == 0:
         print(
-            f"dolfinx, {comm.size} ranks, {surface} surface nodes, {estimator}: evaluation {1e3 * inner:.1f} ms, with adapter "
-            f"{1e3 * whole:.1f} ms, {100 * (whole - inner) / inner:.1f} % more"
+            f"dolfinx, {comm.size} ranks, {surface} surface nodes, {estimator}: evaluation {1e3 * inner:.1f} ms, "
+            f"with adapter {1e3 * whole:.1f} ms, {100 * (whole - inner) / inner:.1f} % more"
         )

@@ -15,9 +15,8 @@ from fmc_agreement.approach import approach, soft_stiffness
 from fmc_agreement.leapfrog import Motion, Touch
 from fmc_agreement.problem import Problem, from_json, load
 from fmc_contact_dolfinx import ContactProblem, DolfinxContact, by_input_number, set_by_input_number
-from mpi4py import MPI
-
 from model import Model
+from mpi4py import MPI
 
 FAR = 0.1
 """Part of the load that a residual may be on the way."""
@@ -84,10 +83,10 @@ def at_rest(problem: Problem, out: Path, host: str) -> None:
     residual = model.internal if model.load is None else model.internal - model.load
     solver = ContactProblem(residual, model.u, model.bcs, contact)
     pull = fem.Function(model.space)
-    pull.x.array[: model.displacement.owned * model.dim] = model.assembled(fem.form(model.load))
-    pull.x.scatter_forward()
+    if model.load is not None:
+        pull.x.array[: model.displacement.owned * model.dim] = model.assembled(fem.form(model.load))
+        pull.x.scatter_forward()
     load_at_nodes = by_input_number(pull)
-    size = np.linalg.norm(load_at_nodes)
     hard = contact.contact.options["stiffness"]
     soft = min(hard, soft_stiffness(problem))
     contact.contact.set_options(stiffness=soft)
@@ -99,6 +98,8 @@ def at_rest(problem: Problem, out: Path, host: str) -> None:
     for stiffness, accuracy in [*stages, *[(hard, tolerance)] * (1 + MOST_TURNS)]:
         contact.contact.set_options(stiffness=stiffness)
         contact.keep_patches(model.u)
+        # What a residual is compared with: the load, or the force of the contact where bodies are moved and not pushed.
+        size = np.linalg.norm(load_at_nodes) or np.linalg.norm(contact.evaluate(model.u).forces)
         snes = solver.solver()
         snes.setTolerances(atol=accuracy * size, rtol=0.0, stol=0.0, max_it=100)
         snes.setConvergenceHistory()
@@ -107,12 +108,12 @@ def at_rest(problem: Problem, out: Path, host: str) -> None:
     seconds = time.perf_counter() - begin
     result = contact.evaluate(model.u)
     u, force = by_input_number(model.u), result.forces
+    found: dict[str, float] = {}
+    curve = np.column_stack([np.arange(len(residuals)), residuals])
     if problem.raw["figures"]["kind"] == "hertz":
         found, curve = figures.hertz(problem, force)
-    else:
-        pressure = problem.raw["loads"][0]["pressure"]
-        found = {"stress_error_max": largest_stress_error(model, pressure)}
-        curve = np.column_stack([np.arange(len(residuals)), residuals])
+    elif problem.raw["figures"]["kind"] == "patch":
+        found["stress_error_max"] = largest_stress_error(model, problem.raw["loads"][0]["pressure"])
     found["penetration_max"] = result.penetration
     arrays = same_bits(out, problem, model, contact)
     if model.mesh.comm.rank == 0:

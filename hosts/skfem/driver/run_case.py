@@ -11,7 +11,6 @@ from fmc_agreement import bits, figures, leapfrog, outcome
 from fmc_agreement.leapfrog import Motion, Touch
 from fmc_agreement.problem import Problem, load
 from fmc_contact_skfem import SkfemContact
-
 from model import Model
 from newton import Newton
 
@@ -39,10 +38,11 @@ def at_rest(problem: Problem, out: Path) -> None:
     u = newton.equilibrium()
     seconds = time.perf_counter() - begin
     force = newton.contact.force(u)[model.dofs]
+    found: dict[str, float] = {}
     curve = np.column_stack([np.arange(len(newton.residuals)), newton.residuals])
     if problem.raw["figures"]["kind"] == "hertz":
         found, curve = figures.hertz(problem, force)
-    else:
+    elif problem.raw["figures"]["kind"] == "patch":
         pressure = problem.raw["loads"][0]["pressure"]
         off = model.stresses_along(u, problem.dim - 1) + pressure
         found = {"stress_error_max": float(np.abs(off).max() / pressure)}

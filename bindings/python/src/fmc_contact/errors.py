@@ -10,7 +10,8 @@ import re
 
 # "facet or cell 2", "node 8", "nodes 0 and 1", "cell block 1", "coordinate 1", "point 0"
 _NUMBERED = re.compile(
-    r"\b(cell or facet|facet or cell|cell block|cell|facet|nodes|node|body|obstacle|coordinate|point) (-?\d+)(?: and (-?\d+))?"
+    r"\b(cell or facet|facet or cell|cell block|cell|facet|nodes|node|body|obstacle|coordinate|point)"
+    r" (-?\d+)(?: and (-?\d+))?"
 )
 
 
@@ -24,11 +25,13 @@ class FmcError(Exception):
 
     @property
     def indices(self) -> dict[str, tuple[int, ...]]:
-        """Numbers that the sentence names, by what they number: ``{"cell": (1,), "node": (8,)}``. A cell that may be a facet
-        is a ``"cell"``; ``"coordinate"`` is an axis."""
+        """Numbers that the sentence names, by what they number: ``{"cell": (1,), "node": (8,)}``. A cell that may be
+        a facet is a ``"cell"``; ``"coordinate"`` is an axis."""
         found: dict[str, tuple[int, ...]] = {}
         for name, *numbers in _NUMBERED.findall(str(self)):
-            key = {"facet or cell": "cell", "cell or facet": "cell", "cell block": "block", "nodes": "node"}.get(name, name)
+            key = {"facet or cell": "cell", "cell or facet": "cell", "cell block": "block", "nodes": "node"}.get(
+                name, name
+            )
             found.setdefault(key, tuple(int(number) for number in numbers if number))
         return found
 

@@ -71,7 +71,9 @@ class _Part:
         self._same, rest = 0, trace.prolongation
         if rest is None:
             self._same = trace.node_count
-        elif trace.point_count >= trace.node_count and (rest[: trace.node_count] != _identity(trace.node_count)).nnz == 0:
+        elif (
+            trace.point_count >= trace.node_count and (rest[: trace.node_count] != _identity(trace.node_count)).nnz == 0
+        ):
             self._same, rest = trace.node_count, rest[trace.node_count :]
         self._down = rest
         # By rows as well: the product with a matrix by columns takes several times as long.

@@ -1,5 +1,5 @@
-"""``python -m fmc_agreement FOLDER [CASE ...]``: runs all cases in all hosts and writes ``table.md``, ``table.json`` and
-``index.html``. The exit status is 1 if a host does not agree."""
+"""``python -m fmc_agreement FOLDER [CASE ...]``: runs all cases in all hosts and writes ``table.md``, ``table.json``
+and ``index.html``. The exit status is 1 if a host does not agree."""
 
 from __future__ import annotations
 

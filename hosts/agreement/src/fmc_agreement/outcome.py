@@ -26,8 +26,8 @@ def write(
     arrays: dict[str, np.ndarray] | None = None,
     **more: Any,
 ) -> None:
-    """``displacement`` and ``force`` (nodes, dim) of the contact, in the case's numbering, at the end; ``curve`` (points, 2) is
-    what a picture shows. ``arrays`` go beside them, ``more`` into the summary."""
+    """``displacement`` and ``force`` (nodes, dim) of the contact, in the case's numbering, at the end; ``curve``
+    (points, 2) is what a picture shows. ``arrays`` go beside them, ``more`` into the summary."""
     folder.mkdir(parents=True, exist_ok=True)
     summary = {
         "case": problem.name,

@@ -27,8 +27,8 @@ def plates(divisions: int = 110) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def share(contact: Any, adapted: Callable[[], Any], repeats: int = 9) -> tuple[float, float]:
-    """Seconds of an evaluation with its adapter and of the evaluation within it: of the repeat in which the rest was least.
-    ``contact`` is what the adapter evaluates."""
+    """Seconds of an evaluation with its adapter and of the evaluation within it: of the repeat in which the rest was
+    least. ``contact`` is what the adapter evaluates."""
     plain, times = contact.evaluate, []
 
     def evaluate(*arguments: Any) -> Any:

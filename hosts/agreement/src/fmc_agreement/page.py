@@ -15,8 +15,8 @@ from .table import is_met
 STYLE = """
 body { font: 16px/1.45 system-ui, sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; color: #1e1e1e; }
 table { border-collapse: collapse; margin: .5rem 0 1rem; } th, td { padding: .2rem .7rem; text-align: right; }
-th:first-child, td:first-child { text-align: left; } tr { border-bottom: 1px solid #ddd; } .bad { color: #b00020; font-weight: 600; }
-svg { max-width: 100%; } svg text { font-size: 12px; fill: #444; } .grid { stroke: #e4e4e4; }
+th:first-child, td:first-child { text-align: left; } tr { border-bottom: 1px solid #ddd; } .bad { color: #b00020;
+font-weight: 600; } svg { max-width: 100%; } svg text { font-size: 12px; fill: #444; } .grid { stroke: #e4e4e4; }
 """
 
 
@@ -28,7 +28,11 @@ def write(path: Path, done: list[tuple[Case, Problem, Path, list[dict[str, Any]]
         "<p>Differences are the largest of any node from the reference host, by the largest value.</p>",
     ]
     for case, problem, folder, rows in done:
-        parts += [f"<h2>{escape(case.title)}</h2><p>{escape(problem.raw['title'])}</p>", _table(rows), _figures(rows, problem)]
+        parts += [
+            f"<h2>{escape(case.title)}</h2><p>{escape(problem.raw['title'])}</p>",
+            _table(rows),
+            _figures(rows, problem),
+        ]
         names = ["reference", *(label(host, ranks) for host, ranks in case.hosts)]
         curves = {name: outcome.read(folder, name)[1]["curve"] for name in names}
         parts.append(overlay(problem.raw["figures"]["kind"], curves))
@@ -56,7 +60,8 @@ def _figures(rows: list[dict[str, Any]], problem: Problem) -> str:
         expected = [e for e in problem.raw["expected"] if e["figure"] == key and e["tolerance"] is not None]
         wanted = f"{expected[0]['value']:.6g} ± {expected[0]['tolerance']:.1g}" if expected else ""
         cells = "".join(
-            f"<td{' class=bad' if key in row['missed'] else ''}>{_number(row['figures'].get(key), 6)}</td>" for row in rows
+            f"<td{' class=bad' if key in row['missed'] else ''}>{_number(row['figures'].get(key), 6)}</td>"
+            for row in rows
         )
         lines.append(f"<tr><td>{escape(key)}</td><td>{wanted}</td>{cells}</tr>")
     return "\n".join([*lines, "</table>"])

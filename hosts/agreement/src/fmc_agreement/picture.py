@@ -40,8 +40,10 @@ def overlay(kind: str, curves: dict[str, np.ndarray], width: int = 760, height: 
         tick = f"1e{py:.0f}" if is_log else f"{py:.3g}"
         parts.append(f'<text x="{left - 6}" y="{gy + 4:.1f}" text-anchor="end">{tick}</text>')
         parts.append(f'<text x="{gx:.1f}" y="{height - bottom + 18}" text-anchor="middle">{px:.3g}</text>')
-    parts.append(f'<text x="{left + (width - left - right) / 2}" y="{height - 8}" text-anchor="middle">{escape(across)}</text>')
-    parts.append(f'<text transform="translate(14 {top + (height - top - bottom) / 2}) rotate(-90)" text-anchor="middle">{escape(up)}</text>')
+    middle = left + (width - left - right) / 2, top + (height - top - bottom) / 2
+    parts.append(f'<text x="{middle[0]}" y="{height - 8}" text-anchor="middle">{escape(across)}</text>')
+    turned = f"translate(14 {middle[1]}) rotate(-90)"
+    parts.append(f'<text transform="{turned}" text-anchor="middle">{escape(up)}</text>')
     for number, (name, curve) in enumerate(shown.items()):
         points = [at(px, py) for px, py in zip(curve[:, 0], y_of(curve[:, 1])) if np.isfinite(py)]
         line = " ".join(f"{px:.1f},{py:.1f}" for px, py in points)

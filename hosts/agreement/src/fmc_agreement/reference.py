@@ -14,7 +14,6 @@ import numpy as np
 from . import outcome
 from .problem import Problem, fmc, load
 
-
 MIDDLE = 0.4
 """Part of a motion after which forces are compared bit for bit: in all cases bodies touch then."""
 

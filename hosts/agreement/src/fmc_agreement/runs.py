@@ -35,8 +35,9 @@ class Case:
         return ", ".join(words)
 
 
-# With the stiffness of the case file the star's impact multiplies what differs by 1e11: a change of Young's modulus in its
-# thirteenth digit moves nodes of one and the same host by 1.5 %. Softer contact does not, and needs longer to let go.
+# With the stiffness of the case file the star's impact multiplies what differs by 1e11: a change of Young's modulus
+# in its thirteenth digit moves nodes of one and the same host by 1.5 %. Softer contact does not, and needs longer to
+# let go.
 CASES = (
     Case("hertz", hosts=(*[("skfem", 1)], *[("dolfinx", n) for n in (1, 2, 3, 4)], *[("petsc", n) for n in (1, 2, 4)])),
     Case("hertz3d"),
