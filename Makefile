@@ -26,7 +26,8 @@ test: tools
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets --release -- -D warnings
 	$(CARGO) test --workspace --release
-	$(MAKE) hosts python
+	$(MAKE) hosts BUILD_FMC=
+	$(MAKE) python
 
 # Programs that the tests call, with the Debian package that has each.
 TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake
@@ -58,13 +59,16 @@ HOSTS = $(abspath $(TARGET))/hosts
 HOST_PACKAGES = python3-dolfinx python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc
 
 # fmc comes first: the build of the Python package strips the library, after which cargo would build everything again.
+# After the tests of the workspace it is there, and BUILD_FMC is empty.
+BUILD_FMC = $(CARGO) build --release -p fmc-contact -p fmc-reference
+
 host-environment:
-	$(CARGO) build --release -p fmc-contact -p fmc-reference
+	$(BUILD_FMC)
 	@{ $(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip' && mpicc --version && pkg-config PETSc; } >/dev/null 2>&1 \
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $(HOST_PACKAGES); }
 	@$(HOSTS)/bin/python -m pip --version >/dev/null 2>&1 \
 	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
-	@$(MAKE) -s install PREFIX=$(HOSTS) BUILT=$(TARGET)/release
+	@$(MAKE) -s install PREFIX=$(HOSTS) BUILT=$(TARGET)/release/deps
 	$(MAKE) -C hosts/petsc PREFIX=$(HOSTS) OUT=$(HOSTS)/bin
 	$(HOSTS)/bin/python -m pip install -q pytest
 	$(HOSTS)/bin/python -m pip install -q --no-deps \
