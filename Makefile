@@ -3,6 +3,7 @@
 # make python    the Python package, in an environment of its own under target/, and its tests
 # make hosts     the adapters for scikit-fem, FEniCSx and PETSc, and their tests, against the reference host too
 # make agree     the cases in all hosts, side by side: table and pictures in out/agree
+# make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi
 # make install   PREFIX=/usr/local: shared and static library, header, pkg-config and CMake files (Linux)
@@ -17,7 +18,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: demo test tools python hosts host-environment agree bench header build install clean
+.PHONY: demo test tools python hosts host-environment agree compat bench header build install clean
 
 demo:
 	$(CARGO) run --release -p fmc-reference --bin fmc -- force examples/star.msh examples/block.msh --stiffness 2.8e7
@@ -84,6 +85,11 @@ hosts: host-environment
 
 agree: host-environment
 	$(RUN_HOSTS) -m fmc_agreement out/agree
+
+SUITE ?= trixie
+
+compat: host-environment
+	$(SUDO) hosts/dolfinx/compat.sh $(abspath $(TARGET))/compat/$(SUITE) $(HOSTS)/lib/libfmc_contact.so $(SUITE)
 
 bench:
 	$(CARGO) bench
