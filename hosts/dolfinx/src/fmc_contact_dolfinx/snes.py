@@ -100,7 +100,11 @@ class ContactProblem:
         snes = self.solver() if snes is None else snes
         # SNES gets a vector of its own: the ghosts of the displacement's are updated here.
         x = vector_of(self.u).copy()
-        snes.solve(None, x)
+        try:
+            snes.solve(None, x)
+        except PETSc.Error as error:
+            # Later releases of petsc4py wrap what a function of ours has raised.
+            raise error.__cause__ or error from None
         self._take(x)
         reason = snes.getConvergedReason()
         if reason < 0:
