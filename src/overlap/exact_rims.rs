@@ -179,10 +179,11 @@ impl<const D: usize> ExactPair<'_, D> {
         if leaves(&first) || !leaves(&last) {
             return None;
         }
-        if let (Bound::Facet(first), Bound::Facet(last)) = (&first, &last) {
-            if first.of_b == last.of_b && !self.is_covered_between(first, last, &place) {
-                return None;
-            }
+        if let (Bound::Facet(first), Bound::Facet(last)) = (&first, &last)
+            && first.of_b == last.of_b
+            && !self.is_covered_between(first, last, &place)
+        {
+            return None;
         }
         let end_of = |t: f64, bound: &Bound<D>| match (bound, plane) {
             (Bound::Facet(facet), _) => end(facet, facet.barycentric(&place)),
