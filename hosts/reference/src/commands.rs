@@ -1,5 +1,6 @@
 //! Commands about cases.
 
 pub(crate) mod list;
+pub(crate) mod report;
 pub(crate) mod run;
 pub(crate) mod study;

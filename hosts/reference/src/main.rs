@@ -6,6 +6,7 @@ use std::process::ExitCode;
 mod commands;
 mod estimator_args;
 mod force;
+mod report;
 mod verify;
 
 /// Contact forces from overlap volume, by Fiber Monte Carlo
@@ -24,6 +25,7 @@ enum Command {
     Run(commands::run::RunArgs),
     List(commands::list::ListArgs),
     Study(commands::study::StudyArgs),
+    Report(commands::report::ReportArgs),
     Force(force::ForceArgs),
     Verify(verify::VerifyArgs),
 }
@@ -33,6 +35,7 @@ fn main() -> ExitCode {
         Command::Run(args) => commands::run::run(&args),
         Command::List(args) => commands::list::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Study(args) => commands::study::run(&args).map(|()| ExitCode::SUCCESS),
+        Command::Report(args) => commands::report::run(&args),
         Command::Force(args) => force::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Verify(args) => verify::run(&args),
     };
