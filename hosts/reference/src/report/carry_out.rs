@@ -4,6 +4,7 @@ mod pictures;
 
 use super::job::{Job, Size, Work};
 use super::kernel;
+use super::quantity::count;
 use super::record::{Outcome, Record};
 use super::stamp::Stamp;
 use anyhow::{Context, Result};
@@ -142,7 +143,7 @@ fn finished(
         _ => size::<3>(case, document)?,
     };
     Ok(Record {
-        size: format!("{nodes} nodes, {cells} cells"),
+        size: format!("{} nodes, {} cells", count(nodes as u64), count(cells as u64)),
         pictures,
         brightest,
         ..Record::of(stamp.clone(), summary)

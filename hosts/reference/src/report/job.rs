@@ -11,7 +11,7 @@ use fmc_reference::case::{Case, Document, library};
 pub(crate) enum Size {
     /// Every example once, and the variants that the plan names.
     Quick,
-    /// All variants that have checks too.
+    /// All variants that have checks, and those that the plan names.
     Full,
 }
 
@@ -124,7 +124,7 @@ fn example(entry: Entry, size: Size) -> Result<Example> {
         }
         Size::Full => {
             for variant in case.variants.keys() {
-                if has_checks(&document, variant)? {
+                if entry.quick.contains(variant) || has_checks(&document, variant)? {
                     runs.push(Some(variant.clone()));
                 }
             }

@@ -4,6 +4,7 @@ mod pictures;
 
 use super::carry_out::Setting;
 use super::job::Size;
+use super::quantity::count;
 use super::record::{CheckRecord, FigureRecord, Outcome, Picture, PictureKind, Record};
 use super::stamp::Stamp;
 use crate::verify::{self, Method, Row, Verification};
@@ -53,13 +54,13 @@ pub(super) fn run(name: &'static str, stamp: Stamp, folder: &Path, setting: &Set
         })
     });
     Ok(Record {
-        setting: format!("{FIBERS} fibers; largest error over {} values of θ", thetas(&rows)),
+        setting: format!("{} fibers; largest error over θ at {}", count(FIBERS as u64), thetas(&rows)),
         figures: figures.collect(),
         checks: checks.collect(),
         iterations: rows.len() as u64 / 2,
         counted: "overlaps".into(),
         seconds: clock.elapsed().as_secs_f64(),
-        size: format!("{} cells", rows.iter().map(|row| row.cells).max().unwrap_or(0)),
+        size: format!("{} cells", count(rows.iter().map(|row| row.cells).max().unwrap_or(0) as u64)),
         pictures,
         ..Record::without_figures(stamp, Outcome::Finished)
     })
@@ -86,13 +87,18 @@ fn key(row: &Row) -> String {
 
 fn source(row: &Row) -> String {
     let of = if row.estimator == "exact" { "the mesh itself" } else { "the smooth shape" };
-    let bound = if row.estimator == "exact" { "rounding" } else { "largest error that the paper prints for its kind" };
+    let bound = match row.case {
+        _ if row.estimator == "exact" => "rounding",
+        "disc" | "sphere" => "the paper’s largest error",
+        _ => "what one could see in the paper’s curves",
+    };
     format!("closed form of {of}; allowed: {bound}")
 }
 
-fn thetas(rows: &[Row]) -> usize {
+/// Values of θ in words.
+fn thetas(rows: &[Row]) -> String {
     let mut thetas: Vec<f64> = rows.iter().map(|row| row.theta).collect();
     thetas.sort_by(f64::total_cmp);
     thetas.dedup();
-    thetas.len()
+    if thetas.len() == 1 { "one value".into() } else { format!("{} values", thetas.len()) }
 }

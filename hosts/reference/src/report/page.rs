@@ -87,14 +87,29 @@ fn summary_row(plan: &Plan, example: &Example, job: &super::job::Job, record: &R
     let checks = || record.checks.iter().filter(|check| check.tolerance.is_some());
     let headline = example.entry.headline.as_deref();
     let check = checks().find(|check| headline.is_some_and(|key| check.key.starts_with(key))).or(checks().next());
-    let words = check.map(|check| run::check_view(plan, record, check));
-    let (what, reference, ours) =
-        words.map_or_else(Default::default, |words| (words.figure, words.reference, words.ours));
+    let words = match check {
+        Some(check) => {
+            let words = run::check_view(plan, record, check);
+            // Of an error one wants to know how large it may be.
+            let should = if check.reference == 0.0 { words.allowed.replace('±', "≤") } else { words.reference };
+            Some((words.figure, should, words.ours))
+        }
+        None => (record.figures.iter().find(|figure| headline.is_none_or(|key| figure.key == key)))
+            .map(|figure| run::unchecked(plan, record, figure))
+            .map(|words| (words.figure, words.reference, words.ours)),
+    };
+    let (what, reference, ours) = words.unwrap_or_default();
     let [held, all] = record.counts();
+    let is_first = example.jobs.first().is_some_and(|first| first.id == job.id);
     SummaryRow {
-        name: job.variant.clone().map_or_else(|| example.title.clone(), |variant| format!("– {variant}")),
-        id: job.id.clone(),
-        is_variant: job.variant.is_some() && example.jobs.len() > 1,
+        name: match &job.variant {
+            None => example.title.clone(),
+            Some(variant) if is_first => format!("{}, {variant}", example.title),
+            Some(variant) => format!("– {variant}"),
+        },
+        // The first run has no heading of its own.
+        id: if is_first { example.id.clone() } else { job.id.clone() },
+        is_variant: !is_first,
         what,
         reference,
         ours,

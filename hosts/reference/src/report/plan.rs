@@ -55,7 +55,7 @@ pub(crate) struct Entry {
     /// Key of the figure that stands for it in the summary [default: that of the first check].
     #[serde(default)]
     pub(crate) headline: Option<String>,
-    /// Variants that run in the quick size too; the full size runs all that have checks.
+    /// Variants that run in both sizes; the full size also runs all that have checks.
     #[serde(default)]
     pub(crate) quick: Vec<String>,
     /// Variant that runs in the quick size in the place of the case itself.

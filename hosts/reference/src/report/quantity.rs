@@ -4,15 +4,17 @@
 pub(super) struct Scale {
     factor: f64,
     unit: String,
+    digits: i32,
 }
 
-/// Digits of a figure.
+/// Digits of a figure, and of one that should be zero.
 const DIGITS: i32 = 5;
+const ERROR_DIGITS: i32 = 2;
 
 impl Scale {
     /// For numbers as large as `largest` in an SI unit; those without a unit in per cent if `percent`.
     pub(super) fn of(largest: f64, unit: &str, percent: bool) -> Self {
-        let plain = |factor: f64, unit: &str| Self { factor, unit: unit.to_owned() };
+        let plain = |factor: f64, unit: &str| Self { factor, unit: unit.to_owned(), digits: DIGITS };
         if unit.is_empty() {
             return if percent { plain(100.0, "%") } else { plain(1.0, "") };
         }
@@ -32,6 +34,11 @@ impl Scale {
         plain(factor, &format!("{prefix}{unit}"))
     }
 
+    /// The same for errors, of which the first digits say everything.
+    pub(super) fn of_errors(self) -> Self {
+        Self { digits: ERROR_DIGITS, ..self }
+    }
+
     /// A number with its unit.
     pub(super) fn with_unit(&self, value: f64) -> String {
         // The sign of per cent and the unit stay with their number at the end of a line.
@@ -40,7 +47,7 @@ impl Scale {
 
     /// A number alone.
     pub(super) fn bare(&self, value: f64) -> String {
-        digits(self.factor * value, DIGITS)
+        digits(self.factor * value, self.digits)
     }
 }
 
@@ -104,6 +111,7 @@ mod tests {
         assert_eq!(read(6.28e-3, "s", false), "6.28 ms");
         assert_eq!(read(0.68083, "m", false), "0.68083 m");
         assert_eq!(read(-0.0080, "", true), "−0.8 %");
+        assert_eq!(Scale::of(0.1, "", true).of_errors().bare(4.0915e-5), "0.0041");
         assert_eq!(read(4.4e-15, "", false), "4.4·10⁻¹⁵");
         assert_eq!(
             [count(1_800), count(12), count(1_000_000)].map(|t| t.replace('\u{a0}', " ")),

@@ -5,7 +5,7 @@ use anyhow::{Context, Result};
 use fmc_contact::{CellType, Estimator, FiberOptions, Resolution};
 
 /// Fibers shown: enough to tell the overlap's shape, few enough to tell them apart.
-const SHOWN: [usize; 2] = [90, 500];
+const SHOWN: [usize; 2] = [30, 250];
 
 /// The bodies of a case as meshes, and stretches of fibers inside both, in space; in the plane z is 0.
 pub(crate) struct Sketch {

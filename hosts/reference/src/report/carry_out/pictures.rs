@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 /// Snapshots of a motion or of a series of load steps, at most.
 const MOST_SNAPSHOTS: usize = 6;
 /// Longer side of a picture and of a snapshot, pixels: sharp on a telephone's screen and in print.
-const LONGEST: f64 = 1100.0;
-const LONGEST_SNAPSHOT: f64 = 640.0;
+const LONGEST: f64 = 960.0;
+const LONGEST_SNAPSHOT: f64 = 480.0;
 /// Where bodies in space are looked at from.
 const CAMERA: [f64; 3] = [1.0, -1.7, 0.8];
 /// Rigid partners.
@@ -36,7 +36,8 @@ pub(super) fn draw(
     folder: &Path,
 ) -> Result<(Vec<Picture>, Option<f64>)> {
     let (mut pictures, top) = bodies(case, camera, folder)?;
-    if folder.join("animation.gif").is_file() {
+    // Of one variant it is much like of another, and large.
+    if summary.variant.is_none() && folder.join("animation.gif").is_file() {
         let caption = "The whole motion, coloured by von Mises stress".into();
         pictures.push(Picture { file: "animation.gif".into(), caption, kind: PictureKind::Bodies });
     }

@@ -27,6 +27,7 @@ pub(super) fn comparison(plan: &Plan, example: &Example, records: &[Record]) -> 
     let show = |key: &str, value: f64| match key {
         ITERATIONS => digits(value, 3),
         SECONDS => seconds(value),
+        _ if plan.is_percent(key) => scale(plan, first, key, &[Some(value)]).of_errors().with_unit(value),
         _ => scale(plan, first, key, &[Some(value)]).with_unit(value),
     };
     let row = |who: String, is_ours: bool, note: String, cell: &dyn Fn(&str) -> Option<String>| ComparisonRow {

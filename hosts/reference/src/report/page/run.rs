@@ -5,7 +5,7 @@ use super::template::{Check, Picture, Run, Verdict};
 use crate::report::job::{Example, Job};
 use crate::report::plan::Plan;
 use crate::report::quantity::{Scale, count, digits, seconds};
-use crate::report::record::{self, CheckRecord, Outcome, PictureKind, Record};
+use crate::report::record::{self, CheckRecord, FigureRecord, Outcome, PictureKind, Record};
 use anyhow::{Context, Result};
 use std::path::Path;
 
@@ -20,14 +20,9 @@ pub(super) fn view(plan: &Plan, example: &Example, job: &Job, record: &Record, f
         let of_figure: Vec<&CheckRecord> = record.checks.iter().filter(|check| check.key == figure.key).collect();
         checks.extend(of_figure.iter().map(|check| check_view(plan, record, check)));
         if of_figure.is_empty() {
-            let scale = scale(plan, record, &figure.key, &[figure.value]);
-            let ours = figure.value.map_or_else(|| "none".into(), |value| scale.with_unit(value));
-            let figure = plan.figure_name(&figure.key);
-            let [reference, off, allowed, source] = Default::default();
-            checks.push(Check { figure, ours, reference, off, allowed, verdict: None, source });
+            checks.push(unchecked(plan, record, figure));
         }
     }
-    let [held, all] = record.counts();
     Ok(Run {
         id: job.id.clone(),
         variant: job.variant.clone(),
@@ -42,7 +37,6 @@ pub(super) fn view(plan: &Plan, example: &Example, job: &Job, record: &Record, f
             }
         },
         verdict: Verdict::of(record),
-        counts: if all == 0 { String::new() } else { format!("{held} of {all} checks") },
         checks,
         bodies: pictures(PictureKind::Bodies)?,
         snapshots: pictures(PictureKind::Snapshot)?,
@@ -52,9 +46,19 @@ pub(super) fn view(plan: &Plan, example: &Example, job: &Job, record: &Record, f
     })
 }
 
+/// A figure that nobody says anything about.
+pub(super) fn unchecked(plan: &Plan, record: &Record, figure: &FigureRecord) -> Check {
+    let scale = scale(plan, record, &figure.key, &[figure.value]);
+    let scale = if plan.is_percent(&figure.key) { scale.of_errors() } else { scale };
+    let ours = figure.value.map_or_else(|| "none".into(), |value| scale.with_unit(value));
+    let [reference, off, allowed, source] = Default::default();
+    Check { figure: plan.figure_name(&figure.key), ours, reference, off, allowed, verdict: None, source }
+}
+
 /// A check in the unit of its figure, in which all of its numbers read well.
 pub(super) fn check_view(plan: &Plan, record: &Record, check: &CheckRecord) -> Check {
     let scale = scale(plan, record, &check.key, &[check.value, Some(check.reference), check.tolerance]);
+    let scale = if check.reference == 0.0 { scale.of_errors() } else { scale };
     let off = check.value.filter(|_| check.reference != 0.0).map(|value| {
         let percent = 100.0 * (value - check.reference) / check.reference.abs();
         let text = digits(percent, 2);

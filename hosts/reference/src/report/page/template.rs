@@ -72,7 +72,6 @@ pub(super) struct Run {
     /// Why there are no figures.
     pub(super) failure: Option<String>,
     pub(super) verdict: Verdict,
-    pub(super) counts: String,
     pub(super) checks: Vec<Check>,
     pub(super) bodies: Vec<Picture>,
     pub(super) snapshots: Vec<Picture>,
