@@ -1,6 +1,7 @@
 # make demo      forces of two meshes in examples/, printed and written as VTU
 # make test      everything: format, lints, tests in release mode, C and C++ hosts, valgrind, installation, Python package
 # make python    the Python package, in an environment of its own under target/, and its tests
+# make hosts     the adapters for scikit-fem and FEniCSx, and their tests, against the reference host too
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi
 # make install   PREFIX=/usr/local: shared and static library, header, pkg-config and CMake files (Linux)
@@ -15,7 +16,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: demo test tools python bench header build install clean
+.PHONY: demo test tools python hosts host-environment bench header build install clean
 
 demo:
 	$(CARGO) run --release -p fmc-reference --bin fmc -- force examples/star.msh examples/block.msh --stiffness 2.8e7
@@ -24,7 +25,7 @@ test: tools
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets --release -- -D warnings
 	$(CARGO) test --workspace --release
-	$(MAKE) python
+	$(MAKE) hosts python
 
 # Programs that the tests call, with the Debian package that has each.
 TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake chromium:chromium
@@ -48,6 +49,29 @@ python:
 	@$(VENV)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV)
 	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
 	$(VENV)/bin/python -m pytest -q bindings/python
+
+# dolfinx is for the system's own Python, and scikit-fem has to use that one's numpy: a second one beside it would not fit
+# the compiled parts of dolfinx. So the environment sees the system's packages, and nothing is installed that brings numpy.
+SYSTEM_PYTHON ?= /usr/bin/python3
+HOSTS = $(abspath $(TARGET))/hosts
+HOST_PACKAGES = python3-dolfinx python3-venv openmpi-bin gcc
+
+# fmc comes first: the build of the Python package strips the library, after which cargo would build everything again.
+host-environment:
+	$(CARGO) build --release -p fmc-reference --bin fmc
+	@$(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip' 2>/dev/null \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $(HOST_PACKAGES); }
+	@$(HOSTS)/bin/python -m pip --version >/dev/null 2>&1 \
+	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
+	$(HOSTS)/bin/python -m pip install -q pytest
+	$(HOSTS)/bin/python -m pip install -q --no-deps \
+	  scikit-fem ./bindings/python ./hosts/agreement ./hosts/skfem ./hosts/dolfinx
+
+RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc OMP_NUM_THREADS=1 $(HOSTS)/bin/python
+
+hosts: host-environment
+	$(RUN_HOSTS) -m pytest -q hosts/skfem
+	$(RUN_HOSTS) -m pytest -q hosts/dolfinx
 
 bench:
 	$(CARGO) bench

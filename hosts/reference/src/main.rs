@@ -24,6 +24,7 @@ struct Cli {
 enum Command {
     Run(commands::run::RunArgs),
     List(commands::list::ListArgs),
+    Mesh(commands::mesh::MeshArgs),
     Study(commands::study::StudyArgs),
     Report(commands::report::ReportArgs),
     Force(force::ForceArgs),
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Run(args) => commands::run::run(&args),
         Command::List(args) => commands::list::run(&args).map(|()| ExitCode::SUCCESS),
+        Command::Mesh(args) => commands::mesh::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Study(args) => commands::study::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Report(args) => commands::report::run(&args),
         Command::Force(args) => force::run(&args).map(|()| ExitCode::SUCCESS),

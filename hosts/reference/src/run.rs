@@ -30,7 +30,7 @@ mod plots;
 mod runner;
 mod summary;
 
-pub use equilibrium::solve;
+pub use equilibrium::{Solved, run_at_rest, solve};
 pub use figures::{Figure, Motion};
 pub use hertz::HertzLine;
 pub use history::History;

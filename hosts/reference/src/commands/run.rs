@@ -200,8 +200,8 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
             if stop.load(Ordering::SeqCst) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let ending = match dimension {
-            2 => run::solve::<2>(document, &case, &options, &mut watch),
-            _ => run::solve::<3>(document, &case, &options, &mut watch),
+            2 => run::run_at_rest::<2>(document, &case, &options, &mut watch),
+            _ => run::run_at_rest::<3>(document, &case, &options, &mut watch),
         };
         return report(args, &case.title, &out, ending.with_context(|| name)?);
     }

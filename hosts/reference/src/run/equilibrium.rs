@@ -3,7 +3,7 @@
 use super::hertz::HertzLine;
 use super::runner::{Ending, RunOptions};
 use super::summary::Summary;
-use super::{fields, patch};
+use super::{Figure, fields, patch};
 use crate::case::{Case, Document, FigureKind};
 use crate::chart::{self, Axis, Mark, Panel, Series, Sign};
 use crate::statics::{Equilibrium, Iteration, NewtonSettings, Path, StaticsError};
@@ -12,6 +12,7 @@ use fmc_contact::{EnergyLaw, FiberProfile};
 use std::fmt::Write;
 use std::fs;
 use std::ops::ControlFlow;
+use std::path::Path as Folder;
 use std::time::Instant;
 
 /// ε of the linear law at first, by the size of the bodies.
@@ -20,11 +21,51 @@ const FIRST_EPSILON: f64 = 1e-3;
 /// Solves of the method of multipliers, at most.
 const MOST_SOLVES: usize = 20;
 
+/// A case of statics and its equilibrium.
+pub struct Solved<const D: usize> {
+    /// The equilibrium.
+    pub equilibrium: Equilibrium<D>,
+    /// The figures of the case.
+    pub figures: Vec<Figure>,
+    /// Pressures, where they are to be compared with Hertz'.
+    pub hertz: Option<HertzLine>,
+}
+
+/// Solves a case of statics in `D` dimensions; `watch` is told of every iteration.
+///
+/// # Errors
+/// If the case makes no problem, or no equilibrium is found.
+pub fn solve<const D: usize>(
+    folder: &Folder,
+    case: &Case,
+    threads: usize,
+    watch: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
+) -> Result<Solved<D>> {
+    let (equilibrium, solved) = equilibrium::<D>(folder, case, threads, watch)?;
+    solved?;
+    Solved::new(case, equilibrium)
+}
+
+impl<const D: usize> Solved<D> {
+    fn new(case: &Case, equilibrium: Equilibrium<D>) -> Result<Self> {
+        let penetration = equilibrium.true_contact()?.penetration;
+        let hertz = match case.figures.kind {
+            FigureKind::Hertz => Some(HertzLine::new(case, &equilibrium)?),
+            _ => None,
+        };
+        let figures = match &hertz {
+            Some(hertz) => hertz.figures(penetration),
+            None => patch::figures(case, &equilibrium, penetration)?,
+        };
+        Ok(Self { equilibrium, figures, hertz })
+    }
+}
+
 /// Solves a case of statics in `D` dimensions and writes its files. `watch` is told of every iteration and may break off.
 ///
 /// # Errors
-/// If the case makes no problem, no equilibrium is found, or a file cannot be written.
-pub fn solve<const D: usize>(
+/// Those of [`solve`], and if a file cannot be written.
+pub fn run_at_rest<const D: usize>(
     document: &Document,
     case: &Case,
     options: &RunOptions,
@@ -38,7 +79,7 @@ pub fn solve<const D: usize>(
         log.push(*iteration);
         watch(iteration)
     };
-    let (equilibrium, solved) = equilibrium::<D>(document, case, options.threads, &mut told)?;
+    let (equilibrium, solved) = equilibrium::<D>(&document.folder, case, options.threads, &mut told)?;
     let seconds = clock.elapsed().as_secs_f64();
     let write = |name: &str, text: &str| {
         let path = out.join(name);
@@ -53,16 +94,11 @@ pub fn solve<const D: usize>(
         }
         solved => solved?,
     }
-    let penetration = equilibrium.true_contact()?.penetration;
-    let figures = match case.figures.kind {
-        FigureKind::Hertz => {
-            let hertz = HertzLine::new(case, &equilibrium)?;
-            write("pressure.csv", &profile(&hertz))?;
-            chart::draw(out, "pressure", &case.title, &[panel(&hertz)])?;
-            hertz.figures(penetration)
-        }
-        _ => patch::figures(case, &equilibrium, penetration)?,
-    };
+    let Solved { equilibrium, figures, hertz } = Solved::new(case, equilibrium)?;
+    if let Some(hertz) = hertz {
+        write("pressure.csv", &profile(&hertz))?;
+        chart::draw(out, "pressure", &case.title, &[panel(&hertz)])?;
+    }
     let contact = &equilibrium.balance().contact;
     let mut summary = Summary::new(document, case, figures, [0.0; 2]);
     summary.iterations = equilibrium.iterations as u64;
@@ -76,13 +112,13 @@ pub fn solve<const D: usize>(
 
 /// The equilibrium of a case, or the last state on the way to it and why there is none.
 fn equilibrium<const D: usize>(
-    document: &Document,
+    folder: &Folder,
     case: &Case,
     threads: usize,
     watch: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
 ) -> Result<(Equilibrium<D>, Result<(), StaticsError>)> {
     let steps = case.load_steps.unwrap_or_default();
-    let mut equilibrium = Equilibrium::new(case.problem::<D>(&document.folder, threads)?)?;
+    let mut equilibrium = Equilibrium::new(case.problem::<D>(folder, threads)?)?;
     let (tolerance, most_iterations) = (steps.tolerance, steps.most_iterations);
     equilibrium.settings = NewtonSettings { tolerance, most_iterations, ..Default::default() };
     let path = Path { steps: steps.count, ..Default::default() };

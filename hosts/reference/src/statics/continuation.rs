@@ -34,7 +34,7 @@ impl<const D: usize> Equilibrium<D> {
                     self.set_law(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } })?;
                     stride = stride.sqrt();
                     if stride > LEAST_STRIDE {
-                        return Err(error);
+                        return Err(self.too_soft(&self.balance).unwrap_or(error));
                     }
                 }
             }

@@ -177,6 +177,11 @@ impl<const D: usize> Equilibrium<D> {
         Ok(balance)
     }
 
+    /// Whether overlap is measured without noise.
+    pub(super) fn is_exact(&self) -> bool {
+        self.problem.contact.estimator == Estimator::Exact
+    }
+
     /// Keeps the patches of the fiber law as they are at a displacement.
     pub(super) fn keep_patches(&mut self, displacement: &[[f64; D]]) -> Result<(), StaticsError> {
         let coords = self.shown(displacement);

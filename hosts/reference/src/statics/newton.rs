@@ -29,6 +29,9 @@ impl Default for NewtonSettings {
     }
 }
 
+/// Times that the lines are turned into the contact normal of an equilibrium, and it is sought anew.
+const MOST_TURNS: usize = 4;
+
 /// What a solver is watched by; it may break off.
 pub(super) type Watch<'a> = &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>;
 
@@ -42,9 +45,17 @@ impl<const D: usize> Equilibrium<D> {
         self.keep_patches(&start)?;
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
         let mut kept = Extent::of(&balance);
-        let mut full_failed = false;
+        let (mut full_failed, mut turns) = (false, 0);
         for iteration in 0..=most_iterations {
-            let residual = balance.relative();
+            let mut residual = balance.relative();
+            // The lines run along the contact normal of the start. Along that of the end, side walls that are parallel to it
+            // carry nothing; askew, they are pressed over the depth of the penetration, however little they lean.
+            if residual <= tolerance && turns < MOST_TURNS && tolerance < full_below && self.is_exact() {
+                self.keep_patches(&u)?;
+                balance = self.evaluate(&u, load)?;
+                residual = balance.relative();
+                turns += 1;
+            }
             // Far from the solution the patches may follow the contact, which has just begun or has spread.
             if residual > full_below && kept.is_outgrown_by(&balance) {
                 self.keep_patches(&u)?;

@@ -72,13 +72,30 @@ impl<const D: usize> Equilibrium<D> {
         // A body that comes to rest on a few points of hard contact would creep out of their reach: every step is as long
         // as the next gap is wide. On a soft contact it settles at once.
         let settings = self.settings;
-        self.set_law(EnergyLaw::fiber(soft))?;
         self.settings.tolerance = settings.full_below.max(settings.tolerance);
-        let settled = self.approach(start, load).and_then(|start| self.newton(start, load, watch));
+        let settled = self.settle(start, load, [soft, (soft * k).sqrt()], watch);
         self.settings = settings;
         self.set_law(EnergyLaw::fiber(k))?;
-        let (settled, _) = settled?;
-        self.newton(settled, load, watch)
+        self.newton(settled?, load, watch)
+    }
+
+    /// Rough equilibria on contacts of growing stiffness.
+    fn settle(
+        &mut self,
+        start: Vec<[f64; D]>,
+        load: f64,
+        stages: [f64; 2],
+        watch: Watch,
+    ) -> Result<Vec<[f64; D]>, StaticsError> {
+        let mut u = start;
+        for (stage, stiffness) in stages.into_iter().enumerate() {
+            self.set_law(EnergyLaw::fiber(stiffness))?;
+            if stage == 0 {
+                u = self.approach(u, load)?;
+            }
+            (u, _) = self.newton(u, load, watch)?;
+        }
+        Ok(u)
     }
 
     /// A contact stiffness that is [`SOFT`] times that of the softest and smallest body, E / size.
@@ -96,7 +113,7 @@ impl<const D: usize> Equilibrium<D> {
         if moved == u {
             return Ok(u);
         }
-        self.contact.release_patches();
+        self.keep_patches(&u)?;
         let balance = self.evaluate(&u, load)?;
         // Forces that the change of the supports calls up, to first order.
         let change: Vec<f64> = moved.iter().flatten().zip(u.iter().flatten()).map(|(moved, u)| moved - u).collect();

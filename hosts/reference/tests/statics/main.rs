@@ -4,3 +4,4 @@ mod scene;
 
 mod hertz;
 mod patch;
+mod refusals;

@@ -1,0 +1,117 @@
+"""The figures of the cases, taken from what a host found; the reference host takes its own."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.linalg import norm
+
+from .faces import boundary_faces, face_normals
+from .leapfrog import History
+from .problem import Problem
+
+CUT = 0.03
+"""Time cut off at both ends of a contact before its pressure is taken, s: the front is spread over some cells."""
+
+
+def _integral(y: np.ndarray, x: np.ndarray) -> float:
+    """Trapezoidal rule."""
+    return float(0.5 * ((y[1:] + y[:-1]) * np.diff(x)).sum())
+
+
+def nodal_pressures(problem: Problem, body: int, forces: np.ndarray) -> np.ndarray:
+    """Pressure at every node, (nodes,): its force by its part of the undeformed surface, seen along the force."""
+    size = norm(forces, axis=1)
+    area = np.zeros(len(forces))
+    faces = boundary_faces(problem.bodies[body])
+    for nodes, normal in zip(faces, face_normals(problem.coords, faces)):
+        against = -(forces[nodes] @ normal) / len(nodes) / np.maximum(size[nodes], 1e-300)
+        area[nodes] += np.maximum(against, 0.0)
+    touched = (size > 0.0) & (area > 0.0)
+    return np.where(touched, size / np.where(touched, area, 1.0), 0.0)
+
+
+def hertz(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
+    """Figures of a line contact, and its profile: place and pressure, (places, 2)."""
+    body = problem.bodies[0]
+    radius = problem.raw["radius"] if "radius" in problem.raw else np.ptp(problem.coords[:, 0]) / 2.0
+    modulus = body.material.young / (1.0 - body.material.poisson**2)
+    force = float(norm(forces[body.nodes].sum(axis=0)))
+    half_width = np.sqrt(4.0 * force * radius / (np.pi * modulus))
+    peak = 2.0 * force / (np.pi * half_width)
+    tip = np.array([0.0, problem.coords[:, 1].min()])
+    near = (np.abs(problem.coords[:, 0] - tip[0]) <= 1.3 * half_width) & (problem.coords[:, 1] - tip[1] < 0.5 * radius)
+    faces = [face for face in boundary_faces(body) if near[face].all()]
+    nodes = np.unique(np.concatenate(faces))
+    x, p = problem.coords[nodes, 0] - tip[0], nodal_pressures(problem, 0, forces)[nodes]
+    order = np.argsort(x)
+    x, p = x[order], p[order]
+    fitted = p > 0.3 * peak
+    slope, square = np.polyfit(x[fitted] ** 2, p[fitted] ** 2, 1)
+    exact = peak * np.sqrt(np.maximum(1.0 - (x / half_width) ** 2, 0.0))
+    error = np.sqrt(_integral((p - exact) ** 2, x) / _integral(exact**2, x))
+    found = {
+        "force": force,
+        "half_width": float(np.sqrt(-square / slope)),
+        "peak_pressure": float(np.sqrt(square)),
+        "profile_error": float(error),
+    }
+    return found, np.column_stack([x, p])
+
+
+def motion(problem: Problem, history: History, mass: np.ndarray) -> dict[str, float]:
+    """Figures of a bar on a wall or of an impact; ``mass`` of every body."""
+    about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
+    body = problem.bodies[about]
+    v0 = body.velocity
+    along = -v0 / norm(v0)
+    t = np.array(history.time)
+    forces = np.array(history.bodies)[:, about]
+    size, force = norm(forces, axis=1), forces @ along
+    x = problem.coords[body.nodes]
+    across = [axis for axis in range(problem.dim) if axis != np.argmax(np.abs(v0))]
+    section = np.prod([np.ptp(x[:, axis]) for axis in across])
+    stopping = np.sqrt(body.material.young * body.material.density) * norm(v0)
+    is_wall = problem.raw["figures"]["kind"] == "wall"
+    least = 0.5 * stopping * section if is_wall else 0.0
+    touching = np.flatnonzero(size > least)
+    lasting = np.flatnonzero(size > max(least, 0.01 * size.max()))
+    start, stop = t[touching[0]], t[lasting[-1]]
+    energy = np.array(history.kinetic) + np.array(history.strain) + np.array(history.contact)
+    velocity = np.array(history.momentum)[-1, about] / mass[about]
+    drift = float(np.abs(energy / energy[0] - 1.0).max())
+    leaving = float(velocity @ along)
+    if is_wall:
+        inside = (t >= start + CUT) & (t <= stop - CUT)
+        pressure = force[inside] / section
+        return {
+            "pressure_mean": float(pressure.mean()),
+            "pressure_rms": float(np.sqrt(((pressure / stopping - 1.0) ** 2).mean())),
+            "contact_start": float(start),
+            "contact_end": float(stop),
+            "exit_velocity": leaving,
+            "energy_error_max": drift,
+        }
+    sums = norm(np.array(history.bodies).sum(axis=1), axis=1)
+    return {
+        "impulse": _integral(force, t),
+        "contact_start": float(start),
+        "contact_end": float(stop),
+        "rebound": leaving,
+        "sideways": float(norm(velocity - leaving * along)),
+        "energy_drift": drift,
+        "force_peak": float(force.max()),
+        "balance_max": float(sums.max() / size.max()),
+    }
+
+
+def judged(problem: Problem, figures: dict[str, float]) -> list[dict[str, Any]]:
+    """What the case expects, with what came out."""
+    rows = []
+    for expected in problem.raw["expected"]:
+        value = figures.get(expected["figure"])
+        tolerance = expected["tolerance"]
+        is_ok = None if tolerance is None or value is None else bool(abs(value - expected["value"]) <= tolerance)
+        rows.append({**expected, "found": value, "ok": is_ok})
+    return rows

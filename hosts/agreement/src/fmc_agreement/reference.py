@@ -1,0 +1,64 @@
+"""The reference host, ``fmc run``, and what it leaves in files."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import json
+import subprocess
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from . import outcome
+from .problem import Problem, fmc, load
+
+
+def run(folder: Path, case: str, variant: str | None = None, overrides: tuple[str, ...] = ()) -> Problem:
+    """Runs the case in the reference host and writes its outcome; returns the case."""
+    problem = load(case, variant, overrides)
+    own = folder / "reference"
+    command = [fmc(), "run", case, "--out", str(own), "--quiet"]
+    command += [] if variant is None else ["--variant", variant]
+    # Two frames, the start and the end.
+    changes = overrides if problem.is_static else (*overrides, "output.frames=1", "output.animation=false")
+    for change in changes:
+        command += ["--override", change]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode > 1:
+        raise RuntimeError(done.stderr)
+    summary = json.loads((own / "summary.json").read_text())
+    file = own / "equilibrium.vtu" if problem.is_static else max((own / "fields").glob("*.vtu"))
+    fields = {name: point_data(file, name)[:, : problem.dim] for name in ("displacement", "contact_force")}
+    outcome.write(
+        folder, "reference", problem, summary["figures"], fields["displacement"], fields["contact_force"],
+        _curve(own, problem, summary), summary["iterations"], summary["seconds"], summary["contact_seconds"],
+    )  # fmt: skip
+    return problem
+
+
+def point_data(file: Path, name: str) -> np.ndarray:
+    """An array of the points of a VTU file of the reference host: inline, base64, not compressed."""
+    for array in ElementTree.parse(file).getroot().iter("DataArray"):
+        if array.get("Name") == name:
+            numbers = np.frombuffer(base64.b64decode(array.text or "")[8:], np.float64)
+            return numbers.reshape(-1, int(array.get("NumberOfComponents", "1")))
+    raise KeyError(f"{file} has no array '{name}'")
+
+
+def _curve(own: Path, problem: Problem, summary: dict) -> np.ndarray:
+    """What a picture shows: pressure over place, residuals, or the force on the body over time."""
+    kind = problem.raw["figures"]["kind"]
+    if kind == "hertz":
+        return np.loadtxt(own / "pressure.csv", delimiter=",", skiprows=1)[:, :2]
+    if problem.is_static:
+        return np.column_stack([np.arange(len(summary["residuals"])), summary["residuals"]])
+    name = problem.raw["figures"]["body"]
+    with open(own / "history.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    columns = [f"force_{name}_{axis}" for axis in "xyz"[: problem.dim]]
+    if columns[0] not in rows[0]:
+        raise KeyError(f"{own / 'history.csv'} has the columns {', '.join(rows[0])}, {columns[0]} is wanted")
+    forces = np.array([[float(row[column]) for column in columns] for row in rows])
+    return np.column_stack([[float(row["time"]) for row in rows], np.linalg.norm(forces, axis=1)])

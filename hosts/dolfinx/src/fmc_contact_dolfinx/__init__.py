@@ -1,0 +1,27 @@
+"""Contact in FEniCSx: forces and tangent of ``fmc_contact`` on the degrees of freedom of your spaces, on any number of
+MPI ranks.
+
+    contact = DolfinxContact(V, stiffness=1e9)
+    problem = ContactProblem(residual_form, u, bcs, contact)
+    problem.solve()
+
+    ContactProblem, attach, with_contact  ->  DolfinxContact  ->  surface, replica, space  ->  versions, together
+"""
+
+from .adapter import DolfinxContact
+from .input_numbers import by_input_number, set_by_input_number
+from .nonlinear import attach, with_contact
+from .snes import ContactProblem
+from .space import LayoutError
+from .together import OtherRankError
+
+__all__ = [
+    "ContactProblem",
+    "DolfinxContact",
+    "LayoutError",
+    "OtherRankError",
+    "attach",
+    "by_input_number",
+    "set_by_input_number",
+    "with_contact",
+]

@@ -1,0 +1,202 @@
+"""Contact of the bodies that one or several spaces of displacements describe."""
+
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+from fmc_contact import Contact, Result
+from fmc_contact.skin import Skin, Triplets
+
+from .space import Displacement
+from .surface import Shown, boundary, whole
+from .together import together
+from .versions import CELL_TYPES, held_dofs
+
+
+class DolfinxContact:
+    """Contact between all bodies of one space or of several, with the obstacles that are added to ``contact``.
+
+    ``spaces``: a space of displacements, Lagrange of order 1 or 2, or a list of such, each on a mesh of its own.
+    ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``. ``bodies``: a number for every cell of this
+    rank, ghosts included, or a list of such, one for every space; default: bodies are what hangs together.
+
+    ``whole_mesh``: whether all nodes are gathered and the cells handed over, so that the forces have the bits of any other
+    host, and cells that turn inside out are told; or the nodes of the boundary only, which is less to send. Default: the
+    whole for the estimator ``"exact"`` and first order, the boundary otherwise. ``divisions`` of every edge of a boundary
+    face into flat facets; default: the order of the space.
+
+    Every rank evaluates the whole contact and takes the forces on what it owns; what is gathered is numbered by input
+    numbers, so that nothing depends on the number of ranks. All methods but ``coords`` are collective. An error on one
+    rank is raised on all.
+
+    Errors: ``LayoutError`` for a space of another kind; those of ``fmc_contact.errors``.
+    """
+
+    contact: Contact
+    """The contact below, the same on every rank, for its obstacles (``add_half_space``, ...), options and the like."""
+
+    def __init__(
+        self,
+        spaces: Any,
+        *,
+        stiffness: float,
+        bodies: Any = None,
+        whole_mesh: bool | None = None,
+        divisions: int | None = None,
+        **options: Any,
+    ) -> None:
+        listed = list(spaces) if isinstance(spaces, (list, tuple)) else [spaces]
+        if not listed:
+            raise ValueError("there is no space")
+        given = bodies if isinstance(bodies, (list, tuple)) else [bodies] * len(listed)
+        if len(given) != len(listed):
+            raise ValueError(f"bodies has {len(given)} entries, one for each of the {len(listed)} spaces is wanted")
+        self.comm = _comm(listed[0])
+        fields = together(self.comm, lambda: [Displacement(space) for space in listed])
+        first_order = divisions is None and all(field.order == 1 for field in fields)
+        if whole_mesh is None:
+            whole_mesh = first_order and options.get("estimator") == "exact"
+        if whole_mesh and not first_order:
+            raise ValueError("the cells of a displacement of second order are not flat: whole_mesh is for first order")
+        numbers = [None if one is None else np.asarray(one, np.int64) for one in given]
+        if whole_mesh:
+            self._shown = [whole(field, number) for field, number in zip(fields, numbers)]
+        else:
+            self._shown = [boundary(field, divisions, number) for field, number in zip(fields, numbers)]
+        self._first = np.cumsum([0] + [shown.replica.count for shown in self._shown])
+        self._undeformed = np.concatenate([shown.undeformed for shown in self._shown])
+        self._skin: Skin | None = None
+        options = {"stiffness": stiffness, **options}
+        self.contact = together(self.comm, lambda: self._made(whole_mesh, options))
+        self.dim = self.contact.dim
+
+    def _made(self, whole_mesh: bool, options: dict) -> Contact:
+        bodies = [shown.body for shown in self._shown]
+        ids = None if bodies[0] is None else np.concatenate(bodies)
+        if whole_mesh:
+            blocks = [
+                (CELL_TYPES[shown.displacement.kind], shown.cells + first)
+                for shown, first in zip(self._shown, self._first)
+            ]
+            return Contact(self._undeformed, blocks, bodies=ids, **options)
+        self._skin = Skin([shown.trace for shown in self._shown])
+        return Contact.from_facets(self._skin.points(self._undeformed), self._skin.facets, bodies=ids, **options)
+
+    def coords(self, *displacements: Any) -> np.ndarray:
+        """Coordinates that the contact is shown, (points, dim), the same on every rank. One displacement for every space:
+        a function, a PETSc vector, or an array of this rank's unknowns; ghosts are not read."""
+        if len(displacements) != len(self._shown):
+            raise ValueError(f"{len(displacements)} displacements for {len(self._shown)} spaces")
+        owned = together(
+            self.comm,
+            lambda: [s.displacement.owned_values(u) for s, u in zip(self._shown, displacements)],
+        )
+        moved = [shown.replica.gather(values) for shown, values in zip(self._shown, owned)]
+        at_nodes = self._undeformed + (moved[0] if len(moved) == 1 else np.concatenate(moved))
+        return at_nodes if self._skin is None else self._skin.points(at_nodes)
+
+    def evaluate(self, *displacements: Any) -> Result:
+        """All that ``fmc_contact`` says: energy, resultants, warnings; forces on the points of ``coords``. The same on
+        every rank. Errors: those of ``Contact.evaluate``, on all ranks."""
+        coords = self.coords(*displacements)
+        return together(self.comm, lambda: self.contact.evaluate(coords))
+
+    def keep_patches(self, *displacements: Any) -> int:
+        """Keeps the directions of the law ``"fiber"``, so that forces are the gradient of one energy: for the start of a
+        load step. See ``Contact.keep_patches``."""
+        coords = self.coords(*displacements)
+        return together(self.comm, lambda: self.contact.keep_patches(coords))
+
+    def add_forces(self, vectors: Any, result: Result, scale: float = 1.0, bcs: Sequence[Any] = ()) -> None:
+        """Adds ``scale`` times the forces of ``evaluate`` to what this rank owns of a PETSc vector or an array, or of a
+        list of them, one for every space. -1 for a residual of internal less external forces.
+
+        To be called after contributions of ghosts were added up. Unknowns that ``bcs`` hold are left alone.
+        """
+        targets = list(vectors) if isinstance(vectors, (list, tuple)) else [vectors]
+        for shown, first, target in zip(self._shown, self._first, targets):
+            on_nodes = self._on_nodes(result.forces)[first : first + shown.replica.count]
+            mine = scale * on_nodes[shown.replica.rows]
+            mine[self._held(shown, bcs)[shown.replica.local]] = 0.0
+            array = target if isinstance(target, np.ndarray) else target.array
+            count = shown.displacement.owned
+            array[: count * self.dim].reshape(count, self.dim)[shown.replica.local] += mine
+
+    def force(self, *displacements: Any) -> Any:
+        """Contact forces on what this rank owns, (owned unknowns,); a list of such for several spaces."""
+        result = self.evaluate(*displacements)
+        found = [np.zeros(shown.displacement.owned * self.dim) for shown in self._shown]
+        self.add_forces(found, result)
+        return found[0] if len(found) == 1 else found
+
+    def _on_nodes(self, forces: np.ndarray) -> np.ndarray:
+        return forces if self._skin is None else self._skin.to_nodes(forces)
+
+    def _held(self, shown: Shown, bcs: Sequence[Any]) -> np.ndarray:
+        """Whether an unknown that this rank owns is held, (owned, dim)."""
+        count = shown.displacement.owned * self.dim
+        held = np.zeros(count, bool)
+        for bc in bcs:
+            if _holds_part_of(shown.displacement.space, bc.function_space):
+                dofs = held_dofs(bc)
+                held[dofs[dofs < count]] = True
+        return held.reshape(-1, self.dim)
+
+    def tangent(self, *displacements: Any, semidefinite: bool = False) -> Triplets:
+        """Minus the derivative of the forces, the same on every rank: row and column ``node * dim + axis``, nodes of the
+        spaces one after another as they are gathered."""
+        coords = self.coords(*displacements)
+        found = together(self.comm, lambda: self.contact.tangent_parts(coords, semidefinite).triplets())
+        tangent = Triplets(*found)
+        return tangent if self._skin is None else self._skin.tangent_to_nodes(tangent, self.dim)
+
+    def add_tangent(self, matrix: Any, tangent: Triplets, bcs: Sequence[Any] = (), scale: float = 1.0) -> None:
+        """Adds ``tangent`` to what this rank owns of an assembled PETSc matrix, and assembles it again; for several
+        spaces a square list of lists of matrices. Contact couples unknowns that no cell does, so the matrix takes entries
+        at new places. Rows and columns of unknowns that ``bcs`` hold are left alone."""
+        from petsc4py import PETSc
+
+        blocks = matrix if isinstance(matrix, (list, tuple)) else [[matrix]]
+        held = np.concatenate([s.replica.gather(self._held(s, bcs).astype(float)) for s in self._shown]).ravel() > 0
+        space_of = np.repeat(np.arange(len(self._shown)), np.diff(self._first) * self.dim)
+        unknown = np.concatenate(
+            [(s.replica.blocks[:, None] * self.dim + np.arange(self.dim)).ravel() for s in self._shown]
+        )
+        mine = np.zeros(len(held), bool)
+        for shown, first in zip(self._shown, self._first):
+            mine.reshape(-1, self.dim)[first + shown.replica.rows] = True
+        use = mine[tangent.rows] & ~held[tangent.rows] & ~held[tangent.cols]
+        rows, cols, values = tangent.rows[use], tangent.cols[use], scale * tangent.values[use]
+        for i, line in enumerate(blocks):
+            for j, block in enumerate(line):
+                here = (space_of[rows] == i) & (space_of[cols] == j)
+                _add(PETSc, block, unknown[rows[here]], unknown[cols[here]], values[here])
+
+
+def _add(petsc: Any, matrix: Any, rows: np.ndarray, cols: np.ndarray, values: np.ndarray) -> None:
+    """Adds entries, row by row; collective."""
+    matrix.setOption(petsc.Mat.Option.NEW_NONZERO_ALLOCATION_ERR, False)
+    matrix.setOption(petsc.Mat.Option.NEW_NONZERO_LOCATIONS, True)
+    order = np.argsort(rows, kind="stable")
+    rows, cols, values = rows[order], cols[order].astype(petsc.IntType), values[order]
+    distinct, start = np.unique(rows, return_index=True)
+    ends = np.append(start, len(rows)).astype(petsc.IntType)
+    if len(distinct):
+        matrix.setValuesIJV(ends, cols, values, addv=petsc.InsertMode.ADD, rowmap=distinct.astype(petsc.IntType))
+    matrix.assemble()
+
+
+def _comm(space: Any) -> Any:
+    from .space import LayoutError
+
+    mesh = getattr(space, "mesh", None)
+    if mesh is None or not hasattr(mesh, "comm"):
+        raise LayoutError(f"a function space is wanted, this is a {type(space).__name__}")
+    return mesh.comm
+
+
+def _holds_part_of(space: Any, other: Any) -> bool:
+    """Whether ``other`` is ``space``, or a component of it; wrappers do not count."""
+    space, other = (getattr(one, "_cpp_object", one) for one in (space, other))
+    return space is other or space == other or bool(space.contains(other))

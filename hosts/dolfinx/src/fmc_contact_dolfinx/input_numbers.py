@@ -1,0 +1,26 @@
+"""Fields in the numbering of the arrays that a mesh was made from."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .space import Displacement
+from .surface import whole
+
+
+def by_input_number(function: Any) -> np.ndarray:
+    """Values of a displacement at the corners of the cells, (nodes, dim), on every rank, whatever the ranks are: row i
+    belongs to row i of the coordinates that ``create_mesh`` was given. Collective."""
+    displacement = Displacement(function.function_space)
+    return whole(displacement, None).replica.gather(displacement.owned_values(function))
+
+
+def set_by_input_number(function: Any, values: np.ndarray) -> None:
+    """Sets a displacement of first order from values (nodes, dim) that every rank has; ghosts too. Collective."""
+    displacement = Displacement(function.function_space)
+    replica = whole(displacement, None).replica
+    owned = function.x.array[: displacement.owned * displacement.dim].reshape(-1, displacement.dim)
+    owned[replica.local] = values[replica.rows]
+    function.x.scatter_forward()

@@ -1,0 +1,54 @@
+"""Contact added to dolfinx' own nonlinear problems."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .adapter import DolfinxContact
+
+
+def with_contact(kind: type) -> type:
+    """A ``NonlinearProblem`` with contact, from a class with methods ``F`` and ``J``, as dolfinx has until 0.9:
+
+        Problem = with_contact(dolfinx.fem.petsc.NonlinearProblem)
+        problem = Problem(R, u, bcs, contact=contact)
+        NewtonSolver(comm, problem).solve(u)
+
+    Where the class has none, because it holds a SNES: ``attach(problem.solver, contact, bcs)``.
+    """
+    if not (hasattr(kind, "F") and hasattr(kind, "J")):
+        raise TypeError(f"{kind.__name__} has no methods F and J: use attach(problem.solver, contact, bcs)")
+
+    class Problem(kind):  # type: ignore[misc, valid-type]
+        def __init__(self, *arguments: Any, contact: DolfinxContact, **options: Any) -> None:
+            super().__init__(*arguments, **options)
+            self.contact = contact
+
+        def F(self, x: Any, b: Any) -> None:
+            super().F(x, b)
+            self.contact.add_forces(b, self.contact.evaluate(x), -1.0, self.bcs)
+
+        def J(self, x: Any, A: Any) -> None:
+            super().J(x, A)
+            self.contact.add_tangent(A, self.contact.tangent(x), self.bcs)
+
+    return Problem
+
+
+def attach(snes: Any, contact: DolfinxContact, bcs: Any = ()) -> None:
+    """Adds contact to the functions of a SNES that has them already, such as the ``solver`` of the ``NonlinearProblem`` of
+    dolfinx 0.10 and later. The residual is one of internal less external forces."""
+    vector, (function, arguments, options) = snes.getFunction()
+    matrix, preconditioner, (derivative, more, further) = snes.getJacobian()
+
+    def residual(snes: Any, x: Any, b: Any) -> None:
+        function(snes, x, b, *(arguments or ()), **(options or {}))
+        contact.add_forces(b, contact.evaluate(x), -1.0, bcs)
+
+    def jacobian(snes: Any, x: Any, a: Any, p: Any) -> Any:
+        outcome = derivative(snes, x, a, p, *(more or ()), **(further or {}))
+        contact.add_tangent(p, contact.tangent(x), bcs)
+        return outcome
+
+    snes.setFunction(residual, vector)
+    snes.setJacobian(jacobian, matrix, preconditioner)

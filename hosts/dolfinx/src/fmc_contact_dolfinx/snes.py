@@ -1,0 +1,106 @@
+"""Equilibrium by PETSc's SNES, with functions that are the same for every release of dolfinx."""
+
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import dolfinx.fem.petsc as fpetsc
+import ufl
+from dolfinx import fem
+from fmc_contact.errors import InvertedCellError
+from petsc4py import PETSc
+
+from .adapter import DolfinxContact
+from .versions import create_vector, vector_of
+
+FAR = 0.1
+"""Part of the contact forces that the residual exceeds far from a solution."""
+
+
+class ContactProblem:
+    """Residual R(u; v) less contact forces, and its derivative, for SNES.
+
+    ``residual``: the UFL form of internal less external forces. ``u``: the displacement, which holds the start and
+    receives the solution. ``bcs`` as for any nonlinear problem. ``jacobian``: its derivative; default: by UFL.
+
+    ``semidefinite``: whether to leave out of the matrix what contact makes negative; ``None``: far from a solution, where
+    the residual is more than a tenth of the contact forces.
+
+    A trial that turns a cell inside out is answered by an infinite residual, so that a line search draws back.
+    """
+
+    def __init__(
+        self, residual: Any, u: Any, bcs: Sequence[Any], contact: DolfinxContact, jacobian: Any = None
+    ) -> None:
+        space = u.function_space
+        self.u, self.bcs, self.contact = u, list(bcs), contact
+        self.residual = fem.form(residual)
+        self.jacobian = fem.form(ufl.derivative(residual, u, ufl.TrialFunction(space)) if jacobian is None else jacobian)
+        self.semidefinite: bool | None = None
+        self._is_far = True
+        self.vector = create_vector(self.residual, space)
+        self.matrix = fpetsc.create_matrix(self.jacobian)
+
+    def _take(self, x: Any) -> None:
+        """Puts a vector of SNES into the displacement."""
+        x.copy(vector_of(self.u))
+        self.u.x.scatter_forward()
+
+    def F(self, snes: Any, x: Any, residual: Any) -> None:
+        """Residual at ``x``, for ``SNES.setFunction``."""
+        self._take(x)
+        with residual.localForm() as local:
+            local.set(0.0)
+        fpetsc.assemble_vector(residual, self.residual)
+        # The ghosts of the displacement are those of now; those of a vector of SNES need not be.
+        now = vector_of(self.u)
+        fpetsc.apply_lifting(residual, [self.jacobian], [self.bcs], [now], -1.0)
+        residual.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
+        try:
+            result = self.contact.evaluate(x)
+        except InvertedCellError:
+            residual.set(float("inf"))
+            return
+        self.contact.add_forces(residual, result, -1.0)
+        fpetsc.set_bc(residual, self.bcs, now, -1.0)
+        self._is_far = residual.norm() > FAR * float((result.forces**2).sum()) ** 0.5
+
+    def J(self, snes: Any, x: Any, matrix: Any, preconditioner: Any) -> None:
+        """Derivative at ``x``, for ``SNES.setJacobian``."""
+        self._take(x)
+        preconditioner.zeroEntries()
+        fpetsc.assemble_matrix(preconditioner, self.jacobian, self.bcs)
+        preconditioner.assemble()
+        semidefinite = self._is_far if self.semidefinite is None else self.semidefinite
+        tangent = self.contact.tangent(x, semidefinite=semidefinite)
+        self.contact.add_tangent(preconditioner, tangent, self.bcs)
+        if matrix != preconditioner:
+            matrix.assemble()
+
+    def solver(self) -> Any:
+        """A SNES with Newton's method and a direct solver; change it by its methods or by options."""
+        snes = PETSc.SNES().create(self.u.function_space.mesh.comm)
+        snes.setFunction(self.F, self.vector)
+        snes.setJacobian(self.J, self.matrix)
+        # A short step of a line search is no sign of convergence.
+        snes.setTolerances(rtol=1e-10, atol=1e-12, stol=0.0, max_it=50)
+        solver = snes.getKSP()
+        solver.setType("preonly")
+        solver.getPC().setType("lu")
+        if self.u.function_space.mesh.comm.size > 1:
+            solver.getPC().setFactorSolverType("mumps")
+        solver.setErrorIfNotConverged(True)
+        return snes
+
+    def solve(self, snes: Any = None) -> int:
+        """Solves from the displacement that is there; returns the number of iterations. Raises ``RuntimeError`` where
+        there is no convergence; the displacement is then the last one tried."""
+        snes = self.solver() if snes is None else snes
+        # SNES gets a vector of its own: the ghosts of the displacement's are updated here.
+        x = vector_of(self.u).copy()
+        snes.solve(None, x)
+        self._take(x)
+        reason = snes.getConvergedReason()
+        if reason < 0:
+            raise RuntimeError(f"no convergence after {snes.getIterationNumber()} iterations (SNES reason {reason})")
+        return snes.getIterationNumber()

@@ -1,0 +1,45 @@
+"""Errors of one rank, raised on all of them: a rank that stops alone leaves the others waiting for ever."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, TypeVar
+
+T = TypeVar("T")
+
+
+class OtherRankError(RuntimeError):
+    """Another rank failed, and its exception could not be sent."""
+
+
+def together(comm: Any, function: Callable[[], T]) -> T:
+    """Calls a function that talks to no other rank. If it raises on one rank, all ranks raise: each its own exception, or
+    else that of the first rank that has one, with a note of the rank."""
+    error: BaseException | None = None
+    result: Any = None
+    try:
+        result = function()
+    except Exception as raised:
+        error = raised
+    if comm.size == 1:
+        if error is not None:
+            raise error
+        return result
+    from mpi4py import MPI
+
+    first = comm.allreduce(comm.size if error is None else comm.rank, MPI.MIN)
+    if first == comm.size:
+        return result
+    theirs = comm.bcast(_sendable(error) if comm.rank == first else None, first)
+    if error is not None:
+        raise error
+    raise theirs
+
+
+def _sendable(error: BaseException | None) -> BaseException:
+    import pickle
+
+    try:
+        pickle.loads(pickle.dumps(error))
+        return error  # type: ignore[return-value]
+    except Exception:
+        return OtherRankError(f"{type(error).__name__}: {error}")

@@ -1,0 +1,171 @@
+"""Programs for several ranks, started by the tests: ``mpirun -n N python parallel.py PROGRAM [arguments]``."""
+
+import sys
+from types import SimpleNamespace
+from types import SimpleNamespace
+
+import numpy as np
+import ufl
+from dolfinx import fem, mesh
+from fmc_contact import errors
+from fmc_contact_dolfinx import ContactProblem, DolfinxContact, attach, by_input_number
+from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
+from scenes import COMM, block, blocks, interpolate, permuted
+
+
+def elastic(u, v, young=200.0, poisson=0.3):
+    """Virtual work of Hooke's law."""
+    shear, lame = young / 2 / (1 + poisson), young * poisson / (1 + poisson) / (1 - 2 * poisson)
+    strain = ufl.sym(ufl.grad(u))
+    stress = 2 * shear * strain + lame * ufl.tr(strain) * ufl.Identity(len(u))
+    return ufl.inner(stress, ufl.sym(ufl.grad(v))) * ufl.dx
+
+
+def pressed(space, down=-0.05):
+    """Boundary conditions: the bottom of the lower block is held, the top of the upper one pressed down."""
+    m, dim = space.mesh, space.mesh.geometry.dim
+    bcs = []
+    for height, value in ((0.0, 0.0), (1.98, down)):
+        facets = mesh.locate_entities_boundary(m, dim - 1, lambda x: np.isclose(x[dim - 1], height))
+        dofs = fem.locate_dofs_topological(space, dim - 1, facets)
+        vector = np.zeros(dim)
+        vector[-1] = value
+        bcs.append(fem.dirichletbc(vector, dofs, space))
+    return bcs
+
+
+def solve(out, kind, order, whole, permute, through):
+    """The upper block is pressed into the lower one; writes displacement and force in the order of the nodes."""
+    x, cells = blocks(kind, 4, 3)
+    old = np.arange(len(x))
+    if permute == "permuted":
+        x, cells, old = permuted(x, cells)
+    space = vector_space(mesh_from_cells(COMM, x, cells, kind), int(order))
+    contact = DolfinxContact(space, stiffness=1e4, estimator="exact", whole_mesh=whole == "whole")
+    u, v = fem.Function(space), ufl.TestFunction(space)
+    bcs = pressed(space)
+    contact.keep_patches(u)
+    problem = ContactProblem(elastic(u, v), u, bcs, contact)
+    if through == "newton":
+        newton(problem, contact)
+    elif through == "attached":
+        snes = problem.solver()
+        alone = ContactProblem(elastic(u, v), u, bcs, _Nothing())
+        snes.setFunction(alone.F, alone.vector)
+        snes.setJacobian(alone.J, alone.matrix)
+        attach(snes, contact, bcs)
+        alone.solve(snes)
+    else:
+        problem.solve()
+    result = contact.evaluate(u)
+    force = fem.Function(space)
+    contact.add_forces(force.x.array, result)
+    force.x.scatter_forward()
+    tables = by_input_number(u), by_input_number(force)
+    if COMM.rank == 0:
+        back = np.argsort(old)
+        np.savez(out, u=tables[0][back], force=tables[1][back], energy=result.energy)
+
+
+class _Nothing:
+    """A contact that is not there."""
+
+    def evaluate(self, *_):
+        return SimpleNamespace(forces=np.zeros((0, 2)))
+
+    def tangent(self, *_, **__):
+        return None
+
+    def add_forces(self, *_):
+        pass
+
+    def add_tangent(self, *_):
+        pass
+
+
+def newton(problem, contact):
+    """Through dolfinx' own NonlinearProblem and NewtonSolver, where they have F and J."""
+    from dolfinx.fem.petsc import NonlinearProblem
+    from dolfinx.nls.petsc import NewtonSolver
+    from fmc_contact_dolfinx import with_contact
+
+    u = problem.u
+    form = elastic(u, ufl.TestFunction(u.function_space))
+    stock = with_contact(NonlinearProblem)(form, u, problem.bcs, contact=contact)
+    solver = NewtonSolver(COMM, stock)
+    solver.rtol, solver.atol, solver.max_it = 1e-12, 1e-10, 40
+    solver.krylov_solver.setType("preonly")
+    solver.krylov_solver.getPC().setType("lu")
+    solver.krylov_solver.getPC().setFactorSolverType("mumps")
+    assert solver.solve(u)[1]
+
+
+def two_meshes(out, kind):
+    """Forces between bodies on two meshes, one of a single cell, so that most ranks have nothing of it."""
+    dim = {"quad": 2, "hexahedron": 3}[kind]
+    x, cells = block(kind, 3, [0.0] * dim, [1.0] * dim)
+    y, more = block(kind, 1, [0.2] * (dim - 1) + [0.97], [0.8] * (dim - 1) + [1.97])
+    # On its edge, as the walls must not lie in the overlap.
+    y[:, -1] += 0.2 * (y[:, :-1] - 0.2).sum(axis=1) + 0.0
+    spaces = [vector_space(mesh_from_cells(COMM, a, b, kind)) for a, b in ((x, cells), (y, more))]
+    counts = COMM.allgather(len(by := spaces[1].mesh.geometry.x))
+    del by
+    us = [interpolate(fem.Function(space)) for space in spaces]
+    tables = []
+    for whole in (True, False):
+        contact = DolfinxContact(spaces, stiffness=1e4, estimator="exact", whole_mesh=whole)
+        forces = [fem.Function(space) for space in spaces]
+        for function, values in zip(forces, contact.force(*us)):
+            function.x.array[: len(values)] = values
+        tables += [by_input_number(force) for force in forces]
+    if COMM.rank == 0:
+        assert COMM.size == 1 or min(counts) == 0, "a rank without facets is wanted"
+        np.savez(out, **{f"force{k}": table for k, table in enumerate(tables)})
+
+
+def fail(kind):
+    """Something goes wrong, on one rank only where that is possible; every rank must see an exception."""
+    last = COMM.size - 1
+    x, cells = blocks("triangle")
+    space = vector_space(mesh_from_cells(COMM, x, cells, "triangle"))
+    contact = DolfinxContact(space, stiffness=1e4, estimator="exact")
+    u = fem.Function(space)
+    contact.force(u)
+    expected = errors.FmcError
+    if kind == "nan":
+        if COMM.rank == last:
+            u.x.array[0] = np.nan
+    elif kind == "inverted":
+        u.interpolate(lambda p: np.stack([-2.5 * p[0], 0 * p[0]]))
+        expected = errors.InvertedCellError
+    elif kind == "layout":
+        expected = TypeError
+    elif kind in ("length", "callback"):
+        expected = (ValueError, ZeroDivisionError)
+    try:
+        if kind == "layout":
+            scalar = fem.FunctionSpace(space.mesh, ("CG", 1)) if hasattr(fem, "FunctionSpace") else None
+            DolfinxContact(scalar if COMM.rank == last and scalar is not None else space, stiffness=1.0)
+        elif kind == "length":
+            contact.force(np.zeros(3) if COMM.rank == last else u)
+        elif kind == "callback":
+            other = DolfinxContact(space, stiffness=1e4)
+
+            def distance(points):
+                if COMM.rank == last:
+                    raise ZeroDivisionError("of the last rank")
+                return points[:, 1] + 10.0, np.tile([0.0, 1.0], (len(points), 1))
+
+            other.contact.add_signed_distance(distance)
+            other.force(u)
+        else:
+            contact.force(u)
+    except expected as error:
+        print(f"rank {COMM.rank} saw {type(error).__name__}: {error}", flush=True)
+    u.x.array[:] = 0.0
+    contact.force(u)
+    print(f"rank {COMM.rank} goes on", flush=True)
+
+
+if __name__ == "__main__":
+    {"solve": solve, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])

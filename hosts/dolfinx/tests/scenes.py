@@ -1,0 +1,65 @@
+"""Two blocks one on the other, of meshes that do not match."""
+
+import numpy as np
+from dolfinx import cpp, mesh
+from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
+from mpi4py import MPI
+
+COMM = MPI.COMM_WORLD
+NAMES = {"triangle": 2, "quad": 2, "tetra": 3, "hexahedron": 3}
+
+
+def block(kind, count, low, high):
+    """Nodes, (n, dim), and cells in VTK's order of a block."""
+    dim = NAMES[kind]
+    ticks = [np.linspace(low[a], high[a], count + 1) for a in range(dim)]
+    x = np.stack(np.meshgrid(*ticks, indexing="ij"), axis=-1).reshape(-1, dim)
+    number = np.arange(len(x)).reshape([count + 1] * dim)
+    at = lambda *s: number[tuple(slice(k, k + count) for k in s)].ravel()  # noqa: E731
+    if dim == 2:
+        cells = np.stack([at(0, 0), at(1, 0), at(1, 1), at(0, 1)], axis=1)
+        if kind == "triangle":
+            cells = np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
+        return x, cells
+    cells = np.stack([at(*s) for s in ((0,0,0),(1,0,0),(1,1,0),(0,1,0),(0,0,1),(1,0,1),(1,1,1),(0,1,1))], axis=1)  # fmt: skip
+    if kind == "tetra":
+        paths = ([0, 1, 2, 6], [0, 2, 3, 6], [0, 3, 7, 6], [0, 7, 4, 6], [0, 4, 5, 6], [0, 5, 1, 6])
+        cells = np.concatenate([cells[:, path] for path in paths])
+    return x, cells
+
+
+def blocks(kind, lower=3, upper=2):
+    """Nodes and cells of a unit block and of another above it, 0.02 into it. The upper one bulges downwards, so that they
+    touch in the middle and not at their walls, where the law "fiber" has steps."""
+    dim = NAMES[kind]
+    x, cells = block(kind, lower, [0.0] * dim, [1.0] * dim)
+    y, more = block(kind, upper, [0.1] * (dim - 1) + [0.98], [0.9] * (dim - 1) + [1.98])
+    y[:, -1] += 0.4 * ((y[:, :-1] - 0.47) ** 2).sum(axis=1) * (1.98 - y[:, -1])
+    return np.concatenate([x, y]), np.concatenate([cells, more + len(x)])
+
+
+def permuted(x, cells, seed=3):
+    """The same mesh with nodes and cells in another order; and the old number of every new node."""
+    random = np.random.default_rng(seed)
+    old = random.permutation(len(x))
+    new = np.argsort(old)
+    return x[old], new[cells][random.permutation(len(cells))], old
+
+
+def space(kind, order=1, comm=COMM, x=None, cells=None):
+    if x is None:
+        x, cells = blocks(kind)
+    return vector_space(mesh_from_cells(comm, x, cells, kind), order)
+
+
+def interpolate(function, size=3e-3):
+    """A smooth displacement, by places, so that it does not depend on numbers or ranks."""
+    dim = function.function_space.mesh.geometry.dim
+
+    def displacement(x):
+        wave = [np.sin((3.0 + a) * x[0] + 2.0 * x[dim - 1] + x[1] * (dim > 2)) for a in range(dim)]
+        return size * np.stack(wave)
+
+    function.interpolate(displacement)
+    function.x.scatter_forward()
+    return function

@@ -1,0 +1,30 @@
+"""The example and the README run and check themselves."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).parent.parent
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_the_block_falls_and_rebounds(count):
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    command = ["timeout", "60", "mpirun", "--oversubscribe", "-n", str(count), sys.executable]
+    run = subprocess.run(
+        [*command, HERE / "examples" / "falling_block.py"], capture_output=True, text=True, env=environment
+    )
+    assert run.returncode == 0 and "rebound 1.00" in run.stdout, run.stdout + run.stderr
+
+
+def test_the_first_force_of_the_readme_runs_in_ten_lines():
+    code = (HERE / "README.md").read_text().split("```python\n")[1].split("```")[0]
+    assert len([line for line in code.splitlines() if line.strip()]) <= 10
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert run.returncode == 0, run.stderr
+    # A strip of unit width and depth 0.05: pressure k times depth makes 500, upwards.
+    force = float(run.stdout.replace("[", " ").replace("]", " ").split()[1])
+    assert force == pytest.approx(500.0, rel=0.02)

@@ -1,0 +1,79 @@
+"""Several ranks give what one gives; an error on one is an error on all."""
+
+import numpy as np
+import pytest
+
+
+def solution(ranks, folder, count, *arguments):
+    out = folder / "solution.npz"
+    run = ranks(count, *arguments[:1], out, *arguments[1:])
+    assert run.returncode == 0, run.stdout + run.stderr
+    return dict(np.load(out))
+
+
+def distance(one, other, key):
+    return np.abs(one[key] - other[key]).max() / np.abs(other[key]).max()
+
+
+@pytest.fixture(scope="module")
+def alone(ranks, tmp_path_factory):
+    """Solutions on one rank, each made once."""
+    made = {}
+
+    def get(*arguments):
+        if arguments not in made:
+            made[arguments] = solution(ranks, tmp_path_factory.mktemp("alone"), 1, *arguments)
+        return made[arguments]
+
+    return get
+
+
+# Each solve stops at a residual of 1e-10 of the first one; the tangent is as stiff as the cells, so the displacement is
+# about as good.
+@pytest.mark.parametrize(
+    "count, kind, order, shown",
+    [(2, "triangle", 1, "whole"), (3, "triangle", 1, "whole"), (4, "triangle", 1, "whole"), (3, "triangle", 1, "boundary"),
+     (4, "quad", 1, "whole"), (2, "triangle", 2, "boundary"), (4, "tetra", 1, "whole"), (2, "tetra", 1, "boundary"),
+     (3, "hexahedron", 1, "whole"), (2, "hexahedron", 1, "boundary")],
+)  # fmt: skip
+def test_ranks_agree(ranks, alone, tmp_path, count, kind, order, shown):
+    arguments = ("solve", kind, order, shown, "plain", "snes")
+    one, several = alone(*arguments), solution(ranks, tmp_path, count, *arguments)
+    assert distance(several, one, "u") < 1e-10 and distance(several, one, "force") < 1e-10
+    assert np.abs(one["force"]).max() > 0.1
+
+
+@pytest.mark.parametrize("kind, shown", [("triangle", "whole"), ("tetra", "whole"), ("hexahedron", "boundary")])
+def test_numbers_of_the_input_do_not_matter(ranks, alone, tmp_path, kind, shown):
+    one = alone("solve", kind, 1, shown, "plain", "snes")
+    other = solution(ranks, tmp_path, 2, "solve", kind, 1, shown, "permuted", "snes")
+    assert distance(other, one, "u") < 1e-12 and distance(other, one, "force") < 1e-10
+
+
+@pytest.mark.parametrize("through", ["attached", "newton"])
+def test_ways_to_solve_agree(ranks, alone, tmp_path, through):
+    from dolfinx.fem.petsc import NonlinearProblem
+
+    if through == "newton" and not hasattr(NonlinearProblem, "F"):
+        pytest.skip("this NonlinearProblem has no F: it holds a SNES, which attach is for")
+    one = alone("solve", "triangle", 1, "whole", "plain", "snes")
+    other = solution(ranks, tmp_path, 2, "solve", "triangle", 1, "whole", "plain", through)
+    assert distance(other, one, "u") < 1e-10 and distance(other, one, "force") < 1e-9
+
+
+@pytest.mark.parametrize("kind", ["quad", "hexahedron"])
+def test_two_meshes_and_ranks_that_have_none_of_one(ranks, tmp_path, kind):
+    one = solution(ranks, tmp_path, 1, "two_meshes", kind)
+    several = solution(ranks, tmp_path, 3, "two_meshes", kind)
+    for key in one:
+        assert distance(several, one, key) < 1e-12
+    # Cells, or the boundary alone: the same facets, clipped by other simplices.
+    assert distance(one, one, "force0") == 0 and np.abs(one["force0"] - one["force2"]).max() < 1e-11 * np.abs(one["force0"]).max()
+    assert np.abs(one["force0"].sum(axis=0) + one["force1"].sum(axis=0)).max() < 1e-12 * np.abs(one["force0"]).max()
+
+
+@pytest.mark.parametrize("kind", ["nan", "inverted", "layout", "length", "callback"])
+def test_an_error_reaches_every_rank_and_the_host_lives(ranks, kind):
+    run = ranks(3, "fail", kind, limit=10)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert run.stdout.count(" saw ") == 3 and run.stdout.count("goes on") == 3, run.stdout

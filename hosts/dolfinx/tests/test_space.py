@@ -1,0 +1,108 @@
+"""What a space shows to the contact, on one rank."""
+
+import numpy as np
+import pytest
+from dolfinx import fem
+from fmc_contact import contact_force, errors
+from fmc_contact_dolfinx import DolfinxContact, LayoutError, by_input_number
+from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
+from mpi4py import MPI
+from scenes import NAMES, block, blocks, interpolate, permuted, space
+
+
+@pytest.mark.parametrize("kind", NAMES)
+def test_first_order_gives_the_bits_of_the_package(kind):
+    x, cells = blocks(kind)
+    V = space(kind)
+    u = interpolate(fem.Function(V))
+    contact = DolfinxContact(V, stiffness=1e4, estimator="exact")
+    moved = x + by_input_number(u)
+    assert (contact.coords(u) == moved).all()
+    alone = contact_force(moved, cells, kind, stiffness=1e4, estimator="exact")
+    force = fem.Function(V)
+    force.x.array[:] = contact.force(u)
+    assert alone.volume > 1e-4 and (by_input_number(force) == alone.forces).all()
+
+
+@pytest.mark.parametrize("kind", NAMES)
+@pytest.mark.parametrize("order", [1, 2])
+def test_boundary_encloses_the_volume_of_the_mesh(kind, order):
+    dim = NAMES[kind]
+    x, cells = block(kind, 3, [0.0] * dim, [1.0, 2.0, 0.5][:dim])
+    x = x + 0.02 * np.sin(7.0 * x)
+    x, cells, _ = permuted(x, cells)
+    V = vector_space(mesh_from_cells(MPI.COMM_WORLD, x, cells, kind), order)
+    contact = DolfinxContact(V, stiffness=1.0, whole_mesh=False, divisions=2)
+    at = contact.coords(fem.Function(V))[contact._skin.facets]
+    if dim == 2:
+        volume = 0.5 * (at[:, 0, 0] * at[:, 1, 1] - at[:, 0, 1] * at[:, 1, 0]).sum()
+    else:
+        volume = np.einsum("ij,ij->i", at[:, 0], np.cross(at[:, 1], at[:, 2])).sum() / 6.0
+    import ufl
+
+    measure = fem.assemble_scalar(fem.form(fem.Constant(V.mesh, 1.0) * ufl.dx))
+    # Faces of hexahedra are bent; split about their centres they are flat, of the same volume.
+    assert volume == pytest.approx(measure, rel=1e-12)
+
+
+@pytest.mark.parametrize("kind", NAMES)
+@pytest.mark.parametrize("order", [1, 2])
+def test_force_is_minus_the_slope_of_the_energy(kind, order):
+    V = space(kind, order)
+    dim = NAMES[kind]
+    u, direction = fem.Function(V), fem.Function(V)
+
+    interpolate(u)
+    direction.interpolate(lambda p: np.stack([np.cos((2.0 + a) * p[0] + p[dim - 1]) for a in range(dim)]))
+    contact = DolfinxContact(V, stiffness=1e4, estimator="exact", balance=False)
+    contact.keep_patches(u)
+    step, energies = 1e-6, []
+    for sign in (-1, 1):
+        energies.append(contact.evaluate(u.x.array + sign * step * direction.x.array).energy)
+    slope = (energies[1] - energies[0]) / (2 * step)
+    assert slope == pytest.approx(-contact.force(u) @ direction.x.array, rel=1e-6)
+
+
+def test_other_spaces_are_refused():
+    mesh = space("triangle").mesh
+    dim = mesh.geometry.dim
+    make = (lambda *e: fem.functionspace(mesh, e)) if hasattr(fem, "functionspace") else None
+    old = (lambda f, k: fem.VectorFunctionSpace(mesh, (f, k))) if make is None else None
+    spaces = [
+        make("DG", 1, (dim,)) if make else old("DG", 1),
+        make("CR", 1, (dim,)) if make else old("CR", 1),
+        make("Lagrange", 3, (dim,)) if make else old("CG", 3),
+        make("Lagrange", 1) if make else fem.FunctionSpace(mesh, ("CG", 1)),
+    ]
+    for other in spaces:
+        with pytest.raises(LayoutError):
+            DolfinxContact(other, stiffness=1.0)
+    with pytest.raises(LayoutError):
+        DolfinxContact(mesh.geometry, stiffness=1.0)
+
+
+def test_bodies_by_numbers_of_cells():
+    x, cells = blocks("quad")
+    V = space("quad")
+    number = np.asarray(V.mesh.topology.original_cell_index)
+    of_cells = np.where(number < 9, 5, 8)
+    for whole in (True, False):
+        contact = DolfinxContact(V, stiffness=1e4, estimator="exact", bodies=of_cells, whole_mesh=whole)
+        assert [body.id for body in contact.evaluate(fem.Function(V)).bodies] == [5, 8]
+
+
+def test_second_order_has_no_flat_cells():
+    with pytest.raises(ValueError, match="first order"):
+        DolfinxContact(space("triangle", 2), stiffness=1.0, whole_mesh=True)
+
+
+def test_an_error_leaves_the_contact_as_it_was():
+    V = space("triangle")
+    contact = DolfinxContact(V, stiffness=1e4, estimator="exact")
+    u = interpolate(fem.Function(V))
+    before = contact.force(u)
+    bad = u.x.array.copy()
+    bad[3] = np.inf
+    with pytest.raises(errors.NonFiniteCoordinateError):
+        contact.force(bad)
+    assert (contact.force(u) == before).all()

@@ -1,0 +1,112 @@
+"""The bodies of a case in scikit-fem: one mesh and one basis, with the quadrature of the reference host."""
+
+from __future__ import annotations
+
+import numpy as np
+import skfem
+from fmc_agreement.faces import loads
+from fmc_agreement.problem import Problem
+from fmc_contact_skfem.field import mesh_from_cells
+from scipy.sparse import csr_matrix
+from skfem import Basis, BilinearForm, ElementVector, FacetBasis, LinearForm, asm
+from skfem.helpers import ddot, div, dot, eye, grad, sym_grad, trace
+
+ELEMENTS = {
+    "triangle": skfem.ElementTriP1,
+    "quad": skfem.ElementQuad1,
+    "tetra": skfem.ElementTetP1,
+    "hexahedron": skfem.ElementHex1,
+}
+
+
+class Model:
+    """Masses, loads, internal forces and their derivative, in scikit-fem's order of unknowns."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        kind = problem.cell_type
+        conn = np.concatenate([body.conn for body in problem.bodies])
+        self.mesh = mesh_from_cells(problem.coords, conn, kind)
+        self.element = ElementVector(ELEMENTS[kind]())
+        # One point in simplices, two along every axis of the others.
+        self.basis = Basis(self.mesh, self.element, intorder=1 if kind in ("triangle", "tetra") else 3)
+        self.dofs = self.basis.nodal_dofs.T
+        laws = {body.material.law for body in problem.bodies}
+        (self.law,) = laws
+        self._linear = self._stiffness() if self.law == "linear-elastic" else None
+
+    def _of_cells(self, name: str) -> np.ndarray:
+        """A number of the material at every cell, (cells, 1)."""
+        values = np.array([getattr(body.material, name) for body in self.problem.bodies])
+        return values[self.problem.body_of_cell][:, None]
+
+    def on_dofs(self, at_nodes: np.ndarray) -> np.ndarray:
+        """From (nodes, dim) to unknowns."""
+        found = np.empty(self.basis.N, at_nodes.dtype)
+        found[self.dofs] = at_nodes
+        return found
+
+    def mass(self) -> np.ndarray:
+        """Lumped mass of every unknown."""
+        density = self._of_cells("density")
+        form = LinearForm(lambda v, w: density * sum(v[axis] for axis in range(self.problem.dim)))
+        return asm(form, self.basis)
+
+    def load(self) -> np.ndarray:
+        """Forces of the tractions on faces."""
+        total = np.zeros(self.basis.N)
+        number = {tuple(sorted(nodes)): facet for facet, nodes in enumerate(self.mesh.facets.T.tolist())}
+        for faces, traction in loads(self.problem):
+            facets = np.array([number[tuple(sorted(face))] for face in faces.tolist()])
+            basis = FacetBasis(self.mesh, self.element, facets=facets, intorder=3)
+            pull = traction.T[:, :, None]
+            total += asm(LinearForm(lambda v, w: dot(pull, v)), basis)
+        return total
+
+    def _stiffness(self) -> csr_matrix:
+        lame, shear = self._of_cells("lame"), self._of_cells("shear")
+        form = BilinearForm(lambda u, v, w: lame * div(u) * div(v) + 2.0 * shear * ddot(sym_grad(u), sym_grad(v)))
+        return asm(form, self.basis)
+
+    def internal(self, u: np.ndarray) -> tuple[np.ndarray, float]:
+        """Internal forces and strain energy."""
+        if self._linear is not None:
+            force = self._linear @ u
+            return force, float(0.5 * force @ u)
+        gradient = self.basis.interpolate(u).grad
+        shear, bulk = self._of_cells("shear"), self._of_cells("bulk")
+        f = gradient + eye(np.ones(gradient.shape[2:]), self.problem.dim)
+        cofactor, j = _cofactor(f)
+        i1 = ddot(f, f) + (3 - self.problem.dim)
+        a = shear * j ** (-2.0 / 3.0)
+        b = bulk * (j - 1.0) - a * i1 / (3.0 * j)
+        stress = a * f + b * cofactor
+        force = asm(LinearForm(lambda v, w: ddot(stress, grad(v))), self.basis)
+        energy = 0.5 * (a * i1 - 3.0 * shear) + 0.5 * bulk * (j - 1.0) ** 2
+        return force, float((energy * self.basis.dx).sum())
+
+    def tangent(self, u: np.ndarray) -> csr_matrix:
+        """Derivative of the internal forces."""
+        if self._linear is None:
+            raise NotImplementedError("equilibrium of bodies that are not linear elastic")
+        return self._linear
+
+    def stresses_along(self, u: np.ndarray, axis: int) -> np.ndarray:
+        """Normal stress along an axis, the mean of every cell."""
+        gradient = self.basis.interpolate(u).grad
+        lame, shear = self._of_cells("lame"), self._of_cells("shear")
+        stress = lame * trace(gradient) + 2.0 * shear * gradient[axis, axis]
+        return (stress * self.basis.dx).sum(axis=1) / self.basis.dx.sum(axis=1)
+
+
+def _cofactor(f: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The derivative of the determinant, and the determinant."""
+    c = np.empty_like(f)
+    if len(f) == 2:
+        c[0, 0], c[0, 1], c[1, 0], c[1, 1] = f[1, 1], -f[1, 0], -f[0, 1], f[0, 0]
+    else:
+        for i in range(3):
+            for k in range(3):
+                (p, q), (r, s) = ((i + 1) % 3, (i + 2) % 3), ((k + 1) % 3, (k + 2) % 3)
+                c[i, k] = f[p, r] * f[q, s] - f[p, s] * f[q, r]
+    return c, (f[0] * c[0]).sum(axis=0)

@@ -1,0 +1,13 @@
+"""Contact in scikit-fem: forces and tangent of ``fmc_contact`` on the degrees of freedom of your bases.
+
+    contact = SkfemContact(basis, stiffness=1e9)
+    residual = stiffness @ u - load - contact.force(u)
+    matrix = stiffness + contact.tangent(u)
+
+    SkfemContact  ->  field, boundary  ->  fmc_contact
+"""
+
+from .adapter import SkfemContact
+from .field import LayoutError
+
+__all__ = ["LayoutError", "SkfemContact"]

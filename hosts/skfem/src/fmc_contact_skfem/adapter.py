@@ -1,0 +1,116 @@
+"""Contact of the bodies that one or several bases describe."""
+
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+from fmc_contact import Contact, Result
+from fmc_contact.skin import Skin, Triplets
+from numpy.typing import ArrayLike
+from scipy.sparse import csr_matrix
+from skfem import CellBasis
+
+from .boundary import Boundary
+from .field import Field, field
+
+
+class SkfemContact:
+    """Contact between all bodies of one basis or of several, with the obstacles that are added to ``contact``.
+
+    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1 or Q2 elements in 2D or 3D; or a list of ``(basis, offset)``
+    where ``offset`` is the place of the basis' first unknown in the vectors of the whole problem. ``size``: length of
+    these vectors; default: as far as the bases reach. ``bodies``: one number for every cell, basis after basis; default:
+    bodies are what hangs together. ``divisions`` of every edge of a boundary face into flat facets, for second order;
+    default 2. ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``.
+
+    Meshes need not match: there is no supermesh, no search for pairs, and no side is the master.
+
+    First order hands over the cells, so that cells that turn inside out are told. Second order hands over the boundary.
+
+    Errors: ``LayoutError`` for a basis of another kind; those of ``fmc_contact.errors``.
+    """
+
+    contact: Contact
+    """The contact below, for its obstacles (``add_half_space``, ...), options and the like."""
+
+    def __init__(
+        self,
+        bases: CellBasis | Sequence[tuple[CellBasis, int]],
+        *,
+        stiffness: float,
+        size: int | None = None,
+        bodies: ArrayLike | None = None,
+        divisions: int | None = None,
+        **options: Any,
+    ) -> None:
+        pairs = bases if isinstance(bases, (list, tuple)) else [(bases, 0)]
+        fields = [field(*pair) for pair in pairs]
+        if not fields:
+            raise ValueError("there is no basis")
+        self._skin: Skin | None = None
+        options = {"stiffness": stiffness, **options}
+        if divisions is None and all(one.order == 1 for one in fields):
+            self.contact = self._from_cells(fields, bodies, options)
+        else:
+            self.contact = self._from_faces(fields, divisions, bodies, options)
+        reach = max(one.offset + one.basis.N for one in fields)
+        self.size = reach if size is None else size
+        if self.size < reach:
+            raise ValueError(f"vectors of {self.size} entries are too short, the bases reach to {reach}")
+
+    def _from_cells(self, fields: list[Field], bodies: ArrayLike | None, options: dict) -> Contact:
+        self._dofs = np.concatenate([one.dofs for one in fields])
+        self._undeformed = np.concatenate([one.basis.mesh.p.T for one in fields])
+        first = np.cumsum([0] + [len(one.dofs) for one in fields])
+        blocks = [(one.cell_type, one.conn + start) for one, start in zip(fields, first)]
+        return Contact(self._undeformed, blocks, bodies=bodies, **options)
+
+    def _from_faces(
+        self, fields: list[Field], divisions: int | None, bodies: ArrayLike | None, options: dict
+    ) -> Contact:
+        boundaries = [Boundary(one, divisions) for one in fields]
+        self._dofs = np.concatenate([one.dofs for one in boundaries])
+        self._undeformed = np.concatenate([one.coords for one in boundaries])
+        self._skin = Skin([one.trace for one in boundaries])
+        if bodies is not None:
+            first = np.cumsum([0] + [len(one.conn) for one in fields])
+            bodies = np.asarray(bodies)[np.concatenate([b.cells + start for b, start in zip(boundaries, first)])]
+        return Contact.from_facets(self._skin.points(self._undeformed), self._skin.facets, bodies=bodies, **options)
+
+    def coords(self, u: np.ndarray) -> np.ndarray:
+        """Coordinates that the contact is shown at the displacement ``u``, (size,): (points, dim)."""
+        u = np.asarray(u)
+        if u.shape != (self.size,):
+            raise ValueError(f"the displacement has shape {u.shape}, ({self.size},) is wanted")
+        at_nodes = self._undeformed + u[self._dofs]
+        return at_nodes if self._skin is None else self._skin.points(at_nodes)
+
+    def evaluate(self, u: np.ndarray) -> Result:
+        """All that ``fmc_contact`` says at a displacement: energy, resultants, warnings; forces on the points of
+        ``coords``. Errors: those of ``Contact.evaluate``."""
+        return self.contact.evaluate(self.coords(u))
+
+    def force(self, u: np.ndarray) -> np.ndarray:
+        """Contact forces on the degrees of freedom, (size,): an external load, to be subtracted from a residual."""
+        return self.on_dofs(self.evaluate(u).forces)
+
+    def on_dofs(self, forces: np.ndarray) -> np.ndarray:
+        """Forces of ``evaluate`` brought to the degrees of freedom, (size,)."""
+        total = np.zeros(self.size)
+        total[self._dofs] = forces if self._skin is None else self._skin.to_nodes(forces)
+        return total
+
+    def tangent(self, u: np.ndarray, semidefinite: bool = False) -> csr_matrix:
+        """Minus the derivative of ``force``, (size, size): to be added to a stiffness matrix. ``semidefinite`` leaves out
+        what can be negative, for use far from a solution."""
+        found = Triplets(*self.contact.tangent_parts(self.coords(u), semidefinite).triplets())
+        if self._skin is not None:
+            found = self._skin.tangent_to_nodes(found, self.contact.dim)
+        dofs = self._dofs.ravel()
+        return csr_matrix((found.values, (dofs[found.rows], dofs[found.cols])), shape=(self.size, self.size))
+
+    def keep_patches(self, u: np.ndarray) -> int:
+        """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy: for
+        the start of a load step. See ``Contact.keep_patches``."""
+        return self.contact.keep_patches(self.coords(u))

@@ -1,0 +1,32 @@
+"""The examples run, check themselves, and stay short."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = sorted((Path(__file__).parent.parent / "examples").glob("*.py"))
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_example_runs_and_has_at_most_forty_lines(path):
+    assert len(path.read_text().splitlines()) <= 40
+    run = subprocess.run([sys.executable, path], capture_output=True, text=True, timeout=120)
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_there_are_examples():
+    assert len(EXAMPLES) >= 2
+
+
+def test_the_first_force_of_the_readme_runs_in_ten_lines():
+    text = (Path(__file__).parent.parent / "README.md").read_text()
+    code = text.split("```python\n")[1].split("```")[0]
+    lines = [line for line in code.splitlines() if line.strip()]
+    assert len(lines) <= 10
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert run.returncode == 0, run.stderr
+    # A strip 0.7 wide and 0.05 deep: pressure k times depth makes 350, and pushes the upper block up.
+    force = float(run.stdout.replace("[", " ").replace("]", " ").split()[1])
+    assert force == pytest.approx(350.0, rel=0.02)

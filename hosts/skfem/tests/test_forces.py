@@ -1,0 +1,158 @@
+"""Forces and tangent on degrees of freedom, against the package itself and against differences."""
+
+import numpy as np
+import pytest
+import skfem
+from fmc_contact import contact_force
+from fmc_contact_skfem import SkfemContact
+from fmc_contact_skfem.field import cells_of, mesh_from_cells
+from scenes import ELEMENTS, blocks, by_axis, displacement, joined
+
+OPTIONS = dict(stiffness=1e4, estimator="exact", balance=False)
+
+
+@pytest.mark.parametrize("element", [e for e in ELEMENTS if "1" in e])
+def test_first_order_gives_the_bits_of_the_package(element):
+    bases = blocks(element)
+    u = displacement(bases)
+    contact = SkfemContact(joined(bases), stiffness=1e4, estimator="exact")
+    coords, cells, first = [], [], 0
+    for basis, offset in joined(bases):
+        kind, conn = cells_of(basis.mesh)
+        coords.append(basis.mesh.p.T + u[basis.nodal_dofs + offset].T)
+        cells.append((kind, conn + first))
+        first += len(coords[-1])
+    alone = contact_force(np.concatenate(coords), cells, stiffness=1e4, estimator="exact")
+    assert alone.volume > 1e-4
+    total = contact.force(u)
+    start = 0
+    for basis, offset in joined(bases):
+        count = basis.mesh.nvertices
+        assert (total[basis.nodal_dofs + offset].T == alone.forces[start : start + count]).all()
+        start += count
+    assert np.count_nonzero(total) == np.count_nonzero(alone.forces)
+
+
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_force_is_minus_the_slope_of_the_energy(element):
+    bases = blocks(element)
+    u = displacement(bases)
+    contact = SkfemContact(joined(bases), **OPTIONS)
+    contact.keep_patches(u)
+    direction = displacement(bases, 1.0, seed=2, bulge=0.0)
+    step = 1e-6
+    energies = [contact.evaluate(u + s * step * direction).energy for s in (-1, 1)]
+    slope = (energies[1] - energies[0]) / (2 * step)
+    # Central differences of an energy with a continuous second derivative: the step squared, and rounding by the step.
+    assert slope == pytest.approx(-contact.force(u) @ direction, rel=1e-6)
+
+
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_tangent_is_minus_the_slope_of_the_force(element):
+    bases = blocks(element)
+    u = displacement(bases)
+    contact = SkfemContact(joined(bases), **OPTIONS)
+    contact.keep_patches(u)
+    direction = displacement(bases, 1.0, seed=2, bulge=0.0)
+    step = 1e-7
+    forces = [contact.force(u + s * step * direction) for s in (-1, 1)]
+    slope = (forces[1] - forces[0]) / (2 * step)
+    tangent = contact.tangent(u)
+    assert tangent.shape == (contact.size, contact.size)
+    # Forces have kinks in their slope where facets cross, so differences are good to the part of them in a step.
+    assert np.linalg.norm(slope + tangent @ direction) < 1e-5 * np.linalg.norm(slope)
+
+
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_forces_on_unknowns_keep_their_sum(element):
+    """A shift of all unknowns moves all points alike, so what acts on the points arrives whole."""
+    bases = blocks(element)
+    u = displacement(bases)
+    contact = SkfemContact(joined(bases), stiffness=1e4, estimator="exact")
+    result, total = contact.evaluate(u), contact.force(u)
+    for number, (basis, offset) in enumerate(joined(bases)):
+        sums = [total[dofs + offset].sum() for dofs in by_axis(basis)]
+        assert sums == pytest.approx(result.bodies[number].force, rel=1e-12, abs=1e-12 * np.abs(total).max())
+
+
+@pytest.mark.parametrize("element", ["P2", "Q2", "P2 3D", "Q2 3D"])
+def test_second_order_encloses_the_volume_of_its_cells(element):
+    """Cells bent by a displacement of second order: a finer division comes nearer, with the square of its size."""
+    basis = blocks(element)[0]
+    u = np.zeros(basis.N)
+    x = basis.doflocs
+    dofs = by_axis(basis)
+    u[dofs[-1]] = 0.2 * x[0, dofs[-1]] * (1 - x[0, dofs[-1]]) * x[-1, dofs[-1]]
+    exact = 1.0 + 0.2 / 6.0
+    errors = []
+    for divisions in (1, 2, 4):
+        contact = SkfemContact(basis, stiffness=1.0, divisions=divisions)
+        points = contact.coords(u)
+        errors.append(abs(_enclosed(points, _facets(basis, divisions)) - exact))
+    assert errors[1] < 0.3 * errors[0] + 1e-12 and errors[2] < 0.3 * errors[1] + 1e-12
+
+
+def _facets(basis, divisions):
+    from fmc_contact_skfem.boundary import Boundary
+    from fmc_contact_skfem.field import field
+
+    return Boundary(field(basis), divisions).trace.facets
+
+
+def _enclosed(x, facets):
+    at = x[facets]
+    if x.shape[1] == 2:
+        return 0.5 * (at[:, 0, 0] * at[:, 1, 1] - at[:, 0, 1] * at[:, 1, 0]).sum()
+    return np.einsum("ij,ij->i", at[:, 0], np.cross(at[:, 1], at[:, 2])).sum() / 6.0
+
+
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_boundary_is_closed_and_looks_outwards(element):
+    for basis in blocks(element):
+        volume = np.prod(np.ptp(basis.mesh.p, axis=1))
+        contact = SkfemContact(basis, stiffness=1.0, divisions=2)
+        assert _enclosed(contact.coords(np.zeros(contact.size)), _facets(basis, 2)) == pytest.approx(volume, rel=1e-13)
+
+
+@pytest.mark.parametrize("element", [e for e in ELEMENTS if "1" in e])
+def test_cells_come_back_in_the_order_they_went_in(element):
+    mesh = blocks(element)[0].mesh
+    kind, conn = cells_of(mesh)
+    again = mesh_from_cells(mesh.p.T, conn, kind)
+    assert (again.p == mesh.p).all() and (again.t == mesh.t).all()
+    if kind == "hexahedron":
+        # VTK: the first four corners go around a face, the last four stand above them.
+        x = mesh.p.T[conn[0]]
+        assert np.allclose(x[4:] - x[:4], x[4] - x[0]) and np.allclose(x[1] - x[0], x[2] - x[3])
+        assert np.allclose(np.linalg.norm(np.diff(x[[0, 1, 2, 3, 0]], axis=0), axis=1), np.linalg.norm(x[1] - x[0]))
+
+
+def test_divided_first_order_agrees_with_its_cells():
+    bases = blocks("Q1 3D")
+    u = displacement(bases)
+    by_cells = SkfemContact(joined(bases), stiffness=1e4, estimator="exact")
+    by_faces = SkfemContact(joined(bases), stiffness=1e4, estimator="exact", divisions=1)
+    # The same facets, clipped by other simplices: rounding only.
+    assert np.abs(by_cells.force(u) - by_faces.force(u)).max() < 1e-11 * np.abs(by_cells.force(u)).max()
+
+
+def test_one_basis_of_several_bodies():
+    """Two blocks on one mesh are told apart as they hang together, or by the numbers of their cells."""
+    bases = blocks("P1")
+    p = np.hstack([b.mesh.p for b in bases])
+    both = skfem.MeshTri(p, np.hstack([bases[0].mesh.t, bases[1].mesh.t + bases[0].mesh.nvertices]))
+    basis = skfem.Basis(both, bases[0].elem)
+    numbers = np.repeat([7, 9], [b.nelems for b in bases])
+    plain, named = (SkfemContact(basis, stiffness=1e4, bodies=bodies) for bodies in (None, numbers))
+    u = np.zeros(basis.N)
+    assert plain.evaluate(u).volume > 0.001 and (plain.force(u) == named.force(u)).all()
+    assert [body.id for body in named.evaluate(u).bodies] == [7, 9]
+
+
+def test_obstacles_of_the_contact_below():
+    basis = blocks("P1")[0]
+    contact = SkfemContact(basis, stiffness=1e4, estimator="exact")
+    wall = contact.contact.add_half_space((0.0, 0.01), (0.0, 1.0))
+    result = contact.evaluate(np.zeros(basis.N))
+    # A strip of unit width and depth 0.01: pressure k times depth, here 100.
+    assert result.obstacles[wall].force[1] == pytest.approx(-100.0, rel=0.03)
