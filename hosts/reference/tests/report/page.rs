@@ -87,7 +87,7 @@ fn a_check_that_fails_and_a_case_that_cannot_run_are_told() {
     let page = Html::parse_document(&folder.text("report.html"));
     assert_eq!(all(&page, "#wrong .checks .badge.fail").len(), 1);
     let failure: String = all(&page, "#impossible .failure")[0].text().collect();
-    assert!(failure.contains("stable"), "{failure}");
+    assert!(failure.contains("exceeds the limit"), "{failure}");
     assert_eq!(all(&page, ".summary .badge.fail").len(), 2);
     let refused = output(&folder, &["tsar"]);
     assert_eq!(refused.status.code(), Some(2));
