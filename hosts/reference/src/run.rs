@@ -10,6 +10,7 @@
 //! OUT/checkpoint.*     of a run that was interrupted, or still runs
 //! OUT/iterations.csv   every iteration of an equilibrium
 //! OUT/equilibrium.vtu  its fields
+//! OUT/load_steps.csv   every equilibrium on the way; OUT/reactions.* its forces, where there are several
 //! OUT/pressure.*       pressure on the contact surface, beside the closed form: CSV, PNG and SVG
 //! ```
 //!
@@ -24,15 +25,20 @@ mod figures;
 mod frames;
 mod hertz;
 mod history;
+mod indentation;
 mod palette;
 mod patch;
 mod plots;
+mod profile;
 mod runner;
 mod summary;
+mod way;
 
 pub use equilibrium::{Solved, run_at_rest, solve};
 pub use figures::{Figure, Motion};
 pub use hertz::HertzLine;
 pub use history::History;
+pub use profile::Profile;
 pub use runner::{Ending, Progress, RunOptions, run};
 pub use summary::{Check, Reference, Summary};
+pub use way::LoadStep;

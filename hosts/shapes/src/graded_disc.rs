@@ -66,7 +66,7 @@ fn arc(radius: f64, r: f64) -> (f64, f64, f64) {
 }
 
 /// Point of a ring at a part of its length.
-fn on_ring(radius: f64, r: f64, part: f64) -> [f64; 2] {
+pub(crate) fn on_ring(radius: f64, r: f64, part: f64) -> [f64; 2] {
     let (height, slope, length) = arc(radius, r);
     // Chord from the start to the point: an arc that starts level has turned by twice the chord's inclination.
     let inclination = slope * part;

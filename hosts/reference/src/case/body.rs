@@ -148,6 +148,30 @@ pub enum MeshSource {
         /// Layers from the centre to the surface.
         layers: usize,
     },
+    /// Block [0, size₀] × … × [−size, 0], fine about its corner at the origin; `tri3`, `quad4`, `tet4` or `hex8`.
+    GradedBlock {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Sides, `[D]`.
+        size: Vec<f64>,
+        /// Side of the core of equal cells.
+        fine: f64,
+        /// Cells along a side of the core.
+        cells: usize,
+        /// Layers of cells about it.
+        shells: usize,
+    },
+    /// Quarter x, y ≥ 0 of a half-ball, its pole at the origin and its flat side at z = `radius`, fine at the pole; `tet4`.
+    GradedHalfBall {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Radius.
+        radius: f64,
+        /// Size of the cells at the pole.
+        finest: f64,
+        /// Cells from the axis to the sphere, around the pole.
+        edges: usize,
+    },
     /// Mesh file, Gmsh 4.1 or VTU.
     File {
         /// Path, from the folder of the case file.
@@ -167,7 +191,8 @@ impl MeshSource {
             | MeshSource::Star { .. }
             | MeshSource::GradedHalfDisc { .. }
             | MeshSource::Disc { .. } => Some(2),
-            MeshSource::Cuboid { .. } | MeshSource::Ball { .. } => Some(3),
+            MeshSource::Cuboid { .. } | MeshSource::Ball { .. } | MeshSource::GradedHalfBall { .. } => Some(3),
+            MeshSource::GradedBlock { size, .. } => Some(size.len()),
             MeshSource::File { .. } => None,
         }
     }

@@ -92,12 +92,18 @@ impl Check<'_> {
     fn boundary(&mut self) {
         for (index, support) in self.case.supports.iter().enumerate() {
             let key = Key::parse("supports").then(index);
-            let Support { body, place, components, values } = support;
+            let Support { body, place, components, values, then } = support;
             self.body_name(&key.then("body"), body);
             self.place(&key.then("where"), place);
             if components.is_empty() || components.iter().any(|axis| axis.index() >= self.case.dimension) {
                 let axes = if self.case.dimension == 2 { "\"x\" and \"y\"" } else { "\"x\", \"y\" and \"z\"" };
                 self.flaw(&key.then("components"), format!("it must list some of {axes}"));
+            }
+            let stages = self.case.load_steps.as_ref().map_or(0, |steps| steps.then.len());
+            if !then.is_empty() && (then.len() != stages || then.iter().any(|v| v.len() != components.len())) {
+                let message = "it must have one list for every entry of load_steps.then, each with one number for every \
+                               component";
+                self.flaw(&key.then("then"), message.into());
             }
             if values.as_ref().is_some_and(|values| values.len() != components.len()) {
                 self.flaw(&key.then("values"), "it must have one number for every component".into());
@@ -134,7 +140,7 @@ impl Check<'_> {
     fn obstacles(&mut self) {
         for (index, obstacle) in self.case.obstacles.iter().enumerate() {
             let key = Key::parse("obstacles").then(index);
-            let Obstacle { shape, position, axis, radius, half_height, half_extents, .. } = obstacle;
+            let Obstacle { shape, position, axis, radius, half_height, half_extents, points, .. } = obstacle;
             self.vector(&key.then("position"), position.as_ref());
             self.vector(&key.then("axis"), axis.as_ref());
             self.vector(&key.then("half_extents"), half_extents.as_ref());
@@ -144,8 +150,11 @@ impl Check<'_> {
             self.maybe_positive(&key.then("radius"), *radius);
             self.maybe_positive(&key.then("half_height"), *half_height);
             half_extents.iter().flatten().for_each(|&extent| self.positive(&key.then("half_extents"), extent));
-            let given = [radius.is_some(), half_height.is_some(), half_extents.is_some()];
-            let names = ["radius", "half_height", "half_extents"];
+            let given = [radius.is_some(), half_height.is_some(), half_extents.is_some(), points.is_some()];
+            if points.as_ref().is_some_and(|points| points.len() < 3) || points.is_some() && self.case.dimension != 2 {
+                self.flaw(&key.then("points"), "it must have three corners or more, and be in 2D".into());
+            }
+            let names = ["radius", "half_height", "half_extents", "points"];
             for ((name, needed), given) in names.into_iter().zip(shape.measures()).zip(given) {
                 match (needed, given) {
                     (true, false) => self.flaw(&key, format!("this shape needs {name}")),
@@ -182,6 +191,9 @@ impl Check<'_> {
             let key = Key::parse("load_steps");
             self.positive(&key.then("tolerance"), steps.tolerance);
             self.maybe_positive(&key.then("penetration"), steps.penetration);
+            if steps.then.contains(&0) {
+                self.flaw(&key.then("then"), "its counts must be at least 1".into());
+            }
             if steps.count == 0 {
                 self.flaw(&key.then("count"), "it must be at least 1".into());
             }
@@ -217,8 +229,8 @@ impl Check<'_> {
         let figures = &self.case.figures;
         self.body_name(&Key::parse("figures.body"), &figures.body);
         if figures.kind.is_static() != self.case.load_steps.is_some() {
-            let message =
-                "these figures are taken from an equilibrium, with [load_steps], if they are \"patch\" or \"hertz\"";
+            let message = "these figures are taken from an equilibrium, with [load_steps], if they are none of \"wall\" \
+                 and \"impact\", and only then";
             self.flaw(&Key::parse("figures.kind"), message.into());
         }
         if !figures.kind.is_static()
@@ -228,6 +240,9 @@ impl Check<'_> {
             if self.case.bodies[index].initial_velocity.as_ref().is_none_or(still) {
                 self.flaw(&Key::parse("figures.body"), format!("'{}' must move at the start", figures.body));
             }
+        }
+        if figures.copies == 0 {
+            self.flaw(&Key::parse("figures.copies"), "it must be at least 1".into());
         }
         let known = figures.kind.keys();
         for (index, expected) in self.case.expected.iter().enumerate() {

@@ -64,6 +64,16 @@ pub struct Figures {
     pub kind: FigureKind,
     /// The body that they are about: the one that moves at the start.
     pub body: String,
+    /// Of how many copies of the model symmetry makes the whole: forces are those of all.
+    #[serde(default = "one")]
+    pub copies: usize,
+    /// Pressures to compare with, `[[place, pressure], …]`, the places ascending.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub profile: Vec<[f64; 2]>,
+}
+
+fn one() -> usize {
+    1
 }
 
 /// Sets of figures.
@@ -78,6 +88,16 @@ pub enum FigureKind {
     Patch,
     /// A half-disc on a rigid plane: force, pressure and half width against Hertz.
     Hertz,
+    /// A ball on its mirror image, or on a rigid plane: force, pressure and radius against Hertz.
+    Balls,
+    /// A block pressed on a rigid wedge: force, half width, pressures.
+    Wedge,
+    /// A block pressed on a rigid cone: force, radius, pressures.
+    Cone,
+    /// A flat punch on a block: force, pressures in the middle and at the edge.
+    Punch,
+    /// A die that slides over a block: forces and their ripple.
+    Ironing,
 }
 
 /// `[variants.NAME]`
@@ -93,7 +113,7 @@ pub struct Variant {
 impl FigureKind {
     /// Whether they are taken from an equilibrium, not from a motion.
     pub fn is_static(self) -> bool {
-        matches!(self, FigureKind::Patch | FigureKind::Hertz)
+        !matches!(self, FigureKind::Wall | FigureKind::Impact)
     }
 
     /// Keys of the figures, in the order of the report.
@@ -113,6 +133,20 @@ impl FigureKind {
                 "balance_max",
             ],
             FigureKind::Patch => &["stress_error_max", "penetration_max"],
+            FigureKind::Balls => &["force", "peak_pressure", "contact_radius", "penetration_max"],
+            FigureKind::Wedge => &[
+                "force",
+                "half_width",
+                "half_width_current",
+                "profile_error_true",
+                "profile_error_closed_form",
+                "penetration_max",
+            ],
+            FigureKind::Cone => &["force", "contact_radius", "profile_error", "radial_spread", "penetration_max"],
+            FigureKind::Punch => &["force", "pressure_center", "pressure_edge", "profile_error", "penetration_max"],
+            FigureKind::Ironing => {
+                &["force_y_mean", "ripple_rms", "ripple_peak_to_peak", "force_x_mid", "steps_failed", "penetration_max"]
+            }
             FigureKind::Hertz => &["force", "half_width", "peak_pressure", "profile_error", "penetration_max"],
         }
     }

@@ -4,11 +4,14 @@ use serde::{Deserialize, Serialize};
 
 /// `[load_steps]`, in the place of `[time]`: the case is about equilibrium, and loads and prescribed displacements grow
 /// together from nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct LoadSteps {
     /// Equal steps that are tried; one that fails is halved.
     pub count: usize,
+    /// Equal steps of every further stage, in which the supports move on to the values of their `then`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub then: Vec<usize>,
     /// Residual by the forces at which a state counts as balanced.
     pub tolerance: f64,
     /// Iterations of one step, at most.
@@ -20,6 +23,6 @@ pub struct LoadSteps {
 
 impl Default for LoadSteps {
     fn default() -> Self {
-        Self { count: 1, tolerance: 1e-10, most_iterations: 60, penetration: None }
+        Self { count: 1, then: Vec::new(), tolerance: 1e-10, most_iterations: 60, penetration: None }
     }
 }

@@ -5,12 +5,13 @@ use super::{Case, Obstacle, Place};
 use crate::dynamics::{Setup, Step};
 use crate::fem::{self, Constraints, Face, Model, Part};
 use crate::mesh;
-use crate::statics::Problem;
+use crate::statics::{Linearised, Problem};
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use fmc_contact::CellType;
 use fmc_shapes::{
-    Diagonals, Mesh, ball_tet4, cuboid_hex8, cuboid_tet4, disc_quad4, disc_tri3, graded_half_disc_tri3,
-    quadrilateral_quad4, rectangle_quad4, rectangle_tri3, star_quad4, star_tri3,
+    Diagonals, Mesh, ball_tet4, cuboid_hex8, cuboid_tet4, disc_quad4, disc_tri3, graded_block_hex8, graded_block_quad4,
+    graded_block_tet4, graded_block_tri3, graded_half_disc_tri3, graded_quarter_half_ball_tet4, quadrilateral_quad4,
+    rectangle_quad4, rectangle_tri3, star_quad4, star_tri3,
 };
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -30,7 +31,7 @@ impl Case {
     /// Those of [`Self::parts`], of the model, and supports or loads that meet no node or face.
     pub fn setup<const D: usize>(&self, folder: &Path, threads: usize) -> Result<Setup<D>> {
         let model = Model::new(self.parts(folder)?)?.with_threads(threads)?;
-        let supports = self.constraints(&model)?;
+        let supports = self.constraints(&model, 0)?;
         let load = self.load(&model)?;
         let mut velocity = vec![[0.0; D]; model.node_count()];
         for (part, body) in self.bodies.iter().enumerate() {
@@ -55,13 +56,13 @@ impl Case {
     /// Those of [`Self::parts`], of the model, and supports or loads that meet no node or face.
     pub fn problem<const D: usize>(&self, folder: &Path, threads: usize) -> Result<Problem<D>> {
         let model = Model::new(self.parts(folder)?)?.with_threads(threads)?;
-        let (supports, load) = (self.constraints(&model)?, self.load(&model)?);
-        Ok(Problem {
-            supports,
-            load,
-            obstacles: self.partners()?,
-            ..Problem::new(model, self.contact.options(threads))
-        })
+        let (supports, load) = (self.constraints(&model, 0)?, self.load(&model)?);
+        let obstacles = self.partners()?;
+        let linearised = match self.contact.linearised {
+            true => Some(Linearised::new(&model, &obstacles).context("linearised contact needs polygons in 2D")?),
+            false => None,
+        };
+        Ok(Problem { supports, load, obstacles, linearised, ..Problem::new(model, self.contact.options(threads)) })
     }
 
     fn partners<const D: usize>(&self) -> Result<Vec<fmc_contact::Obstacle<D>>> {
@@ -69,7 +70,11 @@ impl Case {
         self.obstacles.iter().map(build).collect()
     }
 
-    fn constraints<const D: usize>(&self, model: &Model<D>) -> Result<Constraints<D>> {
+    /// Prescribed displacements at the end of a stage of the load steps, from 0.
+    ///
+    /// # Errors
+    /// If a support meets no node.
+    pub fn constraints<const D: usize>(&self, model: &Model<D>, stage: usize) -> Result<Constraints<D>> {
         let mut constraints = Constraints::default();
         for support in &self.supports {
             let part = self.body(&support.body).context("a support names no body")?;
@@ -77,7 +82,8 @@ impl Case {
             let nodes = model.nodes_where(part, inside);
             ensure!(!nodes.is_empty(), "a support of '{}' meets none of its nodes", support.body);
             for (index, axis) in support.components.iter().enumerate() {
-                let value = support.values.as_ref().map_or(0.0, |values| values[index]);
+                let later = stage.checked_sub(1).and_then(|stage| support.then.get(stage));
+                let value = later.or(support.values.as_ref()).map_or(0.0, |values| values[index]);
                 constraints.prescribe(nodes.iter().copied(), axis.index(), value);
             }
         }
@@ -165,6 +171,16 @@ impl MeshSource {
             &MeshSource::Cuboid { cell: Hex8, min, max, cells } => Made::Solid(cuboid_hex8(min, max, cells)),
             &MeshSource::Cuboid { cell: Tet4, min, max, cells } => Made::Solid(cuboid_tet4(min, max, cells)),
             &MeshSource::Ball { cell: Tet4, radius, level, layers } => Made::Solid(ball_tet4(radius, level, layers)),
+            &MeshSource::GradedHalfBall { cell: Tet4, radius, finest, edges } => {
+                Made::Solid(graded_quarter_half_ball_tet4(radius, finest, edges))
+            }
+            &MeshSource::GradedBlock { cell, ref size, fine, cells, shells } => match (cell, &size[..]) {
+                (Tri3, &[x, y]) => Made::Flat(graded_block_tri3([x, y], fine, cells, shells)),
+                (Quad4, &[x, y]) => Made::Flat(graded_block_quad4([x, y], fine, cells, shells)),
+                (Tet4, &[x, y, z]) => Made::Solid(graded_block_tet4([x, y, z], fine, cells, shells)),
+                (Hex8, &[x, y, z]) => Made::Solid(graded_block_hex8([x, y, z], fine, cells, shells)),
+                _ => bail!("this shape cannot be made of such cells"),
+            },
             MeshSource::File { path, group } => return read(&folder.join(path), group.as_deref()),
             _ => bail!("this shape cannot be made of such cells"),
         };

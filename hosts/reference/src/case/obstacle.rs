@@ -27,6 +27,9 @@ pub struct Obstacle {
     /// Half of each side, `[D]`, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub half_extents: Option<Vec<f64>>,
+    /// Corners of a polygon, counter-clockwise, `[corner_count, 2]`, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub points: Option<Vec<[f64; 2]>>,
 }
 
 /// Names of shapes.
@@ -45,16 +48,19 @@ pub enum ShapeName {
     Cone,
     /// `radius`, `half_height`.
     Capsule,
+    /// `points`; in 2D.
+    Polygon,
 }
 
 impl ShapeName {
-    /// Whether it is measured by a radius, a half height and half extents.
-    pub fn measures(self) -> [bool; 3] {
+    /// Whether it is measured by a radius, a half height, half extents and points.
+    pub fn measures(self) -> [bool; 4] {
         match self {
-            ShapeName::HalfSpace => [false, false, false],
-            ShapeName::Ball => [true, false, false],
-            ShapeName::Cuboid => [false, false, true],
-            ShapeName::Cylinder | ShapeName::Cone | ShapeName::Capsule => [true, true, false],
+            ShapeName::HalfSpace => [false; 4],
+            ShapeName::Ball => [true, false, false, false],
+            ShapeName::Cuboid => [false, false, true, false],
+            ShapeName::Cylinder | ShapeName::Cone | ShapeName::Capsule => [true, true, false, false],
+            ShapeName::Polygon => [false, false, false, true],
         }
     }
 }
@@ -70,6 +76,14 @@ impl Obstacle {
             ShapeName::Cuboid => Shape::Cuboid { half_extents: vector(self.half_extents.as_ref()?)? },
             ShapeName::Cylinder => Shape::Cylinder { radius: radius?, half_height: half_height? },
             ShapeName::Cone => Shape::Cone { radius: radius?, half_height: half_height? },
+            ShapeName::Polygon => {
+                let points = self.points.as_ref()?;
+                let count = points.len() as u32;
+                Shape::Polytope {
+                    points: points.iter().map(|x| vector(&x.to_vec())).collect::<Option<_>>()?,
+                    facets: (0..count).map(|k| std::array::from_fn(|end| (k + end as u32) % count)).collect(),
+                }
+            }
             ShapeName::Capsule => Shape::Capsule { radius: radius?, half_height: half_height? },
         };
         let mut pose = Pose::at(self.position.as_ref().map_or(Some([0.0; D]), vector)?);

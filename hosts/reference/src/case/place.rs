@@ -70,6 +70,9 @@ pub struct Support {
     /// Their values, m, in the same order; zero if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub values: Option<Vec<f64>>,
+    /// Their values at the end of every further stage of `[load_steps]`, in the same order; those of the first if absent.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub then: Vec<Vec<f64>>,
 }
 
 /// `[[loads]]`. Exactly one of traction, pressure and body force; constant in time, on the reference configuration.

@@ -199,10 +199,7 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
             }
             if stop.load(Ordering::SeqCst) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let ending = match dimension {
-            2 => run::run_at_rest::<2>(document, &case, &options, &mut watch),
-            _ => run::run_at_rest::<3>(document, &case, &options, &mut watch),
-        };
+        let ending = run::run_at_rest(document, &case, &options, &mut watch);
         return report(args, &case.title, &out, ending.with_context(|| name)?);
     }
     let mut watch = |progress: &Progress| {
@@ -214,10 +211,7 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
         }
         if stop.load(Ordering::SeqCst) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let ending = match dimension {
-        2 => run::run::<2>(document, &case, &options, &mut watch),
-        _ => run::run::<3>(document, &case, &options, &mut watch),
-    };
+    let ending = run::run(document, &case, &options, &mut watch);
     bar.finish_and_clear();
     report(args, &case.title, &out, ending.with_context(|| name)?)
 }

@@ -3,32 +3,28 @@
 use super::hertz::HertzLine;
 use super::runner::{Ending, RunOptions};
 use super::summary::Summary;
-use super::{Figure, fields, patch};
+use super::way::{LoadStep, Way};
+use super::{Figure, Profile, fields, indentation, patch};
 use crate::case::{Case, Document, FigureKind};
-use crate::chart::{self, Axis, Mark, Panel, Series, Sign};
-use crate::statics::{Equilibrium, Iteration, NewtonSettings, Path, StaticsError};
+use crate::chart::{self, Axis, Mark, Panel, Series};
+use crate::statics::{Equilibrium, Iteration, StaticsError};
 use anyhow::{Context, Result};
-use fmc_contact::{EnergyLaw, FiberProfile};
 use std::fmt::Write;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path as Folder;
 use std::time::Instant;
 
-/// ε of the linear law at first, by the size of the bodies.
-const FIRST_EPSILON: f64 = 1e-3;
-
-/// Solves of the method of multipliers, at most.
-const MOST_SOLVES: usize = 20;
-
 /// A case of statics and its equilibrium.
 pub struct Solved<const D: usize> {
     /// The equilibrium.
     pub equilibrium: Equilibrium<D>,
+    /// The equilibria on the way, the last one too.
+    pub steps: Vec<LoadStep>,
     /// The figures of the case.
     pub figures: Vec<Figure>,
-    /// Pressures, where they are to be compared with Hertz'.
-    pub hertz: Option<HertzLine>,
+    /// Pressures, where they are to be compared with something.
+    pub profile: Option<Profile>,
 }
 
 /// Solves a case of statics in `D` dimensions; `watch` is told of every iteration.
@@ -41,63 +37,92 @@ pub fn solve<const D: usize>(
     threads: usize,
     watch: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
 ) -> Result<Solved<D>> {
-    let (equilibrium, solved) = equilibrium::<D>(folder, case, threads, watch)?;
-    solved?;
-    Solved::new(case, equilibrium)
+    let Way { equilibrium, steps, end } = Way::go(folder, case, threads, watch, &mut |_| ())?;
+    end?;
+    Solved::new(case, equilibrium, steps)
 }
 
 impl<const D: usize> Solved<D> {
-    fn new(case: &Case, equilibrium: Equilibrium<D>) -> Result<Self> {
+    fn new(case: &Case, equilibrium: Equilibrium<D>, steps: Vec<LoadStep>) -> Result<Self> {
         let penetration = equilibrium.true_contact()?.penetration;
-        let hertz = match case.figures.kind {
-            FigureKind::Hertz => Some(HertzLine::new(case, &equilibrium)?),
-            _ => None,
+        let (figures, profile) = match case.figures.kind {
+            FigureKind::Hertz => {
+                let hertz = HertzLine::new(case, &equilibrium)?;
+                (hertz.figures(penetration), Some(hertz.drawn()))
+            }
+            FigureKind::Patch => (patch::figures(case, &equilibrium, penetration)?, None),
+            _ => indentation::figures(case, &equilibrium, &steps, penetration)?,
         };
-        let figures = match &hertz {
-            Some(hertz) => hertz.figures(penetration),
-            None => patch::figures(case, &equilibrium, penetration)?,
-        };
-        Ok(Self { equilibrium, figures, hertz })
+        Ok(Self { equilibrium, steps, figures, profile })
     }
 }
 
-/// Solves a case of statics in `D` dimensions and writes its files. `watch` is told of every iteration and may break off.
+/// Solves a case of statics and writes its files. `watch` is told of every iteration and may break off.
 ///
 /// # Errors
 /// Those of [`solve`], and if a file cannot be written.
-pub fn run_at_rest<const D: usize>(
+pub fn run_at_rest(
+    document: &Document,
+    case: &Case,
+    options: &RunOptions,
+    watch: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
+) -> Result<Ending> {
+    match case.dimension {
+        2 => run_in::<2>(document, case, options, watch),
+        _ => run_in::<3>(document, case, options, watch),
+    }
+}
+
+fn run_in<const D: usize>(
     document: &Document,
     case: &Case,
     options: &RunOptions,
     watch: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
 ) -> Result<Ending> {
     let out = &options.out;
-    fs::create_dir_all(out).with_context(|| format!("{} cannot be made", out.display()))?;
+    fs::create_dir_all(out.join("fields")).with_context(|| format!("{} cannot be made", out.display()))?;
     let clock = Instant::now();
     let mut log: Vec<Iteration> = Vec::new();
     let mut told = |iteration: &Iteration| {
         log.push(*iteration);
         watch(iteration)
     };
-    let (equilibrium, solved) = equilibrium::<D>(&document.folder, case, options.threads, &mut told)?;
-    let seconds = clock.elapsed().as_secs_f64();
+    let mut writing = 0.0;
+    let mut series = FieldSeries::default();
+    let mut reached = |at: &Equilibrium<D>| {
+        let clock = Instant::now();
+        series.add(out, at, case.output.frames > 0);
+        writing += clock.elapsed().as_secs_f64();
+    };
+    let way = Way::go(&document.folder, case, options.threads, &mut told, &mut reached)?;
+    let seconds = clock.elapsed().as_secs_f64() - writing;
     let write = |name: &str, text: &str| {
         let path = out.join(name);
         fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
     };
     write("iterations.csv", &table(&log))?;
+    write("load_steps.csv", &way.table())?;
+    series.finish(out)?;
     // What was found last is worth looking at, also where the way ended too early.
-    fields::grid_at_rest(&equilibrium).write(&out.join("equilibrium.vtu"))?;
-    match solved {
+    fields::grid_at_rest(&way.equilibrium).write(&out.join("equilibrium.vtu"))?;
+    match way.end {
         Err(StaticsError::Interrupted) => {
-            return Ok(Ending::Interrupted { step: log.len() as u64, time: equilibrium.load() });
+            return Ok(Ending::Interrupted { step: log.len() as u64, time: way.equilibrium.load() });
         }
-        solved => solved?,
+        end => end?,
     }
-    let Solved { equilibrium, figures, hertz } = Solved::new(case, equilibrium)?;
-    if let Some(hertz) = hertz {
-        write("pressure.csv", &profile(&hertz))?;
-        chart::draw(out, "pressure", &case.title, &[panel(&hertz)])?;
+    let Solved { equilibrium, steps, figures, profile } = Solved::new(case, way.equilibrium, way.steps)?;
+    if let Some(profile) = profile {
+        write("pressure.csv", &profile.table())?;
+        chart::draw(out, "pressure", &case.title, &[profile.panel()])?;
+    }
+    if steps.len() > 1 {
+        chart::draw(
+            out,
+            "reactions",
+            &format!("{}: contact force on {}", case.title, case.figures.body),
+            &[reactions::<D>(&steps)],
+        )?;
     }
     let contact = &equilibrium.balance().contact;
     let mut summary = Summary::new(document, case, figures, [0.0; 2]);
@@ -110,32 +135,56 @@ pub fn run_at_rest<const D: usize>(
     Ok(Ending::Finished(Box::new(summary)))
 }
 
-/// The equilibrium of a case, or the last state on the way to it and why there is none.
-fn equilibrium<const D: usize>(
-    folder: &Folder,
-    case: &Case,
-    threads: usize,
-    watch: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
-) -> Result<(Equilibrium<D>, Result<(), StaticsError>)> {
-    let steps = case.load_steps.unwrap_or_default();
-    let mut equilibrium = Equilibrium::new(case.problem::<D>(folder, threads)?)?;
-    let (tolerance, most_iterations) = (steps.tolerance, steps.most_iterations);
-    equilibrium.settings = NewtonSettings { tolerance, most_iterations, ..Default::default() };
-    let path = Path { steps: steps.count, ..Default::default() };
-    let mut way = || match equilibrium.problem().contact.law {
-        EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } => {
-            let first = epsilon.max(FIRST_EPSILON * equilibrium.size());
-            equilibrium.set_law(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon: first } })?;
-            equilibrium.follow(path, watch)?;
-            equilibrium.continue_epsilon(epsilon, watch)
+/// Fields of every equilibrium on the way.
+#[derive(Default)]
+struct FieldSeries {
+    count: usize,
+    failed: Option<anyhow::Error>,
+}
+
+impl FieldSeries {
+    fn file(number: usize) -> String {
+        format!("fields/{number:04}.vtu")
+    }
+
+    fn add<const D: usize>(&mut self, out: &Folder, at: &Equilibrium<D>, wanted: bool) {
+        if wanted && self.failed.is_none() {
+            self.failed = fields::grid_at_rest(at).write(&out.join(Self::file(self.count))).err();
+            self.count += 1;
         }
-        _ => {
-            equilibrium.follow(path, watch)?;
-            steps.penetration.map_or(Ok(()), |target| equilibrium.augment(target, MOST_SOLVES, watch).map(|_| ()))
+    }
+
+    /// The list that ParaView opens.
+    fn finish(self, out: &Folder) -> Result<()> {
+        if let Some(error) = self.failed {
+            return Err(error);
         }
-    };
-    let solved = way();
-    Ok((equilibrium, solved))
+        let mut text = "<?xml version=\"1.0\"?>\n\
+            <VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n"
+            .to_owned();
+        for number in 0..self.count {
+            let file = Self::file(number);
+            writeln!(text, "<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{file}\"/>", number + 1)?;
+        }
+        text += "</Collection>\n</VTKFile>\n";
+        let path = out.join("fields.pvd");
+        fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
+    }
+}
+
+/// Forces over the load steps, stage after stage.
+fn reactions<const D: usize>(steps: &[LoadStep]) -> Panel {
+    const COLORS: [(u8, u8, u8); 3] = [(0, 114, 178), (213, 94, 0), (0, 158, 115)];
+    let series = (0..D).map(|axis| {
+        let points = steps.iter().map(|step| (step.stage as f64 + step.load, step.force[axis])).collect();
+        Series { mark: Mark::LineAndPoints, ..Series::line(["x", "y", "z"][axis], COLORS[axis], points) }
+    });
+    let unit = if D == 2 { "N/m" } else { "N" };
+    Panel {
+        x: Axis::linear("stage and part of its load".to_owned()),
+        y: Axis::linear(format!("contact force, {unit}")),
+        series: series.collect(),
+    }
 }
 
 /// All iterations, a line for each.
@@ -147,25 +196,4 @@ fn table(log: &[Iteration]) -> String {
             .expect("writing into a string");
     }
     text
-}
-
-/// Nodal pressures beside the closed form.
-fn profile(hertz: &HertzLine) -> String {
-    let lines = hertz.profile.iter().map(|(x, p)| format!("{x:?},{p:?},{:?}\n", hertz.closed_form(*x)));
-    std::iter::once("x,pressure,hertz\n".to_owned()).chain(lines).collect()
-}
-
-fn panel(hertz: &HertzLine) -> Panel {
-    let reach = hertz.profile.iter().map(|(x, _)| x.abs()).fold(0.0, f64::max);
-    let curve = (-400..=400).map(|k| f64::from(k) / 400.0 * reach).map(|x| (x, hertz.closed_form(x))).collect();
-    let nodes = Series {
-        mark: Mark::Points,
-        sign: Sign::Circle,
-        ..Series::line("nodal pressure", (213, 94, 0), hertz.profile.clone())
-    };
-    Panel {
-        x: Axis::linear("place across the contact, m".to_owned()),
-        y: Axis::linear("contact pressure, Pa".to_owned()),
-        series: vec![nodes, Series::line("Hertz", (30, 30, 30), curve)],
-    }
 }

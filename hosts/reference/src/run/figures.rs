@@ -72,7 +72,7 @@ impl<const D: usize> Motion<D> {
         // The front of a wave is spread over some cells: where it is halfway up, it has arrived.
         let least = match kind {
             FigureKind::Wall => 0.5 * self.stopping_pressure * self.cross_section,
-            FigureKind::Impact | FigureKind::Patch | FigureKind::Hertz => 0.0,
+            _ => 0.0,
         };
         kind.keys().iter().map(|&name| self.figure(name, least, samples)).collect()
     }

@@ -1,6 +1,6 @@
 //! Line contact against Hertz.
 
-use super::Figure;
+use super::{Figure, Profile, profile};
 use crate::case::{Case, MeshSource};
 use crate::statics::{Equilibrium, nodal_pressures};
 use anyhow::{Context, Result, bail, ensure};
@@ -57,6 +57,13 @@ impl HertzLine {
     /// Hertz' pressure.
     pub fn closed_form(&self, x: f64) -> f64 {
         self.peak_pressure * (1.0 - (x / self.half_width).powi(2)).max(0.0).sqrt()
+    }
+
+    /// The pressures beside the closed form.
+    pub(super) fn drawn(&self) -> Profile {
+        let reach = self.profile.iter().map(|(x, _)| x.abs()).fold(0.0, f64::max);
+        let curve = profile::drawn(-reach, reach, |x| self.closed_form(x));
+        Profile { place: "place across the contact, m", points: self.profile.clone(), curves: vec![("Hertz", curve)] }
     }
 
     /// p0² and −p0²/a² by least squares of p² over x².

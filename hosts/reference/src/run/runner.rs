@@ -55,12 +55,24 @@ pub enum Ending {
     },
 }
 
-/// Carries out a case in `D` dimensions. `watch` is told of every step and may ask to stop.
+/// Carries out a case. `watch` is told of every step and may ask to stop.
 ///
 /// # Errors
 /// If the case makes no model, its step is not stable, a step fails, or a file cannot be written. What was computed
 /// until then is in the folder.
-pub fn run<const D: usize>(
+pub fn run(
+    document: &Document,
+    case: &Case,
+    options: &RunOptions,
+    watch: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
+) -> Result<Ending> {
+    match case.dimension {
+        2 => run_in::<2>(document, case, options, watch),
+        _ => run_in::<3>(document, case, options, watch),
+    }
+}
+
+fn run_in<const D: usize>(
     document: &Document,
     case: &Case,
     options: &RunOptions,

@@ -5,7 +5,7 @@ use super::error::StaticsError;
 use super::factorisation::Factorisation;
 use super::newton::NewtonSettings;
 use super::problem::Problem;
-use crate::fem::Model;
+use crate::fem::{Constraints, Model};
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
 use std::time::Instant;
 
@@ -22,10 +22,16 @@ pub struct Equilibrium<const D: usize> {
     pub(super) displacement: Vec<[f64; D]>,
     pub(super) balance: Balance<D>,
     pub(super) load: f64,
+    /// Displacement and part of the dead loads at which the stage began.
+    pub(super) from: (Vec<[f64; D]>, f64),
+    /// Equilibrium before the last one, and its load, if both are of this stage.
+    pub(super) before: Option<(Vec<[f64; D]>, f64)>,
     /// Added to the coordinates that the contact is shown; empty for none. See [`Equilibrium::augment`].
     pub(super) offset: Vec<[f64; D]>,
     /// Linear systems solved.
     pub iterations: usize,
+    /// Load steps that failed and were halved.
+    pub halvings: usize,
     /// Evaluations of forces and energy.
     pub evaluations: usize,
     /// Seconds in the contact.
@@ -50,7 +56,7 @@ impl<const D: usize> Equilibrium<D> {
             fibers.balance = false;
         }
         let mut contact = Contact::new(problem.model.surface()?, problem.contact)?;
-        for obstacle in &problem.obstacles {
+        for obstacle in problem.obstacles.iter().filter(|_| problem.linearised.is_none()) {
             contact.add_obstacle(obstacle.clone())?;
         }
         let mut equations = vec![0; expected * D];
@@ -61,6 +67,7 @@ impl<const D: usize> Equilibrium<D> {
             equation_count += 1;
         }
         let displacement = vec![[0.0; D]; expected];
+        let from = (displacement.clone(), 0.0);
         let touch = contact.evaluate(problem.model.coords())?;
         let load = |_| [0.0; D];
         let balance = Balance::new(0.0, displacement.clone(), touch, load, &displacement, &problem.supports);
@@ -74,6 +81,9 @@ impl<const D: usize> Equilibrium<D> {
             displacement,
             balance,
             load: 0.0,
+            from,
+            before: None,
+            halvings: 0,
             offset: Vec::new(),
             iterations: 0,
             evaluations: 0,
@@ -121,7 +131,16 @@ impl<const D: usize> Equilibrium<D> {
     /// # Errors
     /// Those of the contact.
     pub fn true_contact(&self) -> Result<ContactForces<D>, StaticsError> {
-        Ok(self.contact.evaluate(&self.placed(&self.displacement))?)
+        Ok(self.touch(&self.displacement, &self.placed(&self.displacement))?)
+    }
+
+    /// Contact at a displacement, with the coordinates that it is shown.
+    pub(super) fn touch(&self, u: &[[f64; D]], coords: &[[f64; D]]) -> Result<ContactForces<D>, fmc_contact::Error> {
+        let mut touch = self.contact.evaluate(coords)?;
+        if let Some(linearised) = &self.problem.linearised {
+            linearised.add_to(&mut touch, &self.problem.contact.law, u);
+        }
+        Ok(touch)
     }
 
     /// Replaces the energy law; the state stays.
@@ -131,6 +150,23 @@ impl<const D: usize> Equilibrium<D> {
     pub fn set_law(&mut self, law: EnergyLaw) -> Result<(), StaticsError> {
         self.problem.contact.law = law;
         Ok(self.contact.set_options(self.problem.contact)?)
+    }
+
+    /// Starts a stage that leads on from the last equilibrium, at load 0 of its own: what was brought on stays, and the
+    /// supports move to other values.
+    ///
+    /// # Errors
+    /// [`StaticsError::Length`] if they hold other degrees of freedom.
+    pub fn next_stage(&mut self, supports: Constraints<D>) -> Result<(), StaticsError> {
+        let held = |supports: &Constraints<D>| supports.iter().map(|(node, axis, _)| (node, axis)).collect::<Vec<_>>();
+        let (before, now) = (held(&self.problem.supports), held(&supports));
+        if before != now {
+            return Err(StaticsError::Length { expected: before.len(), found: now.len() });
+        }
+        self.problem.supports = supports;
+        self.from = (self.displacement.clone(), self.from.1 + self.load * (1.0 - self.from.1));
+        (self.load, self.before) = (0.0, None);
+        Ok(())
     }
 
     /// Largest side of the box around all bodies.
@@ -152,7 +188,10 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Sets what is prescribed at a load.
     pub(super) fn prescribe(&self, displacement: &mut [[f64; D]], load: f64) {
-        self.problem.supports.iter().for_each(|(node, axis, value)| displacement[node][axis] = load * value);
+        for (node, axis, value) in self.problem.supports.iter() {
+            let from = self.from.0[node][axis];
+            displacement[node][axis] = from + load * (value - from);
+        }
     }
 
     /// Forces and energies at a displacement.
@@ -160,7 +199,7 @@ impl<const D: usize> Equilibrium<D> {
         let coords = self.shown(displacement);
         self.evaluations += 1;
         let clock = Instant::now();
-        let touch = self.contact.evaluate(&coords);
+        let touch = self.touch(displacement, &coords);
         self.contact_seconds += clock.elapsed().as_secs_f64();
         let touch = touch.map_err(|error| match error {
             fmc_contact::Error::InvertedCell { cell, .. } => StaticsError::Inverted { load, cell: Some(cell) },
@@ -169,17 +208,13 @@ impl<const D: usize> Equilibrium<D> {
         let mut internal = vec![[0.0; D]; displacement.len()];
         let strain = self.problem.model.internal(displacement, &mut internal);
         let forces = &self.problem.load;
-        let external = |node: usize| forces[node].map(|f| load * f);
+        let dead = self.from.1 + load * (1.0 - self.from.1);
+        let external = |node: usize| forces[node].map(|f| dead * f);
         let balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
         if !balance.energy().is_finite() || !balance.norm.is_finite() {
             return Err(StaticsError::Inverted { load, cell: None });
         }
         Ok(balance)
-    }
-
-    /// Whether overlap is measured without noise.
-    pub(super) fn is_exact(&self) -> bool {
-        self.problem.contact.estimator == Estimator::Exact
     }
 
     /// Keeps the patches of the fiber law as they are at a displacement.
@@ -190,7 +225,9 @@ impl<const D: usize> Equilibrium<D> {
     }
 
     pub(super) fn accept(&mut self, displacement: Vec<[f64; D]>, balance: Balance<D>, load: f64) {
-        (self.displacement, self.balance, self.load) = (displacement, balance, load);
+        let last = (std::mem::replace(&mut self.displacement, displacement), self.load);
+        self.before = (load > last.1).then_some(last);
+        (self.balance, self.load) = (balance, load);
     }
 }
 

@@ -29,9 +29,6 @@ impl Default for NewtonSettings {
     }
 }
 
-/// Times that the lines are turned into the contact normal of an equilibrium, and it is sought anew.
-const MOST_TURNS: usize = 4;
-
 /// What a solver is watched by; it may break off.
 pub(super) type Watch<'a> = &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>;
 
@@ -45,16 +42,14 @@ impl<const D: usize> Equilibrium<D> {
         self.keep_patches(&start)?;
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
         let mut kept = Extent::of(&balance);
-        let (mut full_failed, mut turns) = (false, 0);
+        let (mut full_failed, mut turned) = (false, false);
         for iteration in 0..=most_iterations {
             let mut residual = balance.relative();
-            // The lines run along the contact normal of the start. Along that of the end, side walls that are parallel to it
-            // carry nothing; askew, they are pressed over the depth of the penetration, however little they lean.
-            if residual <= tolerance && turns < MOST_TURNS && tolerance < full_below && self.is_exact() {
+            // The lines run along the contact normal of the start. Once the solution is near, they turn into that of now.
+            if residual <= full_below && !turned && tolerance < full_below {
                 self.keep_patches(&u)?;
                 balance = self.evaluate(&u, load)?;
-                residual = balance.relative();
-                turns += 1;
+                (kept, residual, turned) = (Extent::of(&balance), balance.relative(), true);
             }
             // Far from the solution the patches may follow the contact, which has just begun or has spread.
             if residual > full_below && kept.is_outgrown_by(&balance) {
@@ -153,7 +148,9 @@ impl<const D: usize> Equilibrium<D> {
         self.contact_seconds += clock.elapsed().as_secs_f64();
         let equations = &self.equations;
         let equation = |freedom: usize| equations.get(freedom).copied().filter(|e| *e != u32::MAX).map(|e| e as usize);
-        let entries = elastic.iter().chain(touch.triplets());
+        let linearised = self.problem.linearised.as_ref().filter(|_| part.is_some());
+        let linearised = linearised.into_iter().flat_map(|contact| contact.tangent(&self.problem.contact.law, u));
+        let entries = elastic.iter().chain(touch.triplets()).chain(linearised);
         let entries = entries.filter_map(|(row, column, value)| Some((equation(row)?, equation(column)?, value)));
         Ok(self.system.factorise(self.equation_count, entries))
     }

@@ -25,6 +25,9 @@ impl Default for Path {
 /// A step that needs no more iterations than these lets the next one be twice as long, up to the first ones' length.
 const EASY: usize = 12;
 
+/// Factor from one rough contact to the next: ten times as much takes half as many iterations more.
+const STRIDE: f64 = 100.0;
+
 /// Stiffness of a soft contact by E / size of a body: on Hertz' half-disc, 10 to 100 take the fewest iterations.
 const SOFT: f64 = 50.0;
 
@@ -35,6 +38,19 @@ impl<const D: usize> Equilibrium<D> {
     /// # Errors
     /// Those of [`StaticsError`]; the last equilibrium is kept.
     pub fn follow(&mut self, path: Path, watch: Watch) -> Result<(), StaticsError> {
+        self.follow_telling(path, watch, &mut |_| ())
+    }
+
+    /// The same; `reached` is told of every equilibrium on the way.
+    ///
+    /// # Errors
+    /// Those of [`StaticsError`]; the last equilibrium is kept.
+    pub fn follow_telling(
+        &mut self,
+        path: Path,
+        watch: Watch,
+        reached: &mut dyn FnMut(&Self),
+    ) -> Result<(), StaticsError> {
         let longest = 1.0 / path.steps.max(1) as f64;
         let mut step = longest;
         while self.load < 1.0 {
@@ -43,6 +59,7 @@ impl<const D: usize> Equilibrium<D> {
             match self.advance(load, watch) {
                 Ok((u, balance)) => {
                     self.accept(u, balance, load);
+                    reached(self);
                     if self.iterations - before <= EASY {
                         step = longest.min(2.0 * step);
                     }
@@ -51,6 +68,7 @@ impl<const D: usize> Equilibrium<D> {
                     if error.may_yield_to_halving() && step > longest * 0.5f64.powi(path.most_halvings as i32) =>
                 {
                     step *= 0.5;
+                    self.halvings += 1;
                 }
                 Err(error) => return Err(error),
             }
@@ -66,14 +84,15 @@ impl<const D: usize> Equilibrium<D> {
             let start = self.approach(start, load)?;
             return self.newton(start, load, watch);
         };
-        if k <= soft || self.is_supported(&start)? {
+        if k <= soft || self.is_supported(&start)? && !self.is_too_deep(&start) {
             return self.newton(start, load, watch);
         }
         // A body that comes to rest on a few points of hard contact would creep out of their reach: every step is as long
-        // as the next gap is wide. On a soft contact it settles at once.
+        // as the next gap is wide; cells that hard contact drives out at once are turned inside out. On a soft contact both
+        // settle.
         let settings = self.settings;
         self.settings.tolerance = settings.full_below.max(settings.tolerance);
-        let settled = self.settle(start, load, [soft, (soft * k).sqrt()], watch);
+        let settled = self.settle(start, load, soft, k, watch);
         self.settings = settings;
         self.set_law(EnergyLaw::fiber(k))?;
         self.newton(settled?, load, watch)
@@ -84,18 +103,39 @@ impl<const D: usize> Equilibrium<D> {
         &mut self,
         start: Vec<[f64; D]>,
         load: f64,
-        stages: [f64; 2],
+        soft: f64,
+        hard: f64,
         watch: Watch,
     ) -> Result<Vec<[f64; D]>, StaticsError> {
         let mut u = start;
-        for (stage, stiffness) in stages.into_iter().enumerate() {
-            self.set_law(EnergyLaw::fiber(stiffness))?;
+        let stages = ((hard / soft).ln() / STRIDE.ln()).ceil().max(1.0) as usize;
+        for stage in 0..stages {
+            self.set_law(EnergyLaw::fiber(soft * (hard / soft).powf(stage as f64 / stages as f64)))?;
             if stage == 0 {
                 u = self.approach(u, load)?;
             }
             (u, _) = self.newton(u, load, watch)?;
         }
         Ok(u)
+    }
+
+    /// As far beyond the last equilibrium as it is beyond the one before; right where the contact grows steadily.
+    fn ahead(&self, load: f64) -> Option<Vec<[f64; D]>> {
+        let (before, at) = self.before.as_ref()?;
+        let part = (load - self.load) / (self.load - at);
+        let mut ahead: Vec<[f64; D]> = (self.displacement.iter().zip(before))
+            .map(|(u, v)| std::array::from_fn(|i| u[i] + part * (u[i] - v[i])))
+            .collect();
+        self.prescribe(&mut ahead, load);
+        Some(ahead)
+    }
+
+    /// Whether the penetration calls for a pressure beyond Young's modulus, which nothing could bear.
+    fn is_too_deep(&mut self, u: &[[f64; D]]) -> bool {
+        let EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } = self.problem.contact.law else { return false };
+        self.contact.release_patches();
+        let young = self.problem.model.parts().iter().map(|part| part.material.young).fold(f64::INFINITY, f64::min);
+        self.touch(u, &self.shown(u)).is_ok_and(|contact| contact.penetration * k > young)
     }
 
     /// A contact stiffness that is [`SOFT`] times that of the softest and smallest body, E / size.
@@ -112,6 +152,11 @@ impl<const D: usize> Equilibrium<D> {
         self.prescribe(&mut moved, load);
         if moved == u {
             return Ok(u);
+        }
+        if let Some(ahead) = self.ahead(load)
+            && !self.is_too_deep(&ahead)
+        {
+            return Ok(ahead);
         }
         self.keep_patches(&u)?;
         let balance = self.evaluate(&u, load)?;

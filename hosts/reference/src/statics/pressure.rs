@@ -42,3 +42,29 @@ pub fn nodal_pressures<const D: usize>(model: &Model<D>, part: usize, forces: &[
     };
     touched.map(pressure).collect()
 }
+
+/// Pressures along an axis on the side of a part that contact pushes against: force along the axis by ∫ N_a n dA along it, over
+/// the faces that look that way rather than another. Nodes without contact have the pressure 0.
+pub fn nodal_tractions<const D: usize>(
+    model: &Model<D>,
+    part: usize,
+    forces: &[[f64; D]],
+    axis: usize,
+) -> Vec<NodalPressure<D>> {
+    let nodes = model.nodes_of(part);
+    let sense: f64 = forces[nodes.clone()].iter().map(|force| force[axis]).sum();
+    let faces = model.faces_where(part, |_| true);
+    // Within 60° of the axis.
+    let areas = model.surface_load(&faces, |_, normal| {
+        let along = -normal[axis] * sense.signum();
+        std::array::from_fn(|i| if i == axis && along > 0.5 { along } else { 0.0 })
+    });
+    let touched = nodes.filter(|&node| areas[node][axis] > 0.0);
+    let pressure = |node: usize| NodalPressure {
+        node,
+        place: model.coords()[node],
+        area: areas[node][axis],
+        pressure: (forces[node][axis] * sense.signum() / areas[node][axis]).max(0.0),
+    };
+    touched.map(pressure).collect()
+}

@@ -1,5 +1,6 @@
 //! What a solution is sought for.
 
+use super::linearised::Linearised;
 use crate::fem::{Constraints, Model};
 use fmc_contact::{Obstacle, Options};
 
@@ -11,6 +12,8 @@ pub struct Problem<const D: usize> {
     pub contact: Options,
     /// Rigid partners; they do not move.
     pub obstacles: Vec<Obstacle<D>>,
+    /// Contact with the obstacles as small displacements see it, in the place of the other.
+    pub linearised: Option<Linearised>,
     /// Degrees of freedom that are held, and their displacements at full load.
     pub supports: Constraints<D>,
     /// Dead forces on the nodes at full load; empty for none.
@@ -20,6 +23,13 @@ pub struct Problem<const D: usize> {
 impl<const D: usize> Problem<D> {
     /// Bodies that are free and without loads.
     pub fn new(model: Model<D>, contact: Options) -> Self {
-        Self { model, contact, obstacles: Vec::new(), supports: Constraints::default(), load: Vec::new() }
+        Self {
+            model,
+            contact,
+            obstacles: Vec::new(),
+            linearised: None,
+            supports: Constraints::default(),
+            load: Vec::new(),
+        }
     }
 }

@@ -47,11 +47,7 @@ fn carry_out(
 ) -> Ending {
     let case: Case = document.case().unwrap_or_else(|error: CaseError| panic!("{error}"));
     let options = RunOptions { out: out.to_owned(), threads, resume };
-    let ending = match case.dimension {
-        2 => run::<2>(document, &case, &options, watch),
-        _ => run::<3>(document, &case, &options, watch),
-    };
-    ending.unwrap_or_else(|error| panic!("{error:#}"))
+    run(document, &case, &options, watch).unwrap_or_else(|error| panic!("{error:#}"))
 }
 
 /// Runs a case to its end.

@@ -3,5 +3,6 @@
 mod scene;
 
 mod hertz;
+mod indentation;
 mod patch;
 mod refusals;

@@ -66,6 +66,25 @@ impl Check<'_> {
                     }
                 }
             }
+            MeshSource::GradedBlock { cell, ref size, fine, cells, shells } => {
+                let flat = dimension == 2;
+                let right = if flat { [CellKind::Tri3, CellKind::Quad4] } else { [CellKind::Tet4, CellKind::Hex8] };
+                cell_is(cell, &right);
+                self.positive(&key.then("fine"), fine);
+                self.counts(&key.then("cells"), &[cells, shells]);
+                if size.len() != dimension || size.iter().any(|size| !(size.is_finite() && *size > fine)) {
+                    let message = format!("it must have {dimension} numbers, all larger than fine = {fine}");
+                    self.flaw(&key.then("size"), message);
+                }
+            }
+            MeshSource::GradedHalfBall { cell, radius, finest, edges } => {
+                cell_is(cell, &[CellKind::Tet4]);
+                self.positive(&key.then("radius"), radius);
+                self.positive(&key.then("finest"), finest);
+                if edges < 2 || finest >= radius {
+                    self.flaw(key, "edges must be at least 2, and finest less than the radius".into());
+                }
+            }
             MeshSource::Ball { cell, radius, layers, .. } => {
                 cell_is(cell, &[CellKind::Tet4]);
                 self.positive(&key.then("radius"), radius);

@@ -1,0 +1,81 @@
+//! The cases of tips, edges and large slides, coarser than in their files.
+
+use fmc_reference::case::{Case, Document};
+use fmc_reference::run::{Solved, solve};
+use fmc_reference::statics::Iteration;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+fn case(name: &str, variant: Option<&str>, changes: &[&str]) -> Case {
+    let mut document = Document::open(name).unwrap();
+    variant.into_iter().for_each(|variant| document.choose(variant).unwrap());
+    changes.iter().for_each(|change| document.override_with("test", change).unwrap());
+    document.case().unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn solved<const D: usize>(case: &Case) -> Solved<D> {
+    solve(Path::new(""), case, 1, &mut |_: &Iteration| ControlFlow::Continue(())).unwrap()
+}
+
+fn figure<const D: usize>(solved: &Solved<D>, name: &str) -> f64 {
+    solved.figures.iter().find(|figure| figure.name == name).and_then(|figure| figure.value).unwrap()
+}
+
+/// Facets of 0.01, a sixth of the contact.
+const COARSE_WEDGE: [&str; 3] = ["bodies.block.mesh.cells=8", "bodies.block.mesh.shells=24", "contact.stiffness=1e7"];
+
+#[test]
+fn a_wedge_meets_the_force_of_surfaces_that_turn() {
+    for estimator in ["contact.estimator=exact", "contact.estimator=fibers"] {
+        let at = solved::<2>(&case("wedge", None, &[&COARSE_WEDGE[..], &[estimator]].concat()));
+        let force = figure(&at, "force");
+        assert!((force / 28.74 - 1.0).abs() < 0.03, "{estimator}: {force}");
+    }
+}
+
+#[test]
+fn a_linearised_wedge_meets_its_closed_form() {
+    let at = solved::<2>(&case("wedge", Some("linearised"), &COARSE_WEDGE));
+    let (force, profile) = (figure(&at, "force"), figure(&at, "profile_error_closed_form"));
+    // Half-width of the closed form: P/E*.
+    assert!((force / 28.78 - 1.0).abs() < 0.02 && profile < 0.05, "{force}, {profile}");
+}
+
+#[test]
+fn balls_meet_hertz() {
+    let changes = ["bodies.ball.mesh.edges=8", "bodies.ball.mesh.finest=2e-3", "contact.estimator=fibers"];
+    let at = solved::<3>(&case("hertz3d", None, &changes));
+    let (force, peak) = (figure(&at, "force"), figure(&at, "peak_pressure"));
+    // Five facets to the rim, and linear tetrahedra are stiff.
+    assert!((force / 6.587e5 - 1.0).abs() < 0.05 && (peak / 2.909e9 - 1.0).abs() < 0.08, "{force}, {peak}");
+}
+
+#[test]
+fn a_punch_presses_hardest_at_its_edge() {
+    let changes = ["bodies.block.mesh.cells=[20, 20]", "bodies.punch.mesh.cells=[10, 15]"];
+    let at = solved::<2>(&case("punch", None, &changes));
+    let [force, center, edge, error] =
+        ["force", "pressure_center", "pressure_edge", "profile_error"].map(|name| figure(&at, name));
+    assert!((force / 3.23e7 - 1.0).abs() < 0.02, "{force}");
+    assert!(edge > 2.0 * center && error < 0.08, "{center} in the middle, {edge} at the edge, {error}");
+}
+
+#[test]
+fn a_die_slides_without_a_step_that_fails() {
+    let at = solved::<2>(&case("ironing", None, &[]));
+    assert_eq!((at.steps.len(), figure(&at, "steps_failed")), (23, 0.0));
+    // Without friction nothing pulls where the block is as long on both sides.
+    let (mean, ripple) = (figure(&at, "force_y_mean"), figure(&at, "ripple_peak_to_peak"));
+    assert!((mean / 724.5 - 1.0).abs() < 0.02 && ripple < 5e-3, "{mean}, {ripple}");
+}
+
+/// A stiff law at many lines within a facet asks more of it than its nodes can give. Multipliers keep one condition per node.
+#[test]
+fn a_cone_is_rounder_in_hexahedra() {
+    let coarse = ["bodies.block.mesh.cells=4", "bodies.block.mesh.shells=6", "contact.spacing=0.01"];
+    let of = |cell: &str| figure(&solved::<3>(&case("cone", None, &[&coarse[..], &[cell]].concat())), "force");
+    let [tets, hexes] = ["bodies.block.mesh.cell=tet4", "bodies.block.mesh.cell=hex8"].map(of);
+    // From above, as coarse meshes are too stiff: 13.01 converged; 15.16 of non-penetration on unstructured tetrahedra with
+    // facets twice as large, 17.4 the paper's.
+    assert!(hexes > 13.01 && hexes < 15.16 && tets > hexes && tets < 17.4, "{tets} and {hexes}");
+}
