@@ -108,7 +108,7 @@ fn ending<const D: usize>(document: &Document, case: &Case, options: &RunOptions
         if is_late || setting.stop.load(Ordering::SeqCst) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     if case.load_steps.is_some() {
-        return run::run_at_rest::<D>(document, case, options, &mut |iteration: &Iteration| {
+        return run::run_at_rest(document, case, options, &mut |iteration: &Iteration| {
             bar.set_length(1000);
             bar.set_position((1000.0 * iteration.load) as u64);
             bar.set_message(format!(

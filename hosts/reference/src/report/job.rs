@@ -107,9 +107,11 @@ fn example(entry: Entry, size: Size) -> Result<Example> {
     if let Some(kernel) = &entry.kernel {
         let name = verify::NAMES.into_iter().find(|name| name == kernel);
         let name = name.ok_or_else(|| anyhow::anyhow!("fmc verify has no check '{kernel}'"))?;
-        let job = Job { id: name.into(), variant: None, about: String::new(), work: Work::Kernel(name) };
+        // A case may have the same name.
+        let id = format!("kernel-{name}");
+        let job = Job { id: id.clone(), variant: None, about: String::new(), work: Work::Kernel(name) };
         let title = entry.title.clone().unwrap_or_else(|| name.into());
-        return Ok(Example { id: name.into(), title, source: "closed form".into(), jobs: vec![job], entry });
+        return Ok(Example { id, title, source: "closed form".into(), jobs: vec![job], entry });
     }
     let file = entry.case.clone().unwrap_or_default();
     let document = Document::open(&file)?;
@@ -166,8 +168,8 @@ mod tests {
     fn every_case_and_every_kernel_check_is_an_example() {
         let plan = Plan::built_in().unwrap();
         let all = examples(&plan, Size::Full, &[]).unwrap();
-        let names = library::CASES.iter().map(|(name, _)| *name).chain(verify::NAMES);
-        for name in names {
+        let cases = library::CASES.iter().map(|(name, _)| name.to_string());
+        for name in cases.chain(verify::NAMES.map(|name| format!("kernel-{name}"))) {
             assert!(all.iter().any(|example| example.id == name), "{name} is missing");
         }
         let star = all.iter().find(|example| example.id == "star").unwrap();

@@ -42,7 +42,7 @@ fn every_run_stands_on_the_page_with_pictures_that_decode() {
     }
     assert!(media_types.contains("image/png") && media_types.contains("image/svg+xml"));
     // Of each run: bodies or snapshots; a chart of the kernel check, of the bar's energies and forces, of the iterations.
-    for run in ["squares", "patch2d", "bar"] {
+    for run in ["kernel-squares", "patch2d", "bar"] {
         let article = all(&page, &format!("article#{run}"));
         assert_eq!(article.len(), 1, "{run}");
         for wanted in [".pictures img, .snapshots img", ".chart img"] {
@@ -65,7 +65,7 @@ fn every_run_stands_on_the_page_with_pictures_that_decode() {
         let expected = summary["checks"].as_array().unwrap().len();
         checks += expected;
     }
-    let squares: serde_json::Value = serde_json::from_str(&folder.text("runs/squares/record.json")).unwrap();
+    let squares: serde_json::Value = serde_json::from_str(&folder.text("runs/kernel-squares/record.json")).unwrap();
     checks += squares["checks"].as_array().unwrap().len();
     assert_eq!(all(&page, ".checks tbody .badge.pass").len(), checks);
     assert!(all(&page, ".badge.fail").is_empty());

@@ -20,11 +20,12 @@ const CAMERA: [f64; 3] = [1.0, -1.7, 0.8];
 const RIGID: [u8; 4] = [206, 206, 204, 255];
 
 /// Charts that a run may have drawn, in the order of the page, and what they show; others go by the name of their file.
-const CHARTS: [(&str, &str); 5] = [
+const CHARTS: [(&str, &str); 6] = [
     ("energies", "Energies over time"),
     ("forces", "Contact forces over time"),
     ("pressure", "Pressure on the contact surface"),
     ("profile", "Deformed surface"),
+    ("reactions", "Contact force over the load steps"),
     ("newton", "Residual over the iterations, by the largest of the forces’ norms"),
 ];
 
@@ -59,23 +60,25 @@ pub(super) fn draw(
     Ok((pictures, top))
 }
 
-/// The bodies as the run left them: snapshots where there is a series, one picture where there is an equilibrium alone.
+/// The bodies as the run left them: snapshots of a series, and the equilibrium, also about its contact where that is small.
 fn bodies(case: &Case, camera: Option<[f64; 3]>, folder: &Path) -> Result<(Vec<Picture>, Option<f64>)> {
-    let mut frames = snapshots(&folder.join("fields.pvd"))?;
-    let is_series = !frames.is_empty();
+    let mut series = snapshots(&folder.join("fields.pvd"))?;
     let at_rest = folder.join("equilibrium.vtu");
-    if !is_series && at_rest.is_file() {
-        frames.push((1.0, at_rest));
+    let is_static = at_rest.is_file();
+    if is_static {
+        // What few load steps there are is seen in their last.
+        series = if series.len() < 3 { Vec::new() } else { series };
+        series.push((0.0, at_rest));
     }
     let fields: Vec<(f64, Fields)> =
-        frames.iter().map(|(time, file)| Ok((*time, Fields::read(file)?))).collect::<Result<_>>()?;
+        series.iter().map(|(time, file)| Ok((*time, Fields::read(file)?))).collect::<Result<_>>()?;
     if fields.is_empty() {
         return Ok((Vec::new(), None));
     }
     let top = brightest(fields.iter().flat_map(|(_, fields)| fields.cells.iter().map(|cell| cell.value)));
     let view = if case.dimension == 2 { View::Plane } else { View::Space(camera.unwrap_or(CAMERA)) };
     let drawings: Vec<Drawing> = fields.iter().map(|(_, fields)| drawing(view, fields, top)).collect();
-    // Snapshots show the same part of the plane, so that motion is seen.
+    // All show the same part of the plane, so that motion is seen.
     let frames: Vec<[[f64; 2]; 2]> = drawings.iter().map(Drawing::frame).collect();
     let pick = |of: fn(f64, f64) -> f64, end: usize| {
         [0, 1].map(|axis| frames.iter().map(|frame| frame[end][axis]).reduce(of).unwrap_or_default())
@@ -86,10 +89,11 @@ fn bodies(case: &Case, camera: Option<[f64; 3]>, folder: &Path) -> Result<(Vec<P
         if matches!(view, View::Plane) {
             drawing.patches.splice(0..0, rigid(case, frame));
         }
-        if is_series {
+        let is_last = number + 1 == series.len();
+        if !(is_static && is_last) {
             let file = format!("snapshot-{number}.png");
             drawing.write(&folder.join(&file), frame, LONGEST_SNAPSHOT)?;
-            let caption = if case.load_steps.is_some() { format!("load {time:.3}") } else { moment(*time) };
+            let caption = if is_static { format!("load step {time}") } else { moment(*time) };
             pictures.push(Picture { file, caption, kind: PictureKind::Snapshot });
             continue;
         }
