@@ -61,23 +61,19 @@ pub(crate) fn carry_out(
             .with_context(|| format!("{} cannot be written", path.display()))?;
     }
     let ended = match &job.work {
-        Work::Kernel(name) => kernel::run(name, stamp.clone(), folder, setting).map(Ended::Record),
+        Work::Kernel(name) => kernel::run(name, stamp.clone(), folder, setting).map(Some),
         Work::Case(work) => of_case(&work.0, &work.1, camera, stamp, (folder, resume), setting),
     };
     let record = match ended {
-        Ok(Ended::Record(record)) => record,
-        Ok(Ended::Interrupted) => return Ok(None),
+        Ok(Some(record)) => record,
+        Ok(None) => return Ok(None),
         Err(error) => Record::without_figures(stamp.clone(), Outcome::Failed(format!("{error:#}"))),
     };
     record.save(folder)?;
     Ok(Some(record))
 }
 
-enum Ended {
-    Record(Record),
-    Interrupted,
-}
-
+/// Runs a case; `None` if it was interrupted.
 fn of_case(
     document: &Document,
     case: &Case,
@@ -85,23 +81,19 @@ fn of_case(
     stamp: &Stamp,
     (folder, resume): (&Path, bool),
     setting: &Setting,
-) -> Result<Ended> {
+) -> Result<Option<Record>> {
     let options = RunOptions { out: folder.to_owned(), threads: setting.threads, resume };
-    let ending = match case.dimension {
-        2 => ending::<2>(document, case, &options, setting),
-        _ => ending::<3>(document, case, &options, setting),
-    };
-    match ending? {
-        Ending::Finished(summary) => Ok(Ended::Record(finished(&summary, case, document, camera, stamp, folder)?)),
-        Ending::Interrupted { .. } if setting.stop.load(Ordering::SeqCst) => Ok(Ended::Interrupted),
+    match ending(document, case, &options, setting)? {
+        Ending::Finished(summary) => Ok(Some(finished(&summary, case, document, camera, stamp, folder)?)),
+        Ending::Interrupted { .. } if setting.stop.load(Ordering::SeqCst) => Ok(None),
         Ending::Interrupted { .. } => {
             let granted = setting.limit.unwrap_or_default().as_secs();
-            Ok(Ended::Record(Record::without_figures(stamp.clone(), Outcome::LeftOut(granted))))
+            Ok(Some(Record::without_figures(stamp.clone(), Outcome::LeftOut(granted))))
         }
     }
 }
 
-fn ending<const D: usize>(document: &Document, case: &Case, options: &RunOptions, setting: &Setting) -> Result<Ending> {
+fn ending(document: &Document, case: &Case, options: &RunOptions, setting: &Setting) -> Result<Ending> {
     let (clock, bar) = (Instant::now(), setting.bar);
     let goes_on = || {
         let is_late = setting.limit.is_some_and(|limit| clock.elapsed() > limit);
@@ -118,7 +110,7 @@ fn ending<const D: usize>(document: &Document, case: &Case, options: &RunOptions
             goes_on()
         });
     }
-    run::run::<D>(document, case, options, &mut |progress: &Progress| {
+    run::run(document, case, options, &mut |progress: &Progress| {
         bar.set_length(progress.step_count);
         bar.set_position(progress.step);
         // The bar draws some times a second; a message for every step would cost more than small steps do.

@@ -80,13 +80,18 @@ impl<const D: usize> Scene<D> {
         self.meshes.iter().map(|(cell_type, conn)| conn.len() / cell_type.node_count()).sum()
     }
 
-    /// Nodes, and cells as type, nodes and number of the body.
-    pub(crate) fn cells(&self) -> (&[[f64; D]], Vec<(CellType, Vec<u32>, usize)>) {
+    /// Nodes of all bodies.
+    pub(crate) fn coords(&self) -> &[[f64; D]] {
+        &self.coords
+    }
+
+    /// Cells as type, nodes and number of the body.
+    pub(crate) fn cells(&self) -> Vec<(CellType, Vec<u32>, usize)> {
         let bodies = self.meshes.iter().enumerate();
         let cells = bodies.flat_map(|(body, (cell_type, conn))| {
             conn.chunks_exact(cell_type.node_count()).map(move |nodes| (*cell_type, nodes.to_vec(), body))
         });
-        (&self.coords, cells.collect())
+        cells.collect()
     }
 
     /// Ends of the stretches of an estimator's fibers that lie in both bodies.

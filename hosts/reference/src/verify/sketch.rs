@@ -34,11 +34,10 @@ fn of<const D: usize>(case: &Case<D>) -> Result<Sketch> {
     let estimator = Estimator::Fibers(FiberOptions { resolution, ..FiberOptions::default() });
     let in_space = |x: &[f64; D]| std::array::from_fn(|axis| x.get(axis).copied().unwrap_or(0.0));
     let spans = scene.spans(estimator)?;
-    let (coords, cells) = scene.cells();
     Ok(Sketch {
         dimension: D,
-        points: coords.iter().map(in_space).collect(),
-        cells,
+        points: scene.coords().iter().map(in_space).collect(),
+        cells: scene.cells(),
         spans: spans.iter().map(|ends| [in_space(&ends[0]), in_space(&ends[1])]).collect(),
     })
 }

@@ -140,7 +140,7 @@ fn snapshots(list: &Path) -> Result<Vec<(f64, PathBuf)>> {
 /// A time that is easy to read.
 fn moment(time: f64) -> String {
     match time {
-        t if t == 0.0 => "start".into(),
+        0.0 => "start".into(),
         t if t < 1e-4 => format!("{:.1} µs", 1e6 * t),
         t if t < 0.1 => format!("{:.2} ms", 1e3 * t),
         t => format!("{t:.2} s"),
