@@ -1,7 +1,9 @@
 # make demo      forces of two meshes in examples/, printed and written as VTU
 # make test      everything: format, lints, tests in release mode, C and C++ hosts, valgrind, installation, Python package
 # make python    the Python package, in an environment of its own under target/, and its tests
-# make hosts     the adapters for scikit-fem and FEniCSx, and their tests, against the reference host too
+# make hosts     the adapters for scikit-fem, FEniCSx and PETSc, and their tests, against the reference host too
+# make agree     the cases in all hosts, side by side: table and pictures in out/agree
+# make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi
 # make install   PREFIX=/usr/local: shared and static library, header, pkg-config and CMake files (Linux)
@@ -16,7 +18,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: demo test tools python hosts host-environment bench header build install clean
+.PHONY: demo test tools python hosts host-environment agree compat bench header build install clean
 
 demo:
 	$(CARGO) run --release -p fmc-reference --bin fmc -- force examples/star.msh examples/block.msh --stiffness 2.8e7
@@ -25,10 +27,11 @@ test: tools
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets --release -- -D warnings
 	$(CARGO) test --workspace --release
-	$(MAKE) hosts python
+	$(MAKE) hosts BUILD_FMC=
+	$(MAKE) python
 
 # Programs that the tests call, with the Debian package that has each.
-TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake
+TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake chromium:chromium
 
 tools:
 	@missing=; for tool in $(TOOLS); do command -v $${tool%%:*} >/dev/null || missing="$$missing $${tool##*:}"; done; \
@@ -54,24 +57,39 @@ python:
 # the compiled parts of dolfinx. So the environment sees the system's packages, and nothing is installed that brings numpy.
 SYSTEM_PYTHON ?= /usr/bin/python3
 HOSTS = $(abspath $(TARGET))/hosts
-HOST_PACKAGES = python3-dolfinx python3-venv openmpi-bin gcc
+HOST_PACKAGES = python3-dolfinx python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc
 
 # fmc comes first: the build of the Python package strips the library, after which cargo would build everything again.
+# After the tests of the workspace it is there, and BUILD_FMC is empty.
+BUILD_FMC = $(CARGO) build --release -p fmc-contact -p fmc-reference
+
 host-environment:
-	$(CARGO) build --release -p fmc-reference --bin fmc
-	@$(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip' 2>/dev/null \
+	$(BUILD_FMC)
+	@{ $(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip' && mpicc --version && pkg-config PETSc; } >/dev/null 2>&1 \
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $(HOST_PACKAGES); }
 	@$(HOSTS)/bin/python -m pip --version >/dev/null 2>&1 \
 	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
+	@$(MAKE) -s install PREFIX=$(HOSTS) BUILT=$(TARGET)/release/deps
+	$(MAKE) -C hosts/petsc PREFIX=$(HOSTS) OUT=$(HOSTS)/bin
 	$(HOSTS)/bin/python -m pip install -q pytest
 	$(HOSTS)/bin/python -m pip install -q --no-deps \
 	  scikit-fem ./bindings/python ./hosts/agreement ./hosts/skfem ./hosts/dolfinx
 
-RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc OMP_NUM_THREADS=1 $(HOSTS)/bin/python
+RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibrium FMC_HOSTS=$(CURDIR)/hosts \
+  OMP_NUM_THREADS=1 $(HOSTS)/bin/python
 
 hosts: host-environment
 	$(RUN_HOSTS) -m pytest -q hosts/skfem
 	$(RUN_HOSTS) -m pytest -q hosts/dolfinx
+	$(RUN_HOSTS) -m pytest -q hosts/agreement
+
+agree: host-environment
+	$(RUN_HOSTS) -m fmc_agreement out/agree
+
+SUITE ?= trixie
+
+compat: host-environment
+	$(SUDO) hosts/dolfinx/compat.sh $(abspath $(TARGET))/compat/$(SUITE) $(HOSTS)/lib/libfmc_contact.so $(SUITE)
 
 bench:
 	$(CARGO) bench

@@ -139,7 +139,7 @@ impl<const D: usize> Contact<D> {
             let blocks = match (part, exact) {
                 (TangentPart::Semidefinite, _) => Vec::new(),
                 (_, Some(exact)) => exact.hessian(number)?,
-                _ => fibers.volume_spans()?.map_or(Vec::new(), |s| s.hessian(pair, |_| 1.0, |_| 0.0, false, number)),
+                _ => fibers.volume_spans()?.map_or(Vec::new(), |s| s.hessian(pair, LINEAR, false, number)),
             };
             Ok(Some(Tangent::of_volume(&overlap, blocks, law, number)))
         })?;
@@ -188,6 +188,9 @@ impl<const D: usize> Contact<D> {
         Ok(traces.into_iter().flatten().collect())
     }
 }
+
+/// ψ = L, ψ' and ψ''.
+const LINEAR: [&dyn Fn(f64) -> f64; 3] = [&|length| length, &|_| 1.0, &|_| 0.0];
 
 /// Threads of one contact; none are started for one.
 fn pool(threads: usize) -> Result<Option<rayon::ThreadPool>, Error> {

@@ -45,7 +45,7 @@ impl<const D: usize> PairEnergy<D> {
         coords: &[[f64; D]],
     ) -> Self {
         let slope = |length: f64| law.energy_gradient(length);
-        let mut gradient = spans.gradient(pair, slope);
+        let mut gradient = spans.gradient(pair, |length| law.energy(length), slope);
         if balanced {
             balance(&gradient.nodes, &gradient.of_b, &mut gradient.values, &mut gradient.pose, coords, 0.0);
         }

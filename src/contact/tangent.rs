@@ -109,9 +109,11 @@ impl<const D: usize> Tangent<D> {
         part: TangentPart,
         obstacle_node: u32,
     ) -> Self {
+        let value = |length: f64| law.energy(length);
         let slope = |length: f64| law.energy_gradient(length);
         let curvature = |length: f64| law.energy_hessian(length);
-        let blocks = spans.hessian(pair, slope, curvature, part == TangentPart::Semidefinite, obstacle_node);
+        let blocks =
+            spans.hessian(pair, [&value, &slope, &curvature], part == TangentPart::Semidefinite, obstacle_node);
         Self { blocks, rank_one: Vec::new() }
     }
 }

@@ -76,16 +76,57 @@ impl<const D: usize> Assembly<D> {
         }
     }
 
+    /// Adds a force at a point of a facet of `side`, which is no share of its boundary.
+    pub(crate) fn add_force(
+        &mut self,
+        side: &FacetSide<D>,
+        (of_b, facet): (bool, u32),
+        weights: &[f64; D],
+        force: &Vector<D>,
+        pose: Option<&Pose<D>>,
+    ) {
+        match pose {
+            Some(pose) => {
+                let corners = side.corners(facet as usize);
+                let point = (0..D).fold(Vector::zeros(), |x, a| x + corners[a] * weights[a]);
+                self.pull(&point, force, pose);
+            }
+            None => {
+                for (vertex, weight) in side.facets[facet as usize].iter().zip(weights) {
+                    self.add_to(2 * vertex + u32::from(of_b), force * *weight);
+                }
+            }
+        }
+    }
+
+    /// Adds a force on a vertex at `point`, which is no share of the boundary.
+    pub(crate) fn add_to_vertex(
+        &mut self,
+        of_b: bool,
+        vertex: u32,
+        point: &Vector<D>,
+        force: &Vector<D>,
+        pose: Option<&Pose<D>>,
+    ) {
+        match pose {
+            Some(pose) => self.pull(point, force, pose),
+            None => self.add_to(2 * vertex + u32::from(of_b), *force),
+        }
+    }
+
     /// Adds a share of a point that moves with `pose`.
     pub(crate) fn add_point(&mut self, share: &PointShare<D>, pose: &Pose<D>) {
-        let g = share.normal * share.share;
-        let lever = share.point - Vector::from(pose.position);
+        self.pull(&share.point, &(share.normal * share.share), pose);
+        self.bound(true, share.point, share.normal, share.share);
+    }
+
+    fn pull(&mut self, point: &Vector<D>, g: &Vector<D>, pose: &Pose<D>) {
+        let lever = point - Vector::from(pose.position);
         self.pose.position += g;
-        for (sum, m) in self.pose.rotation.iter_mut().zip(moment(&share.point, &g)) {
+        for (sum, m) in self.pose.rotation.iter_mut().zip(moment(point, g)) {
             *sum += m;
         }
         self.pose.scale += g.dot(&lever) / pose.scale;
-        self.bound(true, share.point, share.normal, share.share);
     }
 
     /// Adds what the plane of a half-space must carry so that the sums of forces and moments vanish: exact, since the

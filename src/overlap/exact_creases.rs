@@ -9,18 +9,29 @@
 //! through which lines run the same way
 //! ```
 //!
-//! with ν across the edge as seen along the lines, + being the side to which it points. On the second, the nearer end of
-//! the span passes from one facet to the other. Where a span shrinks to nothing there is no jump, since ψ'(0) = 0.
+//! with ν across the edge as seen along the lines, + being the side to which it points. Where patches blend, the slope of
+//! the part that counts jumps there too. On the second, the nearer end of the span passes from one facet to the other. Where a span shrinks to nothing there is no jump, since ψ'(0) = 0.
 
 use super::exact::ExactPair;
+use super::exact_edges::{EdgeSide, distance, flanks};
+use super::exact_rims::GAUSS;
 use super::exact_spans::{Plane, end};
-use super::hessian::slopes;
 use super::piece::{cut, whole, zeros};
 use super::shadow::{Seen, Shadows, flat};
+use super::slopes::slopes;
 use super::span::{Anchor, Crease, End};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::sampling::Family;
+
+/// An edge between two facets of one side, as seen along the lines.
+pub(super) struct Edge<const D: usize> {
+    pub(super) of_b: bool,
+    /// Before it, on the side to which ν points, and behind it.
+    pub(super) facets: [u32; 2],
+    /// Unit vector across.
+    pub(super) nu: Vector<D>,
+}
 
 /// A straight curve (2D: a point, twice) as seen along the lines, on which L has a kink at one of its ends.
 struct Curve<const D: usize> {
@@ -32,6 +43,8 @@ struct Curve<const D: usize> {
     factor: f64,
     /// g at both ends, linear between.
     gradient: Vec<(Anchor, [Vector<D>; 2])>,
+    /// Where it is the edge of a side.
+    edge: Option<Edge<D>>,
 }
 
 impl<const D: usize> Curve<D> {
@@ -90,7 +103,7 @@ impl<const D: usize> ExactPair<'_, D> {
         seen: &Shadows<D>,
         family: &Family<D>,
         plane: Option<&Plane<D>>,
-        mut visit: impl FnMut(Crease<D>, &[End<D>; 2]),
+        mut visit: impl FnMut(Crease<D>, &[End<D>; 2], Option<&Edge<D>>),
     ) {
         let mut curves = self.edges(seen, family);
         self.meetings(seen, family, plane, &mut curves);
@@ -111,13 +124,15 @@ impl<const D: usize> ExactPair<'_, D> {
                         continue;
                     }
                     let width = if D == 2 { 1.0 } else { distance(&curve.ends) * (to - from) };
-                    for side in [-0.5, 0.5] {
-                        let s = middle + side / 3f64.sqrt() * (to - from);
+                    for (place, part) in GAUSS {
+                        let s = middle + place * (to - from);
                         let gradient = curve.gradient.iter().map(|(anchor, g)| (*anchor, g[0] + (g[1] - g[0]) * s));
-                        let gradient = gradient.collect();
-                        let crease = Crease { weight: 0.5 * width, length: depth(s), factor: curve.factor, gradient };
+                        let (weight, gradient) = (part * width, gradient.collect());
+                        let crease = Crease { weight, length: depth(s), factor: curve.factor, blend: 0.0, gradient };
+                        let place = curve.at(s);
                         let none = End::Point { point: Vector::zeros(), normal: Vector::zeros() };
-                        visit(crease, &[end(f, [0.0; D]), x.map_or(none, |x| end(x, [0.0; D]))]);
+                        let ends = [end(f, f.barycentric(&place)), x.map_or(none, |x| end(x, x.barycentric(&place)))];
+                        visit(crease, &ends, curve.edge.as_ref());
                     }
                 }
             };
@@ -156,31 +171,25 @@ impl<const D: usize> ExactPair<'_, D> {
 
     /// Edges (2D: nodes) between two seen facets of one side through which lines run the same way.
     fn edges(&self, seen: &Shadows<D>, family: &Family<D>) -> Vec<Curve<D>> {
-        let mut sides: Vec<EdgeSide> = Vec::new();
-        for (index, facet) in seen.facets.iter().enumerate() {
-            let vertices = self.pair.side(facet.of_b).facets[facet.facet as usize];
-            for k in 0..D {
-                let corners = if D == 2 { [k, k] } else { [k, (k + 1) % D] };
-                let mut key = corners.map(|c| vertices[c]);
-                key.sort_unstable();
-                sides.push((key, facet.of_b, facet.leaves, index as u32, corners));
-            }
-        }
-        sides.sort_unstable();
+        let sides = self.edge_sides(seen);
         let mut curves = Vec::new();
-        for chunk in sides.chunk_by(|p, q| (p.0, p.1, p.2) == (q.0, q.1, q.2)).filter(|chunk| chunk.len() == 2) {
-            let (_, of_b, leaves, index, corners) = chunk[0];
+        for chunk in sides.chunk_by(|p, q| p.key == q.key && p.leaves == q.leaves).filter(|chunk| chunk.len() == 2) {
+            let EdgeSide { key: (_, of_b), leaves, facet: index, corners } = chunk[0];
             let facet = &seen.facets[index as usize];
             let vertices = self.pair.side(of_b).facets[facet.facet as usize];
             let ends = corners.map(|c| facet.corners[c]);
-            let Some((across, jump)) = kink(&ends, [facet, &seen.facets[chunk[1].3 as usize]]) else { continue };
+            let both = [facet, &seen.facets[chunk[1].facet as usize]];
+            let Some((across, jump, is_before)) = kink(&ends, both) else { continue };
             let nu = family.across(across);
             let anchors = corners.map(|c| Anchor::Vertex { of_b, vertex: vertices[c] });
             let none = Vector::zeros();
+            let [first, second] = both.map(|facet| facet.facet);
+            let facets = if is_before { [first, second] } else { [second, first] };
             curves.push(Curve {
+                edge: Some(Edge { of_b, facets, nu }),
                 ends,
                 leaves,
-                facets: vec![index, chunk[1].3],
+                facets: vec![index, chunk[1].facet],
                 factor: if leaves { jump } else { -jump },
                 gradient: if D == 2 {
                     vec![(anchors[0], [nu, nu])]
@@ -214,7 +223,8 @@ impl<const D: usize> ExactPair<'_, D> {
                     gradient.push((*anchor, ends.map(|place| -other.m * weight(&place))));
                 }
                 let facets = [index as u32].into_iter().chain(other.facet).collect();
-                curves.push(Curve { ends, leaves: f.leaves, facets, factor: -1.0 / apart, gradient });
+                let factor = -1.0 / apart;
+                curves.push(Curve { ends, leaves: f.leaves, facets, factor, gradient, edge: None });
             };
             if let Some(plane) = plane.filter(|plane| f.leaves == (plane.normal.dot(d) > 0.0)) {
                 let slope = plane.normal.dot(d);
@@ -242,10 +252,6 @@ impl<const D: usize> ExactPair<'_, D> {
     }
 }
 
-/// An edge as one facet has it: its vertices ascending, whether the facet is of the second side, whether lines leave
-/// through it, its number, and its corners at the edge.
-type EdgeSide = ([u32; 2], bool, bool, u32, [usize; 2]);
-
 /// Weight of an anchor at a place.
 type Weight<'a> = Box<dyn Fn(&[f64; 3]) -> f64 + 'a>;
 
@@ -256,32 +262,15 @@ struct Other<'a, const D: usize> {
     anchors: Vec<(Anchor, Weight<'a>)>,
 }
 
-/// Unit vector across an edge in the plane across the lines, and the jump of the slope of t along it.
-fn kink<const D: usize>(ends: &[[f64; 3]; 2], facets: [&Seen<D>; 2]) -> Option<([f64; 2], f64)> {
-    let [p, q] = *ends;
-    let size = distance(ends);
-    let across = if D == 2 { [1.0, 0.0] } else { [-(q[1] - p[1]) / size, (q[0] - p[0]) / size] };
-    // Slope of t across the edge on each facet, and on which side of the edge the facet lies.
-    let slopes = facets.map(|facet| {
-        let away = |c: &[f64; 3]| across[0] * (c[0] - p[0]) + across[1] * (c[1] - p[1]);
-        let far = facet.corners.iter().max_by(|c, e| away(c).abs().total_cmp(&away(e).abs()))?;
-        // Height of the edge's line straight across from that corner.
-        let run = |c: &[f64; 3]| across[1] * (c[0] - p[0]) - across[0] * (c[1] - p[1]);
-        let base = if D == 2 { p[2] } else { p[2] + (q[2] - p[2]) * run(far) / run(&q) };
-        (away(far) != 0.0).then(|| ((far[2] - base) / away(far), away(far) > 0.0))
-    });
-    match slopes {
-        [Some((before, true)), Some((behind, false))] | [Some((behind, false)), Some((before, true))] => {
-            let jump = before - behind;
-            (jump.is_finite() && across[0].is_finite()).then_some((across, jump))
-        }
-        _ => None,
+/// Unit vector across an edge in the plane across the lines, the jump of the slope of t along it, and whether the first
+/// facet is on the side to which the vector points; `None` if both are on one side.
+fn kink<const D: usize>(ends: &[[f64; 3]; 2], facets: [&Seen<D>; 2]) -> Option<([f64; 2], f64, bool)> {
+    let (across, [first, second]) = flanks(ends, facets)?;
+    if first.is_before == second.is_before {
+        return None;
     }
-}
-
-/// Length of a curve across the lines.
-fn distance(ends: &[[f64; 3]; 2]) -> f64 {
-    (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1])
+    let jump = if first.is_before { first.slope - second.slope } else { second.slope - first.slope };
+    jump.is_finite().then_some((across, jump, first.is_before))
 }
 
 #[cfg(test)]
@@ -294,8 +283,9 @@ mod tests {
         let seen = |r: [f64; 3]| Seen::<3> { of_b: false, facet: 0, corners: [ends[0], ends[1], r], leaves: true };
         // Behind the edge t does not change across it, before it by 2 for every unit.
         let (f, g) = (seen([-4.0, 3.0, 11.0]), seen([4.0, -3.0, 1.0]));
-        let (across, jump) = kink(&ends, [&f, &g]).unwrap();
+        let (across, jump, first) = kink(&ends, [&f, &g]).unwrap();
         assert!((across[0] + 0.8).abs() < 1e-15 && (across[1] - 0.6).abs() < 1e-15);
         assert!((jump - 2.0).abs() < 1e-15);
+        assert!(first);
     }
 }

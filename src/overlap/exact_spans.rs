@@ -3,16 +3,18 @@
 //!
 //! Across the lines of one direction, an entered facet e and a facet x through which lines leave share a convex piece (an
 //! interval in 2D, a polygon in 3D). On it L = t_x − t_e is linear, and so are the barycentric coordinates of both. The
-//! piece is cut where L = 0; Gauss points of degree 3 (2D) and 2 (3D) then integrate ψ'(L) N_a of the quadratic ψ
-//! exactly, and any smooth ψ to their order. What a third facet hides of a piece is cut out of it.
+//! piece is cut where L = 0; Gauss points of degree 3 (2D) and 2 (3D; 4 where patches blend) then integrate
+//! ψ'(L) N_a of the quadratic ψ exactly, and any smooth ψ to their order. What a third facet hides of a piece is cut out of it.
 
 use super::exact::ExactPair;
+use super::exact_creases::Edge;
 use super::patch::Patches;
 use super::piece::{cut, whole};
 use super::quadrature::{for_each_gauss_point, mean};
 use super::shadow::{Seen, Shadows};
 use super::side::{FacetSide, ImplicitSide, Opponent};
-use super::span::{End, Span, Spans};
+use super::slopes::across;
+use super::span::{Crease, End, Span, Spans};
 use crate::Error;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Vector, cover_count};
@@ -25,11 +27,12 @@ const EDGE_ON: f64 = 1e-9;
 impl<const D: usize> ExactPair<'_, D> {
     /// All spans along the directions of `patches`, and, if asked for, the creases that their tangent needs.
     pub(crate) fn spans(&self, patches: &Patches<D>, creases: bool) -> Result<Option<Spans<D>>, Error> {
-        let mut spans = Spans { directions: patches.directions.clone(), ..Spans::default() };
+        let mut spans = Spans { patches: patches.clone(), ..Spans::default() };
+        let fine = patches.are_blended();
         for (direction, d) in patches.directions.iter().enumerate() {
             let family = Family::along(*d, 0, 0);
             let mut add = |mut span: Span<D>| {
-                span.weight *= patches.part(direction, &span.ends);
+                span.weight *= patches.part(direction, &span.ends).value;
                 span.direction = direction as u32;
                 if span.weight > 0.0 && span.length > 0.0 {
                     spans.spans.push(span);
@@ -51,17 +54,41 @@ impl<const D: usize> ExactPair<'_, D> {
             };
             let seen = Shadows::new(seen);
             if let Some(plane) = &plane {
-                self.spans_on_plane(&seen, &family, plane, &mut add);
+                self.spans_on_plane(&seen, &family, plane, fine, &mut add);
             }
-            self.spans_between(&seen, &mut add);
+            self.spans_between(&seen, fine, &mut add);
+            self.visit_rims(&seen, &family, plane.as_ref(), |mut rim| {
+                for span in &mut rim.spans {
+                    span.weight *= patches.part(direction, &span.ends).value;
+                    span.direction = direction as u32;
+                }
+                spans.rims.push(rim);
+            });
             if creases {
-                self.visit_creases(&seen, &family, plane.as_ref(), |mut crease, ends| {
-                    crease.weight *= patches.part(direction, ends);
+                let count = |mut crease: Crease<D>, ends: &[End<D>; 2], edge: Option<&Edge<D>>| {
+                    crease.factor *= patches.part(direction, ends).value;
+                    crease.blend = edge.map_or(0.0, |edge| self.jump_of_part(patches, direction, ends, edge));
                     spans.creases.push(crease);
-                });
+                };
+                self.visit_creases(&seen, &family, plane.as_ref(), count);
             }
         }
         Ok(Some(spans))
+    }
+
+    /// Jump, across an edge at the first end of a span, of the slope of the part that counts for a direction.
+    fn jump_of_part(&self, patches: &Patches<D>, direction: usize, ends: &[End<D>; 2], edge: &Edge<D>) -> f64 {
+        if !patches.are_blended() {
+            return 0.0;
+        }
+        let d = &patches.directions[direction];
+        let [before, behind] = edge.facets.map(|facet| {
+            let first = End::Facet { of_b: edge.of_b, facet, weights: [0.0; D] };
+            let [corners, _] = patches.part(direction, &[first, ends[1]]).at_corners;
+            let corners = corners.and_then(|c| across(&self.pair.side(edge.of_b).corners(facet as usize), d, &c));
+            corners.map_or(0.0, |eta| eta.dot(&edge.nu))
+        });
+        before - behind
     }
 
     /// Facets of one side that the other side's box reaches; those seen edge-on are left out: no line crosses them.
@@ -83,7 +110,7 @@ impl<const D: usize> ExactPair<'_, D> {
         side.facets_in(&region).into_iter().filter_map(see).collect()
     }
 
-    fn spans_between(&self, seen: &Shadows<D>, add: &mut impl FnMut(Span<D>)) {
+    fn spans_between(&self, seen: &Shadows<D>, fine: bool, add: &mut impl FnMut(Span<D>)) {
         for (entered, e) in seen.facets.iter().enumerate().filter(|(_, s)| !s.leaves) {
             for left in seen.near(&seen.boxes[entered]) {
                 let x = &seen.facets[left as usize];
@@ -105,10 +132,12 @@ impl<const D: usize> ExactPair<'_, D> {
                     if e.of_b == x.of_b && !self.is_covered_between(e, x, &e.place(&mean(&piece))) {
                         continue;
                     }
-                    for_each_gauss_point(&piece, |w, part| {
+                    for_each_gauss_point(&piece, fine, |w, part| {
                         let weights = x.barycentric(&e.place(w));
+                        let across = part * e.shadow();
                         add(Span {
-                            weight: part * e.shadow(),
+                            weight: across,
+                            across,
                             length: (0..D).map(|a| w[a] * lengths[a]).sum(),
                             direction: 0,
                             ends: [end(e, *w), end(x, weights)],
@@ -136,7 +165,14 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 
-    fn spans_on_plane(&self, seen: &Shadows<D>, family: &Family<D>, plane: &Plane<D>, add: &mut impl FnMut(Span<D>)) {
+    fn spans_on_plane(
+        &self,
+        seen: &Shadows<D>,
+        family: &Family<D>,
+        plane: &Plane<D>,
+        fine: bool,
+        add: &mut impl FnMut(Span<D>),
+    ) {
         let slope = plane.normal.dot(family.direction());
         for (index, s) in seen.facets.iter().enumerate().filter(|(_, s)| s.leaves != (slope > 0.0)) {
             let corners = self.pair.a.corners(s.facet as usize);
@@ -147,13 +183,14 @@ impl<const D: usize> ExactPair<'_, D> {
                 continue;
             }
             for piece in seen.visible(piece, [index as u32; 2], s, &lengths) {
-                for_each_gauss_point(&piece, |w, part| {
+                for_each_gauss_point(&piece, fine, |w, part| {
                     let length = (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
                     let along = if s.leaves { -length } else { length };
                     let on_facet = (0..D).fold(Vector::zeros(), |sum, a| sum + corners[a] * w[a]);
                     let on_plane = End::Point { point: on_facet + family.direction() * along, normal: plane.normal };
                     let ends = if s.leaves { [on_plane, end(s, *w)] } else { [end(s, *w), on_plane] };
-                    add(Span { weight: part * s.shadow(), length, direction: 0, ends });
+                    let across = part * s.shadow();
+                    add(Span { weight: across, across, length, direction: 0, ends });
                 });
             }
         }

@@ -27,7 +27,7 @@ impl<const D: usize> FiberPair<'_, D> {
             all.warnings.extend(found.warnings);
         }
         if let Some(all) = &mut spans {
-            all.directions.clone_from(&patches.directions);
+            all.patches.clone_from(patches);
         }
         Ok(spans)
     }
@@ -57,7 +57,7 @@ impl<const D: usize> FiberPair<'_, D> {
                 let mut spans = Vec::new();
                 let mut volume_by_parity = [0.0; 2];
                 pair.visit_spans(bundle, layout, direction as u32, |Sampled { mut span, parity }| {
-                    span.weight *= patches.part(direction, &span.ends);
+                    span.weight *= patches.part(direction, &span.ends).value;
                     if span.weight > 0.0 {
                         volume_by_parity[parity] += span.weight * span.length;
                         spans.push(span);
@@ -117,7 +117,8 @@ impl<const D: usize> FiberPair<'_, D> {
                     for (last, rest) in leaving {
                         let weight = layout.volume_per_length * part * rest;
                         let ends = [end(first), end(last)];
-                        let span = Span { weight, length: (last.t - first.t).max(0.0), direction, ends };
+                        let length = (last.t - first.t).max(0.0);
+                        let span = Span { weight, across: weight, length, direction, ends };
                         visit(Sampled { span, parity: (i + j).rem_euclid(2) as usize });
                     }
                 }

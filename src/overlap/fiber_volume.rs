@@ -5,6 +5,7 @@
 //! once here; they are none of a valid contact.
 
 use super::layout::FiberPair;
+use super::patch::Patches;
 use super::span::Spans;
 use crate::Error;
 
@@ -22,8 +23,9 @@ impl<const D: usize> FiberPair<'_, D> {
                 })?;
                 Ok(spans)
             })?;
+            let directions = self.families.iter().map(|family| *family.direction()).collect();
             Ok(Spans {
-                directions: self.families.iter().map(|family| *family.direction()).collect(),
+                patches: Patches { directions, ..Patches::default() },
                 spans: found.into_iter().flatten().collect(),
                 ..Spans::default()
             })

@@ -11,8 +11,18 @@
 //! so that a span of length L = t_leaving − t_entering adds ω [ψ'' ∇L ∇Lᵀ + ψ' ∇²L] on the nodes of two facets. The first
 //! part alone is positive semidefinite. For sampled lines this is the derivative of the force; where the integral over
 //! the lines is exact, the kinks of L along the edges of facets, which move with their nodes, add [`Crease`]s.
+//!
+//! Where patches blend, the span counts with a part p, linear in N with slope η across the lines:
+//!
+//! ```text
+//! ∂p/∂x_a       = −N_a η
+//! ∂²p/∂x_a∂x_b  =  N_b η h_aᵀ + N_a h_b ηᵀ
+//! ```
+//!
+//! and adds ω [p (ψ'' ∇L ∇Lᵀ + ψ' ∇²L) + ψ' (∇L ∇pᵀ + ∇p ∇Lᵀ) + ψ ∇²p].
 
 use super::side::Pair;
+use super::slopes::slopes;
 use super::span::{Anchor, Crease, End, Span, Spans};
 use crate::geometry::{Surface, Vector};
 
@@ -29,56 +39,20 @@ pub struct Block<const D: usize> {
 
 /// What a node has to do with one end of a span.
 #[derive(Clone, Copy)]
-struct Share<const D: usize> {
-    node: u32,
+pub(super) struct Share<const D: usize> {
+    pub(super) node: u32,
     /// N, and h with the sign of the end.
-    weight: f64,
+    pub(super) weight: f64,
     h: Vector<D>,
 }
 
-/// One end of a span: ∂t/∂x = ±N m on its nodes.
-struct EndShares<const D: usize> {
-    shares: Vec<Share<D>>,
-    m: Vector<D>,
+/// One end of a span: ∂t/∂x = ±N m on its nodes, and ∂p/∂x = −N η.
+pub(super) struct EndShares<const D: usize> {
+    pub(super) shares: Vec<Share<D>>,
+    pub(super) m: Vector<D>,
+    pub(super) eta: Vector<D>,
     /// +1 where the line leaves, −1 where it enters.
-    sign: f64,
-}
-
-/// m and h_a of a facet with these corners, for lines along `d`; `None` if they run along it.
-pub(super) fn slopes<const D: usize>(x: &[Vector<D>; D], d: &Vector<D>) -> Option<(Vector<D>, [Vector<D>; D])> {
-    let mut h = [Vector::zeros(); D];
-    let mut m = Vector::zeros();
-    let e = x[1] - x[0];
-    let det = match D {
-        2 => {
-            let det = e[0] * d[1] - e[1] * d[0];
-            (m[0], m[1]) = (-e[1], e[0]);
-            (h[1][0], h[1][1]) = (d[1], -d[0]);
-            det
-        }
-        _ => {
-            let f = x[2] - x[0];
-            (h[1], h[2], m) = (cross(&f, d), cross(d, &e), cross(&e, &f));
-            e.dot(&h[1])
-        }
-    };
-    if det == 0.0 {
-        return None;
-    }
-    m /= det;
-    for a in 1..D {
-        h[a] /= det;
-        let part = h[a];
-        h[0] -= part;
-    }
-    Some((m, h))
-}
-
-fn cross<const D: usize>(p: &Vector<D>, q: &Vector<D>) -> Vector<D> {
-    Vector::from_fn(|i, _| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        p[j] * q[k] - p[k] * q[j]
-    })
+    pub(super) sign: f64,
 }
 
 /// Nodes of a surface's vertex with their parts: itself, or the four of a face about whose centroid it is.
@@ -93,14 +67,13 @@ pub(super) fn nodes_of<const D: usize>(surface: &Surface<D>, vertex: u32, mut vi
 }
 
 impl<const D: usize> Spans<D> {
-    /// Hessian of Σ ω ψ(L), given ψ' and ψ'', as blocks sorted by row and column. The obstacle of the pair, if there is
-    /// one, has the row and column number `obstacle_node`: its translation. `semidefinite` leaves out what can be
+    /// Hessian of Σ ω ψ(L), given ψ, ψ' and ψ'', as blocks sorted by row and column. The obstacle of the pair, if there
+    /// is one, has the row and column number `obstacle_node`: its translation. `semidefinite` leaves out what can be
     /// negative.
     pub(crate) fn hessian(
         &self,
         pair: &Pair<D>,
-        slope: impl Fn(f64) -> f64,
-        curvature: impl Fn(f64) -> f64,
+        [value, slope, curvature]: [&dyn Fn(f64) -> f64; 3],
         semidefinite: bool,
         obstacle_node: u32,
     ) -> Vec<Block<D>> {
@@ -112,22 +85,34 @@ impl<const D: usize> Spans<D> {
             for &(_, index) in group {
                 let span = &self.spans[index as usize];
                 let Some(ends) = self.end_shares(pair, span, obstacle_node) else { continue };
-                let geometric = if semidefinite { 0.0 } else { span.weight * slope(span.length) };
-                local.add(&ends, span.weight * curvature(span.length), geometric);
+                let mut factors = Factors { stiffness: span.weight * curvature(span.length), ..Factors::default() };
+                if !semidefinite {
+                    factors.geometric = span.weight * slope(span.length);
+                    if ends.iter().any(|end| end.eta != Vector::<D>::zeros()) {
+                        factors.mixed = span.across * slope(span.length);
+                        factors.blend = span.across * value(span.length);
+                    }
+                }
+                local.add(&ends, &factors);
             }
             local.write(&mut blocks);
         }
         if !semidefinite {
             for crease in &self.creases {
-                add_crease(pair, crease, slope(crease.length), obstacle_node, &mut blocks);
+                let factor = slope(crease.length) * crease.factor + value(crease.length) * crease.blend;
+                add_crease(pair, crease, factor, obstacle_node, &mut blocks);
+            }
+            for rim in &self.rims {
+                self.add_rim(pair, rim, [value, slope], obstacle_node, &mut blocks);
             }
         }
         merged(blocks)
     }
 
-    fn end_shares(&self, pair: &Pair<D>, span: &Span<D>, obstacle_node: u32) -> Option<[EndShares<D>; 2]> {
-        let d = &self.directions[span.direction as usize];
-        let of = |end: &End<D>, sign: f64| match *end {
+    pub(super) fn end_shares(&self, pair: &Pair<D>, span: &Span<D>, obstacle_node: u32) -> Option<[EndShares<D>; 2]> {
+        let d = &self.patches.directions[span.direction as usize];
+        let [before, behind] = self.blends(pair, span).map(|eta| eta.unwrap_or_else(Vector::zeros));
+        let of = |end: &End<D>, sign: f64, eta: Vector<D>| match *end {
             End::Facet { of_b, facet, weights } => {
                 let side = pair.side(of_b);
                 let (m, h) = slopes(&side.corners(facet as usize), d)?;
@@ -135,7 +120,7 @@ impl<const D: usize> Spans<D> {
                 if of_b && pair.pose.is_some() {
                     // All corners move alike: Σ N = 1, Σ h = 0.
                     shares.push(Share { node: obstacle_node, weight: 1.0, h: Vector::zeros() });
-                    return Some(EndShares { shares, m, sign });
+                    return Some(EndShares { shares, m, eta, sign });
                 }
                 for a in 0..D {
                     nodes_of(pair.surface, side.facets[facet as usize][a], |node, part| {
@@ -147,15 +132,15 @@ impl<const D: usize> Spans<D> {
                         shares[place].h += h[a] * part;
                     });
                 }
-                Some(EndShares { shares, m, sign })
+                Some(EndShares { shares, m, eta, sign })
             }
             End::Point { normal, .. } => {
                 let slope = d.dot(&normal);
                 let share = Share { node: obstacle_node, weight: 1.0, h: Vector::zeros() };
-                (slope != 0.0).then(|| EndShares { shares: vec![share], m: normal / slope, sign })
+                (slope != 0.0).then(|| EndShares { shares: vec![share], m: normal / slope, eta, sign })
             }
         };
-        Some([of(&span.ends[0], -1.0)?, of(&span.ends[1], 1.0)?])
+        Some([of(&span.ends[0], -1.0, before)?, of(&span.ends[1], 1.0, behind)?])
     }
 }
 
@@ -170,6 +155,19 @@ fn key<const D: usize>(span: &Span<D>) -> Key {
     ([of(&span.ends[0]), of(&span.ends[1])], span.direction)
 }
 
+/// What the parts of a span's second derivative are multiplied by.
+#[derive(Default)]
+struct Factors {
+    /// ω p ψ'', of ∇L ∇Lᵀ.
+    stiffness: f64,
+    /// ω p ψ', of ∇²L.
+    geometric: f64,
+    /// ω ψ', of ∇L ∇pᵀ + ∇p ∇Lᵀ.
+    mixed: f64,
+    /// ω ψ, of ∇²p.
+    blend: f64,
+}
+
 /// The sum of the blocks of all spans between two facets.
 #[derive(Default)]
 struct Local<const D: usize> {
@@ -179,30 +177,34 @@ struct Local<const D: usize> {
 }
 
 impl<const D: usize> Local<D> {
-    fn add(&mut self, ends: &[EndShares<D>; 2], stiffness: f64, geometric: f64) {
+    fn add(&mut self, ends: &[EndShares<D>; 2], factors: &Factors) {
         if self.nodes.is_empty() {
             self.nodes = ends.iter().flat_map(|end| end.shares.iter().map(|share| share.node)).collect();
             self.values = vec![[[0.0; D]; D]; self.nodes.len().pow(2)];
         }
         let count = self.nodes.len();
-        let (mut row, mut first) = (0, 0);
+        let mut row = 0;
         for p in ends {
+            // Of ∇²: the same form for L, along m, and for the part, along η.
+            let turning = p.eta * factors.blend - p.m * (factors.geometric * p.sign);
+            let turns = factors.geometric != 0.0 || factors.blend != 0.0;
             for a in &p.shares {
                 let mut col = 0;
                 for q in ends {
+                    let stiffness = factors.stiffness * p.sign * q.sign;
                     for b in &q.shares {
                         let block = &mut self.values[row * count + col];
-                        let product = stiffness * p.sign * q.sign * a.weight * b.weight;
                         for i in 0..D {
+                            let along = stiffness * p.m[i] - factors.mixed * q.sign * p.eta[i];
+                            let aside = factors.mixed * p.sign * p.m[i];
                             for j in 0..D {
-                                block[i][j] += product * p.m[i] * q.m[j];
+                                block[i][j] += a.weight * b.weight * (along * q.m[j] - aside * q.eta[j]);
                             }
                         }
-                        if geometric != 0.0 && std::ptr::eq(p, q) {
+                        if turns && std::ptr::eq(p, q) {
                             for i in 0..D {
                                 for j in 0..D {
-                                    let second = b.weight * p.m[i] * a.h[j] + a.weight * b.h[i] * p.m[j];
-                                    block[i][j] -= geometric * p.sign * second;
+                                    block[i][j] += b.weight * turning[i] * a.h[j] + a.weight * b.h[i] * turning[j];
                                 }
                             }
                         }
@@ -211,9 +213,7 @@ impl<const D: usize> Local<D> {
                 }
                 row += 1;
             }
-            first += p.shares.len();
         }
-        debug_assert_eq!(first, count);
     }
 
     fn write(&self, blocks: &mut Vec<Block<D>>) {
@@ -225,25 +225,33 @@ impl<const D: usize> Local<D> {
     }
 }
 
-/// ψ' factor g gᵀ of one point of a crease.
+/// Nodes that move an anchor, with their parts of it.
+pub(super) fn for_each_node<const D: usize>(
+    pair: &Pair<D>,
+    anchor: Anchor,
+    obstacle_node: u32,
+    mut visit: impl FnMut(u32, f64),
+) {
+    match anchor {
+        Anchor::Vertex { of_b: true, .. } if pair.pose.is_some() => visit(obstacle_node, 1.0),
+        Anchor::Vertex { vertex, .. } => nodes_of(pair.surface, vertex, visit),
+        Anchor::Obstacle => visit(obstacle_node, 1.0),
+    }
+}
+
+/// factor g gᵀ of one point of a crease.
 fn add_crease<const D: usize>(
     pair: &Pair<D>,
     crease: &Crease<D>,
-    slope: f64,
+    factor: f64,
     obstacle_node: u32,
     blocks: &mut Vec<Block<D>>,
 ) {
     let mut gradient: Vec<(u32, Vector<D>)> = Vec::new();
     for (anchor, g) in &crease.gradient {
-        match *anchor {
-            Anchor::Vertex { of_b: true, .. } if pair.pose.is_some() => gradient.push((obstacle_node, *g)),
-            Anchor::Vertex { vertex, .. } => {
-                nodes_of(pair.surface, vertex, |node, part| gradient.push((node, g * part)))
-            }
-            Anchor::Obstacle => gradient.push((obstacle_node, *g)),
-        }
+        for_each_node(pair, *anchor, obstacle_node, |node, part| gradient.push((node, g * part)));
     }
-    let factor = crease.weight * slope * crease.factor;
+    let factor = crease.weight * factor;
     for (row, p) in &gradient {
         for (col, q) in &gradient {
             let value = std::array::from_fn(|i| std::array::from_fn(|j| factor * p[i] * q[j]));

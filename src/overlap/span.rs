@@ -4,11 +4,15 @@
 //! the penetration depth. Both estimators return the same: sampled lines, or the points of a quadrature.
 //!
 //! With the line fixed, moving node a of the facet at an end moves the end by N_a n/(d·n), so that a function ψ of the
-//! length has the gradient ±ψ'(L) N_a n/(d·n): along the outward normal of the facet at both ends.
+//! length has the gradient ±ψ'(L) N_a n/(d·n): along the outward normal of the facet at both ends. Where patches blend,
+//! the part p(N) that counts moves too: ∂p/∂x_a = −N_a η, with η the slope of p across the lines.
 
 use super::assembly::{Assembly, FacetShare, PointShare};
 use super::estimate::{Overlap, PoseGradient};
+use super::exact_rims::Rim;
+use super::patch::Patches;
 use super::side::{Opponent, Pair};
+use super::slopes::across;
 use super::warning::Warning;
 use crate::geometry::Vector;
 use crate::geometry::facet::area_vector;
@@ -16,8 +20,10 @@ use crate::geometry::facet::area_vector;
 /// A stretch of a line inside both sides.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span<const D: usize> {
-    /// Measure across the line that it stands for.
+    /// Measure across the line that it stands for, times the part of it that counts for the line's direction.
     pub(crate) weight: f64,
+    /// The same without the part.
+    pub(crate) across: f64,
     /// Length, at least 0.
     pub(crate) length: f64,
     /// Index of the line's direction.
@@ -48,7 +54,7 @@ pub(crate) enum End<const D: usize> {
 }
 
 /// A point at which L has a kink that moves with the nodes. Only where the integral over the lines is exact; there the
-/// derivative of the force gains weight ψ'(L) factor g gᵀ.
+/// derivative of the force gains weight [ψ'(L) factor + ψ(L) blend] g gᵀ.
 #[derive(Clone, Debug)]
 pub(crate) struct Crease<const D: usize> {
     /// Measure along the kink for which the point stands; 1 in 2D.
@@ -56,6 +62,8 @@ pub(crate) struct Crease<const D: usize> {
     /// Length of the span there.
     pub(crate) length: f64,
     pub(crate) factor: f64,
+    /// Jump of the slope of the part that counts for the direction.
+    pub(crate) blend: f64,
     /// g by anchor.
     pub(crate) gradient: Vec<(Anchor, Vector<D>)>,
 }
@@ -72,10 +80,12 @@ pub(crate) enum Anchor {
 /// All spans of a pair.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spans<const D: usize> {
-    /// Directions of the lines.
-    pub(crate) directions: Vec<Vector<D>>,
+    /// Directions of the lines, and which part of a span counts for which.
+    pub(crate) patches: Patches<D>,
     pub(crate) spans: Vec<Span<D>>,
     pub(crate) creases: Vec<Crease<D>>,
+    /// Only where the integral over the lines is exact.
+    pub(crate) rims: Vec<Rim<D>>,
     /// Standard error of the volume.
     pub(crate) standard_error: f64,
     pub(crate) fiber_count: usize,
@@ -104,7 +114,7 @@ impl<const D: usize> Spans<D> {
 
     /// Volume Σ ω L, its gradient, and what is known of the contact.
     pub(crate) fn overlap(&self, pair: &Pair<D>) -> Overlap<D> {
-        let mut assembly = self.assembly(pair, |_| 1.0);
+        let mut assembly = self.assembly(pair, |length| length, |_| 1.0);
         let [a, b] = pair.partners;
         let mut overlap = Overlap {
             a,
@@ -128,20 +138,26 @@ impl<const D: usize> Spans<D> {
         overlap
     }
 
-    /// Gradient of Σ ω ψ(L), given ψ'.
-    pub(crate) fn gradient(&self, pair: &Pair<D>, slope: impl Fn(f64) -> f64) -> SpanGradient<D> {
-        let assembly = self.assembly(pair, slope);
+    /// Gradient of Σ ω ψ(L), given ψ and ψ'.
+    pub(crate) fn gradient(
+        &self,
+        pair: &Pair<D>,
+        value: impl Fn(f64) -> f64,
+        slope: impl Fn(f64) -> f64,
+    ) -> SpanGradient<D> {
+        let assembly = self.assembly(pair, value, slope);
         let pose = pair.pose.map(|_| assembly.pose_gradient());
         let (nodes, values, of_b) = assembly.into_nodes(pair.surface);
         SpanGradient { nodes, values, of_b, pose }
     }
 
-    fn assembly(&self, pair: &Pair<D>, slope: impl Fn(f64) -> f64) -> Assembly<D> {
+    fn assembly(&self, pair: &Pair<D>, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> Assembly<D> {
         let mut assembly = Assembly::new(pair.a.views.points.len());
         for span in &self.spans {
-            let d = &self.directions[span.direction as usize];
+            let d = &self.patches.directions[span.direction as usize];
             let share = span.weight * slope(span.length);
-            for end in &span.ends {
+            let blends = self.blends(pair, span);
+            for (end, blend) in span.ends.iter().zip(blends) {
                 match *end {
                     End::Facet { of_b, facet, weights } => {
                         let side = pair.side(of_b);
@@ -149,8 +165,12 @@ impl<const D: usize> Spans<D> {
                             continue;
                         };
                         let share = share / d.dot(&normal).abs();
-                        let share = FacetShare { facet, of_b, shares: weights.map(|w| w * share) };
-                        assembly.add_facet(side, &share, if of_b { pair.pose } else { None });
+                        let pose = if of_b { pair.pose } else { None };
+                        assembly.add_facet(side, &FacetShare { facet, of_b, shares: weights.map(|w| w * share) }, pose);
+                        if let Some(eta) = blend {
+                            let force = -eta * (span.across * value(span.length));
+                            assembly.add_force(side, (of_b, facet), &weights, &force, pose);
+                        }
                     }
                     End::Point { point, normal } => {
                         let Some(pose) = pair.pose else { continue };
@@ -160,7 +180,31 @@ impl<const D: usize> Spans<D> {
                 }
             }
         }
+        for rim in &self.rims {
+            let jump: f64 = rim.spans.iter().map(|span| span.weight * value(span.length)).sum();
+            for (anchor, weight) in &rim.weights {
+                let Anchor::Vertex { of_b, vertex } = *anchor else { continue };
+                let point = pair.side(of_b).views.points[vertex as usize];
+                let pose = if of_b { pair.pose } else { None };
+                assembly.add_to_vertex(of_b, vertex, &point, &(rim.across * (*weight * jump)), pose);
+            }
+        }
         assembly
+    }
+
+    /// Slope η, across the lines, of the part of a span that counts, at either end where it has one.
+    pub(super) fn blends(&self, pair: &Pair<D>, span: &Span<D>) -> [Option<Vector<D>>; 2] {
+        if !self.patches.are_blended() {
+            return [None; 2];
+        }
+        let part = self.patches.part(span.direction as usize, &span.ends);
+        let d = &self.patches.directions[span.direction as usize];
+        let mut blends = [None; 2];
+        for ((end, corners), blend) in span.ends.iter().zip(part.at_corners).zip(&mut blends) {
+            let (End::Facet { of_b, facet, .. }, Some(corners)) = (*end, corners) else { continue };
+            *blend = across(&pair.side(of_b).corners(facet as usize), d, &corners);
+        }
+        blends
     }
 }
 

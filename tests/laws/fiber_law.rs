@@ -2,6 +2,7 @@
 
 use crate::pairs::{plane_scene, solid_scene};
 use crate::scene::{Scene, distance, norm, size_sum};
+use crate::tangent::deviation;
 use fmc_contact::{
     Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, FiberProfile, Obstacle, Options, Pose,
     Resolution, Shape,
@@ -25,7 +26,7 @@ fn force_is_energy_gradient<const D: usize>(scene: &Scene<D>, options: Options, 
     let mut contact = scene.contact(options);
     let patches = contact.keep_patches(&scene.coords).unwrap();
     if patches > 1 {
-        // The energy has a step where contact reaches the border of two patches, as these deep overlaps do.
+        // The energy has a step where contact reaches a sharp edge between two patches, as these deep overlaps do.
         return;
     }
     let at = contact.evaluate(&scene.coords).unwrap();
@@ -72,6 +73,35 @@ fn force_is_energy_gradient_in_3d() {
         let scene = solid_scene(seed).mapped(|x| x.map(|x| x * size));
         force_is_energy_gradient(&scene, sampled(laws(size)[seed as usize], 0.07 * size, seed), size);
         force_is_energy_gradient(&scene, exact(laws(size)[0]), size);
+    }
+}
+
+/// Blocks whose warped side walls lie in the overlap, seen nearly edge-on and folded: lines beside an inner edge of the
+/// wall have two spans, past it one.
+#[test]
+fn walls_in_the_overlap_are_felt() {
+    for seed in 0..6 {
+        let block = |z: f64, seed: u64| {
+            let [low, high] = [z, z + 1.0];
+            let block = match seed % 2 {
+                0 => cuboid_hex8([0.0, 0.0, low], [1.0, 1.0, high], [1 + (seed % 3) as usize; 3]),
+                _ => cuboid_tet4([0.0, 0.0, low], [1.0, 1.0, high], [1 + (seed % 3) as usize; 3]),
+            };
+            block.jittered(0.12, seed, |_| true)
+        };
+        let scene = Scene::of(&[&block(0.0, seed), &block(0.9, seed + 100)]);
+        let options = exact(EnergyLaw::fiber(3.0));
+        force_is_energy_gradient(&scene, options, 1.0);
+        let mut contact = scene.contact(options);
+        if contact.keep_patches(&scene.coords).unwrap() == 1 {
+            let found = deviation(&contact, &scene.coords, 1.0, 7);
+            assert!(found < 1e-6, "seed {seed}: {found:.1e}");
+        }
+        let found = scene.evaluate(options);
+        let size = found.forces.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()));
+        let sum: f64 = (0..3).map(|i| (found.bodies[0].force[i] + found.bodies[1].force[i]).abs()).sum();
+        // Facets at 1e-3 of edge-on make rounding a thousand times larger.
+        assert!(sum < 1e-10 * size, "seed {seed}: {sum:.1e} of {size}");
     }
 }
 

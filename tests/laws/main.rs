@@ -25,3 +25,4 @@ mod through_nodes;
 mod touching;
 mod units;
 mod warnings;
+mod wrapped;

@@ -20,7 +20,7 @@ fn exact(law: EnergyLaw) -> Options {
 /// Dense columns of the tangent at some nodes, by name and by difference: the largest deviation over the largest entry.
 ///
 /// Central differences of the force with the better of two steps: it jumps where a crossing passes an edge.
-fn deviation<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], size: f64, every: usize) -> f64 {
+pub(crate) fn deviation<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], size: f64, every: usize) -> f64 {
     let tangent = contact.tangent(coords, TangentPart::Full).unwrap();
     assert!(is_symmetric(&tangent));
     let touched: Vec<usize> = {

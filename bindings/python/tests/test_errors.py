@@ -43,6 +43,27 @@ def test_bad_meshes(squares):
             contact_force(coords, conn, "quad", **OPTIONS)
 
 
+def test_indices_come_as_numbers(squares):
+    coords, conn = squares
+    expected = [
+        ({"cell": (1,), "node": (8,)}, coords, [conn[0], [4, 5, 8, 7]]),
+        ({"cell": (1,), "node": (4,)}, coords, [conn[0], [4, 5, 4, 7]]),
+        ({"coordinate": (1,), "node": (5,)}, moved(coords, 5, 1, np.nan), conn),
+        ({"cell": (1,)}, moved(coords, 6, 1.1, 0.2), conn),
+        ({}, coords, []),
+    ]
+    for indices, x, cells in expected:
+        with pytest.raises(FmcError) as caught:
+            contact_force(x, cells, "quad", **OPTIONS)
+        assert caught.value.indices == indices
+    with pytest.raises(errors.OpenSurfaceError) as caught:
+        Contact.from_facets(coords[:3], [[0, 1], [1, 2]], **OPTIONS)
+    assert set(caught.value.indices) == {"facet", "node"} and len(caught.value.indices["node"]) == 2
+    with pytest.raises(errors.DimensionError) as caught:
+        contact_force(coords, [("quad", conn), ("tetra", conn)], **OPTIONS)
+    assert caught.value.indices == {"block": (1,)}
+
+
 def test_bad_cells(squares):
     coords, conn = squares
     fan = np.array([[0, 0], [1, 0], [0, 1], [0, -1], [1, 1.0]])

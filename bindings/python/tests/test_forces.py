@@ -4,11 +4,11 @@ from ctypes import byref, c_double
 
 import numpy as np
 import pytest
-from scenes import K, same_bits, tetrahedra, triangles
 from fmc_contact import Contact, contact_force
 from fmc_contact._library import check, library
 from fmc_contact._structs import CELL_TYPES
 from fmc_contact.options import changed, defaults
+from scenes import K, same_bits, tetrahedra, triangles
 
 # Lines are near the exact answer: the strip's ends are met by a few of many lines.
 TOLERANCE = {"exact": 1e-12, "fibers": 0.02}

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from scenes import K, same_bits
 from fmc_contact import Contact, contact_force
 from fmc_contact._arrays import coords_view
+from scenes import K, same_bits
 
 OPTIONS = {"stiffness": K, "law": "volume", "estimator": "exact"}
 

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from fmc_contact._structs import CHOICES
-from scenes import K, same_bits
 from fmc_contact import Contact, Options, contact_force, suggest_fiber_stiffness, suggest_stiffness
+from fmc_contact._structs import CHOICES
 from fmc_contact.errors import NotPositiveError, UnknownOptionError
 from fmc_contact.options import changed, defaults, described
+from scenes import K, same_bits
 
 HEADER = Path(__file__).parents[3] / "include" / "fmc_contact.h"
 

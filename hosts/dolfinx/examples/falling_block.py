@@ -1,4 +1,5 @@
-"""A block of rubber falls on a larger one, step by step in time, on any number of ranks: ``mpirun -n 2 python falling_block.py``.
+"""A block of rubber falls on a larger one, step by step in time, on any number of ranks: ``mpirun -n 2 python
+falling_block.py``.
 
 Checked: the total energy stays what it was, and the block comes back up.
 """

@@ -1,7 +1,6 @@
 """Two blocks one on the other, of meshes that do not match."""
 
 import numpy as np
-from dolfinx import cpp, mesh
 from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
 from mpi4py import MPI
 
@@ -21,7 +20,8 @@ def block(kind, count, low, high):
         if kind == "triangle":
             cells = np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
         return x, cells
-    cells = np.stack([at(*s) for s in ((0,0,0),(1,0,0),(1,1,0),(0,1,0),(0,0,1),(1,0,1),(1,1,1),(0,1,1))], axis=1)  # fmt: skip
+    around = ((0, 0), (1, 0), (1, 1), (0, 1))
+    cells = np.stack([at(*corner, k) for k in (0, 1) for corner in around], axis=1)
     if kind == "tetra":
         paths = ([0, 1, 2, 6], [0, 2, 3, 6], [0, 3, 7, 6], [0, 7, 4, 6], [0, 4, 5, 6], [0, 5, 1, 6])
         cells = np.concatenate([cells[:, path] for path in paths])
@@ -29,8 +29,8 @@ def block(kind, count, low, high):
 
 
 def blocks(kind, lower=3, upper=2):
-    """Nodes and cells of a unit block and of another above it, 0.02 into it. The upper one bulges downwards, so that they
-    touch in the middle and not at their walls, where the law "fiber" has steps."""
+    """Nodes and cells of a unit block and of another above it, 0.02 into it. The upper one bulges downwards, so that
+    they touch in the middle and not at their walls, where the law "fiber" has steps."""
     dim = NAMES[kind]
     x, cells = block(kind, lower, [0.0] * dim, [1.0] * dim)
     y, more = block(kind, upper, [0.1] * (dim - 1) + [0.98], [0.9] * (dim - 1) + [1.98])

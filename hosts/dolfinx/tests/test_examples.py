@@ -21,8 +21,13 @@ def test_the_block_falls_and_rebounds(count):
 
 
 def test_the_first_force_of_the_readme_runs_in_ten_lines():
-    code = (HERE / "README.md").read_text().split("```python\n")[1].split("```")[0]
-    assert len([line for line in code.splitlines() if line.strip()]) <= 10
+    root = Path(__file__).parents[3]
+    texts = [path.read_text() for path in (root / "README.md", root / "hosts" / "dolfinx" / "README.md")]
+    programs = [[one.split("```")[0] for one in text.split("```python\n")[1:]] for text in texts]
+    (code,) = [one for one in programs[0] if "fmc_contact_dolfinx" in one]
+    assert code == programs[1][0]
+    # With the line that installs.
+    assert len([line for line in code.splitlines() if line.strip()]) + 1 <= 10
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert run.returncode == 0, run.stderr
     # A strip of unit width and depth 0.05: pressure k times depth makes 500, upwards.

@@ -32,9 +32,9 @@ def alone(ranks, tmp_path_factory):
 # about as good.
 @pytest.mark.parametrize(
     "count, kind, order, shown",
-    [(2, "triangle", 1, "whole"), (3, "triangle", 1, "whole"), (4, "triangle", 1, "whole"), (3, "triangle", 1, "boundary"),
-     (4, "quad", 1, "whole"), (2, "triangle", 2, "boundary"), (4, "tetra", 1, "whole"), (2, "tetra", 1, "boundary"),
-     (3, "hexahedron", 1, "whole"), (2, "hexahedron", 1, "boundary")],
+    [(2, "triangle", 1, "whole"), (3, "triangle", 1, "whole"), (4, "triangle", 1, "whole"), (4, "quad", 1, "whole"),
+     (3, "triangle", 1, "boundary"), (2, "triangle", 2, "boundary"), (4, "tetra", 1, "whole"),
+     (2, "tetra", 1, "boundary"), (3, "hexahedron", 1, "whole"), (2, "hexahedron", 1, "boundary")],
 )  # fmt: skip
 def test_ranks_agree(ranks, alone, tmp_path, count, kind, order, shown):
     arguments = ("solve", kind, order, shown, "plain", "snes")
@@ -68,11 +68,14 @@ def test_two_meshes_and_ranks_that_have_none_of_one(ranks, tmp_path, kind):
     for key in one:
         assert distance(several, one, key) < 1e-12
     # Cells, or the boundary alone: the same facets, clipped by other simplices.
-    assert distance(one, one, "force0") == 0 and np.abs(one["force0"] - one["force2"]).max() < 1e-11 * np.abs(one["force0"]).max()
+    assert (
+        distance(one, one, "force0") == 0
+        and np.abs(one["force0"] - one["force2"]).max() < 1e-11 * np.abs(one["force0"]).max()
+    )
     assert np.abs(one["force0"].sum(axis=0) + one["force1"].sum(axis=0)).max() < 1e-12 * np.abs(one["force0"]).max()
 
 
-@pytest.mark.parametrize("kind", ["nan", "inverted", "layout", "length", "callback"])
+@pytest.mark.parametrize("kind", ["nan", "inverted", "layout", "length", "callback", "snes"])
 def test_an_error_reaches_every_rank_and_the_host_lives(ranks, kind):
     run = ranks(3, "fail", kind, limit=10)
     assert run.returncode == 0, run.stdout + run.stderr

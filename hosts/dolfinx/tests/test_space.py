@@ -106,3 +106,49 @@ def test_an_error_leaves_the_contact_as_it_was():
     with pytest.raises(errors.NonFiniteCoordinateError):
         contact.force(bad)
     assert (contact.force(u) == before).all()
+
+
+@pytest.mark.parametrize("whole", [True, False])
+def test_tangent_of_two_spaces_is_minus_the_slope_of_their_forces(whole):
+    """A square list of matrices, one for every pair of spaces."""
+    from petsc4py import PETSc
+
+    x, cells = block("quad", 3, [0.0, 0.0], [1.0, 1.0])
+    y, more = block("quad", 2, [0.1, 0.98], [0.9, 1.98])
+    y[:, 1] += 0.4 * (y[:, 0] - 0.47) ** 2
+    spaces = [vector_space(mesh_from_cells(MPI.COMM_WORLD, *one, "quad")) for one in ((x, cells), (y, more))]
+    contact = DolfinxContact(spaces, stiffness=1e4, estimator="exact", balance=False, whole_mesh=whole)
+    us = [interpolate(fem.Function(one)).x.array.copy() for one in spaces]
+    contact.keep_patches(*us)
+    sizes = [len(u) for u in us]
+    matrices = [[PETSc.Mat().createAIJ((m, n), nnz=4, comm=MPI.COMM_WORLD) for n in sizes] for m in sizes]
+    for line in matrices:
+        for matrix in line:
+            matrix.setUp()
+            matrix.setOption(PETSc.Mat.Option.NEW_NONZERO_ALLOCATION_ERR, False)
+            matrix.assemble()
+    contact.add_tangent(matrices, contact.tangent(*us))
+    dense = np.block([[matrix.convert("dense").getDenseArray() for matrix in line] for line in matrices])
+    direction = np.random.default_rng(5).standard_normal(sum(sizes))
+    step, forces = 1e-7, []
+    for sign in (-1, 1):
+        parts = np.split(np.concatenate(us) + sign * step * direction, [sizes[0]])
+        forces.append(np.concatenate(contact.force(*parts)))
+    slope = (forces[1] - forces[0]) / (2 * step)
+    assert np.abs(slope).max() > 1.0
+    assert np.linalg.norm(slope + dense @ direction) < 1e-5 * np.linalg.norm(slope)
+
+
+def test_a_component_that_is_held_gets_no_force():
+    V = space("triangle")
+    u = interpolate(fem.Function(V))
+    contact = DolfinxContact(V, stiffness=1e4, estimator="exact")
+    result = contact.evaluate(u)
+    free, held = np.zeros((2, len(u.x.array)))
+    contact.add_forces(free, result)
+    touched = np.flatnonzero(free[1::2]) * 2 + 1
+    bc = fem.dirichletbc(np.float64(0.0), touched[:1].astype(np.int32), V.sub(1))
+    contact.add_forces(held, result, bcs=[bc])
+    assert len(touched) > 1 and held[touched[0]] == 0.0
+    free[touched[0]] = 0.0
+    assert (held == free).all()

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 mod commands;
 mod estimator_args;
 mod force;
+mod report;
 mod verify;
 
 /// Contact forces from overlap volume, by Fiber Monte Carlo
@@ -25,6 +26,7 @@ enum Command {
     List(commands::list::ListArgs),
     Mesh(commands::mesh::MeshArgs),
     Study(commands::study::StudyArgs),
+    Report(commands::report::ReportArgs),
     Force(force::ForceArgs),
     Verify(verify::VerifyArgs),
 }
@@ -35,6 +37,7 @@ fn main() -> ExitCode {
         Command::List(args) => commands::list::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Mesh(args) => commands::mesh::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Study(args) => commands::study::run(&args).map(|()| ExitCode::SUCCESS),
+        Command::Report(args) => commands::report::run(&args),
         Command::Force(args) => force::run(&args).map(|()| ExitCode::SUCCESS),
         Command::Verify(args) => verify::run(&args),
     };

@@ -18,6 +18,7 @@ mod method;
 mod over_theta;
 mod row;
 mod scene;
+mod sketch;
 mod sphere;
 mod squares;
 mod table;
@@ -30,13 +31,17 @@ use clap::value_parser;
 use closed_form::ClosedForm;
 use fmc_contact::Resolution;
 use indicatif::{ProgressBar, ProgressStyle};
-use method::Method;
-use row::Row;
 use scene::{PoseRate, Scene};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use verification::Verification;
+use verification::{AnyCase, by_name};
+
+pub(crate) use convergence::SEEDS;
+pub(crate) use method::Method;
+pub(crate) use row::Row;
+pub(crate) use sketch::{Sketch, sketch};
+pub(crate) use verification::{NAMES, Verification};
 
 /// Compare overlaps and their derivatives with closed forms: the benchmarks of the paper
 ///
@@ -113,6 +118,7 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<ExitCode> {
         seed: args.seed,
         threads: args.threads.into(),
         pictures: (!args.no_pictures).then(|| args.out.clone()),
+        seeds: SEEDS,
         rows: Vec::new(),
         // Draws on standard error, and only if that is a terminal.
         progress: ProgressBar::new(0).with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}")?),

@@ -9,9 +9,8 @@ import numpy as np
 from fmc_agreement.approach import approach, soft_stiffness
 from fmc_contact import FmcError
 from fmc_contact_skfem import SkfemContact
-from scipy.sparse.linalg import splu
-
 from model import Model
+from scipy.sparse.linalg import splu
 
 MOST_TURNS = 4
 """Times that the lines are turned into the contact normal of an equilibrium, and it is sought anew."""
@@ -29,7 +28,8 @@ class Newton:
         self.residuals: list[float] = []
 
     def equilibrium(self) -> np.ndarray:
-        """The displacement at full load: first on a soft contact, on which loose bodies settle, then on the real one."""
+        """The displacement at full load: first on a soft contact, on which loose bodies settle, then on the real
+        one."""
         problem, options = self.model.problem, self.contact.contact.options
         hard = options["stiffness"]
         soft = min(hard, soft_stiffness(problem))
@@ -54,7 +54,8 @@ class Newton:
         return found
 
     def _state(self, u: np.ndarray) -> tuple[np.ndarray, float, float]:
-        """Residual on what is free, its size by the forces, and the energy; infinite where a cell is turned inside out."""
+        """Residual on what is free, its size by the forces, and the energy; infinite where a cell is turned inside
+        out."""
         try:
             touch = self._timed(self.contact.evaluate, u)
         except FmcError:
@@ -76,7 +77,9 @@ class Newton:
                 self._timed(self.contact.keep_patches, u)
                 residual, size, energy = self._state(u)
             # Far from the solution the patches follow the contact when it has begun or spread.
-            if size > FAR and (len(self.touch.pairs) > pairs or not 0.5 * area <= self.touch.contact_area <= 2.0 * area):
+            if size > FAR and (
+                len(self.touch.pairs) > pairs or not 0.5 * area <= self.touch.contact_area <= 2.0 * area
+            ):
                 self._timed(self.contact.keep_patches, u)
                 residual, size, energy = self._state(u)
                 area, pairs = self.touch.contact_area, len(self.touch.pairs)

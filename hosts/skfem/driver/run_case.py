@@ -7,11 +7,10 @@ import time
 from pathlib import Path
 
 import numpy as np
-from fmc_agreement import figures, leapfrog, outcome
+from fmc_agreement import bits, figures, leapfrog, outcome
 from fmc_agreement.leapfrog import Motion, Touch
 from fmc_agreement.problem import Problem, load
 from fmc_contact_skfem import SkfemContact
-
 from model import Model
 from newton import Newton
 
@@ -23,6 +22,14 @@ def contact_of(problem: Problem, model: Model) -> SkfemContact:
     return contact
 
 
+def same_bits(out: Path, problem: Problem, model: Model, contact: SkfemContact) -> dict[str, np.ndarray]:
+    """Forces at the displacement of the reference host, where it has run."""
+    if not (out / "reference.npz").exists():
+        return {}
+    contact.contact.release_patches()
+    return bits.compared(out, problem, lambda u: contact.force(model.on_dofs(u))[model.dofs])
+
+
 def at_rest(problem: Problem, out: Path) -> None:
     """Solves a case of statics."""
     model = Model(problem)
@@ -31,16 +38,20 @@ def at_rest(problem: Problem, out: Path) -> None:
     u = newton.equilibrium()
     seconds = time.perf_counter() - begin
     force = newton.contact.force(u)[model.dofs]
+    found: dict[str, float] = {}
     curve = np.column_stack([np.arange(len(newton.residuals)), newton.residuals])
     if problem.raw["figures"]["kind"] == "hertz":
         found, curve = figures.hertz(problem, force)
-    else:
+    elif problem.raw["figures"]["kind"] == "patch":
         pressure = problem.raw["loads"][0]["pressure"]
         off = model.stresses_along(u, problem.dim - 1) + pressure
         found = {"stress_error_max": float(np.abs(off).max() / pressure)}
     found["penetration_max"] = newton.touch.penetration
     iterations, seconds_there = newton.iterations, newton.contact_seconds
-    outcome.write(out, "skfem", problem, found, u[model.dofs], force, curve, iterations, seconds, seconds_there)
+    outcome.write(
+        out, "skfem", problem, found, u[model.dofs], force, curve, iterations, seconds, seconds_there,
+        same_bits(out, problem, model, newton.contact),
+    )  # fmt: skip
 
 
 class Forces:
@@ -79,8 +90,9 @@ def in_motion(problem: Problem, out: Path) -> None:
     curve = np.column_stack([history.time, np.linalg.norm(np.array(history.bodies)[:, about], axis=1)])
     count = len(history.time) - 1
     outcome.write(
-        out, "skfem", problem, found, u[model.dofs], force, curve, count, history.seconds, history.contact_seconds
-    )
+        out, "skfem", problem, found, u[model.dofs], force, curve, count, history.seconds, history.contact_seconds,
+        same_bits(out, problem, model, forces.adapter),
+    )  # fmt: skip
 
 
 def main() -> None:

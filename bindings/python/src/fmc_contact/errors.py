@@ -6,6 +6,14 @@ All of them are ``FmcError``, and also what Python would call them: ``except Val
 
 from __future__ import annotations
 
+import re
+
+# "facet or cell 2", "node 8", "nodes 0 and 1", "cell block 1", "coordinate 1", "point 0"
+_NUMBERED = re.compile(
+    r"\b(cell or facet|facet or cell|cell block|cell|facet|nodes|node|body|obstacle|coordinate|point)"
+    r" (-?\d+)(?: and (-?\d+))?"
+)
+
 
 class FmcError(Exception):
     """A call that failed. Its outputs are untouched, and the contact is as it was before.
@@ -14,6 +22,18 @@ class FmcError(Exception):
     """
 
     status: int = 0
+
+    @property
+    def indices(self) -> dict[str, tuple[int, ...]]:
+        """Numbers that the sentence names, by what they number: ``{"cell": (1,), "node": (8,)}``. A cell that may be
+        a facet is a ``"cell"``; ``"coordinate"`` is an axis."""
+        found: dict[str, tuple[int, ...]] = {}
+        for name, *numbers in _NUMBERED.findall(str(self)):
+            key = {"facet or cell": "cell", "cell or facet": "cell", "cell block": "block", "nodes": "node"}.get(
+                name, name
+            )
+            found.setdefault(key, tuple(int(number) for number in numbers if number))
+        return found
 
 
 class LibraryError(FmcError, ImportError):

@@ -29,22 +29,27 @@ class Skin:
 
     def __init__(self, traces: Sequence[Trace]) -> None:
         self.first_node = np.cumsum([0] + [trace.node_count for trace in traces])
-        first_point = np.cumsum([0] + [trace.point_count for trace in traces])
-        self.facets = np.concatenate([trace.facets + first for trace, first in zip(traces, first_point)])
+        self._first_point = np.cumsum([0] + [trace.point_count for trace in traces])
+        self.facets = np.concatenate([trace.facets + first for trace, first in zip(traces, self._first_point)])
         self.prolongation = None
         if any(trace.prolongation is not None for trace in traces):
             from scipy.sparse import block_diag, identity
 
             parts = [identity(t.node_count) if t.prolongation is None else t.prolongation for t in traces]
             self.prolongation = block_diag(parts, format="csr")
+            self._parts = [_Part(trace) for trace in traces]
 
     def points(self, at_nodes: np.ndarray) -> np.ndarray:
         """What the nodes have, (nodes, dim), at the points."""
-        return at_nodes if self.prolongation is None else self.prolongation @ at_nodes
+        if self.prolongation is None:
+            return at_nodes
+        return np.concatenate([part.points(at) for part, at in zip(self._parts, _cut(at_nodes, self.first_node))])
 
     def to_nodes(self, forces: np.ndarray) -> np.ndarray:
         """Forces on the points, (points, dim), brought to the nodes."""
-        return forces if self.prolongation is None else self.prolongation.T @ forces
+        if self.prolongation is None:
+            return forces
+        return np.concatenate([part.to_nodes(at) for part, at in zip(self._parts, _cut(forces, self._first_point))])
 
     def tangent_to_nodes(self, tangent: Triplets, dim: int) -> Triplets:
         """A matrix of points, row and column ``point * dim + axis``, as one of nodes."""
@@ -57,3 +62,41 @@ class Skin:
         all_axes = kron(self.prolongation, identity(dim), format="csr")
         moved = (all_axes.T @ matrix @ all_axes).tocoo()
         return Triplets(moved.row, moved.col, moved.data)
+
+
+class _Part:
+    """One trace: where its first points are its nodes, only the other points are multiplied."""
+
+    def __init__(self, trace: Trace) -> None:
+        self._same, rest = 0, trace.prolongation
+        if rest is None:
+            self._same = trace.node_count
+        elif (
+            trace.point_count >= trace.node_count and (rest[: trace.node_count] != _identity(trace.node_count)).nnz == 0
+        ):
+            self._same, rest = trace.node_count, rest[trace.node_count :]
+        self._down = rest
+        # By rows as well: the product with a matrix by columns takes several times as long.
+        self._up = None if rest is None else rest.T.tocsr()
+
+    def points(self, at_nodes: np.ndarray) -> np.ndarray:
+        if self._down is None:
+            return at_nodes
+        others = self._down @ at_nodes
+        return np.concatenate([at_nodes, others]) if self._same else others
+
+    def to_nodes(self, forces: np.ndarray) -> np.ndarray:
+        if self._up is None:
+            return forces
+        others = self._up @ forces[self._same :]
+        return forces[: self._same] + others if self._same else others
+
+
+def _identity(size: int) -> Any:
+    from scipy.sparse import identity
+
+    return identity(size, format="csr")
+
+
+def _cut(rows: np.ndarray, first: np.ndarray) -> list[np.ndarray]:
+    return [rows[start:end] for start, end in zip(first[:-1], first[1:])]

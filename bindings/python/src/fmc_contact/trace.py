@@ -1,7 +1,8 @@
 """The boundary of a finite element space as flat facets, for adapters.
 
-A displacement of first or second order moves the *nodes* of a boundary face. Contact wants flat facets between *points*:
-a face is divided, its points follow the shape functions, and forces on the points go back to the nodes the same way.
+A displacement of first or second order moves the *nodes* of a boundary face. Contact wants flat facets between
+*points*: a face is divided, its points follow the shape functions, and forces on the points go back to the nodes the
+same way.
 
     points = P nodes        node forces = P^T point forces        node tangent = P^T (point tangent) P
 

@@ -9,8 +9,8 @@ import numpy as np
 from .problem import Problem
 
 SOFT = 50.0
-"""Stiffness of a soft contact by E / size of the softest body: a body that comes to rest on hard contact would creep there,
-every step as long as the next gap is wide. The reference host's choice."""
+"""Stiffness of a soft contact by E / size of the softest body: a body that comes to rest on hard contact would creep
+there, every step as long as the next gap is wide. The reference host's choice."""
 
 
 def soft_stiffness(problem: Problem) -> float:
@@ -20,11 +20,18 @@ def soft_stiffness(problem: Problem) -> float:
 
 
 def approach(problem: Problem, load: np.ndarray, force: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """Displacements (nodes, dim): what is prescribed, and every loose body moved along its load until contact carries it.
+    """Displacements (nodes, dim): what is prescribed, and every loose body moved along its load until contact
+    carries it.
 
     ``load`` (nodes, dim); ``force`` gives contact forces (nodes, dim) at displacements.
     """
     u = np.where(problem.held, problem.prescribed, 0.0)
+    for body in problem.bodies:
+        # A body that is moved at a side follows as a whole; it deforms when forces say so.
+        for axis in range(problem.dim):
+            given = u[body.nodes, axis][problem.held[body.nodes, axis]]
+            if len(given) and np.ptp(given) == 0.0:
+                u[body.nodes, axis] = given[0]
     for body in problem.bodies:
         nodes = body.nodes
         push = np.where(problem.held[nodes].any(axis=0), 0.0, load[nodes].sum(axis=0))

@@ -33,7 +33,8 @@ def face_normals(coords: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 
 def loads(problem: Problem) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Faces with the traction on each, (faces, dim): of a pressure or as given. Faces are flat, so it is one for a face."""
+    """Faces with the traction on each, (faces, dim): of a pressure or as given. Faces are flat, so it is one for a
+    face."""
     found = []
     for one in problem.raw["loads"]:
         if one["body_force"] is not None:

@@ -23,10 +23,11 @@ def write(
     iterations: int,
     seconds: float,
     contact_seconds: float,
+    arrays: dict[str, np.ndarray] | None = None,
     **more: Any,
 ) -> None:
-    """``displacement`` and ``force`` (nodes, dim) of the contact, in the case's numbering, at the end; ``curve`` (points, 2) is
-    what a picture shows."""
+    """``displacement`` and ``force`` (nodes, dim) of the contact, in the case's numbering, at the end; ``curve``
+    (points, 2) is what a picture shows. ``arrays`` go beside them, ``more`` into the summary."""
     folder.mkdir(parents=True, exist_ok=True)
     summary = {
         "case": problem.name,
@@ -40,7 +41,7 @@ def write(
         **more,
     }
     (folder / f"{host}.json").write_text(json.dumps(summary, indent=2) + "\n")
-    np.savez(folder / f"{host}.npz", displacement=displacement, force=force, curve=curve)
+    np.savez(folder / f"{host}.npz", displacement=displacement, force=force, curve=curve, **(arrays or {}))
 
 
 def read(folder: Path, host: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

@@ -1,13 +1,13 @@
 """A case as a table of numbers, for programs that read no JSON: bodies of linear elastic triangles on half-spaces.
 
-    dimension 2
-    nodes N             x y of each
-    triangles M         three nodes of each
-    held H              node, axis and displacement of each
-    faces F             two nodes and the traction of each
-    materials 1         Lame's lambda and mu
-    contact 1           stiffness, stiffness of a soft contact, tolerance of the residual by the load
-    half_spaces K       a point and the outward normal of each
+dimension 2
+nodes N             x y of each
+triangles M         three nodes of each
+held H              node, axis and displacement of each
+faces F             two nodes and the traction of each
+materials 1         Lame's lambda and mu
+contact 1           stiffness, stiffness of a soft contact, tolerance of the residual by the load
+half_spaces K       a point and the outward normal of each
 """
 
 from __future__ import annotations
@@ -33,7 +33,8 @@ def write(problem: Problem, path: Path) -> None:
     lines = [f"dimension {problem.dim}"]
 
     def table(name: str, rows: Iterable) -> None:
-        rows = [" ".join(repr(x) for x in np.asarray(row).tolist()) for row in rows]
+        # Number by number, so that node numbers stay whole.
+        rows = [" ".join(repr(x.item() if isinstance(x, np.generic) else x) for x in row) for row in rows]
         lines.append(f"{name} {len(rows)}")
         lines.extend(rows)
 

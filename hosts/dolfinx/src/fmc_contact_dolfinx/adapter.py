@@ -8,7 +8,7 @@ import numpy as np
 from fmc_contact import Contact, Result
 from fmc_contact.skin import Skin, Triplets
 
-from .space import Displacement
+from .space import Displacement, LayoutError
 from .surface import Shown, boundary, whole
 from .together import together
 from .versions import CELL_TYPES, held_dofs
@@ -18,13 +18,13 @@ class DolfinxContact:
     """Contact between all bodies of one space or of several, with the obstacles that are added to ``contact``.
 
     ``spaces``: a space of displacements, Lagrange of order 1 or 2, or a list of such, each on a mesh of its own.
-    ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``. ``bodies``: a number for every cell of this
-    rank, ghosts included, or a list of such, one for every space; default: bodies are what hangs together.
+    ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``. ``bodies``: a number for every cell of
+    this rank, ghosts included, or a list of such, one for every space; default: bodies are what hangs together.
 
-    ``whole_mesh``: whether all nodes are gathered and the cells handed over, so that the forces have the bits of any other
-    host, and cells that turn inside out are told; or the nodes of the boundary only, which is less to send. Default: the
-    whole for the estimator ``"exact"`` and first order, the boundary otherwise. ``divisions`` of every edge of a boundary
-    face into flat facets; default: the order of the space.
+    ``whole_mesh``: whether all nodes are gathered and the cells handed over, so that the forces have the bits of any
+    other host, and cells that turn inside out are told; or the nodes of the boundary only, which is less to send.
+    Default: the whole for the estimator ``"exact"`` and first order, the boundary otherwise. ``divisions`` of every
+    edge of a boundary face into flat facets; default: the order of the space.
 
     Every rank evaluates the whole contact and takes the forces on what it owns; what is gathered is numbered by input
     numbers, so that nothing depends on the number of ranks. All methods but ``coords`` are collective. An error on one
@@ -84,8 +84,8 @@ class DolfinxContact:
         return Contact.from_facets(self._skin.points(self._undeformed), self._skin.facets, bodies=ids, **options)
 
     def coords(self, *displacements: Any) -> np.ndarray:
-        """Coordinates that the contact is shown, (points, dim), the same on every rank. One displacement for every space:
-        a function, a PETSc vector, or an array of this rank's unknowns; ghosts are not read."""
+        """Coordinates that the contact is shown, (points, dim), the same on every rank. One displacement for every
+        space: a function, a PETSc vector, or an array of this rank's unknowns; ghosts are not read."""
         if len(displacements) != len(self._shown):
             raise ValueError(f"{len(displacements)} displacements for {len(self._shown)} spaces")
         owned = together(
@@ -103,8 +103,8 @@ class DolfinxContact:
         return together(self.comm, lambda: self.contact.evaluate(coords))
 
     def keep_patches(self, *displacements: Any) -> int:
-        """Keeps the directions of the law ``"fiber"``, so that forces are the gradient of one energy: for the start of a
-        load step. See ``Contact.keep_patches``."""
+        """Keeps the directions of the law ``"fiber"``, so that forces are the gradient of one energy: for the start
+        of a load step. See ``Contact.keep_patches``."""
         coords = self.coords(*displacements)
         return together(self.comm, lambda: self.contact.keep_patches(coords))
 
@@ -115,13 +115,15 @@ class DolfinxContact:
         To be called after contributions of ghosts were added up. Unknowns that ``bcs`` hold are left alone.
         """
         targets = list(vectors) if isinstance(vectors, (list, tuple)) else [vectors]
+        on_nodes = self._on_nodes(result.forces)
         for shown, first, target in zip(self._shown, self._first, targets):
-            on_nodes = self._on_nodes(result.forces)[first : first + shown.replica.count]
-            mine = scale * on_nodes[shown.replica.rows]
-            mine[self._held(shown, bcs)[shown.replica.local]] = 0.0
+            mine = on_nodes.take(first + shown.replica.rows, axis=0)
+            if scale != 1.0:
+                mine *= scale
+            if bcs:
+                mine[self._held(shown, bcs)[shown.replica.local]] = 0.0
             array = target if isinstance(target, np.ndarray) else target.array
-            count = shown.displacement.owned
-            array[: count * self.dim].reshape(count, self.dim)[shown.replica.local] += mine
+            shown.replica.add_rows(array, mine)
 
     def force(self, *displacements: Any) -> Any:
         """Contact forces on what this rank owns, (owned unknowns,); a list of such for several spaces."""
@@ -144,8 +146,8 @@ class DolfinxContact:
         return held.reshape(-1, self.dim)
 
     def tangent(self, *displacements: Any, semidefinite: bool = False) -> Triplets:
-        """Minus the derivative of the forces, the same on every rank: row and column ``node * dim + axis``, nodes of the
-        spaces one after another as they are gathered."""
+        """Minus the derivative of the forces, the same on every rank: row and column ``node * dim + axis``, nodes of
+        the spaces one after another as they are gathered."""
         coords = self.coords(*displacements)
         found = together(self.comm, lambda: self.contact.tangent_parts(coords, semidefinite).triplets())
         tangent = Triplets(*found)
@@ -153,8 +155,8 @@ class DolfinxContact:
 
     def add_tangent(self, matrix: Any, tangent: Triplets, bcs: Sequence[Any] = (), scale: float = 1.0) -> None:
         """Adds ``tangent`` to what this rank owns of an assembled PETSc matrix, and assembles it again; for several
-        spaces a square list of lists of matrices. Contact couples unknowns that no cell does, so the matrix takes entries
-        at new places. Rows and columns of unknowns that ``bcs`` hold are left alone."""
+        spaces a square list of lists of matrices. Contact couples unknowns that no cell does, so the matrix takes
+        entries at new places. Rows and columns of unknowns that ``bcs`` hold are left alone."""
         from petsc4py import PETSc
 
         blocks = matrix if isinstance(matrix, (list, tuple)) else [[matrix]]
@@ -188,8 +190,6 @@ def _add(petsc: Any, matrix: Any, rows: np.ndarray, cols: np.ndarray, values: np
 
 
 def _comm(space: Any) -> Any:
-    from .space import LayoutError
-
     mesh = getattr(space, "mesh", None)
     if mesh is None or not hasattr(mesh, "comm"):
         raise LayoutError(f"a function space is wanted, this is a {type(space).__name__}")

@@ -36,8 +36,8 @@ def with_contact(kind: type) -> type:
 
 
 def attach(snes: Any, contact: DolfinxContact, bcs: Any = ()) -> None:
-    """Adds contact to the functions of a SNES that has them already, such as the ``solver`` of the ``NonlinearProblem`` of
-    dolfinx 0.10 and later. The residual is one of internal less external forces."""
+    """Adds contact to the functions of a SNES that has them already, such as the ``solver`` of the
+    ``NonlinearProblem`` of dolfinx 0.10 and later. The residual is one of internal less external forces."""
     vector, (function, arguments, options) = snes.getFunction()
     matrix, preconditioner, (derivative, more, further) = snes.getJacobian()
 

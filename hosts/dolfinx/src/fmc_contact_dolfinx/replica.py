@@ -28,20 +28,30 @@ class Replica:
         """Rows that this rank owns."""
         self.local = blocks[self.rows] - first
         """Their blocks here."""
-        self._order = gather_rows(comm, self.rows)
+        order = gather_rows(comm, self.rows)
+        if len(order) != self.count:
+            raise AssertionError(f"{self.count} nodes have {len(order)} owners")
         self._counts = np.array(comm.allgather(len(self.rows)))
-        if len(self._order) != self.count:
-            raise AssertionError(f"{self.count} nodes have {len(self._order)} owners")
+        self._place = np.argsort(order)
+        """Where a row stands among those of all ranks, one rank after another."""
+        self._unknowns = np.empty(0, np.int64)
 
     def gather(self, owned_values: np.ndarray) -> np.ndarray:
         """From the values of all blocks that this rank owns, (owned, dim), those of all rows, (count, dim)."""
-        mine = owned_values[self.local]
-        out = np.empty((self.count, *mine.shape[1:]))
+        # take is several times as fast as an index, for rows as short as these.
+        mine = owned_values.take(self.local, axis=0)
         if self.comm.size == 1:
-            out[self.rows] = mine
-            return out
-        width = int(np.prod(mine.shape[1:]))
-        received = np.empty((self.count, *mine.shape[1:]))
-        self.comm.Allgatherv(np.ascontiguousarray(mine).ravel(), [received.reshape(-1), self._counts * width])
-        out[self._order] = received
-        return out
+            return mine
+        width = mine.shape[1]
+        received = np.empty((self.count, width))
+        self.comm.Allgatherv(mine.ravel(), [received.reshape(-1), self._counts * width])
+        return received.take(self._place, axis=0)
+
+    def add_rows(self, target: np.ndarray, values: np.ndarray) -> None:
+        """Adds values of the rows that this rank owns, (rows, dim), to its blocks in ``target``, (owned * dim,)."""
+        if len(self._unknowns) != values.size:
+            width = values.shape[1]
+            self._unknowns = (self.local[:, None] * width + np.arange(width)).ravel()
+        sums = target.take(self._unknowns)
+        sums += values.ravel()
+        target[self._unknowns] = sums

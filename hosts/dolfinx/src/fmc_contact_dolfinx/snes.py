@@ -23,8 +23,8 @@ class ContactProblem:
     ``residual``: the UFL form of internal less external forces. ``u``: the displacement, which holds the start and
     receives the solution. ``bcs`` as for any nonlinear problem. ``jacobian``: its derivative; default: by UFL.
 
-    ``semidefinite``: whether to leave out of the matrix what contact makes negative; ``None``: far from a solution, where
-    the residual is more than a tenth of the contact forces.
+    ``semidefinite``: whether to leave out of the matrix what contact makes negative; ``None``: far from a solution,
+    where the residual is more than a tenth of the contact forces.
 
     A trial that turns a cell inside out is answered by an infinite residual, so that a line search draws back.
     """
@@ -35,7 +35,9 @@ class ContactProblem:
         space = u.function_space
         self.u, self.bcs, self.contact = u, list(bcs), contact
         self.residual = fem.form(residual)
-        self.jacobian = fem.form(ufl.derivative(residual, u, ufl.TrialFunction(space)) if jacobian is None else jacobian)
+        self.jacobian = fem.form(
+            ufl.derivative(residual, u, ufl.TrialFunction(space)) if jacobian is None else jacobian
+        )
         self.semidefinite: bool | None = None
         self._is_far = True
         self.vector = create_vector(self.residual, space)
@@ -98,7 +100,11 @@ class ContactProblem:
         snes = self.solver() if snes is None else snes
         # SNES gets a vector of its own: the ghosts of the displacement's are updated here.
         x = vector_of(self.u).copy()
-        snes.solve(None, x)
+        try:
+            snes.solve(None, x)
+        except PETSc.Error as error:
+            # Later releases of petsc4py wrap what a function of ours has raised.
+            raise error.__cause__ or error from None
         self._take(x)
         reason = snes.getConvergedReason()
         if reason < 0:

@@ -24,7 +24,9 @@ class Displacement:
         self.space, self.mesh, self.dim = space, mesh, mesh.geometry.dim
         self.facet_dim = mesh.topology.dim - 1
         if mesh.topology.dim != self.dim or self.dim not in (2, 3):
-            raise LayoutError(f"the mesh has dimension {mesh.topology.dim} in {self.dim}D: bodies are wanted, no shells")
+            raise LayoutError(
+                f"the mesh has dimension {mesh.topology.dim} in {self.dim}D: bodies are wanted, no shells"
+            )
         if space.dofmap.index_map_bs != self.dim:
             raise LayoutError(
                 f"the space has {space.dofmap.index_map_bs} unknowns at a node, {self.dim} are wanted: a displacement"
@@ -35,7 +37,9 @@ class Displacement:
         self.order = self._order()
         corners = cell_geometry(mesh).shape[1]
         if corners != len(self.topology[0]):
-            raise LayoutError(f"the cells have {corners} geometry nodes, straight ones are wanted: {len(self.topology[0])}")
+            raise LayoutError(
+                f"the cells have {corners} geometry nodes, straight ones are wanted: {len(self.topology[0])}"
+            )
         self.owned = space.dofmap.index_map.size_local
         """Blocks that this rank owns; they come first."""
 
@@ -75,7 +79,8 @@ class Displacement:
         return values[:count].reshape(-1, self.dim)
 
     def facet_nodes(self) -> list[tuple[list[int], list[int]]]:
-        """For every facet of a cell its corners, in order around it, and its nodes as ``fmc_contact.trace`` draws them."""
+        """For every facet of a cell its corners, in order around it, and its nodes as ``fmc_contact.trace`` draws
+        them."""
         edges = {frozenset(edge): number for number, edge in enumerate(self.topology[1])}
         found = []
         for facet, corners in enumerate(self.topology[self.facet_dim]):

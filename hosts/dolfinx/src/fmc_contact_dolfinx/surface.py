@@ -1,5 +1,5 @@
-"""What the ranks show to the contact: all cells, or the boundary alone. Both are numbered by input numbers, so they do not
-depend on the ranks."""
+"""What the ranks show to the contact: all cells, or the boundary alone. Both are numbered by input numbers, so they
+do not depend on the ranks."""
 
 from __future__ import annotations
 
@@ -109,6 +109,7 @@ def owned_faces(displacement: Displacement) -> Faces:
     corner_table = np.array([corners for corners, _ in variants])
     node_table = np.array([nodes for _, nodes in variants])
     geometry, x = cell_geometry(mesh)[cells], mesh.geometry.x[:, :dim]
+
     def pick(table: np.ndarray, of_cells: np.ndarray, variant: np.ndarray) -> np.ndarray:
         return np.take_along_axis(of_cells, table[variant], axis=1)
 

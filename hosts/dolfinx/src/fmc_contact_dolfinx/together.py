@@ -12,8 +12,8 @@ class OtherRankError(RuntimeError):
 
 
 def together(comm: Any, function: Callable[[], T]) -> T:
-    """Calls a function that talks to no other rank. If it raises on one rank, all ranks raise: each its own exception, or
-    else that of the first rank that has one, with a note of the rank."""
+    """Calls a function that talks to no other rank. If it raises on one rank, all ranks raise: each its own
+    exception, or else that of the first rank that has one, with a note of the rank."""
     error: BaseException | None = None
     result: Any = None
     try:

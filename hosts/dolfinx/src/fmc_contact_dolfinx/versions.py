@@ -24,7 +24,9 @@ def mesh_from_cells(comm: Any, coords: np.ndarray, conn: np.ndarray, cell_type: 
 
     The row of a node is its input number, whatever the ranks are.
     """
-    name = {"triangle": "triangle", "quad": "quadrilateral", "tetra": "tetrahedron", "hexahedron": "hexahedron"}[cell_type]
+    name = {"triangle": "triangle", "quad": "quadrilateral", "tetra": "tetrahedron", "hexahedron": "hexahedron"}[
+        cell_type
+    ]
     coords = np.asarray(coords, np.float64)
     dim = coords.shape[1]
     cells = np.asarray(conn, np.int64)[:, TENSOR_ORDER[cell_type]]

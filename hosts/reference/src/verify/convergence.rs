@@ -8,10 +8,10 @@ use fmc_reference::chart::{Axis, Mark, Panel, Series};
 const COUNTS: [usize; 8] = [100, 300, 1_000, 3_000, 10_000, 30_000, 100_000, 300_000];
 
 /// Seeds over which the error is averaged.
-const SEEDS: u64 = 8;
+pub(crate) const SEEDS: u64 = 8;
 
-/// Evaluations that one case takes per method, for a progress bar.
-pub(crate) const EVALUATIONS: u64 = COUNTS.len() as u64 * SEEDS;
+/// Evaluations that one case takes per method and seed, for a progress bar.
+pub(crate) const EVALUATIONS: u64 = COUNTS.len() as u64;
 
 /// Root mean square errors of value and derivative of the meshed form, as two panels of a picture.
 ///
@@ -19,6 +19,7 @@ pub(crate) const EVALUATIONS: u64 = COUNTS.len() as u64 * SEEDS;
 pub(crate) fn convergence<const D: usize>(
     case: &Case<D>,
     methods: &[Method],
+    seeds: u64,
     threads: usize,
     mut tick: impl FnMut(),
 ) -> Result<Vec<Panel>, Error> {
@@ -36,12 +37,12 @@ pub(crate) fn convergence<const D: usize>(
         let mut points = [Vec::new(), Vec::new()];
         for count in COUNTS {
             let (mut fibers, mut squares) = (0.0, [0.0; 2]);
-            for seed in 0..SEEDS {
+            for seed in 0..seeds {
                 let estimator = method.estimator(Resolution::Count(count), seed, case.fiber_length);
                 let measured = scene.measure(&mut contact, estimator)?;
-                fibers += measured.fibers as f64 / SEEDS as f64;
-                squares[0] += (measured.value / expected.value - 1.0).powi(2) / SEEDS as f64;
-                squares[1] += (measured.derivative / expected.derivative - 1.0).powi(2) / SEEDS as f64;
+                fibers += measured.fibers as f64 / seeds as f64;
+                squares[0] += (measured.value / expected.value - 1.0).powi(2) / seeds as f64;
+                squares[1] += (measured.derivative / expected.derivative - 1.0).powi(2) / seeds as f64;
                 tick();
             }
             (fewest, most) = (fewest.min(fibers), most.max(fibers));

@@ -80,6 +80,29 @@ impl<const D: usize> Scene<D> {
         self.meshes.iter().map(|(cell_type, conn)| conn.len() / cell_type.node_count()).sum()
     }
 
+    /// Nodes of all bodies.
+    pub(crate) fn coords(&self) -> &[[f64; D]] {
+        &self.coords
+    }
+
+    /// Cells as type, nodes and number of the body.
+    pub(crate) fn cells(&self) -> Vec<(CellType, Vec<u32>, usize)> {
+        let bodies = self.meshes.iter().enumerate();
+        let cells = bodies.flat_map(|(body, (cell_type, conn))| {
+            conn.chunks_exact(cell_type.node_count()).map(move |nodes| (*cell_type, nodes.to_vec(), body))
+        });
+        cells.collect()
+    }
+
+    /// Ends of the stretches of an estimator's fibers that lie in both bodies.
+    pub(crate) fn spans(&self, estimator: Estimator) -> Result<Vec<[[f64; D]; 2]>, Error> {
+        let mut contact = self.contact(1)?;
+        contact.set_options(Options { estimator, ..*contact.options() })?;
+        let traces = contact.trace(&self.coords)?;
+        let ends = traces.iter().flat_map(|fiber| fiber.crossings.chunks_exact(2));
+        Ok(ends.map(|ends| [ends[0], ends[1]]).collect())
+    }
+
     /// Ready to be measured, by any estimator.
     pub(crate) fn contact(&self, threads: usize) -> Result<Contact<D>, Error> {
         let blocks: Vec<CellBlock> =

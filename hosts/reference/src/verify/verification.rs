@@ -2,7 +2,7 @@
 
 use super::row::{self, Row, Setting};
 use super::{Case, Method, cone, convergence, cube, cubes, disc, half_disc, over_theta, sphere, squares};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use fmc_contact::Resolution;
 use fmc_reference::chart::{self, Panel};
 use indicatif::ProgressBar;
@@ -15,22 +15,56 @@ pub(crate) struct Verification {
     pub(crate) seed: u64,
     pub(crate) threads: usize,
     pub(crate) pictures: Option<PathBuf>,
+    /// Seeds over which errors are averaged where they are drawn over the number of fibers.
+    pub(crate) seeds: u64,
     pub(crate) rows: Vec<Row>,
     pub(crate) progress: ProgressBar,
+}
+
+/// Names of the cases, in the order of the paper.
+pub(crate) const NAMES: [&str; 7] = ["disc", "half-disc", "squares", "sphere", "cone", "cube", "cubes"];
+
+/// A case in the plane or in space.
+pub(crate) enum AnyCase {
+    Plane(Case<2>),
+    Space(Case<3>),
+}
+
+/// The case of a name.
+pub(crate) fn by_name(name: &str) -> Result<AnyCase> {
+    Ok(match name {
+        "disc" => AnyCase::Plane(disc::disc()),
+        "half-disc" => AnyCase::Plane(half_disc::half_disc()),
+        "squares" => AnyCase::Plane(squares::squares()),
+        "sphere" => AnyCase::Space(sphere::sphere()),
+        "cone" => AnyCase::Space(cone::cone()),
+        "cube" => AnyCase::Space(cube::cube()),
+        "cubes" => AnyCase::Space(cubes::cubes()),
+        _ => bail!("there is no case '{name}'; there are {}", NAMES.join(", ")),
+    })
 }
 
 impl Verification {
     /// Measures and draws them all, in the order of the paper.
     pub(crate) fn all_cases(&mut self) -> Result<()> {
-        self.converge(disc::disc())?;
-        self.sweep(half_disc::half_disc())?;
-        self.sweep(squares::squares())?;
-        self.converge(sphere::sphere())?;
-        self.sweep(cone::cone())?;
-        self.sweep(cube::cube())?;
-        self.sweep(cubes::cubes())?;
+        for name in NAMES {
+            self.case(name)?;
+        }
         self.progress.finish_and_clear();
         Ok(())
+    }
+
+    /// Measures and draws one.
+    pub(crate) fn case(&mut self, name: &str) -> Result<()> {
+        match by_name(name)? {
+            AnyCase::Plane(case) => self.measure_and_draw(case),
+            AnyCase::Space(case) => self.measure_and_draw(case),
+        }
+    }
+
+    /// Over θ; where there is one θ alone, over the number of fibers.
+    fn measure_and_draw<const D: usize>(&mut self, case: Case<D>) -> Result<()> {
+        if case.thetas.len() == 1 { self.converge(case) } else { self.sweep(case) }
     }
 
     /// A case over θ, and its picture.
@@ -47,9 +81,9 @@ impl Verification {
         if self.pictures.is_none() || sampled.is_empty() {
             return Ok(());
         }
-        self.progress.inc_length(convergence::EVALUATIONS * sampled.len() as u64);
+        self.progress.inc_length(convergence::EVALUATIONS * self.seeds * sampled.len() as u64);
         self.progress.set_message(format!("{}: convergence", case.name));
-        let panels = convergence::convergence(&case, &sampled, self.threads, || self.progress.inc(1))
+        let panels = convergence::convergence(&case, &sampled, self.seeds, self.threads, || self.progress.inc(1))
             .with_context(|| format!("case {}", case.name))?;
         self.draw(case.name, &format!("{} = 1", case.title), &panels)
     }
@@ -120,6 +154,7 @@ mod tests {
             seed: 7,
             threads: 1,
             pictures: None,
+            seeds: 1,
             rows: Vec::new(),
             progress: ProgressBar::hidden(),
         };

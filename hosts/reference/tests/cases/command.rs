@@ -88,3 +88,30 @@ fn interrupt_ends_cleanly() {
     assert!(said.contains("--resume"), "{said}");
     assert!(folder.0.join("checkpoint.state").exists());
 }
+
+#[test]
+fn mesh_writes_a_case_for_other_programs() {
+    let written = fmc(&["mesh", "hertz", "--override", "bodies.disc.mesh.finest=0.1134"]);
+    assert!(written.status.success(), "{}", String::from_utf8_lossy(&written.stderr));
+    let mesh: serde_json::Value = serde_json::from_slice(&written.stdout).unwrap();
+    let list = |key: &str| mesh[key].as_array().unwrap().clone();
+    let coords = list("coords");
+    assert_eq!((&mesh["dimension"], &mesh["bodies"][0]["cell_type"]), (&2.into(), &"triangle".into()));
+    let number = |value: &serde_json::Value| value.as_u64().unwrap() as usize;
+    let place = |node: usize| coords[node].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect::<Vec<_>>();
+    for cell in mesh["bodies"][0]["conn"].as_array().unwrap() {
+        assert!(cell.as_array().unwrap().iter().all(|node| number(node) < coords.len()));
+    }
+    // Held across on the axis; loaded along the whole flat side, at the height of the centre.
+    for support in list("supports") {
+        assert_eq!((number(&support[1]), place(number(&support[0]))[0], &support[2]), (0, 0.0, &0.0.into()));
+    }
+    let faces = mesh["loads"][0]["faces"].as_array().unwrap();
+    let ends = |face: &serde_json::Value| [0, 1].map(|k| place(number(&face[k])));
+    let length: f64 = faces.iter().map(ends).map(|[a, b]| (a[0] - b[0]).abs()).sum();
+    // Rounding of the coordinates.
+    let on_top = |x: &Vec<f64>| (x[1] - 8.0).abs() < 1e-12;
+    assert!((length - 16.0).abs() < 1e-12 && faces.iter().map(ends).all(|ends| ends.iter().all(on_top)));
+    assert!(list("expected").is_empty(), "nobody said what a coarser mesh gives");
+    assert_eq!(fmc(&["mesh", "hretz"]).status.code(), Some(2));
+}

@@ -4,7 +4,7 @@
     residual = stiffness @ u - load - contact.force(u)
     matrix = stiffness + contact.tangent(u)
 
-    SkfemContact  ->  field, boundary  ->  fmc_contact
+Layers: SkfemContact  ->  field, boundary  ->  fmc_contact
 """
 
 from .adapter import SkfemContact

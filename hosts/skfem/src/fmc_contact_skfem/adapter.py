@@ -18,11 +18,11 @@ from .field import Field, field
 class SkfemContact:
     """Contact between all bodies of one basis or of several, with the obstacles that are added to ``contact``.
 
-    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1 or Q2 elements in 2D or 3D; or a list of ``(basis, offset)``
-    where ``offset`` is the place of the basis' first unknown in the vectors of the whole problem. ``size``: length of
-    these vectors; default: as far as the bases reach. ``bodies``: one number for every cell, basis after basis; default:
-    bodies are what hangs together. ``divisions`` of every edge of a boundary face into flat facets, for second order;
-    default 2. ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``.
+    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1 or Q2 elements in 2D or 3D; or a list of
+    ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the vectors of the whole problem.
+    ``size``: length of these vectors; default: as far as the bases reach. ``bodies``: one number for every cell, basis
+    after basis; default: bodies are what hangs together. ``divisions`` of every edge of a boundary face into flat
+    facets, for second order; default 2. ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``.
 
     Meshes need not match: there is no supermesh, no search for pairs, and no side is the master.
 
@@ -83,7 +83,7 @@ class SkfemContact:
         u = np.asarray(u)
         if u.shape != (self.size,):
             raise ValueError(f"the displacement has shape {u.shape}, ({self.size},) is wanted")
-        at_nodes = self._undeformed + u[self._dofs]
+        at_nodes = self._undeformed + u.take(self._dofs)
         return at_nodes if self._skin is None else self._skin.points(at_nodes)
 
     def evaluate(self, u: np.ndarray) -> Result:
@@ -98,12 +98,13 @@ class SkfemContact:
     def on_dofs(self, forces: np.ndarray) -> np.ndarray:
         """Forces of ``evaluate`` brought to the degrees of freedom, (size,)."""
         total = np.zeros(self.size)
-        total[self._dofs] = forces if self._skin is None else self._skin.to_nodes(forces)
+        on_nodes = forces if self._skin is None else self._skin.to_nodes(forces)
+        total[self._dofs.ravel()] = on_nodes.ravel()
         return total
 
     def tangent(self, u: np.ndarray, semidefinite: bool = False) -> csr_matrix:
-        """Minus the derivative of ``force``, (size, size): to be added to a stiffness matrix. ``semidefinite`` leaves out
-        what can be negative, for use far from a solution."""
+        """Minus the derivative of ``force``, (size, size): to be added to a stiffness matrix. ``semidefinite``
+        leaves out what can be negative, for use far from a solution."""
         found = Triplets(*self.contact.tangent_parts(self.coords(u), semidefinite).triplets())
         if self._skin is not None:
             found = self._skin.tangent_to_nodes(found, self.contact.dim)
@@ -111,6 +112,6 @@ class SkfemContact:
         return csr_matrix((found.values, (dofs[found.rows], dofs[found.cols])), shape=(self.size, self.size))
 
     def keep_patches(self, u: np.ndarray) -> int:
-        """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy: for
-        the start of a load step. See ``Contact.keep_patches``."""
+        """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy:
+        for the start of a load step. See ``Contact.keep_patches``."""
         return self.contact.keep_patches(self.coords(u))

@@ -56,7 +56,10 @@ def cells_of(mesh: skfem.Mesh) -> tuple[str, np.ndarray]:
     for kind, name, order in _CELLS:
         if isinstance(mesh, kind):
             return name, np.ascontiguousarray(mesh.t[order].T)
-    raise LayoutError(f"a mesh of {type(mesh).__name__} is not known here, one of triangles, quadrilaterals, tetrahedra or hexahedra is wanted")
+    raise LayoutError(
+        f"a mesh of {type(mesh).__name__} is not known here: triangles, quadrilaterals, tetrahedra or hexahedra are "
+        "wanted"
+    )
 
 
 def mesh_from_cells(coords: np.ndarray, conn: np.ndarray, cell_type: str) -> skfem.Mesh:
@@ -73,8 +76,8 @@ def field(basis: CellBasis, offset: int = 0) -> Field:
     element = getattr(basis, "elem", None)
     if not isinstance(element, ElementVector):
         raise LayoutError(
-            f"the basis has the element {type(element).__name__}, a displacement is wanted: ElementVector(ElementTriP1()) "
-            "or the like"
+            f"the basis has the element {type(element).__name__}, a displacement is wanted: "
+            "ElementVector(ElementTriP1()) or the like"
         )
     if isinstance(element.elem, _FIRST_ORDER):
         order = 1

@@ -1,0 +1,31 @@
+"""Forces of different hosts at the very same coordinates: the same bits."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Callable
+
+import numpy as np
+from fmc_contact import Contact
+
+from . import outcome
+from .problem import Problem
+
+
+def package_force(problem: Problem, displacement: np.ndarray) -> np.ndarray:
+    """Contact forces (nodes, dim) of the package alone, with patches found where the bodies are."""
+    coords = problem.coords + displacement
+    blocks = [(body.cell_type, body.conn) for body in problem.bodies]
+    contact = Contact(problem.coords, blocks, bodies=problem.body_of_cell, **problem.contact_options())
+    problem.add_obstacles(contact)
+    return contact.evaluate(coords).forces
+
+
+def compared(folder: Path, problem: Problem, force: Callable[[np.ndarray], np.ndarray]) -> dict[str, np.ndarray]:
+    """Arrays for an outcome: the forces that a host's adapter gives, by ``force``, at the displacement of the
+    reference host, and those that they should be: of a motion the reference host's own, of an equilibrium those of
+    the package, since there the reference host holds on to the patches of its last iteration."""
+    _, arrays = outcome.read(folder, "reference")
+    at = arrays["at_displacement"]
+    wanted = arrays["at_force"] if "at_force" in arrays else package_force(problem, at)
+    return {"force_at_reference": force(at), "one_shot": wanted}

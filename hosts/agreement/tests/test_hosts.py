@@ -1,0 +1,72 @@
+"""Short forms of the cases in every host, against the reference host. ``make hosts`` sets the variables that name the
+programs; ``make agree`` runs the cases whole."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmc_agreement import outcome, reference, runs, table
+from fmc_agreement.runs import Case, label
+
+if "FMC" not in os.environ:
+    pytest.skip("the environment variable FMC does not name the command fmc", allow_module_level=True)
+
+COARSE = "bodies.disc.mesh.finest=0.1134"
+SHORT = [
+    Case("hertz", None, (COARSE,), 1e-8, (("skfem", 1), ("dolfinx", 1), ("dolfinx", 3), ("petsc", 1), ("petsc", 2))),
+    Case("patch3d"),
+    Case("bar", None, ("time.end=0.3",)),
+    Case("star", "smooth", ("contact.stiffness=1e9", "time.end=6e-4")),
+]
+
+
+@pytest.mark.parametrize("case", SHORT, ids=lambda case: case.name)
+def test_hosts_agree_node_by_node(tmp_path, case):
+    problem = reference.run(tmp_path, case.name, case.variant, case.changes)
+    for host, ranks in case.hosts:
+        runs.run(host, ranks, case, problem, tmp_path)
+    rows = table.rows(case, tmp_path)
+    for row in rows:
+        assert table.is_met(row), row
+    assert all(row["same_bits"] for row in rows if row["host"].startswith(("skfem", "dolfinx")))
+    arrays = outcome.read(tmp_path, label(*case.hosts[0]))[1]
+    assert np.abs(arrays["one_shot"]).max() > 0.0, "nothing touches where forces are compared"
+
+
+def test_ranks_do_not_matter(tmp_path):
+    case = Case("hertz", None, (COARSE,))
+    problem = reference.run(tmp_path, case.name, None, case.changes)
+    fields = {}
+    for ranks in (1, 2, 4):
+        runs.run("petsc", ranks, case, problem, tmp_path)
+        fields[ranks] = outcome.read(tmp_path, label("petsc", ranks))[1]["displacement"]
+    for ranks in (2, 4):
+        assert np.abs(fields[ranks] - fields[1]).max() < 1e-10 * np.abs(fields[1]).max()
+
+
+def test_a_file_that_is_no_problem_ends_every_rank(tmp_path):
+    bad = tmp_path / "bad.txt"
+    bad.write_text("dimension 2\nnodes 3\n0 0 1")
+    import subprocess
+
+    program = os.environ["FMC_PETSC"]
+    run = subprocess.run(
+        ["timeout", "10", "mpirun", "--oversubscribe", "-n", "2", program, str(bad), str(tmp_path / "out.txt")],
+        capture_output=True, text=True,
+        env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"},
+    )  # fmt: skip
+    assert run.returncode not in (0, 124) and "no problem" in run.stdout + run.stderr
+
+
+def test_figures_are_those_of_the_reference_host(tmp_path):
+    """Two programs for the figures, one in each language."""
+    for case in SHORT[:2]:
+        place = Path(tmp_path) / case.name
+        problem = reference.run(place, case.name, case.variant, case.changes)
+        runs.run("skfem", 1, case, problem, place)
+        ours, theirs = (outcome.read(place, host)[0]["figures"] for host in ("skfem", "reference"))
+        assert set(ours) == set(theirs)
+        for key, value in theirs.items():
+            # An error of rounding has no digits of its own.
+            assert ours[key] == pytest.approx(value, rel=1e-7, abs=1e-9), key

@@ -1,0 +1,229 @@
+//! Where the spans of a line become one: the edges of notches, for the force of the exactly integrated fiber law.
+//!
+//! A line beside the inner edge of a notch leaves the body, enters it again, and has two spans, of lengths L₁ and L₂;
+//! past the edge it stays inside and has one, L₁ + L₂. The energy per line jumps there from ψ(L₁) + ψ(L₂) to ψ(L₁ + L₂),
+//! so that the gradient has, beside the one on the facets, a part on the edge's nodes:
+//!
+//! ```text
+//! ∂w/∂x_a += ∫_e N_a ν [ψ(L₁) + ψ(L₂) − ψ(L₁ + L₂)] dl
+//! ```
+//!
+//! = ∫ N_a ν J dl, with ν across the edge as seen along the lines, away from the notch. J changes with the ends of the
+//! spans at a fixed line, ∇J, and with the line, −Σ ∇J; the second derivative gains
+//!
+//! ```text
+//! ∂²w/∂x_a∂x_b += ∫_e [∇_a J g_bᵀ + g_a ∇_b Jᵀ + (q_a g_bᵀ + g_a q_bᵀ)/2] dl + J turn,   g = N ν, q = −N Σ ∇J
+//! ```
+//!
+//! where the last is what two ends of an edge that move sweep together. Side walls of a body that are seen nearly edge-on
+//! and warped have such edges. Without this part the forces of two bodies would not balance.
+
+use super::exact::ExactPair;
+use super::exact_edges::{distance, flanks};
+use super::exact_spans::{Plane, end};
+use super::shadow::{Seen, Shadows, flat};
+use super::span::{Anchor, End, Span};
+use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
+use crate::sampling::Family;
+
+/// A point of such an edge.
+#[derive(Clone, Debug)]
+pub(crate) struct Rim<const D: usize> {
+    /// N by anchor.
+    pub(crate) weights: Vec<(Anchor, f64)>,
+    /// ν times the measure for which the point stands.
+    pub(crate) across: Vector<D>,
+    /// Unit vectors u and v across the lines; (u vᵀ − v uᵀ) `turn` is the second derivative, by the first node and the
+    /// second, of what the edge sweeps. Zero in 2D.
+    pub(crate) axes: [Vector<D>; 2],
+    pub(crate) turn: f64,
+    /// The two spans on this side, and the one past the edge, which counts with a minus.
+    pub(crate) spans: [Span<D>; 3],
+}
+
+/// Three Gauss points on an interval of length 1 about 0, degree 5.
+pub(super) const GAUSS: [(f64, f64); 3] =
+    [(-0.387_298_334_620_741_7, 5.0 / 18.0), (0.0, 4.0 / 9.0), (0.387_298_334_620_741_7, 5.0 / 18.0)];
+
+/// A shorter part of an edge is rounding.
+const LEAST: f64 = 1e-14;
+
+/// The inner edge of a notch: lines leave through the first facet and enter through the second.
+struct Notch<const D: usize> {
+    ends: [[f64; 3]; 2],
+    facets: [u32; 2],
+    anchors: [Anchor; 2],
+    nu: Vector<D>,
+    /// +1 if ν is a quarter turn ahead of the edge.
+    sense: f64,
+}
+
+impl<const D: usize> Notch<D> {
+    fn at(&self, s: f64) -> [f64; 3] {
+        std::array::from_fn(|i| self.ends[0][i] + s * (self.ends[1][i] - self.ends[0][i]))
+    }
+}
+
+/// What bounds a line at a place: a facet, or the plane.
+#[derive(Clone, Copy)]
+enum Bound<'a, const D: usize> {
+    Facet(&'a Seen<D>),
+    Plane { leaves: bool },
+}
+
+impl<const D: usize> ExactPair<'_, D> {
+    /// Calls `visit` for every point of the quadrature along the edges of notches inside the overlap.
+    pub(super) fn visit_rims(
+        &self,
+        seen: &Shadows<D>,
+        family: &Family<D>,
+        plane: Option<&Plane<D>>,
+        mut visit: impl FnMut(Rim<D>),
+    ) {
+        for notch in self.notches(seen, family) {
+            let shadow = Aabb::of(&notch.ends.map(|place| flat::<D>(&place)));
+            let near: Vec<&Seen<D>> = seen
+                .near(&shadow)
+                .into_iter()
+                .filter(|other| !notch.facets.contains(other))
+                .map(|other| &seen.facets[other as usize])
+                .collect();
+            let breaks = breaks(&notch, &near);
+            let length = if D == 2 { 1.0 } else { distance(&notch.ends) };
+            for pair in breaks.windows(2).filter(|pair| pair[1] - pair[0] > LEAST) {
+                let (from, to) = (pair[0], pair[1]);
+                let points: &[(f64, f64)] = if D == 2 { &[(0.0, 1.0)] } else { &GAUSS };
+                for &(place, part) in points {
+                    let s = 0.5 * (from + to) + place * (to - from);
+                    let Some(spans) = self.parted(seen, family, plane, &notch, &near, s) else { continue };
+                    let [p, q] = notch.anchors;
+                    let share = part * (to - from);
+                    visit(Rim {
+                        weights: if D == 2 { vec![(p, 1.0)] } else { vec![(p, 1.0 - s), (q, s)] },
+                        across: notch.nu * (share * length),
+                        axes: [family.across([1.0, 0.0]), family.across([0.0, 1.0])],
+                        turn: if D == 2 { 0.0 } else { 0.5 * share * notch.sense },
+                        spans,
+                    });
+                }
+            }
+        }
+    }
+
+    /// Edges between a facet through which lines leave and, farther along on the same side, one through which they enter.
+    fn notches(&self, seen: &Shadows<D>, family: &Family<D>) -> Vec<Notch<D>> {
+        let mut notches = Vec::new();
+        for chunk in self.edge_sides(seen).chunk_by(|p, q| p.key == q.key) {
+            let [entered, left] = chunk else { continue };
+            if entered.leaves || !left.leaves {
+                continue;
+            }
+            let facets = [left, entered].map(|side| &seen.facets[side.facet as usize]);
+            let ends = left.corners.map(|c| facets[0].corners[c]);
+            let Some((across, [out, back])) = flanks(&ends, facets) else { continue };
+            let sign = if out.is_before { 1.0 } else { -1.0 };
+            if out.is_before != back.is_before || sign * (back.slope - out.slope) <= 0.0 {
+                continue;
+            }
+            let vertices = self.pair.side(facets[0].of_b).facets[facets[0].facet as usize];
+            notches.push(Notch {
+                ends,
+                facets: [left.facet, entered.facet],
+                anchors: left.corners.map(|c| Anchor::Vertex { of_b: facets[0].of_b, vertex: vertices[c] }),
+                nu: family.across(across) * -sign,
+                sense: -sign,
+            });
+        }
+        notches
+    }
+
+    /// The spans on both sides of a notch's edge, if it lies in the overlap.
+    fn parted(
+        &self,
+        seen: &Shadows<D>,
+        family: &Family<D>,
+        plane: Option<&Plane<D>>,
+        notch: &Notch<D>,
+        near: &[&Seen<D>],
+        s: f64,
+    ) -> Option<[Span<D>; 3]> {
+        let place = notch.at(s);
+        let mut before: Option<(f64, Bound<D>)> = None;
+        let mut behind = before;
+        let mut bound = |t: f64, bound| {
+            if t < place[2] && before.is_none_or(|(nearest, _)| t > nearest) {
+                before = Some((t, bound));
+            } else if t >= place[2] && behind.is_none_or(|(nearest, _)| t < nearest) {
+                behind = Some((t, bound));
+            }
+        };
+        for facet in near {
+            let w = facet.barycentric(&place);
+            if w.iter().all(|w| *w >= 0.0) {
+                bound(facet.t(&w), Bound::Facet(facet));
+            }
+        }
+        let here = family.across([place[0], place[1]]) + family.direction() * place[2];
+        if let Some(plane) = plane {
+            let slope = plane.normal.dot(family.direction());
+            if slope != 0.0 {
+                bound(place[2] - plane.height(&here) / slope, Bound::Plane { leaves: slope > 0.0 });
+            }
+        }
+        let ((from, first), (to, last)) = (before?, behind?);
+        let leaves = |bound: &Bound<D>| match bound {
+            Bound::Facet(facet) => facet.leaves,
+            Bound::Plane { leaves } => *leaves,
+        };
+        if leaves(&first) || !leaves(&last) {
+            return None;
+        }
+        if let (Bound::Facet(first), Bound::Facet(last)) = (&first, &last)
+            && first.of_b == last.of_b
+            && !self.is_covered_between(first, last, &place)
+        {
+            return None;
+        }
+        let end_of = |t: f64, bound: &Bound<D>| match (bound, plane) {
+            (Bound::Facet(facet), _) => end(facet, facet.barycentric(&place)),
+            (_, plane) => End::Point {
+                point: here + family.direction() * (t - place[2]),
+                normal: plane.map_or(Vector::zeros(), |plane| plane.normal),
+            },
+        };
+        let [out, back] = notch.facets.map(|facet| {
+            let facet = &seen.facets[facet as usize];
+            end(facet, facet.barycentric(&place))
+        });
+        let (first, last) = (end_of(from, &first), end_of(to, &last));
+        let span = |sign: f64, length: f64, ends| Span { weight: sign, across: sign, length, direction: 0, ends };
+        let (t, length) = (place[2], to - from);
+        Some([span(1.0, t - from, [first, out]), span(1.0, to - t, [back, last]), span(-1.0, length, [first, last])])
+    }
+}
+
+/// Places along an edge, from 0 to 1, between which the same facets bound its lines.
+fn breaks<const D: usize>(notch: &Notch<D>, near: &[&Seen<D>]) -> Vec<f64> {
+    let mut breaks = vec![0.0, 1.0];
+    if D == 2 {
+        return breaks;
+    }
+    let mut cut = |p: f64, q: f64| {
+        if (p > 0.0) != (q > 0.0) {
+            breaks.push(p / (p - q));
+        }
+    };
+    let [p, q] = notch.ends;
+    let heights: Vec<[f64; 2]> =
+        near.iter().map(|f| [p, q].map(|place| f.t(&f.barycentric(&place)) - place[2])).collect();
+    for (n, (facet, height)) in near.iter().zip(&heights).enumerate() {
+        facet.barycentric(&p).into_iter().zip(facet.barycentric(&q)).for_each(|(a, b)| cut(a, b));
+        cut(height[0], height[1]);
+        for other in &heights[..n] {
+            cut(height[0] - other[0], height[1] - other[1]);
+        }
+    }
+    breaks.sort_unstable_by(f64::total_cmp);
+    breaks
+}
