@@ -110,8 +110,8 @@ def at_rest(problem: Problem, out: Path, host: str) -> None:
     u, force = by_input_number(model.u), result.forces
     found: dict[str, float] = {}
     curve = np.column_stack([np.arange(len(residuals)), residuals])
-    if problem.raw["figures"]["kind"] == "hertz":
-        found, curve = figures.hertz(problem, force)
+    if profile := figures.at_rest(problem, force):
+        found, curve = profile
     elif problem.raw["figures"]["kind"] == "patch":
         found["stress_error_max"] = largest_stress_error(model, problem.raw["loads"][0]["pressure"])
     found["penetration_max"] = result.penetration

@@ -40,8 +40,8 @@ def at_rest(problem: Problem, out: Path) -> None:
     force = newton.contact.force(u)[model.dofs]
     found: dict[str, float] = {}
     curve = np.column_stack([np.arange(len(newton.residuals)), newton.residuals])
-    if problem.raw["figures"]["kind"] == "hertz":
-        found, curve = figures.hertz(problem, force)
+    if profile := figures.at_rest(problem, force):
+        found, curve = profile
     elif problem.raw["figures"]["kind"] == "patch":
         pressure = problem.raw["loads"][0]["pressure"]
         off = model.stresses_along(u, problem.dim - 1) + pressure

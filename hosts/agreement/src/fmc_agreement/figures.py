@@ -60,6 +60,30 @@ def hertz(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.nd
     return found, np.column_stack([x, p])
 
 
+def balls(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
+    """Figures of a ball on its mirror image, of which the case has a part: p^2 over r^2 fitted where p is more than 0.3
+    of the largest; and the profile, distance from the axis and pressure, (places, 2)."""
+    body = problem.bodies[0]
+    pressure = nodal_pressures(problem, 0, forces)
+    r = norm(problem.coords[:, :-1], axis=1)
+    fitted = pressure > 0.3 * pressure.max()
+    slope, square = np.polyfit(r[fitted] ** 2, pressure[fitted] ** 2, 1)
+    found = {
+        "force": float(problem.raw["figures"]["copies"] * abs(forces[body.nodes, -1].sum())),
+        "peak_pressure": float(np.sqrt(square)),
+        "contact_radius": float(np.sqrt(-square / slope)),
+    }
+    touched = np.flatnonzero(pressure)
+    order = touched[np.lexsort((pressure[touched], r[touched]))]
+    return found, np.column_stack([r[order], pressure[order]])
+
+
+def at_rest(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.ndarray] | None:
+    """Figures that follow from the contact forces (nodes, dim) alone, with their profile; ``None`` for other kinds."""
+    kind = problem.raw["figures"]["kind"]
+    return hertz(problem, forces) if kind == "hertz" else balls(problem, forces) if kind == "balls" else None
+
+
 def motion(problem: Problem, history: History, mass: np.ndarray) -> dict[str, float]:
     """Figures of a bar on a wall or of an impact; ``mass`` of every body."""
     about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])

@@ -63,8 +63,11 @@ def point_data(file: Path, name: str) -> np.ndarray:
 def _curve(own: Path, problem: Problem, summary: dict) -> np.ndarray:
     """What a picture shows: pressure over place, residuals, or the force on the body over time."""
     kind = problem.raw["figures"]["kind"]
-    if kind == "hertz":
-        return np.loadtxt(own / "pressure.csv", delimiter=",", skiprows=1)[:, :2]
+    if kind in ("hertz", "balls"):
+        with open(own / "pressure.csv", newline="") as file:
+            rows = [row for row in csv.DictReader(file) if row.get("what", "nodal pressure") == "nodal pressure"]
+        place = "place" if "place" in rows[0] else "x"
+        return np.array([[float(row[place]), float(row["pressure"])] for row in rows])
     if problem.is_static:
         return np.column_stack([np.arange(len(summary["residuals"])), summary["residuals"]])
     name = problem.raw["figures"]["body"]

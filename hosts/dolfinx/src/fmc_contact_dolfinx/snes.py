@@ -89,7 +89,8 @@ class ContactProblem:
         solver = snes.getKSP()
         solver.setType("preonly")
         solver.getPC().setType("lu")
-        if self.u.function_space.mesh.comm.size > 1:
+        # PETSc's own factorisation knows one rank only, and is slow in 3D.
+        if self.u.function_space.mesh.comm.size > 1 or PETSc.Sys.hasExternalPackage("mumps"):
             solver.getPC().setFactorSolverType("mumps")
         solver.setErrorIfNotConverged(True)
         return snes
