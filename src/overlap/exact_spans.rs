@@ -38,13 +38,8 @@ impl<const D: usize> ExactPair<'_, D> {
                     spans.spans.push(span);
                 }
             };
-            let mut seen = self.seen(&family, false);
             let plane = match &self.pair.opponent {
-                Opponent::Itself => None,
-                Opponent::Facets(_) => {
-                    seen.extend(self.seen(&family, true));
-                    None
-                }
+                Opponent::Itself | Opponent::Facets(_) => None,
                 Opponent::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Some(Plane::of(pose)),
                 Opponent::Implicit(_) => {
                     let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as \
@@ -52,6 +47,10 @@ impl<const D: usize> ExactPair<'_, D> {
                     return Err(Error::Unsupported { what });
                 }
             };
+            let mut seen = self.seen(&family, false, plane.as_ref());
+            if matches!(self.pair.opponent, Opponent::Facets(_)) {
+                seen.extend(self.seen(&family, true, None));
+            }
             let seen = Shadows::new(seen);
             if let Some(plane) = &plane {
                 self.spans_on_plane(&seen, &family, plane, fine, &mut add);
@@ -91,8 +90,9 @@ impl<const D: usize> ExactPair<'_, D> {
         before - behind
     }
 
-    /// Facets of one side that the other side's box reaches; those seen edge-on are left out: no line crosses them.
-    fn seen(&self, family: &Family<D>, of_b: bool) -> Vec<Seen<D>> {
+    /// Facets of one side that the other side's box, or the half-space, reaches; those seen edge-on are left out: no line
+    /// crosses them.
+    fn seen(&self, family: &Family<D>, of_b: bool, plane: Option<&Plane<D>>) -> Vec<Seen<D>> {
         let side = self.pair.side(of_b);
         let other = match &self.pair.opponent {
             Opponent::Facets(_) => self.pair.side(!of_b).aabb,
@@ -100,7 +100,11 @@ impl<const D: usize> ExactPair<'_, D> {
         };
         let region = side.aabb.intersection(&other);
         let region = region.inflated(region.rounding());
+        let rounding = region.rounding();
         let see = |facet: u32| {
+            if plane.is_some_and(|p| side.corners(facet as usize).iter().all(|x| p.height(x) > rounding)) {
+                return None;
+            }
             let area = area_vector(&side.corners(facet as usize));
             let slope = area.dot(family.direction());
             let corners = side.corners(facet as usize).map(|x| family.view(&x));
