@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 /// Block [0, size₀] × … × [−size, 0] in quadrilaterals: a core of `cells` × `cells` cells and of side `fine` at the origin, and
 /// `shells` shells about it.
 pub fn graded_block_quad4(size: [f64; 2], fine: f64, cells: usize, shells: usize) -> Mesh<2> {
-    let (coords, corners) = graded_block(size, fine, cells, shells);
+    let (coords, corners, _) = graded_block(size, fine, cells, shells);
     let conn = corners.chunks_exact(4).flat_map(|c| [c[0], c[1], c[3], c[2]]).collect();
     Mesh { coords, conn, nodes_per_cell: 4 }.oriented()
 }
@@ -26,18 +26,25 @@ pub fn graded_block_tri3(size: [f64; 2], fine: f64, cells: usize, shells: usize)
 
 /// The same in hexahedra, in space.
 pub fn graded_block_hex8(size: [f64; 3], fine: f64, cells: usize, shells: usize) -> Mesh<3> {
-    let (coords, corners) = graded_block(size, fine, cells, shells);
+    let (coords, corners, _) = graded_block(size, fine, cells, shells);
     let conn = corners.chunks_exact(8).flat_map(|c| [c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]]).collect();
     Mesh { coords, conn, nodes_per_cell: 8 }.oriented()
 }
 
-/// The same in tetrahedra, six per hexahedron.
+/// The same in tetrahedra, five per hexahedron.
 pub fn graded_block_tet4(size: [f64; 3], fine: f64, cells: usize, shells: usize) -> Mesh<3> {
-    graded_block_hex8(size, fine, cells, shells).tetrahedra()
+    let (.., even) = graded_block(size, fine, cells, shells);
+    graded_block_hex8(size, fine, cells, shells).tetrahedra(&even)
 }
 
-/// Nodes, and the 2ᴰ corners of every cell: bit a of a corner's number says on which side along axis a it lies.
-fn graded_block<const D: usize>(size: [f64; D], fine: f64, cells: usize, shells: usize) -> (Vec<[f64; D]>, Vec<u32>) {
+/// Nodes; the 2ᴰ corners of every cell, where bit a of a corner's number says on which side along axis a it lies; and which
+/// nodes are even, as are the fields of a chess board: of the ends of every edge, one.
+fn graded_block<const D: usize>(
+    size: [f64; D],
+    fine: f64,
+    cells: usize,
+    shells: usize,
+) -> (Vec<[f64; D]>, Vec<u32>, Vec<bool>) {
     assert!(fine > 0.0 && cells > 0 && size.iter().all(|s| *s >= fine), "a core of {fine} in {size:?}");
     assert!(shells > 0 || size.iter().all(|s| *s == fine), "no shells from {fine} to {size:?}");
     let (mut coords, mut ids) = (Vec::new(), BTreeMap::new());
@@ -71,7 +78,11 @@ fn graded_block<const D: usize>(size: [f64; D], fine: f64, cells: usize, shells:
             }));
         }
     }
-    (coords, corners)
+    let mut even = vec![false; coords.len()];
+    for ((shell, at), id) in ids {
+        even[id as usize] = (shell + at.iter().sum::<usize>()).is_multiple_of(2);
+    }
+    (coords, corners, even)
 }
 
 #[cfg(test)]

@@ -2,21 +2,22 @@
 
 use crate::Mesh;
 
-/// Faces of a hexahedron.
-const FACES: [[usize; 4]; 6] = [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
+/// Neighbours of every corner of a hexahedron.
+const NEIGHBOURS: [[usize; 3]; 8] =
+    [[1, 3, 4], [0, 2, 5], [1, 3, 6], [0, 2, 7], [0, 5, 7], [1, 4, 6], [2, 5, 7], [3, 4, 6]];
 
 impl Mesh<3> {
-    /// `Hex8` cells cut into six `Tet4` each, all about the node of lowest number, as are the faces: so neighbours agree.
-    pub fn tetrahedra(self) -> Self {
+    /// `Hex8` cells cut into five `Tet4` each: one between the corners that are `even`, and one about each of the others. Of the
+    /// ends of an edge one must be even, so that neighbours agree. Unlike six about a diagonal, they prefer no direction.
+    pub(crate) fn tetrahedra(self, even: &[bool]) -> Self {
         assert_eq!(self.nodes_per_cell, 8, "only hexahedra can be cut");
-        let mut conn = Vec::with_capacity(3 * self.conn.len());
+        let mut conn = Vec::with_capacity(5 * self.conn.len() / 2);
         for cell in self.cells() {
-            let apex = *cell.iter().min().expect("eight nodes");
-            for face in FACES.map(|face| face.map(|node| cell[node])).iter().filter(|face| !face.contains(&apex)) {
-                let first = (0..4).min_by_key(|&k| face[k]).unwrap_or(0);
-                for k in 1..3 {
-                    conn.extend([apex, face[first], face[(first + k) % 4], face[(first + k + 1) % 4]]);
-                }
+            let is_even = |corner: &usize| even[cell[*corner] as usize];
+            conn.extend((0..8).filter(is_even).map(|corner| cell[corner]));
+            for corner in (0..8).filter(|corner| !is_even(corner)) {
+                conn.push(cell[corner]);
+                conn.extend(NEIGHBOURS[corner].map(|near| cell[near]));
             }
         }
         Self { coords: self.coords, conn, nodes_per_cell: 4 }.oriented()

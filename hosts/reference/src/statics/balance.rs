@@ -35,7 +35,12 @@ impl<const D: usize> Balance<D> {
 
     /// What rounding may change in the energy.
     pub(super) fn rounding(&self) -> f64 {
-        64.0 * f64::EPSILON * (self.strain + self.contact_energy.abs() + self.work.abs())
+        64.0 * f64::EPSILON * self.magnitude()
+    }
+
+    /// Sum of the energies' magnitudes.
+    pub(super) fn magnitude(&self) -> f64 {
+        self.strain + self.contact_energy.abs() + self.work.abs()
     }
 
     pub(super) fn new(

@@ -7,6 +7,9 @@ use super::error::StaticsError;
 /// Part of what the slope promises that a step must gain (Armijo).
 const GAIN: f64 = 1e-4;
 
+/// Part of the energies that a change must exceed to be told from rounding of some thousand pieces of contact.
+const FLAT: f64 = 1e-12;
+
 /// Trials: 2⁻³⁰ of a step is nothing.
 const MOST_TRIALS: usize = 30;
 
@@ -31,7 +34,9 @@ impl<const D: usize> Equilibrium<D> {
             match self.evaluate(&next, load) {
                 Ok(reached) => {
                     let promised = balance.energy() + GAIN * length * slope + balance.rounding();
-                    if reached.energy() <= promised {
+                    // Near the end the energy is flat within rounding; then the forces tell.
+                    let is_flat = (reached.energy() - balance.energy()).abs() <= FLAT * balance.magnitude();
+                    if reached.energy() <= promised || is_flat && reached.norm <= 0.5 * balance.norm {
                         return Ok((next, reached, length));
                     }
                     let there = reached.slope(direction);
