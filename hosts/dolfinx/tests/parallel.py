@@ -1,6 +1,7 @@
 """Programs for several ranks, started by the tests: ``mpirun -n N python parallel.py PROGRAM [arguments]``."""
 
 import sys
+import time
 from types import SimpleNamespace
 
 import numpy as np
@@ -141,6 +142,7 @@ def fail(kind):
         expected = TypeError
     elif kind in ("length", "callback", "snes"):
         expected = (ValueError, ZeroDivisionError)
+    begin = time.perf_counter()
     try:
         if kind == "layout":
             scalar = fem.FunctionSpace(space.mesh, ("CG", 1)) if hasattr(fem, "FunctionSpace") else None
@@ -162,7 +164,9 @@ def fail(kind):
         else:
             contact.force(u)
     except expected as error:
-        print(f"rank {COMM.rank} saw {type(error).__name__}: {error}", flush=True)
+        print(
+            f"rank {COMM.rank} saw {type(error).__name__}: {error}: after {time.perf_counter() - begin} s", flush=True
+        )
     u.x.array[:] = 0.0
     contact.force(u)
     print(f"rank {COMM.rank} goes on", flush=True)
