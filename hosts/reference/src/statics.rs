@@ -23,7 +23,6 @@ mod balance;
 mod continuation;
 mod equilibrium;
 mod error;
-mod factorisation;
 mod fixed_point;
 mod iteration;
 mod line_search;

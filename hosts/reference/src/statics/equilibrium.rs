@@ -2,11 +2,11 @@
 
 use super::balance::Balance;
 use super::error::StaticsError;
-use super::factorisation::Factorisation;
 use super::newton::NewtonSettings;
 use super::problem::Problem;
 use crate::fem::{Constraints, Model};
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
+use fmc_sparse::Factorisation;
 use std::time::Instant;
 
 /// A problem, the last state in equilibrium that was found, and what finding it took.

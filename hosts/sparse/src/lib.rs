@@ -1,4 +1,7 @@
 //! Sparse symmetric systems.
+//!
+//! A crate of its own, since faer's algorithms are compiled where they are first called: here, and not again with every
+//! change of the solver and for each of its tests.
 
 use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
@@ -8,13 +11,13 @@ use faer::{Mat, Side};
 /// Cholesky factors L Lᵀ of a symmetric positive definite matrix; what depends on the pattern alone is kept for the next
 /// matrix of the same pattern.
 #[derive(Default)]
-pub(super) struct Factorisation {
+pub struct Factorisation {
     pattern: Option<(Pattern, SymbolicLlt<usize>)>,
     factors: Option<Llt<usize, f64>>,
     /// Times that a pattern was new.
-    pub(super) analyses: usize,
+    pub analyses: usize,
     /// Matrices factorised.
-    pub(super) count: usize,
+    pub count: usize,
 }
 
 /// Lower triangle, column after column, rows ascending.
@@ -27,7 +30,14 @@ struct Pattern {
 impl Factorisation {
     /// Factorises the matrix of these entries (row, column, value), which add up where they coincide; those above the
     /// diagonal are not looked at. `false` if it is not positive definite.
-    pub(super) fn factorise(&mut self, size: usize, entries: impl Iterator<Item = (usize, usize, f64)>) -> bool {
+    pub fn factorise(&mut self, size: usize, entries: impl Iterator<Item = (usize, usize, f64)>) -> bool {
+        // What is generic is compiled by the caller: only this line.
+        let entries =
+            entries.filter(|(row, column, _)| row >= column).map(|(r, c, v)| (r as u32, c as u32, v)).collect();
+        self.factorise_lower(size, entries)
+    }
+
+    fn factorise_lower(&mut self, size: usize, entries: Vec<(u32, u32, f64)>) -> bool {
         let (pattern, values) = compressed(size, entries);
         self.count += 1;
         self.factors = None;
@@ -43,7 +53,7 @@ impl Factorisation {
     }
 
     /// Solution of the system with the last matrix; `None` if it had no factors.
-    pub(super) fn solve(&self, right: &[f64]) -> Option<Vec<f64>> {
+    pub fn solve(&self, right: &[f64]) -> Option<Vec<f64>> {
         let factors = self.factors.as_ref()?;
         let solution = factors.solve(Mat::from_fn(right.len(), 1, |row, _| right[row]));
         Some((0..right.len()).map(|row| solution[(row, 0)]).collect())
@@ -57,9 +67,7 @@ impl Pattern {
 }
 
 /// Entries sorted by column and row, summed up. Sorted by counting, as there are many.
-fn compressed(size: usize, entries: impl Iterator<Item = (usize, usize, f64)>) -> (Pattern, Vec<f64>) {
-    let entries: Vec<(u32, u32, f64)> =
-        entries.filter(|(row, column, _)| row >= column).map(|(r, c, v)| (r as u32, c as u32, v)).collect();
+fn compressed(size: usize, entries: Vec<(u32, u32, f64)>) -> (Pattern, Vec<f64>) {
     let by_row = sorted_by(size, &entries, |entry| entry.0);
     let by_column = sorted_by(size, &by_row, |entry| entry.1);
     let mut pattern = Pattern { starts: vec![0], rows: Vec::new() };
