@@ -3,6 +3,7 @@ and ``index.html``. The exit status is 1 if a host does not agree."""
 
 from __future__ import annotations
 
+import argparse
 import json
 import subprocess
 import sys
@@ -13,8 +14,20 @@ from .overhead import measured
 from .problem import fmc
 
 
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="fmc_agreement", description="The same cases in every host, compared node by node.")
+    parser.add_argument("folder", type=Path, help="where table.md, table.json and index.html are written")
+    names = sorted({case.name for case in runs.CASES})
+    parser.add_argument("case", nargs="*", help=f"only these: {', '.join(names)}")
+    found = parser.parse_args()
+    if unknown := [case for case in found.case if case not in names]:
+        parser.error(f"no such case: {', '.join(unknown)} (there are {', '.join(names)})")
+    return found
+
+
 def main() -> int:
-    folder, wanted = Path(sys.argv[1]), sys.argv[2:]
+    given = arguments()
+    folder, wanted = given.folder, given.case
     folder.mkdir(parents=True, exist_ok=True)
     known = {one["case"] for one in json.loads(subprocess.check_output([fmc(), "list", "--json"]))}
     done, everything = [], []
