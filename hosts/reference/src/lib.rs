@@ -14,3 +14,6 @@ pub mod rotation;
 pub mod run;
 pub mod statics;
 pub mod study;
+mod viridis;
+
+pub use viridis::viridis;

@@ -10,7 +10,7 @@ mod outline;
 mod view;
 
 pub(crate) use canvas::{Drawing, Patch, Stroke};
-pub(crate) use colors::{brightest, darker, viridis};
+pub(crate) use colors::{brightest, darker, opaque};
 pub(crate) use fields::{Cell, Fields};
 pub(crate) use outline::outline;
 pub(crate) use view::View;

@@ -1,19 +1,7 @@
 //! The 256 colours of an animation.
 
+use crate::viridis;
 use std::collections::HashMap;
-
-/// Anchors of the colour map, from low to high: viridis, which is even in lightness and safe for colour-blind readers.
-const VIRIDIS: [[u8; 3]; 9] = [
-    [68, 1, 84],
-    [71, 44, 122],
-    [59, 81, 139],
-    [44, 113, 142],
-    [33, 144, 141],
-    [39, 173, 129],
-    [92, 200, 99],
-    [170, 220, 50],
-    [253, 231, 37],
-];
 
 /// Entries of the colour map (and of its darker copy for the lines between cells) and of greys for text. Few enough
 /// that most cells keep their colour from frame to frame, which makes the file small.
@@ -61,13 +49,7 @@ impl Palette {
 /// Colour of a value between 0 and 1, one of the palette.
 pub(super) fn color(value: f64) -> [u8; 3] {
     let steps = (MAPPED - 1) as f64;
-    let place = (value.clamp(0.0, 1.0) * steps).round() / steps * (VIRIDIS.len() - 1) as f64;
-    let low = (place as usize).min(VIRIDIS.len() - 2);
-    let part = place - low as f64;
-    std::array::from_fn(|k| {
-        let [from, to] = [low, low + 1].map(|index| f64::from(VIRIDIS[index][k]));
-        (from + part * (to - from)).round() as u8
-    })
+    viridis((value.clamp(0.0, 1.0) * steps).round() / steps)
 }
 
 /// Colour of the lines around a cell of that value.

@@ -1,6 +1,6 @@
 //! Pictures of a run: the deformed bodies, and the charts that the run has drawn itself.
 
-use crate::report::drawing::{Drawing, Fields, Patch, View, brightest, darker, outline, viridis};
+use crate::report::drawing::{Drawing, Fields, Patch, View, brightest, darker, opaque, outline};
 use crate::report::record::{Picture, PictureKind};
 use anyhow::{Context, Result};
 use fmc_reference::case::Case;
@@ -110,7 +110,7 @@ fn bodies(case: &Case, camera: Option<[f64; 3]>, folder: &Path) -> Result<(Vec<P
 }
 
 fn drawing(view: View, fields: &Fields, top: f64) -> Drawing {
-    let color = |cell: usize| viridis(fields.cells[cell].value / top);
+    let color = |cell: usize| opaque(fields.cells[cell].value / top);
     Drawing { patches: view.patches(&fields.points, &fields.cells, color, darker), strokes: Vec::new() }
 }
 
