@@ -26,14 +26,14 @@ if [ ! -e "$root/ready" ]; then
     python3-dolfinx openmpi-bin gcc pkg-config python3-scipy python3-pytest
   touch "$root/ready"
 fi
-rm -rf "$root/work"
-mkdir -p "$root/work"
-cp "$library" "$root/work/libfmc_contact.so"
-cp -r "$here/bindings/python/src" "$root/work/package"
-cp -r "$here/hosts/dolfinx/src" "$root/work/adapter"
-mkdir -p "$root/work/hosts/dolfinx"
-cp -r "$here/hosts/dolfinx/tests" "$here/hosts/dolfinx/examples" "$here/hosts/dolfinx/README.md" "$root/work/hosts/dolfinx"
-cp "$here/README.md" "$root/work"
+rm -rf "$root/project"
+mkdir -p "$root/project"
+cp "$library" "$root/project/libfmc_contact.so"
+cp -r "$here/bindings/python/src" "$root/project/package"
+cp -r "$here/hosts/dolfinx/src" "$root/project/adapter"
+mkdir -p "$root/project/hosts/dolfinx"
+cp -r "$here/hosts/dolfinx/tests" "$here/hosts/dolfinx/examples" "$here/hosts/dolfinx/README.md" "$root/project/hosts/dolfinx"
+cp "$here/README.md" "$root/project"
 run python3 -c 'import dolfinx; print("dolfinx", dolfinx.__version__)'
-run PYTHONPATH=/work/package:/work/adapter FMC_CONTACT_LIBRARY=/work/libfmc_contact.so OMPI_MCA_btl=self,sm \
-  python3 -m pytest -q -p no:cacheprovider /work/hosts/dolfinx/tests
+run PYTHONPATH=/project/package:/project/adapter FMC_CONTACT_LIBRARY=/project/libfmc_contact.so OMPI_MCA_btl=self,sm \
+  python3 -m pytest -q -p no:cacheprovider /project/hosts/dolfinx/tests

@@ -13,10 +13,10 @@
 //! the part that counts jumps there too. On the second, the nearer end of the span passes from one facet to the other. Where a span shrinks to nothing there is no jump, since ψ'(0) = 0.
 
 use super::exact::ExactPair;
-use super::exact_edges::{EdgeSide, distance, flanks};
-use super::exact_rims::GAUSS;
+use super::exact_edges::{EdgeSide, along, distance, flanks};
 use super::exact_spans::{Plane, end};
 use super::piece::{cut, whole, zeros};
+use super::quadrature::ON_CURVE;
 use super::shadow::{Seen, Shadows, flat};
 use super::slopes::slopes;
 use super::span::{Anchor, Crease, End};
@@ -49,7 +49,7 @@ struct Curve<const D: usize> {
 
 impl<const D: usize> Curve<D> {
     fn at(&self, s: f64) -> [f64; 3] {
-        std::array::from_fn(|i| self.ends[0][i] + s * (self.ends[1][i] - self.ends[0][i]))
+        along(&self.ends, s)
     }
 
     /// Where on it the line's other end is at linear depth, `bounds` positive, in [0, 1].
@@ -65,9 +65,7 @@ impl<const D: usize> Curve<D> {
         }
         (from < to).then_some([from, to])
     }
-}
 
-impl<const D: usize> Curve<D> {
     /// Whether it is where a facet meets the plane of a half-space.
     fn is_on_plane(&self) -> bool {
         self.gradient.iter().any(|(anchor, _)| matches!(anchor, Anchor::Obstacle))
@@ -101,11 +99,12 @@ impl<const D: usize> ExactPair<'_, D> {
     pub(super) fn visit_creases(
         &self,
         seen: &Shadows<D>,
+        edges: &[EdgeSide],
         family: &Family<D>,
         plane: Option<&Plane<D>>,
         mut visit: impl FnMut(Crease<D>, &[End<D>; 2], Option<&Edge<D>>),
     ) {
-        let mut curves = self.edges(seen, family);
+        let mut curves = self.edges(seen, edges, family);
         self.meetings(seen, family, plane, &mut curves);
         let slope_of_plane = plane.map_or(0.0, |plane| plane.normal.dot(family.direction()));
         for curve in curves {
@@ -124,7 +123,7 @@ impl<const D: usize> ExactPair<'_, D> {
                         continue;
                     }
                     let width = if D == 2 { 1.0 } else { distance(&curve.ends) * (to - from) };
-                    for (place, part) in GAUSS {
+                    for (place, part) in ON_CURVE {
                         let s = middle + place * (to - from);
                         let gradient = curve.gradient.iter().map(|(anchor, g)| (*anchor, g[0] + (g[1] - g[0]) * s));
                         let (weight, gradient) = (part * width, gradient.collect());
@@ -165,13 +164,12 @@ impl<const D: usize> ExactPair<'_, D> {
     }
 
     /// The point of space that is seen at `place`.
-    fn place(&self, family: &Family<D>, place: &[f64; 3]) -> Vector<D> {
+    pub(super) fn place(&self, family: &Family<D>, place: &[f64; 3]) -> Vector<D> {
         family.across([place[0], place[1]]) + family.direction() * place[2]
     }
 
     /// Edges (2D: nodes) between two seen facets of one side through which lines run the same way.
-    fn edges(&self, seen: &Shadows<D>, family: &Family<D>) -> Vec<Curve<D>> {
-        let sides = self.edge_sides(seen);
+    fn edges(&self, seen: &Shadows<D>, sides: &[EdgeSide], family: &Family<D>) -> Vec<Curve<D>> {
         let mut curves = Vec::new();
         for chunk in sides.chunk_by(|p, q| p.key == q.key && p.leaves == q.leaves).filter(|chunk| chunk.len() == 2) {
             let EdgeSide { key: (_, of_b), leaves, facet: index, corners } = chunk[0];

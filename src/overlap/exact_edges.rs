@@ -64,3 +64,8 @@ pub(super) fn flanks<const D: usize>(ends: &[[f64; 3]; 2], facets: [&Seen<D>; 2]
 pub(super) fn distance(ends: &[[f64; 3]; 2]) -> f64 {
     (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1])
 }
+
+/// Place on a curve, from its first end to its last.
+pub(super) fn along(ends: &[[f64; 3]; 2], s: f64) -> [f64; 3] {
+    std::array::from_fn(|i| ends[0][i] + s * (ends[1][i] - ends[0][i]))
+}

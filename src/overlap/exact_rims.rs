@@ -19,8 +19,9 @@
 //! and warped have such edges. Without this part the forces of two bodies would not balance.
 
 use super::exact::ExactPair;
-use super::exact_edges::{distance, flanks};
+use super::exact_edges::{EdgeSide, along, distance, flanks};
 use super::exact_spans::{Plane, end};
+use super::quadrature::ON_CURVE;
 use super::shadow::{Seen, Shadows, flat};
 use super::span::{Anchor, End, Span};
 use crate::geometry::Vector;
@@ -42,10 +43,6 @@ pub(crate) struct Rim<const D: usize> {
     pub(crate) spans: [Span<D>; 3],
 }
 
-/// Three Gauss points on an interval of length 1 about 0, degree 5.
-pub(super) const GAUSS: [(f64, f64); 3] =
-    [(-0.387_298_334_620_741_7, 5.0 / 18.0), (0.0, 4.0 / 9.0), (0.387_298_334_620_741_7, 5.0 / 18.0)];
-
 /// A shorter part of an edge is rounding.
 const LEAST: f64 = 1e-14;
 
@@ -61,7 +58,7 @@ struct Notch<const D: usize> {
 
 impl<const D: usize> Notch<D> {
     fn at(&self, s: f64) -> [f64; 3] {
-        std::array::from_fn(|i| self.ends[0][i] + s * (self.ends[1][i] - self.ends[0][i]))
+        along(&self.ends, s)
     }
 }
 
@@ -77,11 +74,12 @@ impl<const D: usize> ExactPair<'_, D> {
     pub(super) fn visit_rims(
         &self,
         seen: &Shadows<D>,
+        edges: &[EdgeSide],
         family: &Family<D>,
         plane: Option<&Plane<D>>,
         mut visit: impl FnMut(Rim<D>),
     ) {
-        for notch in self.notches(seen, family) {
+        for notch in self.notches(seen, edges, family) {
             let shadow = Aabb::of(&notch.ends.map(|place| flat::<D>(&place)));
             let near: Vec<&Seen<D>> = seen
                 .near(&shadow)
@@ -93,7 +91,7 @@ impl<const D: usize> ExactPair<'_, D> {
             let length = if D == 2 { 1.0 } else { distance(&notch.ends) };
             for pair in breaks.windows(2).filter(|pair| pair[1] - pair[0] > LEAST) {
                 let (from, to) = (pair[0], pair[1]);
-                let points: &[(f64, f64)] = if D == 2 { &[(0.0, 1.0)] } else { &GAUSS };
+                let points: &[(f64, f64)] = if D == 2 { &[(0.0, 1.0)] } else { &ON_CURVE };
                 for &(place, part) in points {
                     let s = 0.5 * (from + to) + place * (to - from);
                     let Some(spans) = self.parted(seen, family, plane, &notch, &near, s) else { continue };
@@ -112,9 +110,9 @@ impl<const D: usize> ExactPair<'_, D> {
     }
 
     /// Edges between a facet through which lines leave and, farther along on the same side, one through which they enter.
-    fn notches(&self, seen: &Shadows<D>, family: &Family<D>) -> Vec<Notch<D>> {
+    fn notches(&self, seen: &Shadows<D>, edges: &[EdgeSide], family: &Family<D>) -> Vec<Notch<D>> {
         let mut notches = Vec::new();
-        for chunk in self.edge_sides(seen).chunk_by(|p, q| p.key == q.key) {
+        for chunk in edges.chunk_by(|p, q| p.key == q.key) {
             let [entered, left] = chunk else { continue };
             if entered.leaves || !left.leaves {
                 continue;
@@ -164,7 +162,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 bound(facet.t(&w), Bound::Facet(facet));
             }
         }
-        let here = family.across([place[0], place[1]]) + family.direction() * place[2];
+        let here = self.place(family, &place);
         if let Some(plane) = plane {
             let slope = plane.normal.dot(family.direction());
             if slope != 0.0 {

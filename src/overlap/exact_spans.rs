@@ -56,7 +56,8 @@ impl<const D: usize> ExactPair<'_, D> {
                 self.spans_on_plane(&seen, &family, plane, fine, &mut add);
             }
             self.spans_between(&seen, fine, &mut add);
-            self.visit_rims(&seen, &family, plane.as_ref(), |mut rim| {
+            let edges = self.edge_sides(&seen);
+            self.visit_rims(&seen, &edges, &family, plane.as_ref(), |mut rim| {
                 for span in &mut rim.spans {
                     span.weight *= patches.part(direction, &span.ends).value;
                     span.direction = direction as u32;
@@ -69,7 +70,7 @@ impl<const D: usize> ExactPair<'_, D> {
                     crease.blend = edge.map_or(0.0, |edge| self.jump_of_part(patches, direction, ends, edge));
                     spans.creases.push(crease);
                 };
-                self.visit_creases(&seen, &family, plane.as_ref(), count);
+                self.visit_creases(&seen, &edges, &family, plane.as_ref(), count);
             }
         }
         Ok(Some(spans))

@@ -7,6 +7,10 @@ pub(super) fn mean<const D: usize>(piece: &[[f64; D]]) -> [f64; D] {
 /// Two Gauss points on an interval: degree 3.
 const ON_INTERVAL: [f64; 2] = [0.211_324_865_405_187_13, 0.788_675_134_594_812_9];
 
+/// Three Gauss points on an interval of length 1 about 0, degree 5.
+pub(super) const ON_CURVE: [(f64, f64); 3] =
+    [(-0.387_298_334_620_741_7, 5.0 / 18.0), (0.0, 4.0 / 9.0), (0.387_298_334_620_741_7, 5.0 / 18.0)];
+
 /// Points of a triangle's quadrature: one barycentric coordinate, the others being alike, and the weight of all three.
 const DEGREE_2: [(f64, f64); 1] = [(2.0 / 3.0, 1.0)];
 
