@@ -20,6 +20,7 @@
 mod approach;
 mod augmented;
 mod balance;
+mod contact_step;
 mod continuation;
 mod equilibrium;
 mod error;
@@ -32,6 +33,7 @@ mod newton;
 mod path;
 mod pressure;
 mod problem;
+mod stiffness;
 
 pub use augmented::Augmentation;
 pub use balance::Balance;

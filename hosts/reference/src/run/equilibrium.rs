@@ -189,10 +189,10 @@ fn reactions<const D: usize>(steps: &[LoadStep]) -> Panel {
 
 /// All iterations, a line for each.
 fn table(log: &[Iteration]) -> String {
-    let mut text = "load,iteration,residual,energy,facets,penetration,tangent,length\n".to_owned();
-    for Iteration { load, iteration, residual, energy, facets, penetration, tangent, length } in log {
+    let mut text = "load,iteration,residual,energy,facets,penetration,tangent,length,contact_iterations\n".to_owned();
+    for Iteration { load, iteration, residual, energy, facets, penetration, tangent, length, contact_iterations } in log {
         let tangent = tangent.map_or(String::new(), |tangent| tangent.to_string());
-        writeln!(text, "{load:?},{iteration},{residual:?},{energy:?},{facets},{penetration:?},{tangent},{length:?}")
+        writeln!(text, "{load:?},{iteration},{residual:?},{energy:?},{facets},{penetration:?},{tangent},{length:?},{contact_iterations}")
             .expect("writing into a string");
     }
     text
