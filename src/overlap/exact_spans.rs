@@ -16,8 +16,8 @@ use super::side::{FacetSide, ImplicitSide, Opponent};
 use super::slopes::across;
 use super::span::{Crease, End, Span, Spans};
 use crate::Error;
-use crate::geometry::facet::area_vector;
 use crate::geometry::aabb::Aabb;
+use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Vector, cover_count};
 use crate::sampling::Family;
 

@@ -3,14 +3,15 @@
 use crate::Lower;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltParams;
+use faer::perm::PermRef;
 use faer::prelude::*;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::amd;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLltRef;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
 };
-use faer::perm::PermRef;
 use faer::{Conj, Mat, Par, Side, Spec};
 
 /// Cholesky factors L Lᵀ of a symmetric positive definite matrix.
@@ -54,7 +55,15 @@ impl Factorisation {
         let stack = MemStack::new(&mut memory);
         let regularisation = Default::default();
         let done = symbolic
-            .factorize_numeric_llt(&mut self.values, matrix.view(), Side::Lower, regularisation, Par::Seq, stack, params)
+            .factorize_numeric_llt(
+                &mut self.values,
+                matrix.view(),
+                Side::Lower,
+                regularisation,
+                Par::Seq,
+                stack,
+                params,
+            )
             .is_ok();
         if !done {
             self.values.clear();
@@ -177,7 +186,9 @@ mod tests {
         assert!(system.factorise(&Lower::new(6, chain(6, 12.0).into_iter()), &[2, 5]));
         // Three springs of 12 in a row are one of 4: from the wall to equation 2, and from there to 5.
         let expected = [[8.0, -4.0], [-4.0, 4.0]];
-        (0..4).for_each(|k| assert!((system.schur.as_ref().unwrap()[(k / 2, k % 2)] - expected[k / 2][k % 2]).abs() < 1e-13));
+        (0..4).for_each(|k| {
+            assert!((system.schur.as_ref().unwrap()[(k / 2, k % 2)] - expected[k / 2][k % 2]).abs() < 1e-13)
+        });
     }
 
     #[test]

@@ -55,7 +55,6 @@ impl<const D: usize> Way<D> {
         let mut equilibrium = Equilibrium::new(case.problem::<D>(folder, threads)?)?;
         let (tolerance, most_iterations) = (plan.tolerance, plan.most_iterations);
         equilibrium.settings = NewtonSettings { tolerance, most_iterations, ..Default::default() };
-        if let Ok(v) = std::env::var("FULL") { equilibrium.settings.full_below = v.parse().unwrap(); }
         let mut steps = Vec::new();
         let body = case.body(&case.figures.body).unwrap_or(0);
         let mut end = Ok(());

@@ -84,7 +84,7 @@ impl<const D: usize> Equilibrium<D> {
             let start = self.approach(start, load)?;
             return self.newton(start, load, watch);
         };
-        if std::env::var("NOSETTLE").is_ok() || k <= soft || self.is_supported(&start)? && !self.is_too_deep(&start) {
+        if k <= soft || self.is_supported(&start)? && !self.is_too_deep(&start) {
             return self.newton(start, load, watch);
         }
         // A body that comes to rest on a few points of hard contact would creep out of their reach: every step is as long
