@@ -6,6 +6,9 @@ use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::tree::Tree;
 
+/// A convex piece of a facet: its corners, in the facet's barycentric coordinates.
+type Corners<const D: usize> = Vec<[f64; D]>;
+
 /// A facet as seen along the direction of a patch.
 pub(super) struct Seen<const D: usize> {
     pub(super) of_b: bool,
@@ -107,12 +110,7 @@ impl<const D: usize> Shadows<D> {
     ///
     /// A facet of the other side that coincides with either of the two, as the walls of two bodies in a plane of symmetry,
     /// shares the lines evenly: which of them comes first is rounding, and each would hide the other, or neither.
-    pub(super) fn visible(
-        &self,
-        piece: Vec<[f64; D]>,
-        between: [u32; 2],
-        lengths: &[f64; D],
-    ) -> Vec<(Vec<[f64; D]>, f64)> {
+    pub(super) fn visible(&self, piece: Corners<D>, between: [u32; 2], lengths: &[f64; D]) -> Vec<(Corners<D>, f64)> {
         let [first, second] = between.map(|index| &self.facets[index as usize]);
         let shadow = Aabb::of(&piece.iter().map(|w| flat::<D>(&first.place(w))).collect::<Vec<_>>());
         let mut visible = vec![(piece, 1.0)];
@@ -143,7 +141,7 @@ impl<const D: usize> Shadows<D> {
 
 /// The part of a convex piece on which all of some linear functions, given at the facet's corners, are positive, and the
 /// rest.
-fn divide<const D: usize>(piece: Vec<[f64; D]>, positive: &[[f64; D]]) -> (Option<Vec<[f64; D]>>, Vec<Vec<[f64; D]>>) {
+fn divide<const D: usize>(piece: Corners<D>, positive: &[[f64; D]]) -> (Option<Corners<D>>, Vec<Corners<D>>) {
     let (mut rest, mut inside) = (Vec::new(), piece.clone());
     for bound in positive {
         let outside = cut(&inside, bound);
