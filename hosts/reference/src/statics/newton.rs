@@ -11,7 +11,8 @@ use std::ops::ControlFlow;
 ///
 /// The energy of the fiber law is not convex where lines meet inclined flanks, and the full tangent may lead astray far
 /// from the solution. So the matrix is semidefinite in its contact part until the residual is below `full_below`, and
-/// full then; back for one step if a full one does not halve the residual, or if the full matrix is not positive definite.
+/// full then, in the iterations of the contact alone as in those of everything at once, which are made where the former
+/// cannot be; back for one step if a full one does not halve the residual, or if the full matrix is not positive definite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NewtonSettings {
     /// Residual by the forces at which a state counts as balanced.
