@@ -86,15 +86,18 @@ impl<const D: usize> Equilibrium<D> {
     /// and what they leave of the way is up to 10⁻⁴ of the displacements; every turn takes that much of what is left.
     fn turn_patches(&mut self, watch: Watch) -> Result<(), StaticsError> {
         for _ in 0..MOST_TURNS {
-            let before = self.iterations;
-            match self.newton(self.displacement.clone(), self.load, watch) {
-                Ok((u, balance)) => (self.displacement, self.balance) = (u, balance),
-                Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
-                // What was found remains an equilibrium.
-                Err(_) => return self.keep_patches(&self.displacement.clone()),
-            }
-            if self.iterations == before {
+            let u = self.displacement.clone();
+            self.keep_patches(&u)?;
+            let balance = self.evaluate(&u, self.load)?;
+            if balance.relative() <= self.settings.tolerance {
+                self.balance = balance;
                 break;
+            }
+            match self.newton(u, self.load, watch) {
+                Ok(found) => (self.displacement, self.balance) = found,
+                Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
+                // What was found remains an equilibrium, on patches of its way.
+                Err(_) => break,
             }
         }
         Ok(())
