@@ -89,12 +89,12 @@ class Path:
     def _on_its_own_patches(self, u: np.ndarray, balance: Balance) -> tuple[np.ndarray, Balance]:
         """The equilibrium on the patches that are found where it is, and not on the way there."""
         for _ in range(MOST_TURNS):
-            before = self.equilibrium.iterations
+            turned = self.equilibrium.with_patches(u)
+            if turned.relative <= self.tolerance:
+                return u, turned
             try:
                 u, balance = self.equilibrium.newton(u, self.tolerance)
-            except NoEquilibrium:  # what was found remains one
-                break
-            if self.equilibrium.iterations == before:
+            except NoEquilibrium:  # what was found remains one, on patches of its way
                 break
         return u, balance
 

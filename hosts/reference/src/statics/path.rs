@@ -90,18 +90,21 @@ impl<const D: usize> Equilibrium<D> {
     fn turn_patches(&mut self, watch: Watch) -> Result<(), StaticsError> {
         let settings = self.settings;
         for _ in 0..MOST_TURNS {
-            let before = self.iterations;
+            let u = self.displacement.clone();
+            self.keep_patches(&u)?;
+            let balance = self.evaluate(&u, self.load)?;
+            if balance.relative() <= self.settings.tolerance {
+                self.balance = balance;
+                break;
+            }
             self.settings.most_iterations = MOST_ITERATIONS_OF_TURN.min(settings.most_iterations);
-            let turned = self.newton(self.displacement.clone(), self.load, watch);
+            let turned = self.newton(u, self.load, watch);
             self.settings = settings;
             match turned {
-                Ok((u, balance)) => (self.displacement, self.balance) = (u, balance),
+                Ok(found) => (self.displacement, self.balance) = found,
                 Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
-                // What was found remains an equilibrium.
-                Err(_) => return self.keep_patches(&self.displacement.clone()),
-            }
-            if self.iterations == before {
-                break;
+                // What was found remains an equilibrium, on patches of its way.
+                Err(_) => break,
             }
         }
         Ok(())
