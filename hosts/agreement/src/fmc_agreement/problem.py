@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from fmc_contact import Pose
 
 
 def fmc() -> str:
@@ -64,6 +63,8 @@ class Problem:
     """Whether a component is prescribed, (nodes, dim)."""
     prescribed: np.ndarray
     """Its value, (nodes, dim)."""
+    prescribed_then: list[np.ndarray]
+    """Its value at the end of every further stage."""
 
     @property
     def name(self) -> str:
@@ -111,6 +112,9 @@ class Problem:
 
     def add_obstacles(self, contact: Any) -> None:
         """Adds the rigid partners of the case to a contact."""
+        # Programs that bring contact of their own read cases too, without the module.
+        from fmc_contact import Pose
+
         up = np.eye(self.dim)[-1]
         for one in self.raw["obstacles"]:
             position, axis = one.get("position", np.zeros(self.dim)), one.get("axis", up)
@@ -150,7 +154,9 @@ def from_json(raw: dict[str, Any]) -> Problem:
         )
         for body in raw["bodies"]
     ]
-    held, prescribed = np.zeros(coords.shape, bool), np.zeros(coords.shape)
-    for node, axis, value in raw["supports"]:
-        held[node, axis], prescribed[node, axis] = True, value
-    return Problem(raw, coords, bodies, held, prescribed)
+    held = np.zeros(coords.shape, bool)
+    stages = [np.zeros(coords.shape) for _ in range(1 + len(raw["supports_then"]))]
+    for prescribed, supports in zip(stages, [raw["supports"], *raw["supports_then"]]):
+        for node, axis, value in supports:
+            held[node, axis], prescribed[node, axis] = True, value
+    return Problem(raw, coords, bodies, held, stages[0], stages[1:])
