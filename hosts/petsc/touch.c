@@ -67,10 +67,10 @@ PetscErrorCode touch_evaluate(Touch *t, Vec u, Vec residual) {
   PetscScalar *r;
   PetscInt first, last;
   PetscFunctionBeginUser;
-  PetscCall(PetscTime(&begin));
+  PetscCall(PetscGetCPUTime(&begin));
   PetscCall(gather(t, u, &coords));
   PetscCall(together(fmc_context_evaluate(t->context, &coords, &forces, 0, NULL)));
-  PetscCall(PetscTime(&end));
+  PetscCall(PetscGetCPUTime(&end));
   t->seconds += end - begin;
   if (residual) {
     PetscCall(VecGetOwnershipRange(residual, &first, &last));
@@ -89,7 +89,7 @@ PetscErrorCode touch_add_tangent(Touch *t, Vec u, PetscBool semidefinite, Mat ma
   double *values;
   size_t count;
   PetscFunctionBeginUser;
-  PetscCall(PetscTime(&begin));
+  PetscCall(PetscGetCPUTime(&begin));
   PetscCall(gather(t, u, &coords));
   PetscCall(together(fmc_context_tangent(t->context, &coords, semidefinite ? FMC_SEMIDEFINITE : 0, &count, NULL)));
   PetscCall(PetscMalloc3(count, &rows, count, &cols, count, &values));
@@ -103,7 +103,7 @@ PetscErrorCode touch_add_tangent(Touch *t, Vec u, PetscBool semidefinite, Mat ma
   PetscCall(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
   PetscCall(PetscFree3(rows, cols, values));
-  PetscCall(PetscTime(&end));
+  PetscCall(PetscGetCPUTime(&end));
   t->seconds += end - begin;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

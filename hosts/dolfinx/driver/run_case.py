@@ -1,49 +1,27 @@
-"""A case in dolfinx, on any number of ranks: ``mpirun -n N python run_case.py CASE [--variant NAME] --out FOLDER``."""
+"""A case in dolfinx: ``python run_case.py CASE [--variant NAME] [--override KEY=VALUE ...] --out FOLDER``. Motions run on
+any number of ranks, and so do equilibria with ``--snes``: ``mpirun -n N python run_case.py ...``."""
 
 from __future__ import annotations
 
 import argparse
-import time
 from pathlib import Path
 from typing import Any
 
+import by_snes
 import numpy as np
 import ufl
 from dolfinx import fem
-from fmc_agreement import bits, figures, leapfrog, outcome
-from fmc_agreement.approach import approach, soft_stiffness
+from fmc_agreement import bits, leapfrog, outcome, parts
+from fmc_agreement.direct import solve
+from fmc_agreement.equilibrium import Equilibrium
 from fmc_agreement.leapfrog import Motion, Touch
+from fmc_agreement.path import Path as LoadPath
 from fmc_agreement.problem import Problem, from_json, load
-from fmc_contact_dolfinx import ContactProblem, DolfinxContact, by_input_number, set_by_input_number
+from fmc_contact_dolfinx import DolfinxContact, by_input_number, set_by_input_number
+from in_case import Part, Touching
 from model import Model
 from mpi4py import MPI
-
-FAR = 0.1
-"""Part of the load that a residual may be on the way."""
-
-MOST_TURNS = 4
-"""Times that the lines are turned into the contact normal of an equilibrium, and it is sought anew."""
-
-
-class Timed:
-    """A contact, and the seconds spent in it."""
-
-    def __init__(self, contact: DolfinxContact) -> None:
-        self.inner, self.seconds = contact, 0.0
-
-    def __getattr__(self, name: str) -> Any:
-        found = getattr(self.inner, name)
-        if not callable(found):
-            return found
-
-        def call(*arguments: Any, **options: Any) -> Any:
-            clock = time.perf_counter()
-            try:
-                return found(*arguments, **options)
-            finally:
-                self.seconds += time.perf_counter() - clock
-
-        return call
+from timed import Timed
 
 
 def contact_of(problem: Problem, model: Model) -> Timed:
@@ -54,15 +32,8 @@ def contact_of(problem: Problem, model: Model) -> Timed:
     return Timed(contact)
 
 
-def forces_at(model: Model, contact: Any) -> np.ndarray:
-    """Contact forces (nodes, dim) at the model's displacement, in the case's numbering."""
-    return contact.evaluate(model.u).forces
-
-
 def same_bits(out: Path, problem: Problem, model: Model, contact: Any) -> dict[str, np.ndarray]:
     """Forces at the displacement of the reference host, where it has run."""
-    if not (out / "reference.npz").exists():
-        return {}
     contact.contact.release_patches()
     u, force = fem.Function(model.space), fem.Function(model.space)
 
@@ -75,52 +46,29 @@ def same_bits(out: Path, problem: Problem, model: Model, contact: Any) -> dict[s
     return bits.compared(out, problem, at)
 
 
-def at_rest(problem: Problem, out: Path, host: str) -> None:
+def at_rest(problem: Problem, out: Path, host: str, through_snes: bool) -> None:
     """Solves a case of statics."""
-    model = Model(problem)
-    begin = time.perf_counter()
-    contact = contact_of(problem, model)
-    residual = model.internal if model.load is None else model.internal - model.load
-    solver = ContactProblem(residual, model.u, model.bcs, contact)
-    pull = fem.Function(model.space)
-    if model.load is not None:
-        pull.x.array[: model.displacement.owned * model.dim] = model.assembled(fem.form(model.load))
-        pull.x.scatter_forward()
-    load_at_nodes = by_input_number(pull)
-    hard = contact.contact.options["stiffness"]
-    soft = min(hard, soft_stiffness(problem))
-    contact.contact.set_options(stiffness=soft)
-    at = lambda u: contact.contact.evaluate(problem.coords + u).forces  # noqa: E731
-    set_by_input_number(model.u, approach(problem, load_at_nodes, at))
-    iterations, residuals = 0, []
-    tolerance = problem.raw["load_steps"]["tolerance"]
-    stages = [(soft, FAR), ((soft * hard) ** 0.5, FAR)] if soft < hard else []
-    for stiffness, accuracy in [*stages, *[(hard, tolerance)] * (1 + MOST_TURNS)]:
-        contact.contact.set_options(stiffness=stiffness)
-        contact.keep_patches(model.u)
-        # What a residual is compared with: the load, or the force of the contact where bodies are moved and not pushed.
-        size = np.linalg.norm(load_at_nodes) or np.linalg.norm(contact.evaluate(model.u).forces)
-        snes = solver.solver()
-        snes.setTolerances(atol=accuracy * size, rtol=0.0, stol=0.0, max_it=100)
-        snes.setConvergenceHistory()
-        iterations += solver.solve(snes)
-        residuals += (snes.getConvergenceHistory()[0] / size).tolist()
-    seconds = time.perf_counter() - begin
-    result = contact.evaluate(model.u)
-    u, force = by_input_number(model.u), result.forces
     found: dict[str, float] = {}
-    curve = np.column_stack([np.arange(len(residuals)), residuals])
-    if profile := figures.at_rest(problem, force):
-        found, curve = profile
-    elif problem.raw["figures"]["kind"] == "patch":
-        found["stress_error_max"] = largest_stress_error(model, problem.raw["loads"][0]["pressure"])
-    found["penetration_max"] = result.penetration
-    arrays = same_bits(out, problem, model, contact)
-    if model.mesh.comm.rank == 0:
-        outcome.write(
-            out, host, problem, found, u, force, curve, iterations, seconds, contact.seconds, arrays,
-            ranks=model.mesh.comm.size,
-        )  # fmt: skip
+    if through_snes:
+        model = Model(problem)
+        contact = contact_of(problem, model)
+        solved = by_snes.solved(problem, model, contact)
+        models, arrays = [model], same_bits(out, problem, model, contact)
+    else:
+        problems = parts.split(problem)
+        bodies = [Part(Model(one)) for one in problems]
+        touching, pull = Touching(problem, bodies), np.concatenate([part.load() for part in bodies])
+        elastic = parts.Elastic(bodies, problems)
+        solved = LoadPath(Equilibrium(problem, elastic, touching, pull, solve)).follow()
+        touching.contact.release_patches()
+        models, arrays = [part.model for part in bodies], bits.compared(out, problem, touching.force)
+        for part, u in elastic.each(solved.steps[-1].displacement):
+            part.take(u)
+    if problem.raw["figures"]["kind"] == "patch":
+        pressure = problem.raw["loads"][0]["pressure"]
+        found = {"stress_error_max": max(largest_stress_error(model, pressure) for model in models)}
+    if MPI.COMM_WORLD.rank == 0:
+        outcome.of_equilibrium(out, host, problem, solved, found, arrays, ranks=MPI.COMM_WORLD.size)
 
 
 def largest_stress_error(model: Model, pressure: float) -> float:
@@ -188,16 +136,10 @@ def in_motion(problem: Problem, out: Path, host: str) -> None:
     u, history = leapfrog.run(forces, motion, steps["step"], steps["end"], steps["contact_substeps"])
     masses = momentum(np.ones(owned))[:, 0]
     forces._take(u)
-    field, force = by_input_number(model.u), forces_at(model, contact)
-    found = figures.motion(problem, history, masses)
-    about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
-    curve = np.column_stack([history.time, np.linalg.norm(np.array(history.bodies)[:, about], axis=1)])
+    field, force = by_input_number(model.u), contact.evaluate(model.u).forces
     arrays = same_bits(out, problem, model, contact)
     if comm.rank == 0:
-        outcome.write(
-            out, host, problem, found, field, force, curve, len(history.time) - 1, history.seconds,
-            history.contact_seconds, arrays, ranks=comm.size,
-        )  # fmt: skip
+        outcome.of_motion(out, host, problem, history, masses, field, force, arrays, ranks=comm.size)
 
 
 def main() -> None:
@@ -207,11 +149,15 @@ def main() -> None:
     parser.add_argument("--override", action="append", default=[])
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--host", default="dolfinx", help="name of the files")
+    parser.add_argument("--snes", action="store_true", help="an equilibrium by SNES")
     given = parser.parse_args()
     comm = MPI.COMM_WORLD
     raw = load(given.case, given.variant, tuple(given.override)).raw if comm.rank == 0 else None
     problem = from_json(comm.bcast(raw))
-    (at_rest if problem.is_static else in_motion)(problem, given.out, given.host)
+    if problem.is_static:
+        at_rest(problem, given.out, given.host, given.snes)
+    else:
+        in_motion(problem, given.out, given.host)
 
 
 if __name__ == "__main__":

@@ -8,11 +8,11 @@ import json
 import subprocess
 from pathlib import Path
 
+from fmc_agreement.indentation import Surface
 from fmc_agreement.picture import overlay
 from fmc_agreement.problem import Problem, fmc, from_json
 
 from . import measure, table
-from .profile import profile
 
 FORMULATIONS = {
     "wedge": ("nodal", "nodal, unsymmetric", "integral"),
@@ -48,8 +48,8 @@ def main() -> None:
         file = folder / "problem.json"
         subprocess.run([fmc(), "mesh", case, *changes, "--out", str(file)], check=True)
         problem = from_json(json.loads(file.read_text()))
-        programs = [lambda: measure.ours(folder / "fmc", case, changes)]
-        programs += [lambda name=name: measure.getfem(folder, file, name) for name in FORMULATIONS[case]]
+        programs = [lambda: measure.ours(folder / "fmc", problem, case, changes)]
+        programs += [lambda name=name: measure.getfem(folder, problem, file, name) for name in FORMULATIONS[case]]
         # In turn, so that a machine that is busy for a while is busy for all.
         turns = [[program() for program in programs] for _ in range(given.repetitions)]
         runs = [list(of_one) for of_one in zip(*turns)]
@@ -66,10 +66,10 @@ def main() -> None:
 
 def draw(path: Path, problem: Problem, runs: list[list[measure.Run]]) -> None:
     """Pressures of all programs over one another."""
-    found = {of_one[0].program: profile(problem, 0, of_one[0].force) for of_one in runs}
-    reach = 1.3 * max(one.half_width for one in found.values())
+    found = {of_one[0].program: Surface(problem, 0, of_one[0].force) for of_one in runs}
+    reach = 1.3 * max(one.reach() for one in found.values())
     # The tip is singular and would flatten the rest.
-    curves = {name: one.until(reach)[1:] for name, one in found.items()}
+    curves = {name: one.profile(reach)[1:] for name, one in found.items()}
     style = "<style>text { font: 12px sans-serif; fill: #444; } .grid { stroke: #e4e4e4; }</style>"
     head, rest = overlay(problem.raw["figures"]["kind"], curves).split(">", 1)
     path.write_text(f'{head} xmlns="http://www.w3.org/2000/svg">{style}{rest}\n')

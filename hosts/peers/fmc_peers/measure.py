@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from fmc_agreement.problem import fmc
+from fmc_agreement.problem import Problem, fmc
 from fmc_agreement.reference import point_data
 
 
@@ -22,7 +22,7 @@ class Run:
     seconds: dict[str, float]
     iterations: int
     force: np.ndarray
-    """Contact force on every node, (nodes, dim); where a node is held, with what holds it."""
+    """Contact force on every node, (nodes, dim)."""
     figures: dict[str, float]
     history: np.ndarray
 
@@ -33,7 +33,7 @@ class Run:
         return sum(spent for name, spent in self.seconds.items() if name != "reading")
 
 
-def ours(folder: Path, case: str, changes: list[str]) -> Run:
+def ours(folder: Path, problem: Problem, case: str, changes: list[str]) -> Run:
     """``fmc run``, one thread."""
     command = [fmc(), "run", case, "--quiet", "--out", str(folder), "--override", "output.frames=0", *changes]
     process = subprocess.Popen(command)
@@ -43,15 +43,17 @@ def ours(folder: Path, case: str, changes: list[str]) -> Run:
     if process.returncode > 1:
         raise RuntimeError(f"fmc run {case} ended with {process.returncode}")
     summary = json.loads((folder / "summary.json").read_text())
-    force = point_data(folder / "equilibrium.vtu", "contact_force")
+    force = point_data(folder / "equilibrium.vtu", "contact_force")[:, : problem.dim]
     seconds = {"whole process": usage.ru_utime + usage.ru_stime}
     return Run("fmc", seconds, summary["iterations"], force, summary["figures"], np.zeros((0, 0)))
 
 
-def getfem(folder: Path, problem: Path, formulation: str) -> Run:
+def getfem(folder: Path, problem: Problem, file: Path, formulation: str) -> Run:
     """GetFEM in one of its formulations."""
     out = folder / f"getfem-{formulation.replace(',', '').replace(' ', '-')}"
-    subprocess.run([sys.executable, "-m", "fmc_peers.solve", str(problem), formulation, str(out)], check=True)
+    subprocess.run([sys.executable, "-m", "fmc_peers.solve", str(file), formulation, str(out)], check=True)
     found, arrays = json.loads(out.with_suffix(".json").read_text()), np.load(out.with_suffix(".npz"))
     name = f"GetFEM, {formulation}"
-    return Run(name, found["seconds"], found["iterations"], arrays["inner_force"], {}, arrays["history"])
+    # What is held stands against what holds it.
+    force = np.where(problem.held, 0.0, arrays["inner_force"])
+    return Run(name, found["seconds"], found["iterations"], force, {}, arrays["history"])

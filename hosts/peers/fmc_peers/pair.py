@@ -71,7 +71,7 @@ def solve(problem: Problem, formulation: str, clock: Clock) -> Solution:
     clock.lap("model")
     iterations, history = 0, []
     steps = problem.raw["load_steps"]
-    stages = [problem.prescribed, *problem.prescribed_then]
+    stages = [problem.prescribed, *problem.then]
     before = np.zeros_like(problem.prescribed)
     for stage, (count, goal) in enumerate(zip([steps["count"], *steps.get("then", [])], stages)):
         count = max(count, LEAST_STEPS)

@@ -6,19 +6,16 @@ from statistics import median
 from typing import Any
 
 import numpy as np
+from fmc_agreement.indentation import SLIDE, Surface
 from fmc_agreement.problem import Problem
 
 from .measure import Run
-from .profile import profile
-
-SLIDE = (2.0 / 7.5, 5.5 / 7.5)
-"""Part of the last stage over which the forces of ironing are compared: slides of 2 to 5.5 of 7.5."""
 
 
 def rows(problem: Problem, runs: list[list[Run]]) -> list[dict[str, Any]]:
     """A row for every program: its repetitions in a list, ours first."""
     about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
-    first = profile(problem, about, runs[0][0].force)
+    first = Surface(problem, about, runs[0][0].force)
     found = []
     for repeated in runs:
         run = repeated[0]
@@ -33,9 +30,9 @@ def rows(problem: Problem, runs: list[list[Run]]) -> list[dict[str, Any]]:
             "force": force(problem, run, about),
         }
         if problem.raw["figures"]["kind"] in ("wedge", "cone"):
-            own = profile(problem, about, run.force)
-            row["half_width"] = own.half_width
-            row["profile_difference"] = own.distance(first)
+            own = Surface(problem, about, run.force)
+            row["half_width"] = own.reach()
+            row["profile_difference"] = apart(own, first)
         found.append(row)
     return found
 
@@ -44,9 +41,14 @@ def force(problem: Problem, run: Run, about: int) -> float:
     """On the body that the figures are about, along the last axis, of the whole; over a slide, the mean."""
     if problem.raw["figures"]["kind"] == "ironing":
         return run.figures["force_y_mean"] if run.figures else mean_over_slide(run.history)
-    nodes = problem.bodies[about].nodes
-    free = nodes[~problem.held[nodes, -1]]
-    return float(problem.raw["figures"]["copies"] * abs(run.force[free, problem.dim - 1].sum()))
+    return float(problem.raw["figures"]["copies"] * abs(run.force[problem.bodies[about].nodes, -1].sum()))
+
+
+def apart(own: Surface, first: Surface) -> float:
+    """Root mean square over the area of the difference of two pressures at the same nodes, by the second; without the tip,
+    where both are singular."""
+    tip = first.place > 0.0
+    return own.distance(first.place[tip].min(), np.inf, True, lambda _: first.pressure[tip])
 
 
 def mean_over_slide(history: np.ndarray) -> float:

@@ -7,9 +7,10 @@ import skfem
 from fmc_agreement.faces import loads
 from fmc_agreement.problem import Problem
 from fmc_contact_skfem.field import mesh_from_cells
+from neo_hookean import NeoHookean
 from scipy.sparse import csr_matrix
 from skfem import Basis, BilinearForm, ElementVector, FacetBasis, LinearForm, asm
-from skfem.helpers import ddot, div, dot, eye, grad, sym_grad, trace
+from skfem.helpers import ddot, div, dot, grad, sym_grad, trace
 
 ELEMENTS = {
     "triangle": skfem.ElementTriP1,
@@ -73,23 +74,29 @@ class Model:
         if self._linear is not None:
             force = self._linear @ u
             return force, float(0.5 * force @ u)
-        gradient = self.basis.interpolate(u).grad
-        shear, bulk = self._of_cells("shear"), self._of_cells("bulk")
-        f = gradient + eye(np.ones(gradient.shape[2:]), self.problem.dim)
-        cofactor, j = _cofactor(f)
-        i1 = ddot(f, f) + (3 - self.problem.dim)
-        a = shear * j ** (-2.0 / 3.0)
-        b = bulk * (j - 1.0) - a * i1 / (3.0 * j)
-        stress = a * f + b * cofactor
-        force = asm(LinearForm(lambda v, w: ddot(stress, grad(v))), self.basis)
-        energy = 0.5 * (a * i1 - 3.0 * shear) + 0.5 * bulk * (j - 1.0) ** 2
-        return force, float((energy * self.basis.dx).sum())
+        state = self._state(u)
+        force = asm(LinearForm(lambda v, w: ddot(state.stress, grad(v))), self.basis)
+        return force, float((state.energy * self.basis.dx).sum())
 
     def tangent(self, u: np.ndarray) -> csr_matrix:
         """Derivative of the internal forces."""
-        if self._linear is None:
-            raise NotImplementedError("equilibrium of bodies that are not linear elastic")
-        return self._linear
+        if self._linear is not None:
+            return self._linear
+        state = self._state(u)
+        return asm(BilinearForm(lambda u, v, w: ddot(state.derivative(grad(u)), grad(v))), self.basis)
+
+    def _state(self, u: np.ndarray) -> NeoHookean:
+        return NeoHookean(self.basis.interpolate(u).grad, self._of_cells("shear"), self._of_cells("bulk"))
+
+    def elastic(self, u: np.ndarray) -> tuple[np.ndarray, float]:
+        """Internal forces (nodes, dim) and strain energy at displacements (nodes, dim)."""
+        force, energy = self.internal(self.on_dofs(u))
+        return force[self.dofs], energy
+
+    def stiffness(self, u: np.ndarray) -> csr_matrix:
+        """Their derivative; unknowns are ``node * dim + axis``."""
+        dofs = self.dofs.ravel()
+        return self.tangent(self.on_dofs(u))[dofs][:, dofs]
 
     def stresses_along(self, u: np.ndarray, axis: int) -> np.ndarray:
         """Normal stress along an axis, the mean of every cell."""
@@ -97,16 +104,3 @@ class Model:
         lame, shear = self._of_cells("lame"), self._of_cells("shear")
         stress = lame * trace(gradient) + 2.0 * shear * gradient[axis, axis]
         return (stress * self.basis.dx).sum(axis=1) / self.basis.dx.sum(axis=1)
-
-
-def _cofactor(f: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The derivative of the determinant, and the determinant."""
-    c = np.empty_like(f)
-    if len(f) == 2:
-        c[0, 0], c[0, 1], c[1, 0], c[1, 1] = f[1, 1], -f[1, 0], -f[0, 1], f[0, 0]
-    else:
-        for i in range(3):
-            for k in range(3):
-                (p, q), (r, s) = ((i + 1) % 3, (i + 2) % 3), ((k + 1) % 3, (k + 2) % 3)
-                c[i, k] = f[p, r] * f[q, s] - f[p, s] * f[q, r]
-    return c, (f[0] * c[0]).sum(axis=0)

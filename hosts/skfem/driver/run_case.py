@@ -3,62 +3,43 @@
 from __future__ import annotations
 
 import argparse
-import time
 from pathlib import Path
 
 import numpy as np
-from fmc_agreement import bits, figures, leapfrog, outcome
+from fmc_agreement import bits, leapfrog, outcome, parts
+from fmc_agreement.direct import solve
+from fmc_agreement.equilibrium import Equilibrium
 from fmc_agreement.leapfrog import Motion, Touch
+from fmc_agreement.path import Path as LoadPath
 from fmc_agreement.problem import Problem, load
-from fmc_contact_skfem import SkfemContact
+from in_case import Touching
 from model import Model
-from newton import Newton
-
-
-def contact_of(problem: Problem, model: Model) -> SkfemContact:
-    """The contact of the case, with its obstacles."""
-    contact = SkfemContact(model.basis, bodies=problem.body_of_cell, **problem.contact_options())
-    problem.add_obstacles(contact.contact)
-    return contact
-
-
-def same_bits(out: Path, problem: Problem, model: Model, contact: SkfemContact) -> dict[str, np.ndarray]:
-    """Forces at the displacement of the reference host, where it has run."""
-    if not (out / "reference.npz").exists():
-        return {}
-    contact.contact.release_patches()
-    return bits.compared(out, problem, lambda u: contact.force(model.on_dofs(u))[model.dofs])
 
 
 def at_rest(problem: Problem, out: Path) -> None:
     """Solves a case of statics."""
-    model = Model(problem)
-    begin = time.perf_counter()
-    newton = Newton(model, contact_of(problem, model), problem.raw["load_steps"]["tolerance"])
-    u = newton.equilibrium()
-    seconds = time.perf_counter() - begin
-    force = newton.contact.force(u)[model.dofs]
+    problems = parts.split(problem)
+    models = [Model(one) for one in problems]
+    elastic, touching = parts.Elastic(models, problems), Touching(problem, models)
+    pull = np.concatenate([model.load()[model.dofs] for model in models])
+    solved = LoadPath(Equilibrium(problem, elastic, touching, pull, solve)).follow()
     found: dict[str, float] = {}
-    curve = np.column_stack([np.arange(len(newton.residuals)), newton.residuals])
-    if profile := figures.at_rest(problem, force):
-        found, curve = profile
-    elif problem.raw["figures"]["kind"] == "patch":
+    if problem.raw["figures"]["kind"] == "patch":
         pressure = problem.raw["loads"][0]["pressure"]
-        off = model.stresses_along(u, problem.dim - 1) + pressure
-        found = {"stress_error_max": float(np.abs(off).max() / pressure)}
-    found["penetration_max"] = newton.touch.penetration
-    iterations, seconds_there = newton.iterations, newton.contact_seconds
-    outcome.write(
-        out, "skfem", problem, found, u[model.dofs], force, curve, iterations, seconds, seconds_there,
-        same_bits(out, problem, model, newton.contact),
-    )  # fmt: skip
+        stresses = [
+            model.stresses_along(model.on_dofs(u), problem.dim - 1)
+            for model, u in elastic.each(solved.steps[-1].displacement)
+        ]
+        found = {"stress_error_max": float(np.abs(np.concatenate(stresses) + pressure).max() / pressure)}
+    touching.contact.release_patches()
+    outcome.of_equilibrium(out, "skfem", problem, solved, found, bits.compared(out, problem, touching.force))
 
 
 class Forces:
     """Internal and contact forces, for the time steps."""
 
-    def __init__(self, model: Model, contact: SkfemContact) -> None:
-        self.model, self.adapter = model, contact
+    def __init__(self, model: Model, touching: Touching) -> None:
+        self.adapter = touching.adapter
         self.internal = model.internal
 
     def contact(self, u: np.ndarray) -> tuple[np.ndarray, Touch]:
@@ -70,7 +51,7 @@ class Forces:
 def in_motion(problem: Problem, out: Path) -> None:
     """Follows a case of dynamics."""
     model = Model(problem)
-    forces = Forces(model, contact_of(problem, model))
+    touching = Touching(problem, [model])
     mass, velocity = model.mass(), np.zeros(problem.coords.shape)
     for body in problem.bodies:
         velocity[body.nodes] = body.velocity
@@ -82,17 +63,12 @@ def in_motion(problem: Problem, out: Path) -> None:
 
     motion = Motion(mass, model.on_dofs(problem.held), model.on_dofs(velocity), momentum=momentum)
     steps = problem.raw["time"]
-    u, history = leapfrog.run(forces, motion, steps["step"], steps["end"], steps["contact_substeps"])
+    u, history = leapfrog.run(Forces(model, touching), motion, steps["step"], steps["end"], steps["contact_substeps"])
     masses = np.array([at_nodes[body.nodes, 0].sum() for body in problem.bodies])
-    found = figures.motion(problem, history, masses)
-    force = forces.contact(u)[0][model.dofs]
-    about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
-    curve = np.column_stack([history.time, np.linalg.norm(np.array(history.bodies)[:, about], axis=1)])
-    count = len(history.time) - 1
-    outcome.write(
-        out, "skfem", problem, found, u[model.dofs], force, curve, count, history.seconds, history.contact_seconds,
-        same_bits(out, problem, model, forces.adapter),
-    )  # fmt: skip
+    displacement = u[model.dofs]
+    force = touching.force(displacement)
+    arrays = bits.compared(out, problem, touching.force)
+    outcome.of_motion(out, "skfem", problem, history, masses, displacement, force, arrays)
 
 
 def main() -> None:

@@ -6,7 +6,7 @@ from typing import Callable
 
 import numpy as np
 
-from .problem import Problem
+from .problem import Body, Problem
 
 SOFT = 50.0
 """Stiffness of a soft contact by E / size of the softest body: a body that comes to rest on hard contact would creep
@@ -19,22 +19,22 @@ def soft_stiffness(problem: Problem) -> float:
     return SOFT * min(body.material.young / size for body, size in zip(problem.bodies, sizes))
 
 
-def approach(problem: Problem, load: np.ndarray, force: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """Displacements (nodes, dim): what is prescribed, and every loose body moved along its load until contact
-    carries it.
+def loose_push(problem: Problem, body: Body, load: np.ndarray) -> np.ndarray:
+    """Load of a body along the axes on which nothing holds it, (dim,)."""
+    return np.where(problem.held[body.nodes].any(axis=0), 0.0, load[body.nodes].sum(axis=0))
+
+
+def approach(
+    problem: Problem, start: np.ndarray, load: np.ndarray, force: Callable[[np.ndarray], np.ndarray]
+) -> np.ndarray:
+    """Displacements (nodes, dim): those of the start, with every loose body moved along its load until contact carries
+    it.
 
     ``load`` (nodes, dim); ``force`` gives contact forces (nodes, dim) at displacements.
     """
-    u = np.where(problem.held, problem.prescribed, 0.0)
+    u = start.copy()
     for body in problem.bodies:
-        # A body that is moved at a side follows as a whole; it deforms when forces say so.
-        for axis in range(problem.dim):
-            given = u[body.nodes, axis][problem.held[body.nodes, axis]]
-            if len(given) and np.ptp(given) == 0.0:
-                u[body.nodes, axis] = given[0]
-    for body in problem.bodies:
-        nodes = body.nodes
-        push = np.where(problem.held[nodes].any(axis=0), 0.0, load[nodes].sum(axis=0))
+        nodes, push = body.nodes, loose_push(problem, body, load)
         size = np.linalg.norm(push)
         if size == 0.0:
             continue

@@ -22,9 +22,11 @@ def package_force(problem: Problem, displacement: np.ndarray) -> np.ndarray:
 
 
 def compared(folder: Path, problem: Problem, force: Callable[[np.ndarray], np.ndarray]) -> dict[str, np.ndarray]:
-    """Arrays for an outcome: the forces that a host's adapter gives, by ``force``, at the displacement of the
+    """Arrays for an outcome, where the reference host has run: the forces that a host's adapter gives, by ``force``, at the displacement of the
     reference host, and those that they should be: of a motion the reference host's own, of an equilibrium those of
     the package, since there the reference host holds on to the patches of its last iteration."""
+    if not (folder / "reference.npz").exists():
+        return {}
     _, arrays = outcome.read(folder, "reference")
     at = arrays["at_displacement"]
     wanted = arrays["at_force"] if "at_force" in arrays else package_force(problem, at)

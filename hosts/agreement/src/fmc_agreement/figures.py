@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.linalg import norm
 
+from . import indentation
 from .faces import boundary_faces, face_normals
 from .leapfrog import History
 from .problem import Problem
+from .solved import Solved
 
 CUT = 0.03
 """Time cut off at both ends of a contact before its pressure is taken, s: the front is spread over some cells."""
@@ -78,10 +80,17 @@ def balls(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.nd
     return found, np.column_stack([r[order], pressure[order]])
 
 
-def at_rest(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.ndarray] | None:
-    """Figures that follow from the contact forces (nodes, dim) alone, with their profile; ``None`` for other kinds."""
-    kind = problem.raw["figures"]["kind"]
-    return hertz(problem, forces) if kind == "hertz" else balls(problem, forces) if kind == "balls" else None
+def at_rest(problem: Problem, solved: Solved) -> tuple[dict[str, float], np.ndarray]:
+    """Figures of an equilibrium that follow from displacements and contact forces, and what a picture shows: as a rule
+    place and pressure, (places, 2), of a patch test the residual over the iterations."""
+    kind, last = problem.raw["figures"]["kind"], solved.steps[-1]
+    if kind == "patch":
+        found, curve = {}, np.column_stack([np.arange(len(solved.residuals)), solved.residuals])
+    elif kind in ("hertz", "balls"):
+        found, curve = (hertz if kind == "hertz" else balls)(problem, last.force)
+    else:
+        found, curve = indentation.figures(problem, solved)
+    return {**found, "penetration_max": last.penetration}, curve
 
 
 def motion(problem: Problem, history: History, mass: np.ndarray) -> dict[str, float]:

@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from .figures import judged
+from .figures import at_rest, judged, motion
+from .leapfrog import History
 from .problem import Problem
+from .solved import Solved, Step
 
 
 def write(
@@ -42,6 +44,53 @@ def write(
     }
     (folder / f"{host}.json").write_text(json.dumps(summary, indent=2) + "\n")
     np.savez(folder / f"{host}.npz", displacement=displacement, force=force, curve=curve, **(arrays or {}))
+
+
+def of_equilibrium(
+    folder: Path,
+    host: str,
+    problem: Problem,
+    solved: Solved,
+    figures: dict[str, float],
+    arrays: dict[str, np.ndarray],
+    **more: Any,
+) -> None:
+    """Writes what a solver found; ``figures`` are those that only the host can take."""
+    found, curve = at_rest(problem, solved)
+    last = solved.steps[-1]
+    write(
+        folder, host, problem, {**figures, **found}, last.displacement, last.force, curve, solved.iterations,
+        solved.seconds, solved.contact_seconds, {**way(solved.steps), **arrays}, **more,
+    )  # fmt: skip
+
+
+def of_motion(
+    folder: Path,
+    host: str,
+    problem: Problem,
+    history: History,
+    masses: np.ndarray,
+    displacement: np.ndarray,
+    force: np.ndarray,
+    arrays: dict[str, np.ndarray],
+    **more: Any,
+) -> None:
+    """Writes what time steps came to; ``masses`` of the bodies."""
+    about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
+    curve = np.column_stack([history.time, np.linalg.norm(np.array(history.bodies)[:, about], axis=1)])
+    write(
+        folder, host, problem, motion(problem, history, masses), displacement, force, curve, len(history.time) - 1,
+        history.seconds, history.contact_seconds, arrays, **more,
+    )  # fmt: skip
+
+
+def way(steps: list[Step]) -> dict[str, np.ndarray]:
+    """All equilibria as arrays of an outcome: stage and load (steps, 2), displacements and forces (steps, nodes, dim)."""
+    return {
+        "way": np.array([[step.stage, step.load] for step in steps]),
+        "way_displacement": np.array([step.displacement for step in steps]),
+        "way_force": np.array([step.force for step in steps]),
+    }
 
 
 def read(folder: Path, host: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

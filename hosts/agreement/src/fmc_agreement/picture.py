@@ -11,8 +11,10 @@ COLOURS = ["#1e1e1e", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#5
 AXES = {
     "hertz": ("place across the contact, m", "pressure, Pa"),
     "balls": ("distance from the axis, m", "pressure, Pa"),
-    "wedge": ("place undeformed, m", "pressure, Pa"),
-    "cone": ("distance from the axis undeformed, m", "pressure, Pa"),
+    "wedge": ("place across the contact, m", "pressure, Pa"),
+    "cone": ("distance from the axis, m", "pressure, Pa"),
+    "punch": ("place across the contact, m", "pressure, Pa"),
+    "ironing": ("part of the slide", "force across it, N/m"),
     "wall": ("time, s", "force on the body, N/m"),
     "impact": ("time, s", "force on the body, N/m"),
     "patch": ("iteration", "residual by the load"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -62,8 +62,8 @@ class Problem:
     held: np.ndarray
     """Whether a component is prescribed, (nodes, dim)."""
     prescribed: np.ndarray
-    """Its value, (nodes, dim)."""
-    prescribed_then: list[np.ndarray]
+    """Its value, (nodes, dim), at the end of the first stage of the load steps."""
+    then: list[np.ndarray] = field(default_factory=list)
     """Its value at the end of every further stage."""
 
     @property
@@ -83,6 +83,12 @@ class Problem:
         """Type of all cells."""
         (kind,) = {body.cell_type for body in self.bodies}
         return kind
+
+    @property
+    def stages(self) -> list[tuple[int, np.ndarray]]:
+        """Load steps and prescribed values of every stage."""
+        plan = self.raw["load_steps"]
+        return list(zip([plan["count"], *plan.get("then", [])], [self.prescribed, *self.then]))
 
     @property
     def body_of_cell(self) -> np.ndarray:
@@ -122,6 +128,11 @@ class Problem:
             if shape == "half_space":
                 contact.add_half_space(position, axis)
                 continue
+            if shape == "polygon":
+                corner = np.arange(len(one["points"]))
+                edges = np.column_stack([corner, np.roll(corner, -1)])
+                contact.add_polytope(np.array(one["points"]), edges, pose=Pose.along(position, axis))
+                continue
             sizes = [one[key] for key in ("half_extents", "radius", "half_height") if key in one]
             if shape in ("cylinder", "cone", "capsule"):
                 sizes = [one["radius"], one["half_height"]]
@@ -155,8 +166,8 @@ def from_json(raw: dict[str, Any]) -> Problem:
         for body in raw["bodies"]
     ]
     held = np.zeros(coords.shape, bool)
-    stages = [np.zeros(coords.shape) for _ in range(1 + len(raw["supports_then"]))]
-    for prescribed, supports in zip(stages, [raw["supports"], *raw["supports_then"]]):
+    stages = [np.zeros(coords.shape) for _ in (raw["supports"], *raw["supports_then"])]
+    for supports, values in zip((raw["supports"], *raw["supports_then"]), stages):
         for node, axis, value in supports:
-            held[node, axis], prescribed[node, axis] = True, value
+            held[node, axis], values[node, axis] = True, value
     return Problem(raw, coords, bodies, held, stages[0], stages[1:])

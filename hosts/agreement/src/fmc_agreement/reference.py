@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import csv
 import json
+import resource
 import subprocess
 from pathlib import Path
 from xml.etree import ElementTree
@@ -13,6 +14,7 @@ import numpy as np
 
 from . import outcome
 from .problem import Problem, fmc, load
+from .solved import Step
 
 MIDDLE = 0.4
 """Part of a motion after which forces are compared bit for bit: in all cases bodies touch then."""
@@ -24,7 +26,7 @@ def run(folder: Path, case: str, variant: str | None = None, overrides: tuple[st
     own = folder / "reference"
     summary, fields = _run(own, problem, case, variant, overrides)
     if problem.is_static:
-        arrays = {"at_displacement": fields["displacement"]}
+        arrays = {"at_displacement": fields["displacement"], **outcome.way(_steps(own, problem, fields))}
     else:
         end = MIDDLE * problem.raw["time"]["end"]
         _, middle = _run(folder / "reference-middle", problem, case, variant, (*overrides, f"time.end={end!r}"))
@@ -43,12 +45,21 @@ def _run(own: Path, problem: Problem, case: str, variant: str | None, changes: t
     # Two frames, the start and the end.
     for change in changes if problem.is_static else (*changes, "output.frames=1", "output.animation=false"):
         command += ["--override", change]
+    clock = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode > 1:
         raise RuntimeError(done.stderr)
+    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - clock
     file = own / "equilibrium.vtu" if problem.is_static else max((own / "fields").glob("*.vtu"))
-    fields = {name: point_data(file, name)[:, : problem.dim] for name in ("displacement", "contact_force")}
-    return json.loads((own / "summary.json").read_text()), fields
+    summary = json.loads((own / "summary.json").read_text())
+    # It counts the time that passes, here processor time is compared: that of the whole program, in the same parts.
+    summary["contact_seconds"] *= seconds / summary["seconds"]
+    summary["seconds"] = seconds
+    return summary, _fields(file, problem.dim)
+
+
+def _fields(file: Path, dim: int) -> dict[str, np.ndarray]:
+    return {name: point_data(file, name)[:, :dim] for name in ("displacement", "contact_force")}
 
 
 def point_data(file: Path, name: str) -> np.ndarray:
@@ -60,19 +71,38 @@ def point_data(file: Path, name: str) -> np.ndarray:
     raise KeyError(f"{file} has no array '{name}'")
 
 
+def _steps(own: Path, problem: Problem, last: dict[str, np.ndarray]) -> list[Step]:
+    """The equilibria on the way; the last one alone where the case writes no others."""
+    rows, files = _rows(own / "load_steps.csv"), sorted((own / "fields").glob("*.vtu"))
+    if len(files) != len(rows):
+        rows, fields = rows[-1:], [last]
+    else:
+        fields = [_fields(file, problem.dim) for file in files]
+    return [
+        Step(int(row["stage"]), float(row["load"]), at["displacement"], at["contact_force"], float(row["penetration"]))
+        for row, at in zip(rows, fields)
+    ]
+
+
+def _rows(path: Path) -> list[dict[str, str]]:
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
 def _curve(own: Path, problem: Problem, summary: dict) -> np.ndarray:
-    """What a picture shows: pressure over place, residuals, or the force on the body over time."""
+    """What a picture shows: pressure over place, residuals, or the force on the body over its slide or time."""
     kind = problem.raw["figures"]["kind"]
-    if kind in ("hertz", "balls"):
-        with open(own / "pressure.csv", newline="") as file:
-            rows = [row for row in csv.DictReader(file) if row.get("what", "nodal pressure") == "nodal pressure"]
+    if kind == "patch":
+        return np.column_stack([np.arange(len(summary["residuals"])), summary["residuals"]])
+    if kind == "ironing":
+        rows = _rows(own / "load_steps.csv")
+        sliding = [row for row in rows if row["stage"] == rows[-1]["stage"]]
+        return np.array([[float(row["load"]), abs(float(row["force_y"]))] for row in sliding])
+    if problem.is_static:
+        rows = [row for row in _rows(own / "pressure.csv") if row.get("what", "nodal pressure") == "nodal pressure"]
         place = "place" if "place" in rows[0] else "x"
         return np.array([[float(row[place]), float(row["pressure"])] for row in rows])
-    if problem.is_static:
-        return np.column_stack([np.arange(len(summary["residuals"])), summary["residuals"]])
-    name = problem.raw["figures"]["body"]
-    with open(own / "history.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
+    name, rows = problem.raw["figures"]["body"], _rows(own / "history.csv")
     columns = [f"force_{name}_{axis}" for axis in "xyz"[: problem.dim]]
     if columns[0] not in rows[0]:
         raise KeyError(f"{own / 'history.csv'} has the columns {', '.join(rows[0])}, {columns[0]} is wanted")

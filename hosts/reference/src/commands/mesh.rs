@@ -66,7 +66,9 @@ fn described<const D: usize>(document: &Document, case: &Case) -> Result<Value> 
         .collect();
     let loads = case.loads.iter().map(|load| loaded(case, model, load)).collect::<Result<Vec<Value>>>()?;
     let stages = case.load_steps.as_ref().map_or(0, |steps| steps.then.len());
-    let then = (1..=stages).map(|stage| Ok(case.constraints(model, stage)?.iter().collect::<Vec<_>>()));
+    let then = (1..=stages)
+        .map(|stage| Ok(case.constraints(model, stage)?.iter().collect::<Vec<_>>()))
+        .collect::<Result<Vec<_>>>()?;
     let effective = toml::Table::try_from(case)?;
     let expected: Vec<Value> = (case.expected.iter())
         .filter(|expected| expected.applies(&effective, document.variant.as_deref(), &document.changes))
@@ -76,8 +78,7 @@ fn described<const D: usize>(document: &Document, case: &Case) -> Result<Value> 
         "case": document.name, "variant": document.variant, "title": case.title, "dimension": D,
         "coords": model.coords().iter().map(|x| x.to_vec()).collect::<Vec<_>>(),
         "bodies": bodies,
-        "supports": problem.supports.iter().collect::<Vec<_>>(),
-        "supports_then": then.collect::<Result<Vec<_>>>()?,
+        "supports": problem.supports.iter().collect::<Vec<_>>(), "supports_then": then,
         "loads": loads,
         "obstacles": case.obstacles, "contact": case.contact, "time": case.time, "load_steps": case.load_steps,
         "figures": case.figures, "expected": expected,

@@ -1,0 +1,135 @@
+"""Load steps: prescribed displacements and forces grow together, stage after stage, as in the reference host."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import numpy as np
+from fmc_contact import FmcError
+
+from .approach import approach, loose_push, soft_stiffness
+from .equilibrium import FAR, Balance, Equilibrium, NoEquilibrium
+from .solved import Solved, Step
+
+MOST_HALVINGS = 8
+"""Times that a step which fails is halved."""
+
+EASY = 12
+"""A step that needs no more iterations than these lets the next one be twice as long, up to the first ones' length."""
+
+STRIDE = 100.0
+"""Factor from one rough contact to the next."""
+
+
+class Path:
+    """The way through all stages of a case."""
+
+    def __init__(self, equilibrium: Equilibrium) -> None:
+        self.equilibrium, self.problem = equilibrium, equilibrium.problem
+        self.contact = equilibrium.touching.contact
+        self.hard = self.contact.options["stiffness"]
+        self.soft = min(self.hard, soft_stiffness(self.problem))
+        self.tolerance = self.problem.raw["load_steps"]["tolerance"]
+        self.u = np.zeros(self.problem.coords.shape)
+        self.load = 0.0
+        self.found = Solved()
+
+    def follow(self) -> Solved:
+        """Goes through all stages. Errors: ``NoEquilibrium``."""
+        clock, found, solver = time.process_time(), self.found, self.equilibrium
+        for stage, (count, values) in enumerate(self.problem.stages):
+            self._stage(stage, count, values)
+        found.seconds = time.process_time() - clock
+        found.residuals, found.iterations = solver.residuals, solver.iterations
+        found.contact_seconds = solver.contact_seconds
+        return found
+
+    def _stage(self, stage: int, count: int, values: np.ndarray) -> None:
+        self.start, self.values, self.load, self.before = self.u, values, 0.0, None
+        # The dead loads have grown in the first stage.
+        self.part_before = min(stage, 1)
+        longest = step = 1.0 / count
+        while self.load < 1.0:
+            load = self.load + step if self.load + step <= 1.0 - 1e-9 else 1.0
+            iterations = self.equilibrium.iterations
+            try:
+                u, balance = self._advance(load)
+            except NoEquilibrium:
+                if step <= longest * 0.5**MOST_HALVINGS:
+                    raise
+                step *= 0.5
+                self.found.halvings += 1
+                continue
+            self.before, self.u, self.load = (self.u, self.load), u, load
+            self.found.steps.append(Step(stage, load, u, balance.touch.forces, balance.touch.penetration))
+            if self.equilibrium.iterations - iterations <= EASY:
+                step = min(longest, 2.0 * step)
+
+    def _advance(self, load: float) -> tuple[np.ndarray, Balance]:
+        """Equilibrium at a load, from the last one."""
+        solver = self.equilibrium
+        part = self.part_before + load * (1.0 - self.part_before)
+        solver.load = part * solver.full_load
+        start = self._predicted(load)
+        if self.soft < self.hard and (self._is_loose(start) or self._is_too_deep(start)):
+            # A body that comes to rest on hard contact would creep, and cells that hard contact drives out at once are
+            # turned inside out. On a soft contact both settle.
+            try:
+                start = self._settled(start)
+            finally:
+                self.contact.set_options(stiffness=self.hard)
+        return solver.newton(start, self.tolerance)
+
+    def _settled(self, u: np.ndarray) -> np.ndarray:
+        """Rough equilibria on contacts of growing stiffness."""
+        solver, growth = self.equilibrium, self.hard / self.soft
+        stages = max(math.ceil(math.log(growth) / math.log(STRIDE)), 1)
+        for stage in range(stages):
+            self.contact.set_options(stiffness=self.soft * growth ** (stage / stages))
+            if stage == 0:
+                self.contact.release_patches()
+                u = approach(self.problem, u, solver.load, lambda at: solver.timed(solver.touching.evaluate, at).forces)
+            u, _ = solver.newton(u, max(FAR, self.tolerance))
+        return u
+
+    def _prescribed(self, u: np.ndarray, load: float) -> np.ndarray:
+        return np.where(self.problem.held, self.start + load * (self.values - self.start), u)
+
+    def _predicted(self, load: float) -> np.ndarray:
+        """As far beyond the last equilibrium as that is beyond the one before; or with what is prescribed moved on, and
+        the bodies following as their tangent says: else the cells at the supports alone would take all of it."""
+        u, solver = self.u, self.equilibrium
+        moved = self._prescribed(u, load)
+        if (moved == u).all():
+            return u
+        if self.before is not None:
+            last, at = self.before
+            ahead = self._prescribed(u + (load - self.load) / (self.load - at) * (u - last), load)
+            if not self._is_too_deep(ahead):
+                return ahead
+        solver.timed(solver.touching.keep_patches, u)
+        balance = solver.balance(u)
+        pull = solver.elastic.stiffness(u) @ (moved - u).ravel()
+        step = solver.linear(u, -balance.residual - pull.reshape(u.shape), True)
+        return moved if step is None else moved + step
+
+    def _is_too_deep(self, u: np.ndarray) -> bool:
+        """Whether the penetration calls for a pressure beyond Young's modulus, which nothing could bear."""
+        self.contact.release_patches()
+        try:
+            penetration = self.equilibrium.timed(self.equilibrium.touching.evaluate, u).penetration
+        except (NoEquilibrium, FmcError):  # Newton's method will hear it too
+            return False
+        return penetration * self.hard > min(body.material.young for body in self.problem.bodies)
+
+    def _is_loose(self, u: np.ndarray) -> bool:
+        """Whether a body that nothing but contact holds against its load touches nothing."""
+        loose = [
+            body for body in self.problem.bodies if loose_push(self.problem, body, self.equilibrium.load).any()
+        ]
+        if not loose:
+            return False
+        self.contact.release_patches()
+        forces = self.equilibrium.timed(self.equilibrium.touching.evaluate, u).forces
+        return not all(forces[body.nodes].any() for body in loose)

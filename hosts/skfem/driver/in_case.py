@@ -1,0 +1,42 @@
+"""What the common solver needs of scikit-fem: contact in the numbering of the case."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from fmc_agreement.problem import Problem
+from fmc_contact import Result
+from fmc_contact_skfem import SkfemContact
+from model import Model
+from scipy.sparse import csr_matrix
+
+
+class Touching:
+    """The contact of all bodies, with the obstacles of the case; displacements (nodes, dim) of the case."""
+
+    def __init__(self, problem: Problem, models: list[Model]) -> None:
+        first = np.cumsum([0] + [model.basis.N for model in models])
+        bases = [(model.basis, int(offset)) for model, offset in zip(models, first)]
+        self.adapter = SkfemContact(bases, bodies=problem.body_of_cell, **problem.contact_options())
+        self.contact = self.adapter.contact
+        problem.add_obstacles(self.contact)
+        self.dofs = np.concatenate([(model.dofs + offset).ravel() for model, offset in zip(models, first)])
+
+    def _on_dofs(self, u: np.ndarray) -> np.ndarray:
+        found = np.empty(u.size)
+        found[self.dofs] = u.ravel()
+        return found
+
+    def evaluate(self, u: np.ndarray) -> Result:
+        return self.adapter.evaluate(self._on_dofs(u))
+
+    def force(self, u: np.ndarray) -> np.ndarray:
+        """Contact forces (nodes, dim), as the adapter brings them to the unknowns."""
+        return self.adapter.force(self._on_dofs(u))[self.dofs].reshape(u.shape)
+
+    def tangent(self, u: np.ndarray, semidefinite: bool) -> csr_matrix:
+        return self.adapter.tangent(self._on_dofs(u), semidefinite)[self.dofs][:, self.dofs]
+
+    def keep_patches(self, u: np.ndarray) -> Any:
+        return self.adapter.keep_patches(self._on_dofs(u))
