@@ -119,7 +119,7 @@ fn run_in<const D: usize>(
     }
     if let Some(profile) = profile {
         write("pressure.csv", &profile.table())?;
-        chart::draw(out, "pressure", &case.title, &[profile.panel()])?;
+        chart::draw(out, "pressure", &case.title, &profile.panels())?;
     }
     if steps.len() > 1 {
         chart::draw(
