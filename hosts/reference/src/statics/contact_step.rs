@@ -14,7 +14,7 @@ const MOST_KEPT: usize = 1500;
 /// Iterations of the contact, at most.
 const MOST_ITERATIONS: usize = 80;
 
-/// Part of the residual that may be left where the bodies are not linear: what they add is as much.
+/// Part of the residual that may be left where the bodies are not linear; less near the end, which stays quadratic.
 const LEFT_OVER: f64 = 1e-2;
 
 /// Trials along a direction.
@@ -82,7 +82,7 @@ impl<const D: usize> Equilibrium<D> {
         let none = vec![0.0; self.equation_count];
         let mut at = At { step: none.clone(), pull: none, energy: balance.contact_energy, gradient };
         let exact = 0.1 * self.settings.tolerance * balance.scale;
-        let goal = if self.is_linear() { exact } else { exact.max(LEFT_OVER * balance.norm) };
+        let goal = if self.is_linear() { exact } else { exact.max(LEFT_OVER.min(balance.relative()) * balance.norm) };
         let (mut iterations, mut full_failed) = (0, false);
         while at.norm() > goal && iterations < MOST_ITERATIONS {
             let is_far = at.norm() > self.settings.full_below * model.scale;
