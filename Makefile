@@ -3,6 +3,7 @@
 # make python    the Python package, in an environment of its own under target/, and its tests
 # make hosts     the adapters for scikit-fem, FEniCSx and PETSc, and their tests, against the reference host too
 # make agree     the cases in all hosts, side by side: table and pictures in out/agree
+# make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi
@@ -18,7 +19,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: demo test tools python hosts host-environment agree compat bench header build install clean
+.PHONY: demo test tools python hosts host-environment agree peer-environment peers peers-test compat bench header build install clean
 
 demo:
 	$(CARGO) run --release -p fmc-reference --bin fmc -- force examples/star.msh examples/block.msh --stiffness 2.8e7
@@ -85,6 +86,28 @@ hosts: host-environment
 
 agree: host-environment
 	$(RUN_HOSTS) -m fmc_agreement out/agree
+
+# GetFEM is a package for the system's own Python. Its BLAS is unpacked here for it alone: installed, OpenBLAS would change every
+# other program's.
+PEER_BLAS = $(abspath $(TARGET))/peers
+BLAS_FOLDER = $(PEER_BLAS)/usr/lib/$(shell $(CC) -print-multiarch)/openblas-serial
+RUN_PEERS = FMC=$(abspath $(TARGET))/release/fmc OMP_NUM_THREADS=1 \
+  PYTHONPATH=$(CURDIR)/hosts/peers:$(CURDIR)/hosts/agreement/src LD_LIBRARY_PATH=$(BLAS_FOLDER):$(dir $(BLAS_FOLDER)) \
+  $(SYSTEM_PYTHON)
+
+peer-environment:
+	$(CARGO) build --release -p fmc-reference
+	@$(SYSTEM_PYTHON) -c 'import getfem, numpy' 2>/dev/null \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3-getfem python3-scipy; }
+	@test -e $(BLAS_FOLDER)/libblas.so.3 || { mkdir -p $(PEER_BLAS) && cd $(PEER_BLAS) \
+	  && { apt-get download -q libopenblas0-serial || { $(SUDO) apt-get update -q && apt-get download -q libopenblas0-serial; }; } \
+	  && dpkg -x libopenblas0-serial*.deb .; }
+
+peers: peer-environment
+	$(RUN_PEERS) -m fmc_peers out/peers $(PEERS)
+
+peers-test: peer-environment
+	$(RUN_PEERS) -m unittest discover -v hosts/peers/tests
 
 SUITE ?= trixie
 

@@ -9,7 +9,7 @@ use assembly::Assembly;
 use clap::Args;
 use division::{DivideBy, Division};
 use fmc_contact::Contact;
-use fmc_reference::mesh::{Kind, Mesh};
+use fmc_reference::mesh::{Kind, Mesh, fiber_grid};
 use obstacle::ObstacleSpec;
 use placement::{Rotation, Translation};
 use report::Report;
@@ -145,7 +145,7 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     std::fs::create_dir_all(&args.out).with_context(|| format!("{} cannot be created", args.out.display()))?;
     let pictures = [args.out.join("forces.vtu"), args.out.join("fibers.vtu")];
     pictures::forces(&assembly, &division, &forces.forces).write(&pictures[0])?;
-    pictures::fibers(&traces, args.fibers_shown).write(&pictures[1])?;
+    fiber_grid(&traces, args.fibers_shown).write(&pictures[1])?;
 
     let obstacles: Vec<&str> = args.obstacle.iter().map(|obstacle| obstacle.text.as_str()).collect();
     let mut report = Report::new(&forces, &division.names, &obstacles, seconds);

@@ -10,13 +10,15 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 mod element_type;
+mod fibers;
 mod gmsh;
 mod gmsh_stream;
 mod vtu;
 mod vtu_array;
 mod vtu_write;
 
-pub use vtu_write::{VtkCell, VtuWriter};
+pub use fibers::{fiber_grid, read_fibers};
+pub use vtu_write::{VtkCell, VtuWriter, in_space};
 
 /// Cells of one type, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,6 +10,7 @@
 //! OUT/checkpoint.*     of a run that was interrupted, or still runs
 //! OUT/iterations.csv   every iteration of an equilibrium
 //! OUT/equilibrium.vtu  its fields
+//! OUT/fibers.vtu       fibers through the contact, their stretches inside both bodies, and their crossings as points
 //! OUT/load_steps.csv   every equilibrium on the way; OUT/reactions.* its forces, where there are several
 //! OUT/pressure.*       pressure on the contact surface, beside the closed form: CSV, PNG and SVG
 //! ```
@@ -20,6 +21,7 @@
 mod animation;
 mod canvas;
 mod equilibrium;
+mod fibers;
 mod fields;
 mod figures;
 mod frames;
@@ -35,6 +37,7 @@ mod summary;
 mod way;
 
 pub use equilibrium::{Solved, run_at_rest, solve};
+pub use fibers::traces;
 pub use figures::{Figure, Motion};
 pub use hertz::HertzLine;
 pub use history::History;

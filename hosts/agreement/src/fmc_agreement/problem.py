@@ -9,7 +9,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from fmc_contact import Pose
 
 
 def fmc() -> str:
@@ -119,6 +118,9 @@ class Problem:
 
     def add_obstacles(self, contact: Any) -> None:
         """Adds the rigid partners of the case to a contact."""
+        # Programs that bring contact of their own read cases too, without the module.
+        from fmc_contact import Pose
+
         up = np.eye(self.dim)[-1]
         for one in self.raw["obstacles"]:
             position, axis = one.get("position", np.zeros(self.dim)), one.get("axis", up)

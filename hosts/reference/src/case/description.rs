@@ -54,6 +54,8 @@ pub struct Output {
     pub frames: u64,
     /// Whether they also become an animation (2D only).
     pub animation: bool,
+    /// Fibers of an equilibrium that are written, at most; of more, an even selection.
+    pub fibers: usize,
 }
 
 /// `[figures]`
@@ -154,7 +156,7 @@ impl FigureKind {
 
 impl Default for Output {
     fn default() -> Self {
-        Self { frames: 50, animation: false }
+        Self { frames: 50, animation: false, fibers: 20_000 }
     }
 }
 

@@ -16,29 +16,69 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh> {
     let (xml, appended) = split_appended(bytes)?;
     let document = Document::parse(&xml).context("it is not well-formed XML")?;
     let (encoding, piece) = opened(&document, appended)?;
-    let point_count = size(&piece, "NumberOfPoints").context("the number of points cannot be read")?;
-    let cell_count = size(&piece, "NumberOfCells").context("the number of cells cannot be read")?;
-    let points = child(piece, "Points")?.children().find(|n| n.has_tag_name("DataArray"));
-    let points = encoding.floats(points.context("it has no array of points")?)?;
-    ensure!(Some(points.len()) == point_count.checked_mul(3), "{point_count} points have {} coordinates", points.len());
-    let mut mesh = Mesh {
-        points: points.chunks_exact(3).map(|x| [x[0], x[1], x[2]]).collect(),
-        node_tags: (0..point_count as u64).collect(),
-        ..Mesh::default()
-    };
-    let topology = child(piece, "Cells")?;
-    let named = |name: &str| -> Result<Vec<i64>> {
-        encoding.integers(array(topology, name).with_context(|| format!("it has no array '{name}' of cells"))?)
-    };
-    let (conn, ends, types) = (named("connectivity")?, named("offsets")?, named("types")?);
-    ensure!(ends.len() == cell_count, "{cell_count} cells have {} offsets", ends.len());
-    ensure!(types.len() == cell_count, "{cell_count} cells have {} types", types.len());
+    let Topology { points, conn, ends, types } = Topology::read(&encoding, piece)?;
+    let node_tags = (0..points.len() as u64).collect();
+    let mut mesh = Mesh { points, node_tags, ..Mesh::default() };
     let groups = piece
         .children()
         .find(|n| n.has_tag_name("CellData"))
         .and_then(|data| GROUP_ARRAYS.iter().find_map(|name| array(data, name)).map(|found| encoding.integers(found)));
     cells(&mut mesh, &conn, &ends, &types, &groups.transpose()?)?;
     Ok(mesh)
+}
+
+/// Points and cells as the file holds them.
+struct Topology {
+    points: Vec<[f64; 3]>,
+    conn: Vec<i64>,
+    ends: Vec<i64>,
+    types: Vec<i64>,
+}
+
+impl Topology {
+    fn read(encoding: &Encoding, piece: Node) -> Result<Self> {
+        let point_count = size(&piece, "NumberOfPoints").context("the number of points cannot be read")?;
+        let cell_count = size(&piece, "NumberOfCells").context("the number of cells cannot be read")?;
+        let points = child(piece, "Points")?.children().find(|n| n.has_tag_name("DataArray"));
+        let points = encoding.floats(points.context("it has no array of points")?)?;
+        ensure!(
+            Some(points.len()) == point_count.checked_mul(3),
+            "{point_count} points have {} coordinates",
+            points.len()
+        );
+        let cells = child(piece, "Cells")?;
+        let named = |name: &str| -> Result<Vec<i64>> {
+            encoding.integers(array(cells, name).with_context(|| format!("it has no array '{name}' of cells"))?)
+        };
+        let (conn, ends, types) = (named("connectivity")?, named("offsets")?, named("types")?);
+        ensure!(ends.len() == cell_count, "{cell_count} cells have {} offsets", ends.len());
+        ensure!(types.len() == cell_count, "{cell_count} cells have {} types", types.len());
+        Ok(Self { points: points.chunks_exact(3).map(|x| [x[0], x[1], x[2]]).collect(), conn, ends, types })
+    }
+}
+
+/// The points of every cell of one VTK type, with its number in a cell array.
+pub(super) fn cells_of_type(bytes: &[u8], wanted: i64, name: &str) -> Result<Vec<(i64, Vec<[f64; 3]>)>> {
+    let (xml, appended) = split_appended(bytes)?;
+    let document = Document::parse(&xml).context("it is not well-formed XML")?;
+    let (encoding, piece) = opened(&document, appended)?;
+    let Topology { points, conn, ends, types } = Topology::read(&encoding, piece)?;
+    let numbers = array(child(piece, "CellData")?, name).with_context(|| format!("it has no array '{name}'"))?;
+    let numbers = encoding.integers(numbers)?;
+    ensure!(numbers.len() == types.len(), "array '{name}' has {} numbers for {} cells", numbers.len(), types.len());
+    let mut found = Vec::new();
+    let mut start = 0;
+    for (cell, (&end, &number)) in ends.iter().zip(&numbers).enumerate() {
+        let end = usize::try_from(end).unwrap_or(usize::MAX);
+        let nodes = conn.get(start..end).with_context(|| format!("cell {cell} has no nodes in 'connectivity'"))?;
+        start = end;
+        if types[cell] == wanted {
+            let at = |&node: &i64| usize::try_from(node).ok().and_then(|node| points.get(node).copied());
+            let places: Option<Vec<[f64; 3]>> = nodes.iter().map(at).collect();
+            found.push((number, places.with_context(|| format!("cell {cell} names a point that is not there"))?));
+        }
+    }
+    Ok(found)
 }
 
 /// How arrays are encoded, and the one piece of the grid.

@@ -115,6 +115,11 @@ impl VtuWriter {
     }
 }
 
+/// A point in space; in 2D at z = 0.
+pub fn in_space<const D: usize>(x: &[f64; D]) -> [f64; 3] {
+    std::array::from_fn(|axis| x.get(axis).copied().unwrap_or(0.0))
+}
+
 fn float_bytes<const N: usize>(vectors: &[[f64; N]]) -> Vec<u8> {
     vectors.iter().flatten().flat_map(|value| value.to_le_bytes()).collect()
 }

@@ -9,7 +9,7 @@ mod fields;
 mod outline;
 mod view;
 
-pub(crate) use canvas::{Drawing, Patch, Stroke};
+pub(crate) use canvas::{Dot, Drawing, Patch, Stroke};
 pub(crate) use colors::{brightest, darker, opaque};
 pub(crate) use fields::{Cell, Fields};
 pub(crate) use outline::outline;

@@ -4,9 +4,10 @@ use super::hertz::HertzLine;
 use super::runner::{Ending, RunOptions};
 use super::summary::Summary;
 use super::way::{LoadStep, Way};
-use super::{Figure, Profile, fields, indentation, patch};
+use super::{Figure, Profile, fibers, fields, indentation, patch};
 use crate::case::{Case, Document, FigureKind};
 use crate::chart::{self, Axis, Mark, Panel, Series};
+use crate::mesh::fiber_grid;
 use crate::statics::{Equilibrium, Iteration, StaticsError};
 use anyhow::{Context, Result};
 use std::fmt::Write;
@@ -112,9 +113,13 @@ fn run_in<const D: usize>(
         end => end?,
     }
     let Solved { equilibrium, steps, figures, profile } = Solved::new(case, way.equilibrium, way.steps)?;
+    let traces = if case.output.fibers > 0 { fibers::traces(case, &equilibrium)? } else { Vec::new() };
+    if !traces.is_empty() {
+        fiber_grid(&traces, case.output.fibers).write(&out.join("fibers.vtu"))?;
+    }
     if let Some(profile) = profile {
         write("pressure.csv", &profile.table())?;
-        chart::draw(out, "pressure", &case.title, &[profile.panel()])?;
+        chart::draw(out, "pressure", &case.title, &profile.panels())?;
     }
     if steps.len() > 1 {
         chart::draw(

@@ -2,7 +2,7 @@
 
 use crate::dynamics::Simulation;
 use crate::fem::Model;
-use crate::mesh::{VtkCell, VtuWriter};
+use crate::mesh::{VtkCell, VtuWriter, in_space};
 use crate::statics::{Equilibrium, nodal_pressures};
 
 /// The bodies where they were at the start, with what a picture needs; ParaView's "Warp By Vector" deforms them.
@@ -57,8 +57,4 @@ fn bodies<const D: usize>(model: &Model<D>, displacement: &[[f64; D]]) -> VtuWri
 
 fn vectors<const D: usize>(values: &[[f64; D]]) -> Vec<[f64; 3]> {
     values.iter().map(in_space).collect()
-}
-
-fn in_space<const D: usize>(x: &[f64; D]) -> [f64; 3] {
-    std::array::from_fn(|axis| x.get(axis).copied().unwrap_or(0.0))
 }

@@ -63,7 +63,8 @@ impl HertzLine {
     pub(super) fn drawn(&self) -> Profile {
         let reach = self.profile.iter().map(|(x, _)| x.abs()).fold(0.0, f64::max);
         let curve = profile::drawn(-reach, reach, |x| self.closed_form(x));
-        Profile { place: "place across the contact, m", points: self.profile.clone(), curves: vec![("Hertz", curve)] }
+        let (points, curves) = (self.profile.clone(), vec![("Hertz", curve)]);
+        Profile { place: "place across the contact, m", points, curves, edge: None }
     }
 
     /// p0² and −p0²/a² by least squares of p² over x².

@@ -73,7 +73,8 @@ impl<const D: usize> View<'_, D> {
             let given = self.case.figures.profile.iter().map(|p| (p[0], p[1])).filter(|p| p.0 <= to);
             curves.push(("finer mesh", given.collect()));
         }
-        Some(Profile { place, points: self.surface.points(to), curves })
+        let edge = (self.case.figures.kind == FigureKind::Punch).then_some(to);
+        Some(Profile { place, points: self.surface.points(to), curves, edge })
     }
 
     /// Ball on its mirror image: p = p0 √(1 − r²/a²), p² over r² fitted where p > 0.3 of the largest.

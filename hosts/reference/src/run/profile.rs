@@ -13,7 +13,12 @@ pub struct Profile {
     pub points: Vec<(f64, f64)>,
     /// Name and points of every curve.
     pub curves: Vec<(&'static str, Vec<(f64, f64)>)>,
+    /// Place of an edge at which the pressure has no bound: what is beside it is shown on its own, too.
+    pub edge: Option<f64>,
 }
+
+/// Part of the way to an edge up to which pressures are shown without its peak.
+const BESIDE_EDGE: f64 = 0.95;
 
 /// Points of a curve in a picture.
 const FINENESS: usize = 400;
@@ -102,19 +107,40 @@ impl Profile {
         text
     }
 
-    /// As a picture.
-    pub(super) fn panel(&self) -> Panel {
+    /// As pictures: all of it; where there is an edge, first what is beside it.
+    pub(super) fn panels(&self) -> Vec<Panel> {
+        let beside = self.edge.map(|edge| BESIDE_EDGE * edge);
+        beside.into_iter().chain([f64::INFINITY]).map(|to| self.panel(to)).collect()
+    }
+
+    fn panel(&self, to: f64) -> Panel {
         const COLORS: [(u8, u8, u8); 3] = [(30, 30, 30), (0, 114, 178), (0, 158, 115)];
+        // Numbers on the axes stay short.
+        let largest = |of: fn(&(f64, f64)) -> f64| self.points.iter().map(of).fold(0.0, f64::max);
+        let (pressure, unit) = match largest(|point| point.1) {
+            p if p >= 1e8 => (1e-9, "GPa"),
+            p if p >= 1e5 => (1e-6, "MPa"),
+            _ => (1.0, "Pa"),
+        };
+        let is_small = largest(|point| point.0) < 0.02;
+        let (length, place) = match self.place.strip_suffix(", m") {
+            Some(place) if is_small => (1e3, format!("{place}, mm")),
+            _ => (1.0, self.place.to_owned()),
+        };
+        let shown = |points: &[(f64, f64)]| {
+            let near = points.iter().filter(|(x, _)| *x <= to);
+            near.map(|(x, p)| (length * x, pressure * p)).collect::<Vec<_>>()
+        };
         let nodes = Series {
             mark: Mark::Points,
             sign: Sign::Circle,
-            ..Series::line("nodal pressure", (213, 94, 0), self.points.clone())
+            ..Series::line("nodal pressure", (213, 94, 0), shown(&self.points))
         };
         let curves =
-            self.curves.iter().zip(COLORS).map(|((name, points), color)| Series::line(*name, color, points.clone()));
+            self.curves.iter().zip(COLORS).map(|((name, points), color)| Series::line(*name, color, shown(points)));
         Panel {
-            x: Axis::linear(self.place.to_owned()),
-            y: Axis::linear("contact pressure, Pa".to_owned()),
+            x: Axis::linear(place),
+            y: Axis::linear(format!("contact pressure, {unit}")),
             series: std::iter::once(nodes).chain(curves).collect(),
         }
     }

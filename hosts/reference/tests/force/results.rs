@@ -161,7 +161,7 @@ fn fibers_shown_are_capped() {
     let (text, all) = count("");
     assert!(text.contains("fibers in the overlap)") && all > 1000, "{text}");
     let (text, few) = count("--fibers-shown 10");
-    assert!(text.contains("10 of the ") && (30..60).contains(&few), "{text}");
+    assert!(text.contains("10 of the ") && (40..80).contains(&few), "{text}");
     let (text, none) = count("--estimator exact");
     assert!(text.contains("empty") && none == 0, "{text}");
 }

@@ -50,6 +50,13 @@ fn every_run_stands_on_the_page_with_pictures_that_decode() {
         }
     }
 
+    // Of an equilibrium also the fibers through its contact.
+    let with_fibers = all(&page, "#patch2d .pictures figcaption").into_iter().filter(|caption| {
+        let text: String = caption.text().collect();
+        text.contains("lines through the contact")
+    });
+    assert!(with_fibers.count() >= 1 && folder.0.join("runs/patch2d/fibers.png").is_file());
+
     // Nothing comes from elsewhere, and every link leads somewhere.
     assert!(all(&page, "script, link, iframe, object").is_empty());
     for link in all(&page, "a") {

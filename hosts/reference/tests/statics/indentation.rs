@@ -6,14 +6,14 @@ use fmc_reference::statics::Iteration;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-fn case(name: &str, variant: Option<&str>, changes: &[&str]) -> Case {
+pub(crate) fn case(name: &str, variant: Option<&str>, changes: &[&str]) -> Case {
     let mut document = Document::open(name).unwrap();
     variant.into_iter().for_each(|variant| document.choose(variant).unwrap());
     changes.iter().for_each(|change| document.override_with("test", change).unwrap());
     document.case().unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn solved<const D: usize>(case: &Case) -> Solved<D> {
+pub(crate) fn solved<const D: usize>(case: &Case) -> Solved<D> {
     solve(Path::new(""), case, 1, &mut |_: &Iteration| ControlFlow::Continue(())).unwrap()
 }
 
@@ -56,7 +56,8 @@ fn a_punch_presses_hardest_at_its_edge() {
     let at = solved::<2>(&case("punch", None, &changes));
     let [force, center, edge, error] =
         ["force", "pressure_center", "pressure_edge", "profile_error"].map(|name| figure(&at, name));
-    assert!((force / 3.23e7 - 1.0).abs() < 0.02, "{force}");
+    // 3.226e7 with the interface tied, converged; a coarse edge is wider than it should be by part of a facet.
+    assert!((force / 3.226e7 - 1.0).abs() < 0.02, "{force}");
     assert!(edge > 2.0 * center && error < 0.08, "{center} in the middle, {edge} at the edge, {error}");
 }
 
@@ -79,7 +80,8 @@ fn a_die_slides_without_a_step_that_fails() {
     assert_eq!((at.steps.len(), figure(&at, "steps_failed")), (23, 0.0));
     // Without friction nothing pulls where the block is as long on both sides.
     let (mean, ripple) = (figure(&at, "force_y_mean"), figure(&at, "ripple_peak_to_peak"));
-    assert!((mean / 724.5 - 1.0).abs() < 0.02 && ripple < 5e-3, "{mean}, {ripple}");
+    // GetFEM on the same mesh, without penetration, which takes 0.3 % here.
+    assert!((mean / 720.5 - 1.0).abs() < 5e-3 && ripple < 5e-3, "{mean}, {ripple}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod scene;
 
+mod fibers;
 mod hertz;
 mod indentation;
 mod patch;

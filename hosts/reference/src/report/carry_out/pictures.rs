@@ -1,5 +1,7 @@
 //! Pictures of a run: the deformed bodies, and the charts that the run has drawn itself.
 
+mod fibers;
+
 use crate::report::drawing::{Drawing, Fields, Patch, View, brightest, darker, opaque, outline};
 use crate::report::record::{Picture, PictureKind};
 use anyhow::{Context, Result};
@@ -105,13 +107,15 @@ fn bodies(case: &Case, camera: Option<[f64; 3]>, folder: &Path) -> Result<(Vec<P
             let caption = "The same about the contact".into();
             pictures.push(Picture { file: "detail.png".into(), caption, kind: PictureKind::Bodies });
         }
+        let about = matches!(view, View::Plane).then(|| rigid(case, frame)).unwrap_or_default();
+        pictures.extend(fibers::draw(view, fields, about, folder)?);
     }
     Ok((pictures, Some(top)))
 }
 
 fn drawing(view: View, fields: &Fields, top: f64) -> Drawing {
     let color = |cell: usize| opaque(fields.cells[cell].value / top);
-    Drawing { patches: view.patches(&fields.points, &fields.cells, color, darker), strokes: Vec::new() }
+    Drawing { patches: view.patches(&fields.points, &fields.cells, color, darker), ..Drawing::default() }
 }
 
 /// Rigid partners of a case in the plane.

@@ -27,6 +27,16 @@ pub(crate) struct Stroke {
     pub(crate) width: f32,
 }
 
+/// A round point.
+pub(crate) struct Dot {
+    /// Where.
+    pub(crate) at: [f64; 2],
+    /// Its colour.
+    pub(crate) color: Rgba,
+    /// Its radius, pixels.
+    pub(crate) radius: f32,
+}
+
 /// A part of the plane with what lies in it; what comes later covers what came before.
 #[derive(Default)]
 pub(crate) struct Drawing {
@@ -34,6 +44,8 @@ pub(crate) struct Drawing {
     pub(crate) patches: Vec<Patch>,
     /// Lines over all polygons.
     pub(crate) strokes: Vec<Stroke>,
+    /// Points over all lines.
+    pub(crate) dots: Vec<Dot>,
 }
 
 /// Edges of cells smaller than this many pixels would cover the cells.
@@ -82,6 +94,11 @@ impl Drawing {
             builder.line_to(to[0], to[1]);
             let Some(path) = builder.finish() else { continue };
             pixmap.stroke_path(&path, &paint(stroke.color), &pen(stroke.width), Transform::identity(), None);
+        }
+        for dot in &self.dots {
+            let [x, y] = place(&dot.at);
+            let Some(path) = PathBuilder::from_circle(x, y, dot.radius) else { continue };
+            pixmap.fill_path(&path, &paint(dot.color), FillRule::Winding, Transform::identity(), None);
         }
         let bytes = pixmap.encode_png().context("a picture cannot be encoded")?;
         std::fs::write(path, bytes).with_context(|| format!("{} cannot be written", path.display()))

@@ -1,0 +1,80 @@
+"""What the programs found, side by side."""
+
+from __future__ import annotations
+
+from statistics import median
+from typing import Any
+
+import numpy as np
+from fmc_agreement.indentation import SLIDE, Surface
+from fmc_agreement.problem import Problem
+
+from .measure import Run
+
+
+def rows(problem: Problem, runs: list[list[Run]]) -> list[dict[str, Any]]:
+    """A row for every program: its repetitions in a list, ours first."""
+    about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
+    first = Surface(problem, about, runs[0][0].force)
+    found = []
+    for repeated in runs:
+        run = repeated[0]
+        row: dict[str, Any] = {
+            "case": problem.name,
+            "program": run.program,
+            "cells": sum(len(body.conn) for body in problem.bodies),
+            "repetitions": len(repeated),
+            "cpu_seconds": median(one.total for one in repeated),
+            "cpu_seconds_each": [one.seconds for one in repeated],
+            "iterations": run.iterations,
+            "force": force(problem, run, about),
+        }
+        if problem.raw["figures"]["kind"] in ("wedge", "cone"):
+            own = Surface(problem, about, run.force)
+            row["half_width"] = own.reach()
+            row["profile_difference"] = apart(own, first)
+        found.append(row)
+    return found
+
+
+def force(problem: Problem, run: Run, about: int) -> float:
+    """On the body that the figures are about, along the last axis, of the whole; over a slide, the mean."""
+    if problem.raw["figures"]["kind"] == "ironing":
+        return run.figures["force_y_mean"] if run.figures else mean_over_slide(run.history)
+    return float(problem.raw["figures"]["copies"] * abs(run.force[problem.bodies[about].nodes, -1].sum()))
+
+
+def apart(own: Surface, first: Surface) -> float:
+    """Root mean square over the area of the difference of two pressures at the same nodes, by the second; without the tip,
+    where both are singular."""
+    tip = first.place > 0.0
+    return own.distance(first.place[tip].min(), np.inf, True, lambda _: first.pressure[tip])
+
+
+def mean_over_slide(history: np.ndarray) -> float:
+    """Rows of stage, part of its load, force along each axis."""
+    stage, load, up = history[:, 0], history[:, 1], np.abs(history[:, -1])
+    inside = (stage == stage.max()) & (load > SLIDE[0] - 1e-9) & (load < SLIDE[1] + 1e-9)
+    return float(up[inside].mean())
+
+
+def markdown(everything: list[dict[str, Any]]) -> str:
+    """For people."""
+    heads = ["case", "program", "CPU s", "iterations", "force", "half width", "profile, L2 from fmc"]
+    lines = ["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads)]
+    before = None
+    for row in everything:
+        case = f"`{row['case']}`, {row['cells']} cells"
+        width, off = row.get("half_width"), row.get("profile_difference")
+        cells = [
+            "" if case == before else case,
+            row["program"],
+            f"{row['cpu_seconds']:.2f}",
+            str(row["iterations"] or ""),
+            f"{row['force']:.6g}",
+            "" if width is None else f"{width:.4f}",
+            "" if not off else f"{100.0 * off:.2g} %",
+        ]
+        lines.append("| " + " | ".join(cells) + " |")
+        before = case
+    return "\n".join(lines) + "\n"
