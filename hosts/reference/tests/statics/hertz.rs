@@ -1,7 +1,8 @@
 //! A half-disc pressed on a rigid plane.
 
-use crate::scene::{HALF_WIDTH, PEAK, exact, hertz, lines, recorder, solved};
+use crate::scene::{HALF_WIDTH, PEAK, exact, hertz, hertz_of, lines, recorder, solved};
 use fmc_contact::{EnergyLaw, FiberProfile, Options};
+use fmc_reference::fem::Law;
 use fmc_reference::statics::{Equilibrium, FixedPoint, Iteration, Problem, nodal_pressures};
 use std::ops::ControlFlow;
 

@@ -1,7 +1,7 @@
 //! Two blocks, one on the other, under uniform pressure: the stress is uniform whatever the meshes.
 
 use crate::scene::{exact, lines, part, solved};
-use fmc_contact::{CellType, EnergyLaw, FiberProfile, Options};
+use fmc_contact::{CellType, EnergyLaw, Estimator, FiberProfile, Options};
 use fmc_reference::fem::{Constraints, Model};
 use fmc_reference::statics::Problem;
 use fmc_shapes::{Diagonals, Mesh, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
