@@ -132,14 +132,14 @@ impl<const D: usize> ExactPair<'_, D> {
                 if piece.len() < D {
                     continue;
                 }
-                for piece in seen.visible(piece, [entered as u32, left], e, &lengths) {
+                for (piece, share) in seen.visible(piece, [entered as u32, left], &lengths) {
                     // Entered one body and leaving the other, with nothing between: inside both.
                     if e.of_b == x.of_b && !self.is_covered_between(e, x, &e.place(&mean(&piece))) {
                         continue;
                     }
                     for_each_gauss_point(&piece, fine, |w, part| {
                         let weights = x.barycentric(&e.place(w));
-                        let across = part * e.shadow();
+                        let across = share * part * e.shadow();
                         add(Span {
                             weight: across,
                             across,
@@ -187,14 +187,14 @@ impl<const D: usize> ExactPair<'_, D> {
             if piece.len() < D {
                 continue;
             }
-            for piece in seen.visible(piece, [index as u32; 2], s, &lengths) {
+            for (piece, share) in seen.visible(piece, [index as u32; 2], &lengths) {
                 for_each_gauss_point(&piece, fine, |w, part| {
                     let length = (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
                     let along = if s.leaves { -length } else { length };
                     let on_facet = (0..D).fold(Vector::zeros(), |sum, a| sum + corners[a] * w[a]);
                     let on_plane = End::Point { point: on_facet + family.direction() * along, normal: plane.normal };
                     let ends = if s.leaves { [on_plane, end(s, *w)] } else { [end(s, *w), on_plane] };
-                    let across = part * s.shadow();
+                    let across = share * part * s.shadow();
                     add(Span { weight: across, across, length, direction: 0, ends });
                 });
             }

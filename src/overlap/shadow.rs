@@ -6,6 +6,9 @@ use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::tree::Tree;
 
+/// A convex piece of a facet: its corners, in the facet's barycentric coordinates.
+type Corners<const D: usize> = Vec<[f64; D]>;
+
 /// A facet as seen along the direction of a patch.
 pub(super) struct Seen<const D: usize> {
     pub(super) of_b: bool,
@@ -50,6 +53,23 @@ impl<const D: usize> Seen<D> {
         }
     }
 
+    /// Whether it is a facet of the other side in the same place, up to `tie`, and entered or left as this one.
+    fn coincides(&self, other: &Self, tie: f64) -> bool {
+        self.of_b != other.of_b
+            && self.leaves == other.leaves
+            && (self.lies_in_plane(other, tie) || other.lies_in_plane(self, tie))
+    }
+
+    fn lies_in_plane(&self, plane: &Self, tie: f64) -> bool {
+        let origin = Vector::<3>::from(plane.corners[0]);
+        let away = |c: &[f64; 3]| Vector::<3>::from(*c) - origin;
+        let along = away(&plane.corners[1]);
+        let normal =
+            if D == 2 { Vector::from([along[2], 0.0, -along[0]]) } else { along.cross(&away(&plane.corners[2])) };
+        let tie = tie * normal.norm();
+        self.corners.iter().all(|c| away(c).dot(&normal).abs() <= tie)
+    }
+
     /// Its box in the frame of the lines, with no extent along them.
     fn across(&self) -> Aabb<D> {
         Aabb::of(&self.corners.map(|c| flat(&c)))
@@ -61,13 +81,19 @@ pub(super) struct Shadows<const D: usize> {
     pub(super) facets: Vec<Seen<D>>,
     pub(super) boxes: Vec<Aabb<D>>,
     tree: Tree<D>,
+    /// Distance up to which facets are in the same place.
+    tie: f64,
 }
 
 impl<const D: usize> Shadows<D> {
     pub(super) fn new(facets: Vec<Seen<D>>) -> Self {
         let boxes: Vec<Aabb<D>> = facets.iter().map(Seen::across).collect();
         let tree = Tree::new(&boxes);
-        Self { facets, boxes, tree }
+        let corners = facets.iter().flat_map(|seen| seen.corners.map(Vector::<3>::from));
+        let tie = corners
+            .fold(Aabb::<3>::empty(), |aabb, x| Aabb { min: aabb.min.inf(&x), max: aabb.max.sup(&x) })
+            .rounding();
+        Self { facets, boxes, tree, tie }
     }
 
     /// Facets whose shadow's box meets a box across the lines, ascending.
@@ -79,48 +105,55 @@ impl<const D: usize> Shadows<D> {
         found
     }
 
-    /// The parts of a piece of facet `from` whose lines meet no other facet on their way into its body, over these lengths
-    /// (given at the corners of `from`).
-    pub(super) fn visible(
-        &self,
-        piece: Vec<[f64; D]>,
-        but: [u32; 2],
-        from: &Seen<D>,
-        lengths: &[f64; D],
-    ) -> Vec<Vec<[f64; D]>> {
-        let mut visible = vec![piece];
-        let shadow = Aabb::of(&visible[0].iter().map(|w| flat::<D>(&from.place(w))).collect::<Vec<_>>());
-        for other in self.near(&shadow).into_iter().filter(|other| !but.contains(other)) {
+    /// The parts of a piece of the first of two facets whose lines meet no other facet on their way to the second, over
+    /// these lengths (given at the corners of the first); and the share of each.
+    ///
+    /// A facet of the other side that coincides with either of the two, as the walls of two bodies in a plane of symmetry,
+    /// shares the lines evenly: which of them comes first is rounding, and each would hide the other, or neither.
+    pub(super) fn visible(&self, piece: Corners<D>, between: [u32; 2], lengths: &[f64; D]) -> Vec<(Corners<D>, f64)> {
+        let [first, second] = between.map(|index| &self.facets[index as usize]);
+        let shadow = Aabb::of(&piece.iter().map(|w| flat::<D>(&first.place(w))).collect::<Vec<_>>());
+        let mut visible = vec![(piece, 1.0)];
+        for other in self.near(&shadow).into_iter().filter(|other| !between.contains(other)) {
             let h = &self.facets[other as usize];
-            let at_corners: [[f64; D]; D] = from.corners.map(|c| h.barycentric(&c));
-            let ahead: [f64; D] = std::array::from_fn(|c| {
-                let ahead = h.t(&at_corners[c]) - from.corners[c][2];
-                if from.leaves { -ahead } else { ahead }
-            });
+            let at_corners: [[f64; D]; D] = first.corners.map(|c| h.barycentric(&c));
             // Where the line meets it, between the ends: all of these are positive.
             let mut bounds: Vec<[f64; D]> = (0..D).map(|a| at_corners.map(|w| w[a])).collect();
-            bounds.push(ahead);
-            bounds.push(std::array::from_fn(|c| lengths[c] - ahead[c]));
-            visible = visible.into_iter().flat_map(|piece| subtract(piece, &bounds)).collect();
+            let shares = first.coincides(h, self.tie) || second.coincides(h, self.tie);
+            if !shares {
+                let ahead: [f64; D] = std::array::from_fn(|c| {
+                    let ahead = h.t(&at_corners[c]) - first.corners[c][2];
+                    if first.leaves { -ahead } else { ahead }
+                });
+                bounds.push(ahead);
+                bounds.push(std::array::from_fn(|c| lengths[c] - ahead[c]));
+            }
+            let divided = visible.into_iter().flat_map(|(piece, share)| {
+                let (inside, rest) = divide(piece, &bounds);
+                let shared = inside.filter(|_| shares).map(|inside| (inside, 0.5 * share));
+                rest.into_iter().map(move |piece| (piece, share)).chain(shared)
+            });
+            visible = divided.collect();
         }
         visible
     }
 }
 
-/// A convex piece without the part on which all of some linear functions, given at the facet's corners, are positive.
-fn subtract<const D: usize>(piece: Vec<[f64; D]>, positive: &[[f64; D]]) -> Vec<Vec<[f64; D]>> {
+/// The part of a convex piece on which all of some linear functions, given at the facet's corners, are positive, and the
+/// rest.
+fn divide<const D: usize>(piece: Corners<D>, positive: &[[f64; D]]) -> (Option<Corners<D>>, Vec<Corners<D>>) {
     let (mut rest, mut inside) = (Vec::new(), piece.clone());
     for bound in positive {
         let outside = cut(&inside, bound);
         inside = cut(&inside, &bound.map(|b| -b));
         if inside.len() < D || measure(&inside) <= SLIVER * measure(&piece) {
-            return vec![piece];
+            return (None, vec![piece]);
         }
         if outside.len() >= D {
             rest.push(outside);
         }
     }
-    rest
+    (Some(inside), rest)
 }
 
 /// Part of a piece below which what hides it is rounding.

@@ -20,6 +20,7 @@ mod numbering;
 mod resolution;
 mod resting;
 mod same_bits;
+mod shared_walls;
 mod tangent;
 mod through_nodes;
 mod touching;

@@ -17,7 +17,7 @@ SHORT = [
     Case("patch3d"),
     Case("wedge", None, ("bodies.block.mesh.cells=8", "bodies.block.mesh.shells=11")),
     Case("cone", None, ("bodies.block.mesh.cells=3", "bodies.block.mesh.shells=6", "contact.spacing=0.02")),
-    Case("punch", None, ("bodies.block.mesh.cells=[10,10]", "bodies.punch.mesh.cells=[6,8]", "contact.estimator=fibers")),
+    Case("punch", None, ("bodies.block.mesh.cells=[10,10]", "bodies.punch.mesh.cells=[6,8]")),
     Case("ironing", None, ("bodies.block.mesh.cells=[30,10]", "bodies.die.mesh.finest=0.4", "load_steps.then=[2]")),
     Case("bar", None, ("time.end=0.3",)),
     Case("star", "smooth", ("contact.stiffness=1e9", "time.end=6e-4")),

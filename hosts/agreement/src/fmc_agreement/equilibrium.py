@@ -119,17 +119,17 @@ class Equilibrium:
 
     def newton(self, u: np.ndarray, tolerance: float) -> tuple[np.ndarray, Balance]:
         """Newton's method from a displacement. Errors: ``NoEquilibrium``."""
-        now = kept = self._with_patches(u)
+        now = kept = self.with_patches(u)
         full_failed, turned = False, tolerance >= FAR
         for iteration in range(self.most_iterations + 1):
             residual = now.relative
             # The lines run along the contact normal of the start. Once the solution is near, they turn into that of now.
             if residual <= FAR and not turned:
-                now = kept = self._with_patches(u)
+                now = kept = self.with_patches(u)
                 residual, turned = now.relative, True
             # Far from the solution the patches follow the contact when it has begun or spread.
             if residual > FAR and now.outgrows(kept):
-                now = kept = self._with_patches(u)
+                now = kept = self.with_patches(u)
             self.residuals.append(residual)
             if residual <= tolerance:
                 return u, now
@@ -145,7 +145,8 @@ class Equilibrium:
             u, now = found
         raise NoEquilibrium(f"no equilibrium: residual {residual:.1e} of the forces")
 
-    def _with_patches(self, u: np.ndarray) -> Balance:
+    def with_patches(self, u: np.ndarray) -> Balance:
+        """Forces and energy, and the patches are those of here from now on."""
         self.timed(self.touching.keep_patches, u)
         return self.balance(u)
 

@@ -15,6 +15,9 @@ from .solved import Solved, Step
 MOST_HALVINGS = 8
 """Times that a step which fails is halved."""
 
+MOST_TURNS = 6
+"""Times that the lines are turned into the contact normal of an equilibrium, and it is sought anew."""
+
 EASY = 12
 """A step that needs no more iterations than these lets the next one be twice as long, up to the first ones' length."""
 
@@ -61,6 +64,8 @@ class Path:
                 step *= 0.5
                 self.found.halvings += 1
                 continue
+            if load == 1.0:
+                u, balance = self._on_its_own_patches(u, balance)
             self.before, self.u, self.load = (self.u, self.load), u, load
             self.found.steps.append(Step(stage, load, u, balance.touch.forces, balance.touch.penetration))
             if self.equilibrium.iterations - iterations <= EASY:
@@ -80,6 +85,18 @@ class Path:
             finally:
                 self.contact.set_options(stiffness=self.hard)
         return solver.newton(start, self.tolerance)
+
+    def _on_its_own_patches(self, u: np.ndarray, balance: Balance) -> tuple[np.ndarray, Balance]:
+        """The equilibrium on the patches that are found where it is, and not on the way there."""
+        for _ in range(MOST_TURNS):
+            turned = self.equilibrium.with_patches(u)
+            if turned.relative <= self.tolerance:
+                return u, turned
+            try:
+                u, balance = self.equilibrium.newton(u, self.tolerance)
+            except NoEquilibrium:  # what was found remains one, on patches of its way
+                break
+        return u, balance
 
     def _settled(self, u: np.ndarray) -> np.ndarray:
         """Rough equilibria on contacts of growing stiffness."""

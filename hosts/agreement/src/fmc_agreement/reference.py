@@ -42,8 +42,9 @@ def _run(own: Path, problem: Problem, case: str, variant: str | None, changes: t
     """Summary and fields at the end."""
     command = [fmc(), "run", case, "--out", str(own), "--quiet"]
     command += [] if variant is None else ["--variant", variant]
-    # Two frames, the start and the end.
-    for change in changes if problem.is_static else (*changes, "output.frames=1", "output.animation=false"):
+    # Nothing to look at; of a motion two frames, the start and the end.
+    less = ("output.fibers=0",) if problem.is_static else ("output.frames=1", "output.animation=false")
+    for change in (*changes, *less):
         command += ["--override", change]
     clock = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run(command, capture_output=True, text=True)

@@ -51,7 +51,7 @@ CASES = (
     Case("patch3d", "tet4"),
     Case("wedge"),
     Case("cone"),
-    Case("punch", changes=("contact.estimator=fibers",)),
+    Case("punch"),
     Case("ironing"),
     Case("bar", tolerance=1e-6),
     Case("star", "smooth", ("contact.stiffness=1e9", "time.end=9e-3"), tolerance=1e-6),

@@ -44,11 +44,16 @@ def _row(case: Case, summary: dict, arrays: dict, reference: dict) -> dict[str, 
 
 
 def _farthest(key: str, one: dict, other: dict) -> float | None:
-    """Distance at the end; of a way of several equilibria the largest of them all, if both have gone the same."""
-    ways = [arrays.get("way", np.zeros((0, 2))) for arrays in (one, other)]
-    if len(ways[0]) > 1 and ways[0].shape == ways[1].shape and np.allclose(*ways):
-        return _distance(one[f"way_{key}"], other[f"way_{key}"])
+    """Distance at the end; of equilibria in several stages the largest at the ends of all. Those between stand on patches
+    found on the way, which may differ."""
+    ends = [_ends_of_stages(key, arrays) for arrays in (one, other)]
+    if len(ends[0]) == len(ends[1]) > 1:
+        return _distance(*ends)
     return _distance(one[key], other[key])
+
+
+def _ends_of_stages(key: str, arrays: dict) -> np.ndarray:
+    return arrays[f"way_{key}"][arrays["way"][:, 1] == 1.0] if "way" in arrays else np.empty(0)
 
 
 def _distance(one: np.ndarray, other: np.ndarray) -> float | None:

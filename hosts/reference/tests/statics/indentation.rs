@@ -62,6 +62,19 @@ fn a_punch_presses_hardest_at_its_edge() {
 }
 
 #[test]
+fn an_equilibrium_does_not_depend_on_the_way_there() {
+    let coarse = ["bodies.block.mesh.cells=[10, 10]", "bodies.punch.mesh.cells=[6, 8]"];
+    let after = |steps: &str| {
+        let at = solved::<2>(&case("punch", None, &[&coarse[..], &[steps]].concat()));
+        at.equilibrium.displacement().to_vec()
+    };
+    let [once, thrice] = ["load_steps.count=1", "load_steps.count=3"].map(after);
+    let off = once.iter().flatten().zip(thrice.iter().flatten()).fold(0.0, |most: f64, (p, q)| most.max((p - q).abs()));
+    // The punch is moved by 4e-4, and forces balance to 1e-10.
+    assert!(off < 4e-13, "{off:e}");
+}
+
+#[test]
 fn a_die_slides_without_a_step_that_fails() {
     let at = solved::<2>(&case("ironing", None, &[]));
     assert_eq!((at.steps.len(), figure(&at, "steps_failed")), (23, 0.0));
