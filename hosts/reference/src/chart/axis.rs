@@ -52,6 +52,18 @@ impl Axis {
     }
 }
 
+/// A whole number, raised.
+pub fn superscript(number: &str) -> String {
+    let digit = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
+    };
+    number.chars().map(digit).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -63,16 +75,4 @@ mod tests {
         assert_eq!([-12.0, 0.0, 5.0, 0.5].map(|x| log.tick(x)), ["10⁻¹²", "10⁰", "10⁵", ""]);
         assert_eq!(log.place(1e-3), -3.0);
     }
-}
-
-/// A whole number, raised.
-pub fn superscript(number: &str) -> String {
-    let digit = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
-    };
-    number.chars().map(digit).collect()
 }
