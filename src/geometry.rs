@@ -7,6 +7,7 @@ mod chord;
 mod closed;
 pub(crate) mod components;
 pub(crate) mod crossing;
+mod distance;
 pub(crate) mod facet;
 mod inside;
 mod inverted;
@@ -18,6 +19,7 @@ pub(crate) mod tree;
 
 pub use cell::{Bodies, CellBlock, CellType};
 pub(crate) use chord::chord;
+pub(crate) use distance::distance_bound;
 pub(crate) use facet::moment;
 pub(crate) use inside::{cover_count, cover_counts};
 pub(crate) use march::{Passage, Stretch, march};

@@ -21,6 +21,7 @@ mod fibers;
 mod gather;
 mod hessian;
 mod implicit;
+mod implicit_region;
 mod layout;
 mod options;
 mod patch;

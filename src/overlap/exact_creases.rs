@@ -116,10 +116,11 @@ impl<const D: usize> ExactPair<'_, D> {
                     let middle = 0.5 * (from + to);
                     let x = other.map(|other| &seen.facets[other as usize]);
                     // Where facets of both sides meet, both are entered, or left, at once.
-                    let one_side = |x: &Seen<D>| curve.facets.iter().all(|&g| seen.facets[g as usize].of_b == x.of_b);
-                    if x.is_some_and(|x| {
-                        one_side(x) && !curve.is_on_plane() && !self.is_covered_between(f, x, &curve.at(middle))
-                    }) {
+                    let is_edge = curve.facets.iter().all(|&g| seen.facets[g as usize].of_b == f.of_b);
+                    if is_edge
+                        && !curve.is_on_plane()
+                        && x.is_some_and(|x| !self.is_inside_both(seen, f, x, &curve.at(middle)))
+                    {
                         continue;
                     }
                     let width = if D == 2 { 1.0 } else { distance(&curve.ends) * (to - from) };

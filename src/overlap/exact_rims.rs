@@ -178,8 +178,7 @@ impl<const D: usize> ExactPair<'_, D> {
             return None;
         }
         if let (Bound::Facet(first), Bound::Facet(last)) = (&first, &last)
-            && first.of_b == last.of_b
-            && !self.is_covered_between(first, last, &place)
+            && !self.is_inside_both(seen, first, last, &place)
         {
             return None;
         }

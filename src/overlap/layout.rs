@@ -1,7 +1,7 @@
 //! Where and how densely the fibers of a pair are laid.
 
 use super::bundle::{Bundle, Reached};
-use super::implicit;
+use super::implicit_region;
 use super::options::FiberOptions;
 use super::region::{Region, common_region, region_of};
 use super::resolution::{MOST_FIBERS, facet_size, line_spacing, segment_count};
@@ -45,7 +45,7 @@ impl<const D: usize> FiberPair<'_, D> {
             Opponent::Itself => region_of(&self.pair.a, &self.pair.a.aabb),
             Opponent::Facets(b) => common_region(&self.pair.a, b),
             Opponent::Implicit(side) => {
-                implicit::region(side, &self.pair.a.aabb)?.and_then(|within| region_of(&self.pair.a, &within))
+                implicit_region::region(side, &self.pair.a.aabb)?.and_then(|within| region_of(&self.pair.a, &within))
             }
         })
     }

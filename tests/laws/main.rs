@@ -12,6 +12,7 @@ mod balance;
 mod coinciding;
 mod energy_gradient;
 mod fiber_law;
+mod folded;
 mod glued;
 mod hinged;
 mod law;

@@ -11,7 +11,7 @@ use std::path::Path;
 mod axis;
 mod series;
 
-pub use axis::Axis;
+pub use axis::{Axis, superscript};
 pub use series::{Mark, Series, Sign};
 
 /// Width and height of a picture in SVG; a PNG has `PNG_SCALE` times as many pixels.

@@ -1,5 +1,6 @@
 //! Commands about cases.
 
+mod interrupt;
 pub(crate) mod list;
 pub(crate) mod mesh;
 pub(crate) mod report;

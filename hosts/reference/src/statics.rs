@@ -8,11 +8,12 @@
 //! K(u) = ∂²Π/∂u² = K_elastic + ∂²w/∂x²                 Model::tangent, Contact::tangent
 //! ```
 //!
-//! [`Equilibrium`] is solved by Newton's method with a sparse factorisation and a line search on Π, see
-//! [`NewtonSettings`]; [`Path`] leads there in load steps that halve and grow. Bodies that only contact holds are first
-//! brought into light contact. [`Equilibrium::continue_epsilon`] makes the linear fiber law sharp, and
-//! [`Equilibrium::augment`] drives the penetration of the quadratic one to nothing. [`FixedPoint`] is the loop of Wang, Xu and
-//! Xue (Algorithm 2), to compare.
+//! [`Equilibrium`] is solved by Newton's method with a line search on Π, see [`NewtonSettings`]. An iteration linearises
+//! the bodies and solves for the contact as it is, on the equations on which it acts: sparse factors of the bodies, once for
+//! linear ones, leave a dense Schur complement there. [`Path`] leads there in load steps that halve and grow. Bodies that
+//! only contact holds are first brought into light contact. [`Equilibrium::continue_epsilon`] makes the linear fiber law
+//! sharp, and [`Equilibrium::augment`] drives the penetration of the quadratic one to nothing. [`FixedPoint`] is the loop
+//! of Wang, Xu and Xue (Algorithm 2), to compare.
 //!
 //! For the fiber law the lines are kept during a solve, so that the forces are those of one energy; its forces are not
 //! corrected to balance, for the same reason.
@@ -20,6 +21,7 @@
 mod approach;
 mod augmented;
 mod balance;
+mod contact_step;
 mod continuation;
 mod equilibrium;
 mod error;
@@ -32,6 +34,7 @@ mod newton;
 mod path;
 mod pressure;
 mod problem;
+mod stiffness;
 
 pub use augmented::Augmentation;
 pub use balance::Balance;

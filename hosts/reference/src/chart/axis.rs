@@ -43,14 +43,7 @@ impl Axis {
         if (place - place.round()).abs() > 1e-6 {
             return String::new();
         }
-        let superscript = |digit: char| match digit {
-            '-' => '⁻',
-            '1' => '¹',
-            '2' => '²',
-            '3' => '³',
-            _ => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
-        };
-        format!("10{}", format!("{place:.0}").chars().map(superscript).collect::<String>())
+        format!("10{}", superscript(&format!("{place:.0}")))
     }
 
     /// How many labels to ask for; on a logarithmic axis one per decade.
@@ -70,4 +63,16 @@ mod tests {
         assert_eq!([-12.0, 0.0, 5.0, 0.5].map(|x| log.tick(x)), ["10⁻¹²", "10⁰", "10⁵", ""]);
         assert_eq!(log.place(1e-3), -3.0);
     }
+}
+
+/// A whole number, raised.
+pub fn superscript(number: &str) -> String {
+    let digit = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
+    };
+    number.chars().map(digit).collect()
 }

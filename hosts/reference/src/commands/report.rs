@@ -1,13 +1,13 @@
 //! `fmc report`: every example on one page.
 
+use super::interrupt;
 use crate::report::{self, Example, Outcome, Plan, Record, Setting, Size, Stamp};
 use anyhow::{Context, Result};
 use clap::value_parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// Run every example of the paper and put it on one page: pictures, plots, and our figures beside all others
@@ -48,15 +48,7 @@ const QUICK_LIMIT: u64 = 45;
 
 /// Runs what is missing and writes the page.
 pub(crate) fn run(args: &ReportArgs) -> Result<ExitCode> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked = Arc::clone(&stop);
-    ctrlc::set_handler(move || {
-        // Whoever asks twice means at once.
-        if asked.swap(true, Ordering::SeqCst) {
-            std::process::exit(130);
-        }
-    })
-    .context("Ctrl-C cannot be caught")?;
+    let stop = interrupt::flag()?;
     let plan = Plan::built_in()?;
     let size = if args.quick { Size::Quick } else { Size::Full };
     let examples = report::examples(&plan, size, &args.examples)?;

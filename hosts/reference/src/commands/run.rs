@@ -1,5 +1,6 @@
 //! `fmc run`: a case from its file to its figures.
 
+use super::interrupt;
 use crate::estimator_args::{EstimatorKind, positive};
 use anyhow::{Context, Result, bail};
 use clap::{ValueEnum, value_parser};
@@ -11,7 +12,6 @@ use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Run a case: history, fields for ParaView, pictures, figures and checks
@@ -135,15 +135,7 @@ impl RunArgs {
 
 /// Runs the case, or it and all its variants.
 pub(crate) fn run(args: &RunArgs) -> Result<ExitCode> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked = Arc::clone(&stop);
-    ctrlc::set_handler(move || {
-        // Whoever asks twice means at once.
-        if asked.swap(true, Ordering::SeqCst) {
-            std::process::exit(130);
-        }
-    })
-    .context("Ctrl-C cannot be caught")?;
+    let stop = interrupt::flag()?;
     let document = args.document()?;
     if !args.all_variants {
         let outcome = run_one(args, &document, &stop)?;

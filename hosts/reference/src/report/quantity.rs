@@ -1,5 +1,7 @@
 //! Numbers as they are read.
 
+use fmc_reference::chart::superscript;
+
 /// A unit in which some numbers of one kind read well.
 pub(super) struct Scale {
     factor: f64,
@@ -85,17 +87,6 @@ pub(super) fn count(x: u64) -> String {
     let digits = x.to_string();
     let groups: Vec<&str> = digits.as_bytes().rchunks(3).rev().filter_map(|g| std::str::from_utf8(g).ok()).collect();
     groups.join("\u{a0}")
-}
-
-fn superscript(number: &str) -> String {
-    let digit = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
-    };
-    number.chars().map(digit).collect()
 }
 
 #[cfg(test)]

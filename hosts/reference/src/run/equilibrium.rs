@@ -132,6 +132,7 @@ fn run_in<const D: usize>(
     let contact = &equilibrium.balance().contact;
     let mut summary = Summary::new(document, case, figures, [0.0; 2]);
     summary.iterations = equilibrium.iterations as u64;
+    summary.contact_iterations = equilibrium.contact_iterations as u64;
     (summary.seconds, summary.contact_seconds) = (seconds, equilibrium.contact_seconds);
     summary.crossings = contact.crossing_count;
     summary.residuals = log.iter().map(|iteration| iteration.residual).collect();
@@ -194,10 +195,11 @@ fn reactions<const D: usize>(steps: &[LoadStep]) -> Panel {
 
 /// All iterations, a line for each.
 fn table(log: &[Iteration]) -> String {
-    let mut text = "load,iteration,residual,energy,facets,penetration,tangent,length\n".to_owned();
-    for Iteration { load, iteration, residual, energy, facets, penetration, tangent, length } in log {
+    let mut text = "load,iteration,residual,energy,facets,penetration,tangent,length,contact_iterations\n".to_owned();
+    for Iteration { load, iteration, residual, energy, facets, penetration, tangent, length, contact_iterations } in log
+    {
         let tangent = tangent.map_or(String::new(), |tangent| tangent.to_string());
-        writeln!(text, "{load:?},{iteration},{residual:?},{energy:?},{facets},{penetration:?},{tangent},{length:?}")
+        writeln!(text, "{load:?},{iteration},{residual:?},{energy:?},{facets},{penetration:?},{tangent},{length:?},{contact_iterations}")
             .expect("writing into a string");
     }
     text

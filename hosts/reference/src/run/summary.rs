@@ -42,8 +42,10 @@ pub struct Summary {
     pub checks: Vec<Check>,
     /// Numbers to be read beside a figure.
     pub references: Vec<Reference>,
-    /// Steps made; for an equilibrium linear systems solved.
+    /// Steps made; for an equilibrium iterations, with each of which the bodies are linearised anew.
     pub iterations: u64,
+    /// Iterations of the contact alone within these, of an equilibrium.
+    pub contact_iterations: u64,
     /// Seconds that they took.
     pub seconds: f64,
     /// Seconds of these in contact.
@@ -141,6 +143,7 @@ impl Summary {
             checks,
             references,
             iterations: 0,
+            contact_iterations: 0,
             seconds: 0.0,
             contact_seconds: 0.0,
             crossings: 0,
@@ -235,12 +238,12 @@ impl Summary {
 
     /// Steps, seconds and crossings in a sentence.
     pub fn costs(&self) -> String {
-        let Self { iterations, seconds, contact_seconds, crossings, step, step_limit, .. } = self;
+        let Self { iterations, contact_iterations, seconds, contact_seconds, crossings, step, step_limit, .. } = self;
         let (rate, part) = (*iterations as f64 / seconds, 100.0 * contact_seconds / seconds);
         if let Some(residual) = self.residuals.last() {
             return format!(
-                "{iterations} iterations in {seconds:.2} s, contact {part:.0} %; residual {residual:.1e}; {crossings} \
-                 crossings"
+                "{iterations} iterations, {contact_iterations} of the contact within them, in {seconds:.2} s, contact \
+                 {part:.0} %; residual {residual:.1e}; {crossings} crossings"
             );
         }
         format!(

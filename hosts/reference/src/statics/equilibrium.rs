@@ -4,9 +4,11 @@ use super::balance::Balance;
 use super::error::StaticsError;
 use super::newton::NewtonSettings;
 use super::problem::Problem;
+use super::stiffness::Entries;
 use crate::fem::{Constraints, Model};
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
-use fmc_sparse::Factorisation;
+use fmc_sparse::{Factorisation, Lower};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// A problem, the last state in equilibrium that was found, and what finding it took.
@@ -17,6 +19,12 @@ pub struct Equilibrium<const D: usize> {
     pub(super) equations: Vec<u32>,
     pub(super) equation_count: usize,
     pub(super) system: Factorisation,
+    /// Stiffness of the bodies, if it does not change.
+    pub(super) elastic: Option<Arc<Lower>>,
+    /// The bodies, and what of the contact holds them, factorised down to the equations on which contact acts.
+    pub(super) bulk: Factorisation,
+    pub(super) ground: Entries,
+    pub(super) kept: Vec<usize>,
     /// How Newton's method is led.
     pub settings: NewtonSettings,
     pub(super) displacement: Vec<[f64; D]>,
@@ -28,8 +36,10 @@ pub struct Equilibrium<const D: usize> {
     pub(super) before: Option<(Vec<[f64; D]>, f64)>,
     /// Added to the coordinates that the contact is shown; empty for none. See [`Equilibrium::augment`].
     pub(super) offset: Vec<[f64; D]>,
-    /// Linear systems solved.
+    /// Iterations: with each, the bodies have been linearised anew.
     pub iterations: usize,
+    /// Iterations of the contact alone, within these.
+    pub contact_iterations: usize,
     /// Load steps that failed and were halved.
     pub halvings: usize,
     /// Evaluations of forces and energy.
@@ -77,6 +87,10 @@ impl<const D: usize> Equilibrium<D> {
             equations,
             equation_count: equation_count as usize,
             system: Factorisation::default(),
+            elastic: None,
+            bulk: Factorisation::default(),
+            ground: Vec::new(),
+            kept: Vec::new(),
             settings: NewtonSettings::default(),
             displacement,
             balance,
@@ -86,6 +100,7 @@ impl<const D: usize> Equilibrium<D> {
             halvings: 0,
             offset: Vec::new(),
             iterations: 0,
+            contact_iterations: 0,
             evaluations: 0,
             contact_seconds: 0.0,
         })
@@ -196,12 +211,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Forces and energies at a displacement.
     pub(super) fn evaluate(&mut self, displacement: &[[f64; D]], load: f64) -> Result<Balance<D>, StaticsError> {
-        let coords = self.shown(displacement);
-        self.evaluations += 1;
-        let clock = Instant::now();
-        let touch = self.touch(displacement, &coords);
-        self.contact_seconds += clock.elapsed().as_secs_f64();
-        let touch = touch.map_err(|error| match error {
+        let touch = self.touch_at(displacement).map_err(|error| match error {
             fmc_contact::Error::InvertedCell { cell, .. } => StaticsError::Inverted { load, cell: Some(cell) },
             error => StaticsError::Contact(error),
         })?;
@@ -215,6 +225,16 @@ impl<const D: usize> Equilibrium<D> {
             return Err(StaticsError::Inverted { load, cell: None });
         }
         Ok(balance)
+    }
+
+    /// Contact as it is shown at a displacement.
+    pub(super) fn touch_at(&mut self, displacement: &[[f64; D]]) -> Result<ContactForces<D>, fmc_contact::Error> {
+        let coords = self.shown(displacement);
+        self.evaluations += 1;
+        let clock = Instant::now();
+        let touch = self.touch(displacement, &coords);
+        self.contact_seconds += clock.elapsed().as_secs_f64();
+        touch
     }
 
     /// Keeps the patches of the fiber law as they are at a displacement.

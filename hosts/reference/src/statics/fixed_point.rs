@@ -67,6 +67,7 @@ impl<const D: usize> Equilibrium<D> {
                 penetration: balance.contact.penetration,
                 tangent: Some(Tangent::Elastic),
                 length: settings.relaxation,
+                contact_iterations: 0,
             };
             self.tell(&told, watch)?;
             let touch = balance.contact.forces.clone();

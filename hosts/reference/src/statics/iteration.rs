@@ -21,6 +21,8 @@ pub struct Iteration {
     pub tangent: Option<Tangent>,
     /// Part of the step that the line search took.
     pub length: f64,
+    /// Iterations of the contact, with the bodies linear, that the step took.
+    pub contact_iterations: usize,
 }
 
 /// Matrix of an iteration.
@@ -32,6 +34,8 @@ pub enum Tangent {
     Semidefinite,
     /// Of the bodies alone.
     Elastic,
+    /// Of the bodies; contact as it is, by iterations of its own.
+    Contact,
 }
 
 impl fmt::Display for Tangent {
@@ -40,18 +44,23 @@ impl fmt::Display for Tangent {
             Tangent::Full => "full",
             Tangent::Semidefinite => "semidefinite",
             Tangent::Elastic => "elastic",
+            Tangent::Contact => "contact",
         })
     }
 }
 
 impl fmt::Display for Iteration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { load, iteration, residual, energy, facets, penetration, tangent, length } = self;
+        let Self { load, iteration, residual, energy, facets, penetration, tangent, length, contact_iterations } = self;
         write!(
             f,
             "load {load:<6.4} iteration {iteration:>3}  residual {residual:.3e}  energy {energy:+.9e}  \
              facets {facets:>5}  penetration {penetration:.3e}"
         )?;
-        tangent.map_or(Ok(()), |tangent| write!(f, "  {tangent} × {length:.3}"))
+        match tangent {
+            None => Ok(()),
+            Some(Tangent::Contact) => write!(f, "  contact, {contact_iterations} iterations × {length:.3}"),
+            Some(tangent) => write!(f, "  {tangent} × {length:.3}"),
+        }
     }
 }

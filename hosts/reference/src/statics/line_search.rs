@@ -5,10 +5,10 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 
 /// Part of what the slope promises that a step must gain (Armijo).
-const GAIN: f64 = 1e-4;
+pub(super) const GAIN: f64 = 1e-4;
 
 /// Part of the energies that a change must exceed to be told from rounding of some thousand pieces of contact.
-const FLAT: f64 = 1e-12;
+pub(super) const FLAT: f64 = 1e-12;
 
 /// Trials: 2⁻³⁰ of a step is nothing.
 const MOST_TRIALS: usize = 30;
@@ -39,9 +39,7 @@ impl<const D: usize> Equilibrium<D> {
                     if reached.energy() <= promised || is_flat && reached.norm <= 0.5 * balance.norm {
                         return Ok((next, reached, length));
                     }
-                    let there = reached.slope(direction);
-                    let part = if there > slope { slope / (slope - there) } else { 0.5 };
-                    length *= part.clamp(0.1, 0.7);
+                    length = shortened(length, slope, reached.slope(direction));
                     inverted = None;
                 }
                 Err(error @ StaticsError::Inverted { .. }) => {
@@ -53,4 +51,10 @@ impl<const D: usize> Equilibrium<D> {
         }
         Err(inverted.unwrap_or(StaticsError::LineSearch { load, residual: balance.relative() }))
     }
+}
+
+/// Shorter trial, where the slope would vanish if it were linear between those at the start and at this one.
+pub(super) fn shortened(length: f64, slope: f64, there: f64) -> f64 {
+    let part = if there > slope { slope / (slope - there) } else { 0.5 };
+    length * part.clamp(0.1, 0.7)
 }

@@ -4,7 +4,6 @@ use super::balance::Balance;
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
-use fmc_contact::contact::TangentPart;
 use fmc_contact::{EnergyLaw, FiberProfile};
 use std::ops::ControlFlow;
 
@@ -12,7 +11,8 @@ use std::ops::ControlFlow;
 ///
 /// The energy of the fiber law is not convex where lines meet inclined flanks, and the full tangent may lead astray far
 /// from the solution. So the matrix is semidefinite in its contact part until the residual is below `full_below`, and
-/// full then; back for one step if a full one does not halve the residual, or if the full matrix is not positive definite.
+/// full then, in the iterations of the contact alone as in those of everything at once, which are made where the former
+/// cannot be; back for one step if a full one does not halve the residual, or if the full matrix is not positive definite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NewtonSettings {
     /// Residual by the forces at which a state counts as balanced.
@@ -66,6 +66,7 @@ impl<const D: usize> Equilibrium<D> {
                 penetration: balance.contact.penetration,
                 tangent: None,
                 length: 0.0,
+                contact_iterations: 0,
             };
             if residual <= tolerance {
                 return self.tell(&told, watch).map(|()| (u, balance));
@@ -73,8 +74,18 @@ impl<const D: usize> Equilibrium<D> {
             if iteration == most_iterations {
                 break;
             }
-            let wish = if residual > full_below || full_failed { Tangent::Semidefinite } else { Tangent::Full };
-            let (direction, tangent) = self.direction(&u, &balance, load, wish)?;
+            let (direction, tangent) = match self.contact_step(&u, &balance)? {
+                Some(step) => {
+                    self.iterations += 1;
+                    told.contact_iterations = step.iterations;
+                    (step.direction, Tangent::Contact)
+                }
+                None => {
+                    let is_far = residual > full_below || full_failed;
+                    let wish = if is_far { Tangent::Semidefinite } else { Tangent::Full };
+                    self.direction(&u, &balance, load, wish)?
+                }
+            };
             let (next, reached, length) = match self.line_search(&u, &balance, &direction, load) {
                 Err(StaticsError::LineSearch { .. }) if residual <= 1e3 * tolerance => return Ok((u, balance)),
                 searched => searched?,
@@ -133,26 +144,6 @@ impl<const D: usize> Equilibrium<D> {
             }
         }
         Err(self.unsupported(u)?.unwrap_or(StaticsError::Unstable { load }))
-    }
-
-    /// Factorises the tangent at a displacement. `false` if it is not positive definite.
-    pub(super) fn factorise(&mut self, u: &[[f64; D]], tangent: Tangent) -> Result<bool, StaticsError> {
-        let elastic = self.problem.model.tangent(u);
-        let part = match tangent {
-            Tangent::Elastic => None,
-            Tangent::Semidefinite => Some(TangentPart::Semidefinite),
-            Tangent::Full => Some(TangentPart::Full),
-        };
-        let clock = std::time::Instant::now();
-        let touch = part.map(|part| self.contact.tangent(&self.shown(u), part)).transpose()?.unwrap_or_default();
-        self.contact_seconds += clock.elapsed().as_secs_f64();
-        let equations = &self.equations;
-        let equation = |freedom: usize| equations.get(freedom).copied().filter(|e| *e != u32::MAX).map(|e| e as usize);
-        let linearised = self.problem.linearised.as_ref().filter(|_| part.is_some());
-        let linearised = linearised.into_iter().flat_map(|contact| contact.tangent(&self.problem.contact.law, u));
-        let entries = elastic.iter().chain(touch.triplets()).chain(linearised);
-        let entries = entries.filter_map(|(row, column, value)| Some((equation(row)?, equation(column)?, value)));
-        Ok(self.system.factorise(self.equation_count, entries))
     }
 
     /// Components of a nodal vector that have equations.

@@ -28,6 +28,9 @@ const EASY: usize = 12;
 /// Times that the patches are found anew at the end of a path; three or four do.
 const MOST_TURNS: usize = 6;
 
+/// Iterations of a turn, at most: it begins near its end, or never gets there.
+const MOST_ITERATIONS_OF_TURN: usize = 8;
+
 /// Factor from one rough contact to the next: ten times as much takes half as many iterations more.
 const STRIDE: f64 = 100.0;
 
@@ -85,6 +88,7 @@ impl<const D: usize> Equilibrium<D> {
     /// From the last equilibrium to that on the patches that are found where it is. Those of a solve are found on its way,
     /// and what they leave of the way is up to 10⁻⁴ of the displacements; every turn takes that much of what is left.
     fn turn_patches(&mut self, watch: Watch) -> Result<(), StaticsError> {
+        let settings = self.settings;
         for _ in 0..MOST_TURNS {
             let u = self.displacement.clone();
             self.keep_patches(&u)?;
@@ -93,7 +97,10 @@ impl<const D: usize> Equilibrium<D> {
                 self.balance = balance;
                 break;
             }
-            match self.newton(u, self.load, watch) {
+            self.settings.most_iterations = MOST_ITERATIONS_OF_TURN.min(settings.most_iterations);
+            let turned = self.newton(u, self.load, watch);
+            self.settings = settings;
+            match turned {
                 Ok(found) => (self.displacement, self.balance) = found,
                 Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
                 // What was found remains an equilibrium, on patches of its way.
@@ -212,6 +219,7 @@ impl<const D: usize> Equilibrium<D> {
             penetration: balance.contact.penetration,
             tangent: Some(Tangent::Semidefinite),
             length: 1.0,
+            contact_iterations: 0,
         };
         self.tell(&told, watch)?;
         moved.iter_mut().zip(step).for_each(|(u, d)| (0..D).for_each(|i| u[i] += d[i]));

@@ -1,5 +1,8 @@
 //! Cases from file to figures: what a mistake is told, what a run leaves, and that an interruption leaves no trace.
 
+#[path = "../folder/folder.rs"]
+mod folder;
+
 mod command;
 mod files;
 mod mistakes;
@@ -7,29 +10,9 @@ mod short_runs;
 
 use fmc_reference::case::{Case, CaseError, Document};
 use fmc_reference::run::{Ending, Progress, RunOptions, Summary, run};
+use folder::Folder;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-
-/// A folder of its own, gone with the value.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("fmc-cases-{}-{name}", std::process::id()));
-        let _ = std::fs::remove_dir_all(&path);
-        Self(path)
-    }
-
-    fn text(&self, name: &str) -> String {
-        std::fs::read_to_string(self.0.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
+use std::path::Path;
 
 /// A built-in case with overrides.
 fn document(name: &str, overrides: &[&str]) -> Document {

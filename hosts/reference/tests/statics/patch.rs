@@ -1,7 +1,7 @@
 //! Two blocks, one on the other, under uniform pressure: the stress is uniform whatever the meshes.
 
 use crate::scene::{exact, lines, part, solved};
-use fmc_contact::{CellType, EnergyLaw, FiberProfile, Options};
+use fmc_contact::{CellType, EnergyLaw, Estimator, FiberProfile, Options};
 use fmc_reference::fem::{Constraints, Model};
 use fmc_reference::statics::Problem;
 use fmc_shapes::{Diagonals, Mesh, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
@@ -118,15 +118,26 @@ fn blocks_in_2d() {
     }
 }
 
+fn seeded(mut contact: Options, seed: u64) -> Options {
+    if let Estimator::Fibers(fibers) = &mut contact.estimator {
+        fibers.seed = seed;
+    }
+    contact
+}
+
 #[test]
 fn blocks_in_3d() {
     for cell in [CellType::Tet4, CellType::Hex8] {
         let law = EnergyLaw::fiber(STIFFNESS);
-        // 16 lines a facet of size 0.2.
-        let by_lines = lines(law, 0.2 / 4.0);
-        for (contact, bound) in [(exact(law), 1e-9), (by_lines, 5e-3)] {
-            let upright = stress_error(cell, solid(cell), contact);
-            let tilted = tilted_stress_error(cell, solid(cell), contact, STIFFNESS);
+        // 16 lines a facet of size 0.2. Where they fall is chance: 2.5e-3 to 7e-3 from seed to seed in tetrahedra.
+        let by_lines = |seed: u64| seeded(lines(law, 0.2 / 4.0), seed);
+        let on_lines: Vec<Options> = (0..6).map(by_lines).collect();
+        for (contacts, bound) in [(&[exact(law)][..], 1e-9), (&on_lines, 5e-3)] {
+            let mean = |error: &dyn Fn(Options) -> f64| {
+                contacts.iter().map(|contact| error(*contact)).sum::<f64>() / contacts.len() as f64
+            };
+            let upright = mean(&|contact| stress_error(cell, solid(cell), contact));
+            let tilted = mean(&|contact| tilted_stress_error(cell, solid(cell), contact, STIFFNESS));
             println!("{cell:?} {upright:.2e} {tilted:.2e}");
             assert!(upright < bound && tilted < bound, "{cell:?}: {upright:.2e} upright, {tilted:.2e} tilted");
         }

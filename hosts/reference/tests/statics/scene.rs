@@ -28,8 +28,14 @@ pub(crate) const HALF_WIDTH: f64 = 0.680_83;
 pub(crate) const PEAK: f64 = 9.3506;
 
 pub(crate) fn hertz(parts: f64, contact: Options) -> Problem<2> {
+    hertz_of(Law::LinearElastic, parts, contact)
+}
+
+pub(crate) fn hertz_of(law: Law, parts: f64, contact: Options) -> Problem<2> {
     let mesh = graded_half_disc_tri3(8.0, HALF_WIDTH / parts, 1.5 * HALF_WIDTH, 0.15);
-    let model = Model::new(vec![part("disc", CellType::Tri3, mesh)]).unwrap();
+    let mut disc = part("disc", CellType::Tri3, mesh);
+    disc.material.law = law;
+    let model = Model::new(vec![disc]).unwrap();
     let mut supports = Constraints::default();
     supports.prescribe(model.nodes_where(0, |x| x[0].abs() < 1e-9), 0, 0.0);
     let load = model.surface_load(&model.faces_where(0, |x| x[1] > 8.0 - 1e-9), |_, _| [0.0, -0.625]);

@@ -57,7 +57,10 @@ impl View {
             let inside = centroid(cells[number].nodes.iter().map(|&node| &points[node as usize]));
             let middle = centroid(corners.iter());
             let normal = cross(&minus(&corners[1], &corners[0]), &minus(&corners[2], &corners[0]));
-            let outwards = if dot(&normal, &minus(&middle, &inside)) < 0.0 { normal.map(|x| -x) } else { normal };
+            // Of a cell that is turned inside out the outside is within; skipped, its faces would leave holes.
+            let turned = is_turned(points, &cells[number]);
+            let is_inward = (dot(&normal, &minus(&middle, &inside)) < 0.0) != turned;
+            let outwards = if is_inward { normal.map(|x| -x) } else { normal };
             if dot(&outwards, &towards) <= 0.0 {
                 continue;
             }
@@ -94,6 +97,14 @@ fn outer_faces(cells: &[Cell]) -> Vec<(usize, Vec<u32>)> {
         *owners.entry(key(&nodes)).or_insert(0) += 1;
     }
     faces().filter(|(_, nodes)| owners[&key(nodes)] == 1).collect()
+}
+
+/// Whether a cell has a negative volume, judged at its first corner.
+fn is_turned(points: &[[f64; 3]], cell: &Cell) -> bool {
+    let next: [usize; 3] = if cell.cell_type == CellType::Hex8 { [1, 3, 4] } else { [1, 2, 3] };
+    let corner = points[cell.nodes[0] as usize];
+    let [a, b, c] = next.map(|node| minus(&points[cell.nodes[node] as usize], &corner));
+    dot(&cross(&a, &b), &c) < 0.0
 }
 
 /// To the right, up, and towards the one who looks.
@@ -151,5 +162,22 @@ mod tests {
         // Along a diagonal the shadow of the unit cube is a hexagon of area √3.
         let shadow: f64 = patches.iter().map(|patch| area(&patch.corners)).sum();
         assert!((shadow - 3f64.sqrt()).abs() < 1e-12);
+    }
+    #[test]
+    fn a_cell_turned_inside_out_shows_its_other_faces() {
+        let points: Vec<[f64; 3]> =
+            (0..8).map(|k| [[0, 1, 1, 0][k % 4], [0, 0, 1, 1][k % 4], k / 4].map(|x| x as f64)).collect();
+        let view = View::Space([1.0, 0.5, 0.7]);
+        let common = |points: &[[f64; 3]], node: usize| {
+            let cell = Cell { cell_type: CellType::Hex8, nodes: (0..8).collect(), value: 0.0 };
+            let patches = view.patches(points, &[cell], |_| [255; 4], |c| c);
+            assert_eq!(patches.len(), 3);
+            let at = view.place(&points[node]);
+            patches.iter().all(|patch| patch.corners.contains(&at))
+        };
+        assert!(common(&points, 6));
+        // Its upper side below its lower one: the corner at (0, 0, −1).
+        let below: Vec<[f64; 3]> = points.iter().map(|x| [x[0], x[1], -x[2]]).collect();
+        assert!(common(&below, 4));
     }
 }

@@ -1,0 +1,60 @@
+//! Matrices on the equations.
+
+use super::equilibrium::Equilibrium;
+use super::error::StaticsError;
+use super::iteration::Tangent;
+use crate::fem::Law;
+use fmc_contact::contact::TangentPart;
+use fmc_sparse::Lower;
+use std::sync::Arc;
+
+/// Row, column and value on the equations, row ≥ column.
+pub(super) type Entries = Vec<(usize, usize, f64)>;
+
+impl<const D: usize> Equilibrium<D> {
+    /// Stiffness of the bodies at a displacement. That of linear materials is computed once.
+    pub(super) fn elastic(&mut self, u: &[[f64; D]]) -> Arc<Lower> {
+        if let Some(elastic) = &self.elastic {
+            return elastic.clone();
+        }
+        let elastic = self.problem.model.tangent(u);
+        let entries = elastic.iter().filter_map(|entry| self.on_lower(entry));
+        let elastic = Arc::new(Lower::new(self.equation_count, entries));
+        self.elastic = self.is_linear().then(|| elastic.clone());
+        elastic
+    }
+
+    /// Whether the bodies' forces are linear in their displacement.
+    pub(super) fn is_linear(&self) -> bool {
+        self.problem.model.parts().iter().all(|part| part.material.law == Law::LinearElastic)
+    }
+
+    /// Stiffness of the contact at a displacement; entries at one place add up.
+    pub(super) fn touching(&mut self, u: &[[f64; D]], tangent: Tangent) -> Result<Entries, StaticsError> {
+        let part = match tangent {
+            Tangent::Elastic | Tangent::Contact => return Ok(Vec::new()),
+            Tangent::Semidefinite => TangentPart::Semidefinite,
+            Tangent::Full => TangentPart::Full,
+        };
+        let clock = std::time::Instant::now();
+        let touch = self.contact.tangent(&self.shown(u), part);
+        self.contact_seconds += clock.elapsed().as_secs_f64();
+        let touch = touch?;
+        let linearised = self.problem.linearised.iter().flat_map(|l| l.tangent(&self.problem.contact.law, u));
+        Ok(touch.triplets().chain(linearised).filter_map(|entry| self.on_lower(entry)).collect())
+    }
+
+    /// Factorises the tangent at a displacement. `false` if it is not positive definite.
+    pub(super) fn factorise(&mut self, u: &[[f64; D]], tangent: Tangent) -> Result<bool, StaticsError> {
+        let (elastic, touching) = (self.elastic(u), self.touching(u, tangent)?);
+        let whole = Lower::new(self.equation_count, elastic.entries().chain(touching));
+        Ok(self.system.factorise(&whole, &[]))
+    }
+
+    /// An entry by degrees of freedom on the equations, if it is of their lower triangle.
+    fn on_lower(&self, (row, column, value): (usize, usize, f64)) -> Option<(usize, usize, f64)> {
+        let equation = |freedom: usize| self.equations.get(freedom).copied().filter(|e| *e != u32::MAX);
+        let (row, column) = (equation(row)? as usize, equation(column)? as usize);
+        (row >= column).then_some((row, column, value))
+    }
+}
