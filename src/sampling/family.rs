@@ -50,9 +50,11 @@ impl<const D: usize> Family<D> {
         if D == 2 {
             (axes[0][0], axes[0][1]) = (d[1], -d[0]);
         } else {
-            let mut least = Vector::<D>::zeros();
-            least[d.iamin()] = 1.0;
-            let p = (least - d * d.dot(&least)).normalize();
+            // The axis after the one along which the direction runs most: the least of its components would be another after
+            // a small turn, as of a direction near an axis, and all lines would jump.
+            let mut aside = Vector::<D>::zeros();
+            aside[(d.iamax() + 1) % D] = 1.0;
+            let p = (aside - d * d.dot(&aside)).normalize();
             let mut q = Vector::<D>::zeros();
             (q[0], q[1]) = (d[1] * p[2] - d[2] * p[1], d[2] * p[0] - d[0] * p[2]);
             q[D - 1] = d[0] * p[1] - d[1] * p[0];
@@ -155,6 +157,13 @@ mod tests {
             assert!((p[0] - 3.0).abs() < 1e-12 && (p[2] - 0.7).abs() < 1e-14);
             assert!(D == 2 || (p[1] + 2.0).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn lines_turn_with_their_direction() {
+        let near = |x: f64, y: f64| Family::along(Vector::<3>::new(x, y, 1.0).normalize(), 3, 0);
+        let (one, other) = (near(1e-9, 2e-9), near(2e-9, 1e-9));
+        assert!((0..3).all(|k| (one.axes[k] - other.axes[k]).amax() < 1e-8));
     }
 
     #[test]
