@@ -1,4 +1,4 @@
-"""Bodies at rest: Newton's method on the total energy, as the reference host does it, for hosts that bring internal
+"""Bodies at rest: Newton's method on the total energy, for hosts that bring internal
 forces, their derivative, contact and a direct solver.
 
     Π(u) = strain + contact − f·u        r = ∂Π/∂u        K = ∂²Π/∂u²
