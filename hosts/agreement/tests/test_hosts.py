@@ -18,7 +18,16 @@ SHORT = [
     Case("wedge", None, ("bodies.block.mesh.cells=8", "bodies.block.mesh.shells=11")),
     Case("cone", None, ("bodies.block.mesh.cells=3", "bodies.block.mesh.shells=6", "contact.spacing=0.02")),
     Case("punch", None, ("bodies.block.mesh.cells=[10,10]", "bodies.punch.mesh.cells=[6,8]")),
-    Case("ironing", None, ("bodies.block.mesh.cells=[30,10]", "bodies.die.mesh.finest=0.4", "load_steps.then=[2]")),
+    Case(
+        "ironing",
+        None,
+        (
+            "bodies.block.mesh.cells=[30,10]",
+            "bodies.die.mesh.finest=0.4",
+            "load_steps.then=[6]",
+            "contact.stiffness=1e5",
+        ),
+    ),
     Case("bar", None, ("time.end=0.3",)),
     Case("star", "smooth", ("contact.stiffness=1e9", "time.end=6e-4")),
 ]
@@ -35,19 +44,22 @@ def test_hosts_agree_node_by_node(tmp_path, case):
     assert all(row["same_bits"] for row in rows if row["host"].startswith(("skfem", "dolfinx")))
     if problem.is_static:
         for row in rows:
-            is_figure_of(row["figures"], rows[0]["figures"])
+            # The die's figures are of equilibria on the way, on patches that are found on it.
+            on_the_way = 1e-4 * rows[0]["figures"].get("force_y_mean", 0.0)
+            is_figure_of(row["figures"], rows[0]["figures"], on_the_way)
     arrays = outcome.read(tmp_path, label(*case.hosts[0]))[1]
     assert np.abs(arrays["one_shot"]).max() > 0.0, "nothing touches where forces are compared"
 
 
-def is_figure_of(ours, theirs):
+def is_figure_of(ours, theirs, least):
     """Two programs take the figures, one in each language."""
     for key, value in theirs.items():
         if value is not None:
             # The penetration is that of the points of a quadrature, of which rounding adds some at the ends of slivers. An
             # error of rounding has no digits of its own.
             relative = 0.3 if key == "penetration_max" else 1e-7
-            assert ours[key] == pytest.approx(value, rel=relative, abs=1e-9), key
+            smallest = max(1e-9, least) if key.startswith("force") else 1e-9
+            assert ours[key] == pytest.approx(value, rel=relative, abs=smallest), key
 
 
 def test_ranks_do_not_matter(tmp_path):
