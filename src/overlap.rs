@@ -13,6 +13,7 @@ mod exact;
 mod exact_creases;
 mod exact_edges;
 mod exact_hessian;
+mod exact_inside;
 mod exact_rims;
 mod exact_spans;
 mod fiber_spans;

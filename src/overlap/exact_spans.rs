@@ -11,14 +11,13 @@ use super::exact_creases::Edge;
 use super::patch::Patches;
 use super::piece::{cut, whole};
 use super::quadrature::{for_each_gauss_point, mean};
-use super::shadow::{Seen, Shadows, flat};
-use super::side::{FacetSide, ImplicitSide, Opponent};
+use super::shadow::{Seen, Shadows};
+use super::side::{ImplicitSide, Opponent};
 use super::slopes::across;
 use super::span::{Crease, End, Span, Spans};
 use crate::Error;
-use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
-use crate::geometry::{Pose, Shape, Vector, cover_count};
+use crate::geometry::{Pose, Shape, Vector};
 use crate::sampling::Family;
 
 /// A facet whose shadow is a smaller part of it is seen edge-on: its barycentric coordinates are lost in rounding, and no
@@ -153,44 +152,6 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 
-    /// Whether a line is inside both sides between two facets with nothing between, through one of which it enters and
-    /// through the other of which it leaves. Where they are of two sides it is, unless one is inside out there; where they
-    /// are of one, the other has to cover the line as well (or the body itself once more).
-    pub(super) fn is_inside_both(&self, seen: &Shadows<D>, e: &Seen<D>, x: &Seen<D>, place: &[f64; 3]) -> bool {
-        let is_one_side = e.of_b == x.of_b;
-        if !is_one_side && !self.may_be_inside_out(seen, e, place) && !self.may_be_inside_out(seen, x, place) {
-            return true;
-        }
-        let [p, q] = [e, x].map(|s| {
-            let w = s.barycentric(place);
-            let corners = self.pair.side(s.of_b).corners(s.facet as usize);
-            (0..D).fold(Vector::zeros(), |sum, a| sum + corners[a] * w[a])
-        });
-        let middle = (p + q) * 0.5;
-        let covering = |side: &FacetSide<D>| cover_count(side.facets, &side.views.points, &middle);
-        match &self.pair.opponent {
-            Opponent::Itself => covering(&self.pair.a) > 1,
-            Opponent::Facets(_) if is_one_side => covering(self.pair.side(!e.of_b)) > 0,
-            Opponent::Facets(other) => covering(&self.pair.a) > 0 && covering(other) > 0,
-            Opponent::Implicit(side) => Plane::of(side.pose).height(&middle) < 0.0,
-        }
-    }
-
-    /// Whether a line that has just passed through a facet, away from the body, passes through one of the same body the
-    /// other way farther on, or within rounding: between the two it may be as often inside as minus once.
-    fn may_be_inside_out(&self, seen: &Shadows<D>, facet: &Seen<D>, place: &[f64; 3]) -> bool {
-        let t = facet.t(&facet.barycentric(place));
-        let rounding = self.pair.side(facet.of_b).aabb.rounding();
-        seen.near(&Aabb::of(&[flat::<D>(place)])).into_iter().map(|other| &seen.facets[other as usize]).any(|other| {
-            if other.of_b != facet.of_b || other.leaves == facet.leaves {
-                return false;
-            }
-            let w = other.barycentric(place);
-            let ahead = if facet.leaves { other.t(&w) - t } else { t - other.t(&w) };
-            ahead >= -rounding && w.iter().all(|w| *w >= 0.0)
-        })
-    }
-
     fn spans_on_plane(
         &self,
         seen: &Shadows<D>,
@@ -230,7 +191,7 @@ pub(super) struct Plane<const D: usize> {
 }
 
 impl<const D: usize> Plane<D> {
-    fn of(pose: &Pose<D>) -> Self {
+    pub(super) fn of(pose: &Pose<D>) -> Self {
         let mut up = Vector::zeros();
         up[D - 1] = 1.0;
         Self { point: pose.position.into(), normal: pose.rotate(&up) }

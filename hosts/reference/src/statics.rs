@@ -35,6 +35,7 @@ mod path;
 mod pressure;
 mod problem;
 mod stiffness;
+mod turn;
 
 pub use augmented::Augmentation;
 pub use balance::Balance;

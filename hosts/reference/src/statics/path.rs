@@ -25,12 +25,6 @@ impl Default for Path {
 /// A step that needs no more iterations than these lets the next one be twice as long, up to the first ones' length.
 const EASY: usize = 12;
 
-/// Times that the patches are found anew at the end of a path; three or four do.
-const MOST_TURNS: usize = 6;
-
-/// Iterations of a turn, at most: it begins near its end, or never gets there.
-const MOST_ITERATIONS_OF_TURN: usize = 8;
-
 /// Factor from one rough contact to the next: ten times as much takes half as many iterations more.
 const STRIDE: f64 = 100.0;
 
@@ -83,31 +77,6 @@ impl<const D: usize> Equilibrium<D> {
             }
         }
         self.too_soft(&self.balance).map_or(Ok(()), Err)
-    }
-
-    /// From the last equilibrium to that on the patches that are found where it is. Those of a solve are found on its way,
-    /// and what they leave of the way is up to 10⁻⁴ of the displacements; every turn takes that much of what is left.
-    fn turn_patches(&mut self, watch: Watch) -> Result<(), StaticsError> {
-        let settings = self.settings;
-        for _ in 0..MOST_TURNS {
-            let u = self.displacement.clone();
-            self.keep_patches(&u)?;
-            let balance = self.evaluate(&u, self.load)?;
-            if balance.relative() <= self.settings.tolerance {
-                self.balance = balance;
-                break;
-            }
-            self.settings.most_iterations = MOST_ITERATIONS_OF_TURN.min(settings.most_iterations);
-            let turned = self.newton(u, self.load, watch);
-            self.settings = settings;
-            match turned {
-                Ok(found) => (self.displacement, self.balance) = found,
-                Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
-                // What was found remains an equilibrium, on patches of its way.
-                Err(_) => break,
-            }
-        }
-        Ok(())
     }
 
     /// Equilibrium at a load, from the last one.
