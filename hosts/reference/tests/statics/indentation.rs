@@ -33,6 +33,19 @@ fn a_wedge_meets_the_force_of_surfaces_that_turn() {
     }
 }
 
+/// At the full size, where nodes on the symmetry plane overtake the tip: before, lines crossed the block as if it were hollow.
+#[test]
+fn a_wedge_is_pressed_on_in_one_step_or_four_without_halving_and_in_few_iterations() {
+    let [once, in_four] = [1, 4].map(|count: usize| {
+        let at = solved::<2>(&case("wedge", None, &[&format!("load_steps.count={count}")]));
+        assert_eq!((at.equilibrium.halvings, at.steps.len()), (0, count));
+        assert!(at.equilibrium.iterations <= 12 * count, "{count}: {}", at.equilibrium.iterations);
+        figure(&at, "force")
+    });
+    // Forces balance to 1e-10 of themselves.
+    assert!((once / in_four - 1.0).abs() < 1e-9, "{once} and {in_four}");
+}
+
 #[test]
 fn a_linearised_wedge_meets_its_closed_form() {
     let at = solved::<2>(&case("wedge", Some("linearised"), &COARSE_WEDGE));
