@@ -16,6 +16,9 @@ typedef struct {
   char *is_held;      /* of every degree of freedom */
 } Touch;
 
+/* Processor time of this process, s. */
+double processor_seconds(void);
+
 PetscErrorCode touch_create(const Problem *problem, Vec like, Touch *touch);
 PetscErrorCode touch_stiffness(Touch *touch, double stiffness);
 PetscErrorCode touch_keep_patches(Touch *touch, Vec u);
