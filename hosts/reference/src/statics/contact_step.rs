@@ -66,10 +66,13 @@ impl<const D: usize> Equilibrium<D> {
         balance: &Balance<D>,
     ) -> Result<Option<ContactStep<D>>, StaticsError> {
         let first = self.touching(u, Tangent::Semidefinite)?;
-        if first.is_empty() || !self.condense(u, &first)? {
+        if first.is_empty() {
             return Ok(None);
         }
         let stiffness = self.elastic(u);
+        if !self.condense(u, &stiffness, &first) {
+            return Ok(None);
+        }
         let touch = self.on_equations(&balance.contact.forces);
         let gradient = self.on_equations(&balance.residual);
         let model = Model {
@@ -99,26 +102,27 @@ impl<const D: usize> Equilibrium<D> {
     }
 
     /// Factorises the bodies down to the equations of some entries, if that is of use.
-    fn condense(&mut self, u: &[[f64; D]], entries: &Entries) -> Result<bool, StaticsError> {
+    fn condense(&mut self, u: &[[f64; D]], elastic: &Lower, entries: &Entries) -> bool {
         let mut kept: Vec<usize> = entries.iter().flat_map(|(row, column, _)| [*row, *column]).collect();
-        let factors_hold = self.is_linear() && self.ground.is_empty() && self.bulk.count > 0;
-        if factors_hold {
-            kept.extend(&self.kept);
-        }
-        kept.sort_unstable();
-        kept.dedup();
+        sort(&mut kept);
         if kept.len() > MOST_KEPT {
-            return Ok(false);
+            return false;
         }
-        if factors_hold && kept == self.kept {
-            return Ok(true);
+        // Factors of linear bodies hold wherever contact acts on what they have kept, and keep more and more as it moves.
+        if self.is_linear() && self.ground.is_empty() && !self.kept.is_empty() {
+            if kept.iter().all(|equation| self.kept.binary_search(equation).is_ok()) {
+                return true;
+            }
+            if kept.len() + self.kept.len() <= MOST_KEPT {
+                kept.extend(&self.kept);
+                sort(&mut kept);
+            }
         }
         // Bodies that only contact holds stand on that of now.
         self.ground = if self.free_motions(u).is_empty() { Vec::new() } else { entries.clone() };
         self.kept = kept;
-        let elastic = self.elastic(u);
         let done = if self.ground.is_empty() {
-            self.bulk.factorise(&elastic, &self.kept)
+            self.bulk.factorise(elastic, &self.kept)
         } else {
             let whole = elastic.entries().chain(self.ground.iter().copied());
             self.bulk.factorise(&Lower::new(self.equation_count, whole), &self.kept)
@@ -126,7 +130,7 @@ impl<const D: usize> Equilibrium<D> {
         if !done {
             self.kept.clear();
         }
-        Ok(done)
+        done
     }
 
     /// Newton step in the model with the contact's stiffness; `None` if contact acts where it did not, or there is none.
@@ -192,4 +196,10 @@ impl<const D: usize> Equilibrium<D> {
 
 fn dot(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(x, y)| x * y).sum()
+}
+
+/// Ascending, none twice.
+fn sort(equations: &mut Vec<usize>) {
+    equations.sort_unstable();
+    equations.dedup();
 }

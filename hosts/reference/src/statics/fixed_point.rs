@@ -4,7 +4,6 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
 use super::newton::Watch;
-use crate::fem::Law;
 
 /// Contact forces of the last iterate are dead loads of the next one.
 ///
@@ -45,7 +44,7 @@ impl<const D: usize> Equilibrium<D> {
     /// Those of [`StaticsError`].
     pub fn fixed_point(&mut self, settings: FixedPoint, watch: Watch) -> Result<FixedPointEnd, StaticsError> {
         let load = 1.0;
-        let linear = self.problem.model.parts().iter().all(|part| part.material.law == Law::LinearElastic);
+        let linear = self.is_linear();
         let mut u = self.displacement.clone();
         self.contact.release_patches();
         let mut factorised = false;
