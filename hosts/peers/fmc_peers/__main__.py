@@ -8,6 +8,7 @@ import json
 import subprocess
 from pathlib import Path
 
+from fmc_agreement.arguments import with_cases
 from fmc_agreement.indentation import Surface
 from fmc_agreement.picture import overlay
 from fmc_agreement.problem import Problem, fmc, from_json
@@ -28,13 +29,9 @@ TIED = (20, 40)
 def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="fmc_peers", description="The cases in fmc and in GetFEM, side by side.")
     parser.add_argument("folder", type=Path, help="where everything is written")
-    parser.add_argument("case", nargs="*", help=f"only these: {', '.join(FORMULATIONS)}")
     parser.add_argument("--repetitions", type=int, default=3, help="runs of each program, in turn [3]")
     parser.add_argument("--override", action="append", default=[], metavar="KEY=VALUE", help="as of fmc run")
-    found = parser.parse_args()
-    if unknown := [case for case in found.case if case not in FORMULATIONS]:
-        parser.error(f"no such case: {', '.join(unknown)} (there are {', '.join(FORMULATIONS)})")
-    return found
+    return with_cases(parser, FORMULATIONS)
 
 
 def main() -> None:

@@ -6,7 +6,7 @@ from statistics import median
 from typing import Any
 
 import numpy as np
-from fmc_agreement.indentation import SLIDE, Surface
+from fmc_agreement.indentation import Surface, is_compared
 from fmc_agreement.problem import Problem
 
 from .measure import Run
@@ -14,7 +14,7 @@ from .measure import Run
 
 def rows(problem: Problem, runs: list[list[Run]]) -> list[dict[str, Any]]:
     """A row for every program: its repetitions in a list, ours first."""
-    about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
+    about = problem.about
     first = Surface(problem, about, runs[0][0].force)
     found = []
     for repeated in runs:
@@ -41,7 +41,7 @@ def force(problem: Problem, run: Run, about: int) -> float:
     """On the body that the figures are about, along the last axis, of the whole; over a slide, the mean."""
     if problem.raw["figures"]["kind"] == "ironing":
         return run.figures["force_y_mean"] if run.figures else mean_over_slide(run.history)
-    return float(problem.raw["figures"]["copies"] * abs(run.force[problem.bodies[about].nodes, -1].sum()))
+    return problem.force_along_last_axis(run.force, about)
 
 
 def apart(own: Surface, first: Surface) -> float:
@@ -54,8 +54,7 @@ def apart(own: Surface, first: Surface) -> float:
 def mean_over_slide(history: np.ndarray) -> float:
     """Rows of stage, part of its load, force along each axis."""
     stage, load, up = history[:, 0], history[:, 1], np.abs(history[:, -1])
-    inside = (stage == stage.max()) & (load > SLIDE[0] - 1e-9) & (load < SLIDE[1] + 1e-9)
-    return float(up[inside].mean())
+    return float(up[(stage == stage.max()) & is_compared(load)].mean())
 
 
 def markdown(everything: list[dict[str, Any]]) -> str:

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from . import page, reference, runs, table
+from .arguments import with_cases
 from .overhead import measured
 from .problem import fmc
 
@@ -17,12 +18,7 @@ from .problem import fmc
 def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="fmc_agreement", description="The same cases in every host, compared node by node.")
     parser.add_argument("folder", type=Path, help="where table.md, table.json and index.html are written")
-    names = sorted({case.name for case in runs.CASES})
-    parser.add_argument("case", nargs="*", help=f"only these: {', '.join(names)}")
-    found = parser.parse_args()
-    if unknown := [case for case in found.case if case not in names]:
-        parser.error(f"no such case: {', '.join(unknown)} (there are {', '.join(names)})")
-    return found
+    return with_cases(parser, sorted({case.name for case in runs.CASES}))
 
 
 def main() -> int:

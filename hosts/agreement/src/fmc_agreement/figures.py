@@ -71,7 +71,7 @@ def balls(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.nd
     fitted = pressure > 0.3 * pressure.max()
     slope, square = np.polyfit(r[fitted] ** 2, pressure[fitted] ** 2, 1)
     found = {
-        "force": float(problem.raw["figures"]["copies"] * abs(forces[body.nodes, -1].sum())),
+        "force": problem.force_along_last_axis(forces, 0),
         "peak_pressure": float(np.sqrt(square)),
         "contact_radius": float(np.sqrt(-square / slope)),
     }
@@ -95,7 +95,7 @@ def at_rest(problem: Problem, solved: Solved) -> tuple[dict[str, float], np.ndar
 
 def motion(problem: Problem, history: History, mass: np.ndarray) -> dict[str, float]:
     """Figures of a bar on a wall or of an impact; ``mass`` of every body."""
-    about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
+    about = problem.about
     body = problem.bodies[about]
     v0 = body.velocity
     along = -v0 / norm(v0)

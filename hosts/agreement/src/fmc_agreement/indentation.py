@@ -19,6 +19,11 @@ SLIDE = (2.0 / 7.5, 5.5 / 7.5)
 Found = "tuple[dict[str, float], np.ndarray]"
 
 
+def is_compared(load: np.ndarray) -> np.ndarray:
+    """Which parts of the last stage's load are within ``SLIDE``, up to rounding."""
+    return (load >= SLIDE[0] - 1e-9) & (load <= SLIDE[1] + 1e-9)
+
+
 class Surface:
     """Nodes on the side of a body that contact pushes against, sorted by their place: x in 2D, the distance from the last
     axis in 3D, undeformed. The pressure is the force along the last axis by the node's part of the area that looks that
@@ -62,12 +67,12 @@ class Surface:
 def figures(problem: Problem, solved: Solved) -> Found:
     """Figures of an equilibrium and its profile, or for the die its force over the slide; by the kind of the case."""
     last, kind = solved.steps[-1], problem.raw["figures"]["kind"]
-    body = [one.name for one in problem.bodies].index(problem.raw["figures"]["body"])
+    body = problem.about
     if kind == "ironing":
         return _ironing(problem, body, solved)
     forces, material = last.force, problem.bodies[body].material
     surface = Surface(problem, body, forces)
-    force = problem.raw["figures"]["copies"] * abs(float(forces[problem.bodies[body].nodes, -1].sum()))
+    force = problem.force_along_last_axis(forces, body)
     modulus = material.young / (1.0 - material.poisson**2)
     given = np.array(problem.raw["figures"].get("profile", [])).reshape(-1, 2)
 
@@ -153,7 +158,7 @@ def _ironing(problem: Problem, body: int, solved: Solved) -> Found:
     sliding = [step for step in solved.steps if step.stage == last]
     load = np.array([step.load for step in sliding])
     force = np.array([step.force[problem.bodies[body].nodes].sum(axis=0) for step in sliding])
-    inside = (load >= SLIDE[0] - 1e-9) & (load <= SLIDE[1] + 1e-9)
+    inside = is_compared(load)
     at, up = 2.0 * load[inside] - 1.0, np.abs(force[inside, -1])
     mean = float(up.mean())
     found = {

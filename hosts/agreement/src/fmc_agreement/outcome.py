@@ -76,7 +76,7 @@ def of_motion(
     **more: Any,
 ) -> None:
     """Writes what time steps came to; ``masses`` of the bodies."""
-    about = [body.name for body in problem.bodies].index(problem.raw["figures"]["body"])
+    about = problem.about
     curve = np.column_stack([history.time, np.linalg.norm(np.array(history.bodies)[:, about], axis=1)])
     write(
         folder, host, problem, motion(problem, history, masses), displacement, force, curve, len(history.time) - 1,

@@ -79,6 +79,15 @@ class Problem:
         return self.raw["load_steps"] is not None
 
     @property
+    def about(self) -> int:
+        """Number of the body that the figures are about."""
+        return [body.name for body in self.bodies].index(self.raw["figures"]["body"])
+
+    def force_along_last_axis(self, forces: np.ndarray, body: int) -> float:
+        """Size of the force on a body, all its copies by symmetry included, from ``forces`` (nodes, dim)."""
+        return float(self.raw["figures"]["copies"] * abs(forces[self.bodies[body].nodes, -1].sum()))
+
+    @property
     def cell_type(self) -> str:
         """Type of all cells."""
         (kind,) = {body.cell_type for body in self.bodies}
