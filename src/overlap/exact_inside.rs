@@ -13,7 +13,7 @@ impl<const D: usize> ExactPair<'_, D> {
     /// are of one, the other has to cover the line as well (or the body itself once more).
     pub(super) fn is_inside_both(&self, seen: &Shadows<D>, e: &Seen<D>, x: &Seen<D>, place: &[f64; 3]) -> bool {
         let is_one_side = e.of_b == x.of_b;
-        if !is_one_side && !self.may_be_inside_out(seen, e, place) && !self.may_be_inside_out(seen, x, place) {
+        if !is_one_side && !self.may_be_inside_out(seen, [e, x], place) {
             return true;
         }
         let [p, q] = [e, x].map(|s| {
@@ -31,18 +31,21 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 
-    /// Whether a line that has just passed through a facet, away from the body, passes through one of the same body the
-    /// other way farther on, or within rounding: between the two it may be as often inside as minus once.
-    fn may_be_inside_out(&self, seen: &Shadows<D>, facet: &Seen<D>, place: &[f64; 3]) -> bool {
-        let t = facet.t(&facet.barycentric(place));
-        let rounding = self.pair.side(facet.of_b).aabb.rounding();
-        seen.near(&Aabb::of(&[flat::<D>(place)])).into_iter().map(|other| &seen.facets[other as usize]).any(|other| {
-            if other.of_b != facet.of_b || other.leaves == facet.leaves {
-                return false;
-            }
-            let w = other.barycentric(place);
-            let ahead = if facet.leaves { other.t(&w) - t } else { t - other.t(&w) };
-            ahead >= -rounding && w.iter().all(|w| *w >= 0.0)
+    /// Whether a line that has just passed through one of two facets, away from the other, passes through one of the same
+    /// body the other way farther on, or within rounding: between the two it may be as often inside as minus once.
+    fn may_be_inside_out(&self, seen: &Shadows<D>, ends: [&Seen<D>; 2], place: &[f64; 3]) -> bool {
+        let near = seen.near(&Aabb::of(&[flat::<D>(place)]));
+        ends.into_iter().any(|facet| {
+            let t = facet.t(&facet.barycentric(place));
+            let rounding = self.pair.side(facet.of_b).aabb.rounding();
+            near.iter().map(|&other| &seen.facets[other as usize]).any(|other| {
+                if other.of_b != facet.of_b || other.leaves == facet.leaves {
+                    return false;
+                }
+                let w = other.barycentric(place);
+                let ahead = if facet.leaves { other.t(&w) - t } else { t - other.t(&w) };
+                ahead >= -rounding && w.iter().all(|w| *w >= 0.0)
+            })
         })
     }
 }
