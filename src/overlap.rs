@@ -1,54 +1,23 @@
-//! Overlap volume and its gradient, by two estimators that return one type.
+//! Overlap of two bodies, by two estimators that return the same types.
+//!
+//! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches) ·
+//! `exact` and `fibers` (the estimators, which do not know each other).
 
-mod around;
-mod assembly;
-mod bundle;
-mod cell_simplices;
-mod clearance;
-mod clip;
-mod clipper;
-mod cover;
-mod estimate;
-mod exact;
-mod exact_creases;
-mod exact_edges;
-mod exact_hessian;
-mod exact_inside;
-mod exact_rims;
-mod exact_spans;
-mod fiber_spans;
-mod fiber_volume;
-mod fibers;
-mod gather;
-mod hessian;
-mod implicit;
-mod implicit_region;
-mod layout;
-mod options;
-mod patch;
-mod patch_directions;
-mod patch_labels;
-mod patch_search;
-mod piece;
-mod quadrature;
-mod region;
-mod resolution;
-mod rim_hessian;
-mod shadow;
-mod side;
-mod slopes;
-mod solid;
-mod span;
-mod sweep;
-mod warning;
+pub(crate) mod exact;
+pub(crate) mod fibers;
+pub(crate) mod pair;
+pub(crate) mod patches;
+pub(crate) mod points;
 
-pub use estimate::{FiberTrace, Overlap, Partner, PoseGradient};
-pub(crate) use exact::ExactPair;
-pub use hessian::Block;
-pub(crate) use hessian::merged;
-pub(crate) use layout::FiberPair;
-pub use options::{Estimator, FiberOptions, LineWeights, Resolution};
-pub(crate) use patch::Patches;
-pub(crate) use side::{FacetSide, ImplicitSide, Opponent, Pair, Views};
-pub(crate) use span::Spans;
-pub use warning::Warning;
+pub(crate) use exact::clipping::volume::ExactPair;
+pub(crate) use fibers::layout::FiberPair;
+pub use fibers::trace::FiberTrace;
+pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
+pub use pair::overlap::{Overlap, PoseGradient};
+pub use pair::partner::Partner;
+pub(crate) use pair::sides::{Counterpart, FacetSide, ImplicitSide, Pair, Views};
+pub use pair::warning::Warning;
+pub(crate) use patches::partition::Patches;
+pub(crate) use points::contact_points::ContactPoints;
+pub use points::hessian::Block;
+pub(crate) use points::hessian::merged;

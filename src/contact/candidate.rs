@@ -4,7 +4,7 @@ use super::Contact;
 use crate::Error;
 use crate::geometry::Pose;
 use crate::overlap::{
-    Estimator, ExactPair, FacetSide, FiberOptions, FiberPair, ImplicitSide, Opponent, Pair, Partner, Views,
+    Counterpart, Estimator, ExactPair, FacetSide, FiberOptions, FiberPair, ImplicitSide, Pair, Partner, Views,
 };
 use crate::sampling::{Family, FiberPattern};
 
@@ -45,37 +45,37 @@ impl<const D: usize> Contact<D> {
         let bodies: Vec<FacetSide<D>> = (0..self.surface.body_count()).map(body).collect();
 
         let parallel = self.pool.is_some();
-        let measure = |partners: [Partner; 2], a: FacetSide<D>, opponent: Opponent<D>, pose: Option<&Pose<D>>| {
-            let pair = Pair { partners, a, opponent, pose, surface: &self.surface, parallel };
+        let measure = |partners: [Partner; 2], a: FacetSide<D>, counterpart: Counterpart<D>, pose: Option<&Pose<D>>| {
+            let pair = Pair { partners, a, counterpart, pose, surface: &self.surface, parallel };
             let candidate = Candidate {
                 fibers: FiberPair { pair: &pair, families: &families, options: &options },
                 exact: exact.then_some(ExactPair { pair: &pair, coords }),
             };
             match &self.pool {
                 // A signed distance function belongs to the host and is called on the calling thread.
-                Some(pool) if !opponent.is_marched() => pool.install(|| work(&candidate)),
+                Some(pool) if !counterpart.is_marched() => pool.install(|| work(&candidate)),
                 _ => work(&candidate),
             }
         };
         let mut results = Vec::new();
         for (i, &a) in bodies.iter().enumerate() {
             if self.options.self_contact {
-                results.extend(measure([Partner::Body(i); 2], a, Opponent::Itself, None)?);
+                results.extend(measure([Partner::Body(i); 2], a, Counterpart::Itself, None)?);
             }
             for (j, b) in bodies.iter().enumerate().skip(i + 1) {
                 if a.aabb.meets(&b.aabb) {
-                    results.extend(measure([Partner::Body(i), Partner::Body(j)], a, Opponent::Facets(*b), None)?);
+                    results.extend(measure([Partner::Body(i), Partner::Body(j)], a, Counterpart::Facets(*b), None)?);
                 }
             }
             for (obstacle, (rigid, placed)) in self.obstacles.iter().zip(&placed).enumerate() {
                 let pose = &rigid.obstacle.pose;
-                let opponent = match placed {
+                let counterpart = match placed {
                     Some((facets, views)) => {
-                        Opponent::Facets(FacetSide::new(facets, 0..views.points.len() as u32, views))
+                        Counterpart::Facets(FacetSide::new(facets, 0..views.points.len() as u32, views))
                     }
-                    None => Opponent::Implicit(ImplicitSide { obstacle, shape: &rigid.obstacle.shape, pose }),
+                    None => Counterpart::Implicit(ImplicitSide { obstacle, shape: &rigid.obstacle.shape, pose }),
                 };
-                results.extend(measure([Partner::Body(i), Partner::Obstacle(obstacle)], a, opponent, Some(pose))?);
+                results.extend(measure([Partner::Body(i), Partner::Obstacle(obstacle)], a, counterpart, Some(pose))?);
             }
         }
         Ok(results)

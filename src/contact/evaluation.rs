@@ -163,7 +163,7 @@ impl<const D: usize> Contact<D> {
                 Some(exact) => exact.overlap()?,
                 None => candidate.fibers.overlap()?,
             };
-            let mut overlap = overlap.filter(Overlap::is_worth_telling);
+            let mut overlap = overlap.filter(Overlap::has_content);
             let tolerance = if candidate.exact.is_some() { balance::ROUNDING } else { 0.0 };
             if let (Some(o), true) = (&mut overlap, self.is_balanced() || candidate.exact.is_some()) {
                 balance(&o.nodes, &o.of_b, &mut o.gradient, &mut o.pose_gradient, coords, tolerance);

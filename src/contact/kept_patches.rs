@@ -3,7 +3,7 @@
 use super::Contact;
 use super::candidate::Candidate;
 use crate::Error;
-use crate::overlap::Spans;
+use crate::overlap::ContactPoints;
 
 impl<const D: usize> Contact<D> {
     /// Finds the patches of the fiber law at `coords` and keeps them for all evaluations to come, until this is called
@@ -32,12 +32,12 @@ impl<const D: usize> Contact<D> {
         self.kept.clear();
     }
 
-    /// Spans of a pair: on its kept patches, or on those that are found now.
+    /// ContactPoints of a pair: on its kept patches, or on those that are found now.
     pub(super) fn spans(
         &self,
         Candidate { fibers, exact }: &Candidate<D>,
-        creases: bool,
-    ) -> Result<Option<Spans<D>>, Error> {
+        kinks: bool,
+    ) -> Result<Option<ContactPoints<D>>, Error> {
         let found;
         let patches = match self.kept.iter().find(|(partners, _)| *partners == fibers.pair.partners) {
             Some((_, patches)) => patches,
@@ -50,7 +50,7 @@ impl<const D: usize> Contact<D> {
             },
         };
         let spans = match exact {
-            Some(exact) => exact.spans(patches, creases)?,
+            Some(exact) => exact.spans(patches, kinks)?,
             None => fibers.spans(patches)?,
         };
         Ok(spans.filter(|spans| !spans.spans.is_empty() || !spans.warnings.is_empty()))

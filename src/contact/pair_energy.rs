@@ -3,7 +3,7 @@
 use super::EnergyLaw;
 use super::balance::balance;
 use crate::geometry::Vector;
-use crate::overlap::{Overlap, Pair, PoseGradient, Spans};
+use crate::overlap::{ContactPoints, Overlap, Pair, PoseGradient};
 
 /// Energy of one pair, its gradient on nodes and pose, and the overlap from which it comes.
 pub(crate) struct PairEnergy<const D: usize> {
@@ -38,7 +38,7 @@ impl<const D: usize> PairEnergy<D> {
 
     /// Σ ω ψ(L), with forces that balance if `balanced`.
     pub(crate) fn of_spans(
-        spans: &Spans<D>,
+        spans: &ContactPoints<D>,
         pair: &Pair<D>,
         law: &EnergyLaw,
         balanced: bool,

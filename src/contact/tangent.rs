@@ -1,7 +1,7 @@
 //! Second derivative of the contact energy.
 
 use super::EnergyLaw;
-use crate::overlap::{Block, Overlap, Pair, Spans, merged};
+use crate::overlap::{Block, ContactPoints, Overlap, Pair, merged};
 
 /// Which part of the second derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -103,7 +103,7 @@ impl<const D: usize> Tangent<D> {
 
     /// Tangent of the fiber law on the spans of one pair.
     pub(crate) fn of_spans(
-        spans: &Spans<D>,
+        spans: &ContactPoints<D>,
         pair: &Pair<D>,
         law: &EnergyLaw,
         part: TangentPart,

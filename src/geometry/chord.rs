@@ -9,10 +9,10 @@ pub(crate) struct Hit<const D: usize> {
     pub(crate) normal: Vector<D>,
 }
 
-/// Stretch from `enter` to `leave`; empty chords are `None`.
+/// SearchInterval from `enter` to `leave`; empty chords are `None`.
 pub(crate) type Chord<const D: usize> = Option<[Hit<D>; 2]>;
 
-/// Stretch of the line `o + t d` inside a shape in its own frame; `d` has unit length.
+/// SearchInterval of the line `o + t d` inside a shape in its own frame; `d` has unit length.
 ///
 /// `Polytope` and `SignedDistance` have no chord here: they are handled as a surface and by marching.
 pub(crate) fn chord<const D: usize>(shape: &Shape<D>, o: &Vector<D>, d: &Vector<D>) -> Chord<D> {
@@ -41,14 +41,14 @@ pub(crate) fn chord<const D: usize>(shape: &Shape<D>, o: &Vector<D>, d: &Vector<
     }
 }
 
-/// Stretch inside both; empty where they only touch.
+/// SearchInterval inside both; empty where they only touch.
 fn common<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
     let ([p, q], [r, s]) = (a?, b?);
     let (enter, leave) = (if p.t >= r.t { p } else { r }, if q.t <= s.t { q } else { s });
     (enter.t < leave.t).then_some([enter, leave])
 }
 
-/// Stretch inside one or the other, for parts of one convex shape.
+/// SearchInterval inside one or the other, for parts of one convex shape.
 fn hull<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
     match (a, b) {
         (Some([p, q]), Some([r, s])) => Some([if p.t <= r.t { p } else { r }, if q.t >= s.t { q } else { s }]),

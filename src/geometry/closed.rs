@@ -3,7 +3,7 @@
 use crate::Error;
 
 /// One end (2D) or one edge (3D) of a facet, as the facet passes it.
-struct Rim {
+struct SilhouettePoint {
     body: i64,
     /// The node twice (2D), or the nodes of the edge, ascending.
     nodes: [u32; 2],
@@ -13,17 +13,17 @@ struct Rim {
 
 /// Checks that every edge (3D) or node (2D) of each body belongs to two facets that pass it in opposite directions.
 pub(crate) fn check_closed<const D: usize>(facets: &[[u32; D]], bodies: &[i64]) -> Result<(), Error> {
-    let mut rims: Vec<Rim> = Vec::with_capacity(D * facets.len());
+    let mut silhouettes: Vec<SilhouettePoint> = Vec::with_capacity(D * facets.len());
     for (facet, nodes) in facets.iter().enumerate() {
         for k in 0..D {
             let (p, q) = (nodes[k], nodes[(k + 1) % D]);
             let (nodes, forward) = if D == 2 { ([p, p], k == 0) } else { ([p.min(q), p.max(q)], p < q) };
-            rims.push(Rim { body: bodies[facet], nodes, forward, facet });
+            silhouettes.push(SilhouettePoint { body: bodies[facet], nodes, forward, facet });
         }
     }
-    rims.sort_unstable_by_key(|r| (r.body, r.nodes, r.facet));
+    silhouettes.sort_unstable_by_key(|r| (r.body, r.nodes, r.facet));
     // The lowest facet in trouble is named, so that the message does not depend on the order of nodes.
-    let trouble = |same: &[Rim]| {
+    let trouble = |same: &[SilhouettePoint]| {
         let nodes = same[0].nodes.map(|n| n as usize);
         match same {
             [r] => Some((r.facet, Error::OpenSurface { facet: r.facet, nodes })),
@@ -35,8 +35,8 @@ pub(crate) fn check_closed<const D: usize>(facets: &[[u32; D]], bodies: &[i64]) 
             [] => None,
         }
     };
-    let same_rim = |r: &Rim, s: &Rim| r.body == s.body && r.nodes == s.nodes;
-    match rims.chunk_by(same_rim).filter_map(trouble).min_by_key(|(facet, _)| *facet) {
+    let same_rim = |r: &SilhouettePoint, s: &SilhouettePoint| r.body == s.body && r.nodes == s.nodes;
+    match silhouettes.chunk_by(same_rim).filter_map(trouble).min_by_key(|(facet, _)| *facet) {
         Some((_, error)) => Err(error),
         None => Ok(()),
     }

@@ -1,6 +1,6 @@
 //! Connected components, of cells and of facets.
 
-use super::inside::cover_count;
+use super::inside::winding_number;
 use super::{Vector, facet::area_vector};
 
 /// Ids without repetition, ascending.
@@ -85,7 +85,7 @@ pub(crate) fn connected_labels<const D: usize>(coords: &[[f64; D]], facets: &[[u
     let owner: Vec<i64> = (0..members.len())
         .map(|c| {
             let x = points[members[c][0][0] as usize];
-            let around = |o: &usize| volumes[*o] > -volumes[c] && cover_count(&members[*o], &points, &x) > 0;
+            let around = |o: &usize| volumes[*o] > -volumes[c] && winding_number(&members[*o], &points, &x) > 0;
             match volumes[c] {
                 v if v >= 0.0 => c as i64,
                 _ => (0..members.len())

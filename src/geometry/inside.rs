@@ -6,12 +6,12 @@ use super::crossing::{Projected, Window, for_each_crossing};
 /// How often closed, oriented facets cover the point `x`: 0 outside, 1 inside, 2 where the body folds over itself.
 ///
 /// Counted along the line through `x` parallel to the last axis. On the boundary it may be either.
-pub(crate) fn cover_count<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>], x: &Vector<D>) -> i32 {
-    cover_counts(facets, points, std::slice::from_ref(x))[0]
+pub(crate) fn winding_number<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>], x: &Vector<D>) -> i32 {
+    winding_numbers(facets, points, std::slice::from_ref(x))[0]
 }
 
-/// [`cover_count`] of many points, in one pass over the facets.
-pub(crate) fn cover_counts<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>], x: &[Vector<D>]) -> Vec<i32> {
+/// [`winding_number`] of many points, in one pass over the facets.
+pub(crate) fn winding_numbers<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>], x: &[Vector<D>]) -> Vec<i32> {
     let mut counts = vec![0; x.len()];
     let mut order: Vec<u32> = (0..x.len() as u32).collect();
     order.sort_unstable_by(|&p, &q| x[p as usize][0].total_cmp(&x[q as usize][0]));
@@ -62,9 +62,9 @@ mod tests {
         let queries: Vec<Vector<2>> =
             (0..400).map(|i| v(0.4 * f64::from(i % 20) - 3.9, 0.4 * f64::from(i / 20) - 3.9)).collect();
         let inside = |x: &Vector<2>, center: f64, r: f64| i32::from((x[0] - center).abs() < r && x[1].abs() < r);
-        for (x, count) in queries.iter().zip(cover_counts(&facets, &points, &queries)) {
+        for (x, count) in queries.iter().zip(winding_numbers(&facets, &points, &queries)) {
             assert_eq!(count, inside(x, 0.0, 3.0) + inside(x, -1.5, 1.0) - inside(x, 1.5, 1.0), "{x:?}");
-            assert_eq!(count, cover_count(&facets, &points, x));
+            assert_eq!(count, winding_number(&facets, &points, x));
         }
     }
 }

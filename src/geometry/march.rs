@@ -9,7 +9,7 @@ const ROUNDS: usize = 4000;
 
 /// A piece of a line to be searched: from `t` to `end`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stretch<const D: usize> {
+pub(crate) struct SearchInterval<const D: usize> {
     pub(crate) origin: Vector<D>,
     pub(crate) direction: Vector<D>,
     pub(crate) start: f64,
@@ -18,7 +18,7 @@ pub(crate) struct Stretch<const D: usize> {
 
 /// Where a stretch passes the boundary: which stretch, where, and whether it leaves the body there.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Passage<const D: usize> {
+pub(crate) struct Intersection<const D: usize> {
     pub(crate) stretch: usize,
     pub(crate) hit: Hit<D>,
     pub(crate) leaves: bool,
@@ -41,13 +41,13 @@ enum State {
 pub(crate) fn march<const D: usize>(
     function: &dyn SignedDistance<D>,
     pose: &Pose<D>,
-    stretches: &[Stretch<D>],
+    intervals: &[SearchInterval<D>],
     resolution: f64,
-) -> Result<Vec<Passage<D>>, usize> {
-    let mut passages: Vec<Passage<D>> = Vec::new();
+) -> Result<Vec<Intersection<D>>, usize> {
+    let mut intersections: Vec<Intersection<D>> = Vec::new();
     let mut states: Vec<State> =
-        stretches.iter().map(|s| State::Step { t: f64::NAN, phi: f64::NAN, next: s.start }).collect();
-    let mut active: Vec<usize> = (0..stretches.len()).collect();
+        intervals.iter().map(|s| State::Step { t: f64::NAN, phi: f64::NAN, next: s.start }).collect();
+    let mut active: Vec<usize> = (0..intervals.len()).collect();
     for _ in 0..ROUNDS {
         if active.is_empty() {
             break;
@@ -57,14 +57,14 @@ pub(crate) fn march<const D: usize>(
             .map(|&s| match states[s] {
                 State::Step { next, .. } => next,
                 State::Bracket { at, .. } => at,
-                State::Done => stretches[s].end,
+                State::Done => intervals[s].end,
             })
             .collect();
-        let (phi, normals) = evaluate(function, pose, stretches, &active, &at)?;
+        let (phi, normals) = evaluate(function, pose, intervals, &active, &at)?;
         for (n, &s) in active.iter().enumerate() {
-            let (t, value, end) = (at[n], phi[n], stretches[s].end);
+            let (t, value, end) = (at[n], phi[n], intervals[s].end);
             let mut found = |t: f64, leaves: bool| {
-                passages.push(Passage { stretch: s, hit: Hit { t, normal: normals[n] }, leaves });
+                intersections.push(Intersection { stretch: s, hit: Hit { t, normal: normals[n] }, leaves });
             };
             // A value of exactly 0 counts as outside, so that every stretch has a sign everywhere.
             states[s] = match states[s] {
@@ -104,8 +104,8 @@ pub(crate) fn march<const D: usize>(
         }
         active.retain(|&s| !matches!(states[s], State::Done));
     }
-    passages.sort_by(|p, q| p.stretch.cmp(&q.stretch).then(p.hit.t.total_cmp(&q.hit.t)));
-    Ok(passages)
+    intersections.sort_by(|p, q| p.stretch.cmp(&q.stretch).then(p.hit.t.total_cmp(&q.hit.t)));
+    Ok(intersections)
 }
 
 /// Next point of a bracket: where the chord crosses zero, or the middle where rounding leaves no chord.
@@ -120,11 +120,11 @@ fn bracket(low: f64, low_phi: f64, high: f64, high_phi: f64, resume: f64, resume
 fn evaluate<const D: usize>(
     function: &dyn SignedDistance<D>,
     pose: &Pose<D>,
-    stretches: &[Stretch<D>],
+    intervals: &[SearchInterval<D>],
     active: &[usize],
     at: &[f64],
 ) -> Result<(Vec<f64>, Vec<Vector<D>>), usize> {
-    let place = |(&s, &t): (&usize, &f64)| pose.unplace(&(stretches[s].origin + stretches[s].direction * t)).into();
+    let place = |(&s, &t): (&usize, &f64)| pose.unplace(&(intervals[s].origin + intervals[s].direction * t)).into();
     let x: Vec<[f64; D]> = active.iter().zip(at).map(place).collect();
     let mut phi = vec![f64::NAN; x.len()];
     let mut gradient = vec![[f64::NAN; D]; x.len()];

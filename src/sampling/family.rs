@@ -110,7 +110,7 @@ impl<const D: usize> Family<D> {
     }
 
     /// Measure of the shadow's bounding rectangle of `region` across the lines (2D: its length).
-    pub(crate) fn shadow(&self, region: &Aabb<D>) -> f64 {
+    pub(crate) fn projected_area(&self, region: &Aabb<D>) -> f64 {
         (0..D - 1).map(|axis| self.width(region, axis)).product()
     }
 

@@ -1,0 +1,249 @@
+//! The exact estimator: facets of each side clipped by the simplices of the other.
+//!
+//! ```text
+//! ∂V/∂x_a = Σ_{facets f of one side} Σ_{simplices s of the other} ∫_{f ∩ s} N_a n dA
+//! ```
+//!
+//! A facet that keeps clear of the other body's boundary is all inside or all outside. Only the others, those near the
+//! curve in which the boundaries cross, are clipped.
+//!
+//! V is homogeneous of degree D in all coordinates, so D V = Σ_a x_a · ∂V/∂x_a (the divergence theorem on the same
+//! pieces). Exact for straight-sided cells and flat-sided obstacles; quadrilateral faces are split about their centroid.
+
+use super::clipper::{Clipped, Clipper};
+use super::near_facets::{Facets, NearFacets};
+use super::solid::Solid;
+use super::winding::windings;
+use crate::Error;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::facet::area_vector;
+use crate::geometry::{Pose, Shape, Vector};
+use crate::overlap::pair::assembly::Assembly;
+use crate::overlap::pair::overlap::Overlap;
+use crate::overlap::pair::partner::Partner;
+use crate::overlap::pair::region::common_region;
+use crate::overlap::pair::sides::{Counterpart, FacetSide, ImplicitSide, Pair};
+use crate::overlap::pair::warning::swallowed;
+use rayon::prelude::*;
+
+/// Facets that a thread takes at once.
+const CHUNK: usize = 16;
+
+/// A pair that is to be clipped.
+pub(crate) struct ExactPair<'a, const D: usize> {
+    pub(crate) pair: &'a Pair<'a, D>,
+    pub(crate) coords: &'a [[f64; D]],
+}
+
+/// What was clipped.
+pub(crate) struct Found<'a, const D: usize> {
+    /// Sides that have facets, what of these lies inside the other side, and their pose if they are an obstacle.
+    pub(crate) sides: Vec<(&'a FacetSide<'a, D>, Vec<Clipped<D>>, Option<&'a Pose<D>>)>,
+    pub(crate) region: Aabb<D>,
+    /// Normal and a point of the plane of a half-space.
+    plane: Option<(Vector<D>, Vector<D>)>,
+}
+
+impl<const D: usize> ExactPair<'_, D> {
+    /// The overlap, or `None` where the sides are apart.
+    pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
+        Ok(self.clipped()?.map(|found| self.assemble(&found)))
+    }
+
+    /// The facets of each side as far as they are inside the other, or `None` where the sides are apart.
+    pub(crate) fn clipped(&self) -> Result<Option<Found<'_, D>>, Error> {
+        let (a, pose) = (&self.pair.a, self.pair.pose);
+        match &self.pair.counterpart {
+            Counterpart::Itself => {
+                let tolerance = a.aabb.rounding();
+                let solid = match (&self.pair.surface.cells, self.pair.partners[0]) {
+                    (Some(cells), Partner::Body(body)) => Solid::from_cells(cells, body, self.coords),
+                    _ => Solid::from_facets(a, &a.aabb.inflated(tolerance), tolerance),
+                };
+                let facets: Vec<u32> = (0..a.facets.len() as u32).collect();
+                let shares = self.clip(a, &facets, &solid, tolerance, true, false);
+                Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: None }))
+            }
+            Counterpart::Facets(b) => {
+                let Some(region) = common_region(a, b) else { return Ok(None) };
+                let aabb = region.aabb;
+                let clearance = NearFacets::new(a, b, region);
+                let tolerance = clearance.tolerance;
+                let [of_a, of_b] = &clearance.sides;
+                // One side after the other, so that a swap of the bodies swaps two numbers and no more.
+                let shares_a = self.shares(a, of_a, 1, b, of_b, &aabb, tolerance);
+                let shares_b = self.shares(b, of_b, 0, a, of_a, &aabb, tolerance);
+                Ok(Some(Found { sides: vec![(a, shares_a, None), (b, shares_b, pose)], region: aabb, plane: None }))
+            }
+            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
+                let mut up = Vector::zeros();
+                up[D - 1] = 1.0;
+                let normal = pose.rotate(&up);
+                let origin = Vector::from(pose.position);
+                let tolerance = a.aabb.rounding();
+                let mut clipper = Clipper::default();
+                let shares: Vec<Clipped<D>> = (0..a.facets.len() as u32)
+                    .filter_map(|facet| clipper.below(facet, &a.corners(facet as usize), &normal, &origin, tolerance))
+                    .collect();
+                Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: Some((normal, origin)) }))
+            }
+            Counterpart::Implicit(_) => {
+                let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as a polygon or triangle mesh";
+                Err(Error::Unsupported { what })
+            }
+        }
+    }
+
+    /// What the facets of one side have inside the other, which is side number `which` of the pair.
+    #[allow(clippy::too_many_arguments)]
+    fn shares(
+        &self,
+        side: &FacetSide<D>,
+        facets: &Facets<D>,
+        which: usize,
+        other: &FacetSide<D>,
+        other_facets: &Facets<D>,
+        region: &Aabb<D>,
+        tolerance: f64,
+    ) -> Vec<Clipped<D>> {
+        let of_b = which == 0;
+        let near: Vec<u32> = (facets.numbers.iter().zip(&facets.is_near)).filter(|f| *f.1).map(|f| *f.0).collect();
+        let mut clipped = Vec::new();
+        if !near.is_empty() {
+            let solid = match (&self.pair.surface.cells, self.pair.partners[which]) {
+                (Some(cells), Partner::Body(body)) => {
+                    let facet_cell = &self.pair.surface.facet_cell[self.pair.surface.ranges[body].clone()];
+                    Solid::Cells { cells, coords: self.coords, facets: other_facets, facet_cell }
+                }
+                _ => {
+                    let boxes = facets.boxes.iter().zip(&facets.is_near).filter(|f| *f.1);
+                    let around = boxes.fold(Aabb::empty(), |sum, f| sum.union(f.0));
+                    Solid::from_facets(other, &around, tolerance)
+                }
+            };
+            clipped = self.clip(side, &near, &solid, tolerance, false, of_b);
+        }
+        let windings = windings(side, facets, other, &region.inflated(tolerance));
+        let mut clipped = clipped.into_iter().peekable();
+        let mut shares = Vec::new();
+        for (f, &facet) in facets.numbers.iter().enumerate() {
+            if let Some(share) = clipped.next_if(|c| c.share.facet == facet) {
+                shares.push(share);
+            } else if windings[f] > 0 {
+                shares.push(Clipped::whole(facet, of_b, &facets.corners[f], windings[f]));
+            }
+        }
+        shares
+    }
+
+    /// What each of some facets of `side` has inside `solid`. With `own`, a facet's own cell does not count.
+    fn clip(
+        &self,
+        side: &FacetSide<D>,
+        facets: &[u32],
+        solid: &Solid<D>,
+        tolerance: f64,
+        own: bool,
+        of_b: bool,
+    ) -> Vec<Clipped<D>> {
+        let clip = |clipper: &mut Clipper<D>, &facet: &u32| {
+            let own_cell = own.then(|| self.cell_of(facet));
+            clipper.inside(facet, of_b, &side.corners(facet as usize), solid, tolerance, own_cell)
+        };
+        if self.pair.parallel {
+            let work = facets.par_iter().with_min_len(CHUNK).map_init(Clipper::default, clip);
+            work.flatten_iter().collect()
+        } else {
+            let mut clipper = Clipper::default();
+            facets.iter().filter_map(|facet| clip(&mut clipper, facet)).collect()
+        }
+    }
+
+    /// The cell that a facet of the first side belongs to, or the facet itself where there are no cells.
+    fn cell_of(&self, facet: u32) -> u32 {
+        match self.pair.partners[0] {
+            Partner::Body(body) => {
+                let index = self.pair.surface.ranges[body].start + facet as usize;
+                self.pair.surface.facet_cell.get(index).copied().unwrap_or(facet)
+            }
+            Partner::Obstacle(_) => facet,
+        }
+    }
+
+    /// Sums up the shares of one or two sides, and what the plane of a half-space must carry.
+    ///
+    /// The volume is taken about the middle of the boundary of the overlap: about a point at a distance r from a thin
+    /// overlap, the boundary on both of its sides would add two numbers of size r that cancel. A half-space has the
+    /// origin on its plane, which then adds nothing itself.
+    fn assemble(&self, Found { sides, region, plane }: &Found<D>) -> Overlap<D> {
+        let near = region.center();
+        let (mut weight, mut origin) = (0.0, Vector::zeros());
+        for (side, shares, _) in sides {
+            let (mut of_side, mut moment) = (0.0, Vector::zeros());
+            for Clipped { share, .. } in shares {
+                let corners = side.corners(share.facet as usize);
+                of_side += share.shares.iter().sum::<f64>();
+                moment += (0..D).fold(Vector::zeros(), |m, a| m + (corners[a] - near) * share.shares[a]);
+            }
+            weight += of_side;
+            origin += moment;
+        }
+        origin = if weight > 0.0 { near + origin / weight } else { near };
+        if let Some((normal, on_plane)) = plane {
+            origin -= normal * normal.dot(&(origin - on_plane));
+        }
+        let mut assembly = Assembly::new(self.pair.a.views.points.len());
+        let mut volume = 0.0;
+        for (side, shares, pose) in sides {
+            volume += self.add(&mut assembly, side, shares, *pose, &origin);
+        }
+        if let Some((normal, _)) = plane {
+            assembly.add_reaction(normal, &self.pair.a.views.points);
+        }
+        self.finish(assembly, volume / D as f64)
+    }
+
+    /// Adds shares to the assembly and returns their part of D V.
+    fn add(
+        &self,
+        assembly: &mut Assembly<D>,
+        side: &FacetSide<D>,
+        clipped: &[Clipped<D>],
+        pose: Option<&Pose<D>>,
+        origin: &Vector<D>,
+    ) -> f64 {
+        let mut moments = 0.0;
+        for Clipped { share, ends } in clipped {
+            assembly.add_facet(side, share, pose);
+            let corners = side.corners(share.facet as usize);
+            assembly.extend_to(ends.as_deref().unwrap_or(&corners));
+            if let Some(normal) = area_vector(&corners).try_normalize(0.0) {
+                moments += (0..D).map(|a| share.shares[a] * normal.dot(&(corners[a] - origin))).sum::<f64>();
+            }
+        }
+        moments
+    }
+
+    fn finish(&self, mut assembly: Assembly<D>, volume: f64) -> Overlap<D> {
+        let [a, b] = self.pair.partners;
+        let mut overlap = Overlap {
+            a,
+            b,
+            volume: volume.max(0.0),
+            standard_error: 0.0,
+            nodes: Vec::new(),
+            gradient: Vec::new(),
+            of_b: Vec::new(),
+            pose_gradient: self.pair.pose.map(|_| assembly.pose_gradient()),
+            contact_area: assembly.contact_area(),
+            penetration: assembly.penetration(),
+            fiber_count: 0,
+            crossing_count: assembly.share_count(),
+            facet_count: assembly.facet_count(),
+            spacing: 0.0,
+            warnings: swallowed(a, b, assembly.side_areas()).into_iter().collect(),
+        };
+        (overlap.nodes, overlap.gradient, overlap.of_b) = assembly.into_nodes(self.pair.surface);
+        overlap
+    }
+}

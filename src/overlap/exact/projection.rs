@@ -1,0 +1,8 @@
+//! Contact points by projecting the facets of both sides along the normal of a patch (segment-based mortar integration).
+
+pub(crate) mod contact_points;
+pub(crate) mod edges;
+pub(crate) mod inside;
+pub(crate) mod kinks;
+pub(crate) mod projected_facets;
+pub(crate) mod silhouettes;

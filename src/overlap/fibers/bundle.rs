@@ -1,0 +1,101 @@
+//! Bundles of fibers: the pieces in which a pair is worked off, in a fixed order whatever the number of threads.
+
+use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::crossing::{Projected, Window};
+use crate::geometry::tree::Tree;
+use crate::overlap::pair::sides::FacetSide;
+use crate::sampling::{Family, Segment};
+use std::ops::Range;
+
+/// A piece of a pattern.
+pub(crate) enum Bundle<'a, const D: usize> {
+    /// Some lines of a family, as far as the region reaches along them; facets of each side.
+    Lines { family: &'a Family<D>, index: usize, spacing: f64, window: Window, reach: [f64; 2], facets: [FacetList; 2] },
+    /// Some isotropic segments.
+    Segments { seed: u64, range: Range<u64>, region: &'a Aabb<D>, length: f64, trees: &'a [Tree<D>] },
+}
+
+/// Facets of one side that the lines of a bundle may cross.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct FacetList {
+    /// In the region, or reaching into it.
+    pub(crate) within: Vec<u32>,
+    /// Before it: they tell only whether a line enters the region inside the body.
+    pub(crate) before: Vec<u32>,
+}
+
+impl<const D: usize> Bundle<'_, D> {
+    /// Number of fibers laid.
+    pub(crate) fn fiber_count(&self) -> usize {
+        match self {
+            Bundle::Lines { window, .. } => window.line_count(),
+            Bundle::Segments { range, .. } => (range.end - range.start) as usize,
+        }
+    }
+
+    /// Index of its family; segments have none.
+    pub(crate) fn family_index(&self) -> usize {
+        if let Bundle::Lines { index, .. } = self { *index } else { 0 }
+    }
+
+    /// Length of the fibers, if they have ends.
+    pub(crate) fn length(&self) -> Option<f64> {
+        match self {
+            Bundle::Lines { .. } => None,
+            Bundle::Segments { length, .. } => Some(*length),
+        }
+    }
+
+    /// Origin and direction of a fiber.
+    pub(crate) fn ray(&self, fiber: u64) -> (Vector<D>, Vector<D>) {
+        match self {
+            Bundle::Lines { family, spacing, .. } => {
+                let (i, j) = self.grid_point(fiber);
+                (family.origin(i, j, *spacing), *family.direction())
+            }
+            Bundle::Segments { seed, region, .. } => {
+                let segment = Segment::sample(*seed, fiber, region);
+                (segment.origin, *segment.direction())
+            }
+        }
+    }
+
+    /// Place of a fiber in the frame of [`Self::project`].
+    pub(crate) fn grid_point(&self, fiber: u64) -> (i64, i64) {
+        match self {
+            Bundle::Lines { window, .. } => {
+                let row = (window.i.end - window.i.start) as u64;
+                (window.i.start + (fiber % row) as i64, window.j.start + (fiber / row) as i64)
+            }
+            Bundle::Segments { .. } => (0, 0),
+        }
+    }
+
+    /// A facet as seen along a fiber.
+    pub(crate) fn project(&self, side: &FacetSide<D>, facet: usize, fiber: u64) -> [Projected; D] {
+        match self {
+            Bundle::Lines { family, index, spacing, .. } => {
+                let viewed = &side.views.viewed[*index];
+                let per_length = 1.0 / spacing;
+                let mut p = [[0.0; 3]; D];
+                for (p, &v) in p.iter_mut().zip(&side.facets[facet]) {
+                    *p = family.on_grid(&viewed[v as usize], per_length);
+                }
+                p
+            }
+            Bundle::Segments { seed, region, .. } => {
+                let segment = Segment::sample(*seed, fiber, region);
+                side.corners(facet).map(|x| segment.view(&x))
+            }
+        }
+    }
+
+    /// Between which `t` the events of its fibers lie.
+    pub(crate) fn reach(&self) -> [f64; 2] {
+        match self {
+            Bundle::Lines { reach, .. } => *reach,
+            Bundle::Segments { length, .. } => [0.0, *length],
+        }
+    }
+}

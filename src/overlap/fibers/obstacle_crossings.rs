@@ -1,0 +1,40 @@
+//! Crossings of a bundle's fibers with an obstacle that has no facets.
+
+use super::bundle::Bundle;
+use super::crossings::BundleEvents;
+use crate::Error;
+use crate::geometry::{Intersection, SearchInterval, Shape, chord, march};
+use crate::overlap::pair::sides::ImplicitSide;
+
+/// Passages of every gathered fiber through the obstacle, between its first and its last event; ordered by fiber.
+pub(crate) fn intersections<const D: usize>(
+    side: &ImplicitSide<D>,
+    bundle: &Bundle<D>,
+    gathered: &BundleEvents,
+    resolution: f64,
+) -> Result<Vec<Intersection<D>>, Error> {
+    if let Shape::SignedDistance(function) = side.shape {
+        let intervals: Vec<SearchInterval<D>> = gathered
+            .fibers
+            .iter()
+            .map(|gathering| {
+                let (origin, direction) = bundle.ray(gathering.fiber);
+                let [start, end] = bundle.stretch(gathering, &gathered.events);
+                SearchInterval { origin, direction, start, end }
+            })
+            .collect();
+        return march(function.as_ref(), side.pose, &intervals, resolution)
+            .map_err(|point| Error::SignedDistance { obstacle: side.obstacle, point });
+    }
+    let mut intersections = Vec::with_capacity(2 * gathered.fibers.len());
+    for (stretch, gathering) in gathered.fibers.iter().enumerate() {
+        let (origin, direction) = bundle.ray(gathering.fiber);
+        let found = chord(side.shape, &side.pose.unplace(&origin), &side.pose.unrotate(&direction));
+        for (mut hit, leaves) in found.into_iter().flatten().zip([false, true]) {
+            hit.t *= side.pose.scale;
+            hit.normal = side.pose.rotate(&hit.normal);
+            intersections.push(Intersection { stretch, hit, leaves });
+        }
+    }
+    Ok(intersections)
+}

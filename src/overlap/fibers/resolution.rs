@@ -1,0 +1,80 @@
+//! From the facets in contact to the spacing of the fibers.
+
+use crate::Error;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::facet::area_vector;
+use crate::overlap::pair::options::Resolution;
+use crate::overlap::pair::sides::FacetSide;
+use crate::sampling::Family;
+
+/// Spacing by facet size in 2D and 3D. Measured on meshes with an exact answer: 1/16 in 2D and 1/3 in 3D keep the error
+/// of nodal forces near 1 %; the error then falls almost with the number of fibers.
+const FACET_PART: [f64; 2] = [1.0 / 16.0, 1.0 / 3.0];
+
+/// Lines of a family that the region of contact should meet at least, in 2D and 3D, since a tip may be smaller than a
+/// facet. A ten-point star over coarse facets has 1 % error in its nodal forces with 600, and 8 % with 50.
+const FEWEST_LINES: [f64; 2] = [512.0, 1024.0];
+
+/// Most lines of one pair that are laid unasked: a second's work. Beyond it the lines are further apart than the facets
+/// want, and a warning says so where they are further apart than the facets are wide.
+const MOST_AUTOMATIC: f64 = 4e6;
+
+/// Most fibers of one pair. A hundred times what the finest study needs; it takes about a minute.
+pub(crate) const MOST_FIBERS: f64 = 1e9;
+
+/// Mean size of some facets of `side`: the root of their mean measure; infinite without facets.
+pub(crate) fn facet_size<const D: usize>(side: &FacetSide<D>, facets: &[u32]) -> f64 {
+    let total: f64 = facets.iter().map(|&f| area_vector(&side.corners(f as usize)).norm()).sum();
+    if facets.is_empty() { f64::INFINITY } else { root::<D>(total / facets.len() as f64) }
+}
+
+/// The length whose (D − 1)th power is `measure`.
+fn root<const D: usize>(measure: f64) -> f64 {
+    if D == 2 { measure } else { measure.sqrt() }
+}
+
+/// Largest power of √2 that does not exceed `x`, from the exponent of x² alone: the same on every machine.
+fn round_down_to_power(x: f64) -> f64 {
+    let squared = f64::from_bits((x * x).to_bits() & 0x7ff0_0000_0000_0000);
+    if squared > 0.0 && squared.is_finite() { squared.sqrt() } else { x }
+}
+
+/// Spacing of the lines of every family.
+pub(crate) fn line_spacing<const D: usize>(
+    resolution: Resolution,
+    families: &[Family<D>],
+    region: &Aabb<D>,
+    facet_size: f64,
+) -> Result<f64, Error> {
+    let shadows = families.iter().map(|f| f.projected_area(region));
+    let spacing = match resolution {
+        Resolution::Spacing(spacing) => spacing,
+        Resolution::Count(count) => root::<D>(shadows.sum::<f64>() / count as f64),
+        Resolution::Auto => {
+            let (total, largest) = shadows.fold((0.0, 0.0), |(sum, most): (f64, f64), s| (sum + s, most.max(s)));
+            let wanted = (FACET_PART[D - 2] * facet_size).min(root::<D>(largest / FEWEST_LINES[D - 2]));
+            // Rounding down may still double the number.
+            round_down_to_power(wanted.max(root::<D>(2.0 * total / MOST_AUTOMATIC)))
+        }
+    };
+    let needed: f64 = families.iter().map(|f| f.projected_area(region) / spacing.powi(D as i32 - 1)).sum();
+    if needed < MOST_FIBERS { Ok(spacing) } else { Err(Error::TooManyFibers { needed, limit: MOST_FIBERS }) }
+}
+
+/// Number of isotropic segments that start in `region`.
+pub(crate) fn segment_count<const D: usize>(
+    resolution: Resolution,
+    region: &Aabb<D>,
+    facet_size: f64,
+) -> Result<u64, Error> {
+    let needed = match resolution {
+        Resolution::Count(count) => count as f64,
+        Resolution::Spacing(spacing) => region.volume() / spacing.powi(D as i32),
+        Resolution::Auto => (region.volume() / (FACET_PART[D - 2] * facet_size).powi(D as i32)).clamp(1e3, 1e6),
+    };
+    if needed < MOST_FIBERS {
+        Ok(needed.max(1.0) as u64)
+    } else {
+        Err(Error::TooManyFibers { needed, limit: MOST_FIBERS })
+    }
+}

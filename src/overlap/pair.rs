@@ -1,0 +1,11 @@
+//! Two sides, where they can overlap, and what is known of their overlap.
+
+pub(crate) mod assembly;
+pub(crate) mod obstacle_region;
+pub(crate) mod options;
+pub(crate) mod overlap;
+pub(crate) mod partner;
+pub(crate) mod region;
+pub(crate) mod sides;
+pub(crate) mod surface_point;
+pub(crate) mod warning;

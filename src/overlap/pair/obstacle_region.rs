@@ -1,0 +1,140 @@
+//! Where an obstacle that has no facets can be.
+
+use super::sides::ImplicitSide;
+use crate::Error;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::{Pose, Shape, SignedDistance, Vector, distance_bound};
+
+/// Rounds in which the box around a signed distance function is cut in two along every axis.
+const ROUNDS_OF_FUNCTION: usize = 5;
+
+/// The same around a shape, whose own box is known. A body may meet the tip of a cone alone: lines beside it cost more
+/// than looking.
+const ROUNDS_OF_SHAPE: usize = 4;
+
+/// A box, within `within`, around the obstacle; `None` if it does not reach there.
+pub(crate) fn region<const D: usize>(side: &ImplicitSide<D>, within: &Aabb<D>) -> Result<Option<Aabb<D>>, Error> {
+    let mut half = Vector::<D>::zeros();
+    match *side.shape {
+        Shape::HalfSpace => return Ok(below_plane(side.pose, within)),
+        Shape::SignedDistance(ref function) => {
+            return reached(within, side, ROUNDS_OF_FUNCTION, |x| evaluated(function.as_ref(), side, x));
+        }
+        Shape::Ball { radius } => half.fill(radius),
+        Shape::Cuboid { half_extents } => half = half_extents.into(),
+        Shape::Cylinder { radius, half_height } | Shape::Cone { radius, half_height } => {
+            half.fill(radius);
+            half[D - 1] = half_height;
+        }
+        Shape::Capsule { radius, half_height } => {
+            half.fill(radius);
+            half[D - 1] = half_height + radius;
+        }
+        // Obstacles with facets come as such.
+        Shape::Polytope { .. } => return Ok(None),
+    }
+    let mut reach = Vector::<D>::zeros();
+    for axis in 0..D {
+        let mut unit = Vector::<D>::zeros();
+        unit[axis] = half[axis] * side.pose.scale;
+        reach += side.pose.rotate(&unit).abs();
+    }
+    let center = Vector::from(side.pose.position);
+    let found = within.intersection(&Aabb { min: center - reach, max: center + reach });
+    if found.is_empty() {
+        return Ok(None);
+    }
+    reached(&found, side, ROUNDS_OF_SHAPE, |x| Ok(x.iter().map(|x| distance_bound(side.shape, &(*x).into())).collect()))
+}
+
+/// Part of a box below the plane of a half-space: for every axis, as far as the plane cuts the box's edges.
+fn below_plane<const D: usize>(pose: &Pose<D>, within: &Aabb<D>) -> Option<Aabb<D>> {
+    let mut up = Vector::<D>::zeros();
+    up[D - 1] = 1.0;
+    let normal = pose.rotate(&up);
+    let level = normal.dot(&Vector::from(pose.position));
+    // Lowest value of n·x over the box, and what each axis adds to it.
+    let least: f64 = (0..D).map(|i| (normal[i] * within.min[i]).min(normal[i] * within.max[i])).sum();
+    if least > level {
+        return None;
+    }
+    let mut found = *within;
+    for i in 0..D {
+        let room = (level - least) / normal[i].abs();
+        if room < within.extent()[i] {
+            if normal[i] > 0.0 {
+                found.max[i] = within.min[i] + room;
+            } else {
+                found.min[i] = within.max[i] - room;
+            }
+        }
+    }
+    Some(found)
+}
+
+/// Box around the cells of a subdivided box that the inside of an obstacle can reach, by its distance: negative inside,
+/// in units of length, never more than the true one.
+fn reached<const D: usize>(
+    within: &Aabb<D>,
+    side: &ImplicitSide<D>,
+    rounds: usize,
+    mut distance: impl FnMut(&[[f64; D]]) -> Result<Vec<f64>, Error>,
+) -> Result<Option<Aabb<D>>, Error> {
+    let mut boxes = vec![*within];
+    let mut inside = Aabb::empty();
+    for depth in 0..=rounds {
+        let x: Vec<[f64; D]> = boxes.iter().map(|b| side.pose.unplace(&b.center()).into()).collect();
+        let mut kept = Vec::new();
+        for (cell, distance) in boxes.iter().zip(distance(&x)?) {
+            let reach = 0.5 * cell.extent().norm();
+            let distance = distance * side.pose.scale;
+            if distance > reach || inside.contains(cell) {
+                continue;
+            }
+            if distance < -reach || depth == rounds {
+                inside = inside.union(cell);
+            } else {
+                kept.push(*cell);
+            }
+        }
+        boxes = kept.iter().flat_map(halves).collect();
+        if boxes.is_empty() {
+            break;
+        }
+    }
+    Ok((!inside.is_empty()).then_some(inside))
+}
+
+/// A signed distance function at some points.
+fn evaluated<const D: usize>(
+    function: &dyn SignedDistance<D>,
+    side: &ImplicitSide<D>,
+    x: &[[f64; D]],
+) -> Result<Vec<f64>, Error> {
+    let (mut phi, mut gradient) = (vec![f64::NAN; x.len()], vec![[0.0; D]; x.len()]);
+    function
+        .evaluate(x, &mut phi, &mut gradient)
+        .map_err(|point| Error::SignedDistance { obstacle: side.obstacle, point })?;
+    match phi.iter().position(|p| !p.is_finite()) {
+        Some(point) => Err(Error::SignedDistance { obstacle: side.obstacle, point }),
+        None => Ok(phi),
+    }
+}
+
+/// The 2ᴰ equal parts of a box.
+fn halves<const D: usize>(cell: &Aabb<D>) -> Vec<Aabb<D>> {
+    let center = cell.center();
+    (0..1usize << D)
+        .map(|part| {
+            let mut half = *cell;
+            for axis in 0..D {
+                if part >> axis & 1 == 0 {
+                    half.max[axis] = center[axis];
+                } else {
+                    half.min[axis] = center[axis];
+                }
+            }
+            half
+        })
+        .collect()
+}

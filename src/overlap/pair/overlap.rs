@@ -1,0 +1,58 @@
+//! What an estimator returns.
+
+use crate::geometry::Vector;
+use crate::overlap::pair::partner::Partner;
+use crate::overlap::pair::warning::Warning;
+
+/// Derivative of an overlap with respect to the pose of a rigid partner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseGradient<const D: usize> {
+    /// ∂V/∂position.
+    pub position: Vector<D>,
+    /// ∂V/∂(rotation about the origin of space), as a vector of three; in 2D only the last entry differs from zero.
+    pub rotation: [f64; 3],
+    /// ∂V/∂scale.
+    pub scale: f64,
+}
+
+/// Overlap of one pair: what both estimators return.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Overlap<const D: usize> {
+    /// First side; always a body of the mesh. Equal to `b` for the overlap of a body with itself.
+    pub a: Partner,
+    /// Second side.
+    pub b: Partner,
+    /// Volume (2D: area) of the overlap.
+    pub volume: f64,
+    /// Standard error of the volume from the spread of independent shifts; 0 for `exact`.
+    pub standard_error: f64,
+    /// Nodes whose gradient may differ from zero, ascending; a node that both sides share appears once for each.
+    pub nodes: Vec<u32>,
+    /// ∂V/∂x of those nodes.
+    pub gradient: Vec<Vector<D>>,
+    /// Whether those nodes belong to the second side.
+    pub of_b: Vec<bool>,
+    /// ∂V/∂pose where `b` is an obstacle.
+    pub pose_gradient: Option<PoseGradient<D>>,
+    /// Half of the measure of the overlap's boundary: the area of contact where it is thin.
+    pub contact_area: f64,
+    /// Extent of the overlap along its mean normal: the deepest penetration, or a little more where it is curved.
+    pub penetration: f64,
+    /// Fibers laid.
+    pub fiber_count: usize,
+    /// Crossings that bound the overlap (for `exact`: clipped pieces).
+    pub crossing_count: usize,
+    /// Facets that bound the overlap.
+    pub facet_count: usize,
+    /// Spacing of the fibers; 0 for `exact`.
+    pub spacing: f64,
+    /// What the user should know.
+    pub warnings: Vec<Warning>,
+}
+
+impl<const D: usize> Overlap<D> {
+    /// Whether there is an overlap, or something to say about its absence.
+    pub(crate) fn has_content(&self) -> bool {
+        self.volume > 0.0 || !self.warnings.is_empty()
+    }
+}

@@ -1,0 +1,63 @@
+//! What an estimate says about itself.
+
+use crate::overlap::pair::partner::Partner;
+use std::fmt;
+
+/// Something that the user should know about a result that is an answer all the same.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Warning {
+    /// The spacing of the fibers is larger than the facets in contact: nodal forces are noisy.
+    CoarseFibers {
+        /// First body of the pair.
+        a: Partner,
+        /// Second body of the pair.
+        b: Partner,
+        /// Spacing of the fibers.
+        spacing: f64,
+        /// Mean size of the smaller facets in contact.
+        facet_size: f64,
+    },
+    /// Only a few fibers met the overlap, or so few were laid that it may have been missed: it is thinner or smaller than
+    /// they resolve.
+    UnresolvedOverlap {
+        /// First body of the pair.
+        a: Partner,
+        /// Second body of the pair.
+        b: Partner,
+        /// Fibers that lie in the overlap.
+        fibers: usize,
+    },
+    /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
+    SwallowedBody {
+        /// The body inside.
+        inner: Partner,
+        /// The body around it.
+        outer: Partner,
+    },
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Warning::CoarseFibers { a, b, spacing, facet_size } => write!(
+                f,
+                "{a} and {b}: the fibers are {spacing:.3e} apart, the facets in contact only {facet_size:.3e} wide"
+            ),
+            Warning::UnresolvedOverlap { a, b, fibers } => {
+                write!(f, "{a} and {b}: the overlap was met by {fibers} fibers only")
+            }
+            Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
+        }
+    }
+}
+
+/// A body that lies inside the other, told by how much boundary each side of a pair contributes to their overlap.
+pub(crate) fn swallowed(a: Partner, b: Partner, areas: [f64; 2]) -> Option<Warning> {
+    match areas {
+        _ if a == b => None,
+        [of_a, 0.0] if of_a > 0.0 => Some(Warning::SwallowedBody { inner: a, outer: b }),
+        [0.0, of_b] if of_b > 0.0 => Some(Warning::SwallowedBody { inner: b, outer: a }),
+        _ => None,
+    }
+}

@@ -1,0 +1,75 @@
+//! Patches of contact: along which directions the lines of a pair run, and which facets count for which.
+//!
+//! Every facet of either side belongs to one patch, so that whatever comes into contact is counted, and counted once: a
+//! span counts half for the patch of either end. Where two patches meet on a smooth surface, the facets along the border
+//! pass from the one to the other, linearly in the barycentric coordinates: the parts of all patches are a partition of
+//! unity, the energy is as smooth as with one patch, and the parts move with the nodes as the lengths do. Where they meet
+//! at a sharp edge, the energy has a step.
+
+use crate::geometry::Vector;
+use crate::overlap::pair::surface_point::SurfacePoint;
+
+/// Directions of the lines of one pair, and who counts for which.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Patches<const D: usize> {
+    pub(crate) directions: Vec<Vector<D>>,
+    /// Spacing of the lines, once it is known and kept.
+    pub(crate) spacing: Option<f64>,
+    /// Direction of every facet of either side; empty where there is only one. A number from `directions.len()` on is
+    /// that of an entry of `blends`.
+    pub(crate) labels: [Vec<u32>; 2],
+    /// For facets at a border: the part of every direction at every corner.
+    pub(crate) blends: Vec<Vec<[f64; D]>>,
+}
+
+/// The part of a span that counts for one direction.
+pub(crate) struct Part<const D: usize> {
+    pub(crate) value: f64,
+    /// The same at the corners of the facet at either end, times the share of that end, where it is not the same at all.
+    pub(crate) at_corners: [Option<[f64; D]>; 2],
+}
+
+impl<const D: usize> Patches<D> {
+    /// A single patch.
+    pub(crate) fn single(direction: Vector<D>) -> Self {
+        Self { directions: vec![direction], ..Self::default() }
+    }
+
+    /// Whether parts vary along facets.
+    pub(crate) fn are_blended(&self) -> bool {
+        !self.blends.is_empty()
+    }
+
+    /// The part of a span that counts for one direction; all of them together are 1.
+    pub(crate) fn part(&self, direction: usize, ends: &[SurfacePoint<D>; 2]) -> Part<D> {
+        let mut part = Part { value: 1.0, at_corners: [None; 2] };
+        if self.directions.len() == 1 {
+            return part;
+        }
+        let labels = ends.each_ref().map(|end| match *end {
+            SurfacePoint::Facet { of_b, facet, weights } => {
+                self.labels[usize::from(of_b)].get(facet as usize).map(|&label| (label as usize, weights))
+            }
+            SurfacePoint::Point { .. } => None,
+        });
+        let count = labels.iter().flatten().count();
+        if count == 0 {
+            part.value = f64::from(direction == 0);
+            return part;
+        }
+        let share = 1.0 / count as f64;
+        part.value = 0.0;
+        for (label, at_corners) in labels.into_iter().zip(&mut part.at_corners) {
+            let Some((label, weights)) = label else { continue };
+            match label.checked_sub(self.directions.len()) {
+                None => part.value += if label == direction { share } else { 0.0 },
+                Some(blend) => {
+                    let corners = self.blends[blend][direction].map(|p| share * p);
+                    part.value += (0..D).map(|a| weights[a] * corners[a]).sum::<f64>();
+                    *at_corners = Some(corners);
+                }
+            }
+        }
+        part
+    }
+}

@@ -1,0 +1,151 @@
+//! ContactPoints one by one, for energies that are taken fiber by fiber.
+//!
+//! A span is a stretch of a line inside both sides; where the line runs along the normal of the contact, its length is
+//! the penetration depth. Both estimators return the same: sampled lines, or the points of a quadrature.
+//!
+//! With the line fixed, moving node a of the facet at an end moves the end by N_a n/(d·n), so that a function ψ of the
+//! length has the gradient ±ψ'(L) N_a n/(d·n): along the outward normal of the facet at both ends. Where patches blend,
+//! the part p(N) that counts moves too: ∂p/∂x_a = −N_a η, with η the slope of p across the lines.
+
+use crate::geometry::Vector;
+use crate::geometry::facet::area_vector;
+use crate::geometry::facet_slopes::across;
+use crate::overlap::pair::assembly::{Assembly, FacetShare, PointShare};
+use crate::overlap::pair::overlap::{Overlap, PoseGradient};
+use crate::overlap::pair::sides::Pair;
+use crate::overlap::pair::surface_point::SurfacePoint;
+use crate::overlap::pair::warning::{Warning, swallowed};
+use crate::overlap::patches::partition::Patches;
+use crate::overlap::points::contact_point::ContactPoint;
+use crate::overlap::points::edge_terms::{Anchor, GapKink, SilhouettePoint};
+
+/// All spans of a pair.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ContactPoints<const D: usize> {
+    /// Directions of the lines, and which part of a span counts for which.
+    pub(crate) patches: Patches<D>,
+    pub(crate) spans: Vec<ContactPoint<D>>,
+    pub(crate) kinks: Vec<GapKink<D>>,
+    /// Only where the integral over the lines is exact.
+    pub(crate) silhouettes: Vec<SilhouettePoint<D>>,
+    /// Standard error of the volume.
+    pub(crate) standard_error: f64,
+    pub(crate) fiber_count: usize,
+    pub(crate) spacing: f64,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+/// Gradient of a sum over spans, laid out as in [`Overlap`].
+pub(crate) struct PointGradient<const D: usize> {
+    pub(crate) nodes: Vec<u32>,
+    pub(crate) values: Vec<Vector<D>>,
+    pub(crate) of_b: Vec<bool>,
+    pub(crate) pose: Option<PoseGradient<D>>,
+}
+
+impl<const D: usize> ContactPoints<D> {
+    /// Longest span.
+    pub(crate) fn longest(&self) -> f64 {
+        self.spans.iter().map(|s| s.length).fold(0.0, f64::max)
+    }
+
+    /// Σ ω f(L).
+    pub(crate) fn sum(&self, f: impl Fn(f64) -> f64) -> f64 {
+        self.spans.iter().map(|s| s.weight * f(s.length)).sum()
+    }
+
+    /// Volume Σ ω L, its gradient, and what is known of the contact.
+    pub(crate) fn overlap(&self, pair: &Pair<D>) -> Overlap<D> {
+        let mut assembly = self.assembly(pair, |length| length, |_| 1.0);
+        let [a, b] = pair.partners;
+        let mut overlap = Overlap {
+            a,
+            b,
+            volume: self.sum(|length| length),
+            standard_error: self.standard_error,
+            nodes: Vec::new(),
+            gradient: Vec::new(),
+            of_b: Vec::new(),
+            pose_gradient: pair.pose.map(|_| assembly.pose_gradient()),
+            contact_area: assembly.contact_area(),
+            penetration: self.longest(),
+            fiber_count: self.fiber_count,
+            crossing_count: assembly.share_count(),
+            facet_count: assembly.facet_count(),
+            spacing: self.spacing,
+            warnings: self.warnings.clone(),
+        };
+        overlap.warnings.extend(swallowed(a, b, assembly.side_areas()));
+        (overlap.nodes, overlap.gradient, overlap.of_b) = assembly.into_nodes(pair.surface);
+        overlap
+    }
+
+    /// Gradient of Σ ω ψ(L), given ψ and ψ'.
+    pub(crate) fn gradient(
+        &self,
+        pair: &Pair<D>,
+        value: impl Fn(f64) -> f64,
+        slope: impl Fn(f64) -> f64,
+    ) -> PointGradient<D> {
+        let assembly = self.assembly(pair, value, slope);
+        let pose = pair.pose.map(|_| assembly.pose_gradient());
+        let (nodes, values, of_b) = assembly.into_nodes(pair.surface);
+        PointGradient { nodes, values, of_b, pose }
+    }
+
+    fn assembly(&self, pair: &Pair<D>, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> Assembly<D> {
+        let mut assembly = Assembly::new(pair.a.views.points.len());
+        for span in &self.spans {
+            let d = &self.patches.directions[span.direction as usize];
+            let share = span.weight * slope(span.length);
+            let blends = self.blends(pair, span);
+            for (end, blend) in span.ends.iter().zip(blends) {
+                match *end {
+                    SurfacePoint::Facet { of_b, facet, weights } => {
+                        let side = pair.side(of_b);
+                        let Some(normal) = area_vector(&side.corners(facet as usize)).try_normalize(0.0) else {
+                            continue;
+                        };
+                        let share = share / d.dot(&normal).abs();
+                        let pose = if of_b { pair.pose } else { None };
+                        assembly.add_facet(side, &FacetShare { facet, of_b, shares: weights.map(|w| w * share) }, pose);
+                        if let Some(eta) = blend {
+                            let force = -eta * (span.across * value(span.length));
+                            assembly.add_force(side, (of_b, facet), &weights, &force, pose);
+                        }
+                    }
+                    SurfacePoint::Point { point, normal } => {
+                        let Some(pose) = pair.pose else { continue };
+                        let share = share / d.dot(&normal).abs();
+                        assembly.add_point(&PointShare { point, normal, share }, pose);
+                    }
+                }
+            }
+        }
+        for silhouette in &self.silhouettes {
+            let jump: f64 = silhouette.spans.iter().map(|span| span.weight * value(span.length)).sum();
+            for (anchor, weight) in &silhouette.weights {
+                let Anchor::Vertex { of_b, vertex } = *anchor else { continue };
+                let point = pair.side(of_b).views.points[vertex as usize];
+                let pose = if of_b { pair.pose } else { None };
+                assembly.add_to_vertex(of_b, vertex, &point, &(silhouette.across * (*weight * jump)), pose);
+            }
+        }
+        assembly
+    }
+
+    /// Slope η, across the lines, of the part of a span that counts, at either end where it has one.
+    pub(crate) fn blends(&self, pair: &Pair<D>, span: &ContactPoint<D>) -> [Option<Vector<D>>; 2] {
+        if !self.patches.are_blended() {
+            return [None; 2];
+        }
+        let part = self.patches.part(span.direction as usize, &span.ends);
+        let d = &self.patches.directions[span.direction as usize];
+        let mut blends = [None; 2];
+        for ((end, corners), blend) in span.ends.iter().zip(part.at_corners).zip(&mut blends) {
+            let (SurfacePoint::Facet { of_b, facet, .. }, Some(corners)) = (*end, corners) else { continue };
+            *blend = across(&pair.side(of_b).corners(facet as usize), d, &corners);
+        }
+        blends
+    }
+}

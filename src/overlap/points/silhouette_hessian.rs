@@ -1,0 +1,64 @@
+//! Second derivatives at the edges of notches: see [`SilhouettePoint`].
+
+use super::hessian::{Block, for_each_node};
+use crate::geometry::Vector;
+use crate::overlap::pair::sides::Pair;
+use crate::overlap::points::contact_points::ContactPoints;
+use crate::overlap::points::edge_terms::SilhouettePoint;
+
+impl<const D: usize> ContactPoints<D> {
+    /// Adds what one point of a notch's edge contributes, given ψ and ψ'.
+    pub(crate) fn add_silhouette(
+        &self,
+        pair: &Pair<D>,
+        silhouette: &SilhouettePoint<D>,
+        [value, slope]: [&dyn Fn(f64) -> f64; 2],
+        obstacle_node: u32,
+        blocks: &mut Vec<Block<D>>,
+    ) {
+        // ∇J at a fixed line, by node.
+        let mut gradient: Vec<(u32, Vector<D>)> = Vec::new();
+        let mut jump = 0.0;
+        for span in &silhouette.spans {
+            let Some(ends) = self.end_shares(pair, span, obstacle_node) else { return };
+            jump += span.weight * value(span.length);
+            for end in &ends {
+                let along = end.m * (end.sign * span.weight * slope(span.length));
+                let aside = end.eta * (span.across * value(span.length));
+                gradient.extend(end.shares.iter().map(|share| (share.node, (along - aside) * share.weight)));
+            }
+        }
+        let of_line = -gradient.iter().fold(Vector::<D>::zeros(), |sum, (_, g)| sum + g);
+        let mut of_anchors: Vec<Vec<(u32, f64)>> = Vec::new();
+        for (anchor, weight) in &silhouette.weights {
+            let mut nodes = Vec::new();
+            for_each_node(pair, *anchor, obstacle_node, |node, part| nodes.push((node, part * weight)));
+            of_anchors.push(nodes);
+        }
+        let swept: Vec<(u32, f64)> = of_anchors.iter().flatten().copied().collect();
+        gradient.extend(swept.iter().map(|&(node, weight)| (node, of_line * (0.5 * weight))));
+        let mut add = |row: u32, col: u32, value: [[f64; D]; D]| blocks.push(Block { row, col, value });
+        for (row, g) in &gradient {
+            for &(col, weight) in &swept {
+                let a = silhouette.across * weight;
+                add(*row, col, std::array::from_fn(|i| std::array::from_fn(|j| g[i] * a[j])));
+                add(col, *row, std::array::from_fn(|i| std::array::from_fn(|j| a[i] * g[j])));
+            }
+        }
+        if let ([first, second], [u, v]) = (&of_anchors[..], &silhouette.axes) {
+            // Without the weights N: the two ends of the edge.
+            let ends = [first, second].map(|nodes| {
+                let total: f64 = nodes.iter().map(|(_, part)| part).sum();
+                nodes.iter().map(move |&(node, part)| (node, part / total)).collect::<Vec<_>>()
+            });
+            for &(p, of_p) in &ends[0] {
+                for &(q, of_q) in &ends[1] {
+                    let factor = jump * silhouette.turn * of_p * of_q;
+                    let turn = |i: usize, j: usize| factor * (u[i] * v[j] - v[i] * u[j]);
+                    add(p, q, std::array::from_fn(|i| std::array::from_fn(|j| -turn(i, j))));
+                    add(q, p, std::array::from_fn(|i| std::array::from_fn(|j| turn(i, j))));
+                }
+            }
+        }
+    }
+}
