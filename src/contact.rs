@@ -1,20 +1,21 @@
 //! Energy law, forces and their balance.
 
-mod balance;
-mod candidate;
 mod evaluation;
 mod forces;
 mod kept_patches;
-mod law;
+mod kernels;
+mod laws;
+mod momentum_correction;
 mod options;
-mod pair_energy;
-mod partners;
+mod pairs;
+mod rigid;
+mod state;
 mod stiffness;
 mod tangent;
 
 pub use evaluation::{Contact, contact_force};
 pub use forces::{ContactForces, PairForces, Resultant};
-pub use law::{EnergyLaw, FiberProfile};
+pub use laws::{EnergyLaw, FiberProfile};
 pub use options::Options;
 pub use stiffness::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 pub use tangent::{RankOne, Tangent, TangentPart};

@@ -6,12 +6,14 @@
 //! contact force (Fiber Monte Carlo, Wang, Xu and Xue, "Solving contact problems using Fiber Monte Carlo").
 //!
 //! The floors of the house, each of which imports only from those after it:
-//! [`contact`] (energy law, forces) · [`overlap`] (volume and its gradient, sampled or exact) ·
-//! [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) · [`Error`].
+//! [`contact`] (energy law, forces) · [`overlap`] (volume and contact points, sampled or exact) ·
+//! `configuration` (the bodies at given coordinates) · [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) · [`Error`].
 //!
 //! Same input, same bits, for any number of threads: there is no clock, no global state and no arrival order anywhere.
 
+mod configuration;
 pub mod contact;
+mod dimension;
 mod error;
 pub mod geometry;
 pub mod overlap;

@@ -3,21 +3,22 @@
 //! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches) ·
 //! `exact` and `fibers` (the estimators, which do not know each other).
 
+pub(crate) mod estimator;
 pub(crate) mod exact;
 pub(crate) mod fibers;
 pub(crate) mod pair;
 pub(crate) mod patches;
 pub(crate) mod points;
 
-pub(crate) use exact::clipping::volume::ExactPair;
-pub(crate) use fibers::layout::FiberPair;
+pub(crate) use estimator::{OverlapEstimator, estimator};
 pub use fibers::trace::FiberTrace;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
 pub use pair::overlap::{Overlap, PoseGradient};
 pub use pair::partner::Partner;
-pub(crate) use pair::sides::{Counterpart, FacetSide, ImplicitSide, Pair, Views};
+pub(crate) use pair::sides::{Counterpart, ImplicitSide, Pair};
 pub use pair::warning::Warning;
 pub(crate) use patches::partition::Patches;
+pub(crate) use patches::search::{Reach, find as find_patches};
+pub use points::block_sum::Block;
+pub(crate) use points::block_sum::merged;
 pub(crate) use points::contact_points::ContactPoints;
-pub use points::hessian::Block;
-pub(crate) use points::hessian::merged;

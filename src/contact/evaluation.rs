@@ -1,27 +1,32 @@
 //! From coordinates to overlaps.
 
-use super::balance::{self, balance};
-use super::candidate::Candidate;
 use super::forces::ContactForces;
+use super::kernels::{self, estimator, pair_law};
+use super::laws::PairLaw;
 use super::options::Options;
-use super::pair_energy::PairEnergy;
-use super::partners::{Rigid, check_pose};
+use super::rigid::{Rigid, check_pose};
+use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::geometry::{Bodies, CellBlock, Obstacle, Pose, Surface};
-use crate::overlap::{Estimator, FiberTrace, Overlap, Partner, Patches};
+use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
+use std::sync::Mutex;
 
 /// Contact between the bodies of one mesh, and with rigid obstacles.
 ///
-/// It holds topology, obstacles and options, and nothing of any evaluation: two evaluations at the same coordinates give
-/// the same bits, and [`contact_force`] gives the same bits as a `Contact` that is kept.
+/// It holds topology, obstacles and options, and of the last evaluation what makes the next one faster: search trees, and
+/// what was found at the same coordinates. No result depends on that: two evaluations at the same coordinates give the
+/// same bits, and [`contact_force`] gives the same bits as a `Contact` that is kept.
 pub struct Contact<const D: usize> {
     pub(super) surface: Surface<D>,
     pub(super) obstacles: Vec<Rigid<D>>,
     pub(super) options: Options,
     pub(super) pool: Option<rayon::ThreadPool>,
+    pub(super) estimator: Box<dyn OverlapEstimator<D>>,
+    pub(super) law: Box<dyn PairLaw<D>>,
     /// Patches of the fiber law that are kept, by pair.
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
+    pub(super) state: Mutex<Option<Box<State<D>>>>,
 }
 
 impl<const D: usize> Contact<D> {
@@ -31,7 +36,16 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NotPositive`] for an option out of its range; [`Error::Threads`].
     pub fn new(surface: Surface<D>, options: Options) -> Result<Self, Error> {
         options.check()?;
-        Ok(Self { surface, obstacles: Vec::new(), options, pool: pool(options.threads)?, kept: Vec::new() })
+        Ok(Self {
+            surface,
+            obstacles: Vec::new(),
+            options,
+            pool: pool(options.threads)?,
+            estimator: estimator(&options)?,
+            law: pair_law(&options)?,
+            kept: Vec::new(),
+            state: Mutex::new(None),
+        })
     }
 
     /// Adds a rigid partner and returns its index.
@@ -53,6 +67,7 @@ impl<const D: usize> Contact<D> {
         let count = self.obstacles.len();
         let rigid = self.obstacles.get_mut(obstacle).ok_or(Error::ObstacleOutOfRange { obstacle, count })?;
         rigid.obstacle.pose = pose;
+        self.forget_found();
         Ok(())
     }
 
@@ -67,8 +82,11 @@ impl<const D: usize> Contact<D> {
         }
         if options.estimator != self.options.estimator {
             self.release_patches();
+            self.estimator = estimator(&options)?;
         }
+        self.law = pair_law(&options)?;
         self.options = options;
+        self.forget_found();
         Ok(())
     }
 
@@ -93,18 +111,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`],
     /// [`Error::TooManyFibers`], [`Error::Unsupported`], [`Error::SignedDistance`], [`Error::Overflow`].
     pub fn evaluate(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
-        let law = &self.options.law;
-        let pairs = if law.is_fiber() {
-            let balanced = self.is_balanced();
-            self.for_each_pair(coords, |candidate| {
-                let spans = self.spans(candidate, false)?;
-                Ok(spans.map(|spans| PairEnergy::of_spans(&spans, candidate.fibers.pair, law, balanced, coords)))
-            })?
-        } else {
-            let overlaps = self.overlaps(coords)?;
-            overlaps.into_iter().map(|overlap| PairEnergy::of_volume(overlap, law)).collect()
-        };
-        ContactForces::assemble(&self.surface, self.obstacles.len(), coords, &pairs)
+        kernels::evaluate(self, coords)
     }
 
     /// Second derivative of the contact energy at `coords`.
@@ -118,35 +125,7 @@ impl<const D: usize> Contact<D> {
     /// As [`Self::evaluate`]; [`Error::Unsupported`] for isotropic fibers, and for the exact volume law with a body
     /// against itself.
     pub fn tangent(&self, coords: &[[f64; D]], part: TangentPart) -> Result<Tangent<D>, Error> {
-        let law = &self.options.law;
-        let tangents = self.for_each_pair(coords, |candidate| {
-            let Candidate { fibers, exact } = candidate;
-            let pair = fibers.pair;
-            let obstacle = if let Partner::Obstacle(obstacle) = pair.partners[1] { obstacle } else { 0 };
-            let number = (coords.len() + obstacle) as u32;
-            if law.is_fiber() {
-                let spans = self.spans(candidate, part == TangentPart::Full)?;
-                return Ok(spans.map(|spans| Tangent::of_spans(&spans, pair, law, part, number)));
-            }
-            if exact.is_none() && fibers.families.is_empty() {
-                return Err(Error::Unsupported { what: "the tangent on isotropic fibers" });
-            }
-            let overlap = match exact {
-                Some(exact) => exact.overlap()?,
-                None => fibers.overlap()?,
-            };
-            let Some(overlap) = overlap.filter(|overlap| overlap.volume > 0.0) else { return Ok(None) };
-            let blocks = match (part, exact) {
-                (TangentPart::Semidefinite, _) => Vec::new(),
-                (_, Some(exact)) => exact.hessian(number)?,
-                _ => fibers.volume_spans()?.map_or(Vec::new(), |s| s.hessian(pair, LINEAR, false, number)),
-            };
-            Ok(Some(Tangent::of_volume(&overlap, blocks, law, number)))
-        })?;
-        let mut total = Tangent::default();
-        tangents.into_iter().for_each(|tangent| total.extend(tangent));
-        total.merge();
-        Ok(total)
+        kernels::tangent(self, coords, part)
     }
 
     /// Overlaps of all pairs at `coords` that overlap, with their gradients, ordered by pair. With the fiber law they
@@ -155,25 +134,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::evaluate`].
     pub fn overlaps(&self, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
-        self.for_each_pair(coords, |candidate| {
-            let overlap = match &candidate.exact {
-                _ if self.options.law.is_fiber() => {
-                    self.spans(candidate, false)?.map(|spans| spans.overlap(candidate.fibers.pair))
-                }
-                Some(exact) => exact.overlap()?,
-                None => candidate.fibers.overlap()?,
-            };
-            let mut overlap = overlap.filter(Overlap::has_content);
-            let tolerance = if candidate.exact.is_some() { balance::ROUNDING } else { 0.0 };
-            if let (Some(o), true) = (&mut overlap, self.is_balanced() || candidate.exact.is_some()) {
-                balance(&o.nodes, &o.of_b, &mut o.gradient, &mut o.pose_gradient, coords, tolerance);
-            }
-            Ok(overlap)
-        })
-    }
-
-    fn is_balanced(&self) -> bool {
-        matches!(&self.options.estimator, Estimator::Fibers(fibers) if fibers.balance)
+        kernels::overlaps(self, coords)
     }
 
     /// The fibers that cross an overlap, to look at; none for `exact`.
@@ -181,16 +142,9 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::evaluate`].
     pub fn trace(&self, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
-        let traces = self.for_each_pair(coords, |Candidate { fibers, exact }| match exact {
-            None => fibers.trace().map(Some),
-            Some(_) => Ok(None),
-        })?;
-        Ok(traces.into_iter().flatten().collect())
+        kernels::trace(self, coords)
     }
 }
-
-/// ψ = L, ψ' and ψ''.
-const LINEAR: [&dyn Fn(f64) -> f64; 3] = [&|length| length, &|_| 1.0, &|_| 0.0];
 
 /// Threads of one contact; none are started for one.
 fn pool(threads: usize) -> Result<Option<rayon::ThreadPool>, Error> {

@@ -1,6 +1,6 @@
 //! What an evaluation returns.
 
-use super::pair_energy::PairEnergy;
+use super::laws::PairEnergy;
 use crate::Error;
 use crate::geometry::{Surface, Vector, moment};
 use crate::overlap::{Partner, Warning};

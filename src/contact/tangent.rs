@@ -70,15 +70,14 @@ impl<const D: usize> Tangent<D> {
         product
     }
 
-    /// Sums what several pairs have at one place.
-    pub(crate) fn merge(&mut self) {
-        self.blocks = merged(std::mem::take(&mut self.blocks));
-    }
-
-    /// Adds another tangent.
-    pub(crate) fn extend(&mut self, other: Self) {
-        self.blocks.extend(other.blocks);
-        self.rank_one.extend(other.rank_one);
+    /// The sum of the tangents of several pairs.
+    pub(crate) fn sum(parts: Vec<Self>) -> Self {
+        let (mut blocks, mut rank_one) = (Vec::with_capacity(parts.len()), Vec::new());
+        for part in parts {
+            blocks.push(part.blocks);
+            rank_one.extend(part.rank_one);
+        }
+        Self { blocks: merged(blocks), rank_one }
     }
 
     /// Tangent of w(V): w' ∇²V + w'' ∇V ∇Vᵀ, given the blocks of ∇²V (none for the semidefinite part).
@@ -102,8 +101,8 @@ impl<const D: usize> Tangent<D> {
     }
 
     /// Tangent of the fiber law on the spans of one pair.
-    pub(crate) fn of_spans(
-        spans: &ContactPoints<D>,
+    pub(crate) fn of_points(
+        points: &ContactPoints<D>,
         pair: &Pair<D>,
         law: &EnergyLaw,
         part: TangentPart,
@@ -113,7 +112,7 @@ impl<const D: usize> Tangent<D> {
         let slope = |length: f64| law.energy_gradient(length);
         let curvature = |length: f64| law.energy_hessian(length);
         let blocks =
-            spans.hessian(pair, [&value, &slope, &curvature], part == TangentPart::Semidefinite, obstacle_node);
+            points.hessian(pair, [&value, &slope, &curvature], part == TangentPart::Semidefinite, obstacle_node);
         Self { blocks, rank_one: Vec::new() }
     }
 }

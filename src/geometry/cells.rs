@@ -93,6 +93,11 @@ impl Cells {
         })
     }
 
+    /// Cells of every block as given, those without cells left out.
+    pub(crate) fn block_ranges(&self) -> impl Iterator<Item = Range<usize>> {
+        self.blocks.iter().filter(|cells| !cells.is_empty()).cloned()
+    }
+
     /// Nodes of a face, counter-clockwise seen from outside the body.
     pub(crate) fn face_nodes(&self, cell: usize, face: usize) -> Vec<u32> {
         let nodes = self.nodes(cell);
@@ -198,7 +203,7 @@ impl Cells {
             volume[root] += if turned { -measure } else { measure };
         }
         self.flipped = relative.iter().map(|&(root, turned)| turned != (volume[root] < 0.0)).collect();
-        self.check(coords, false)
+        self.check_range(0..self.len(), coords)
     }
 }
 

@@ -1,18 +1,17 @@
 //! Whether cells are inverted, or without measure.
 //!
-//! A host asks at every step, of every cell, and mostly all is well. So blocks of cells are run through with one test,
-//! whether all Jacobian determinants of a cell are positive, and only the first cell that fails it is looked at closely.
+//! Mostly all is well. So blocks of cells are run through with one test, whether all Jacobian determinants of a cell are
+//! positive, and only the first cell that fails it is looked at closely.
 
 use super::aabb::Aabb;
 use super::cells::Cells;
 use super::facet::determinant;
 use super::{CellType, Vector};
 use crate::Error;
-use rayon::prelude::*;
 use std::ops::Range;
 
-/// Cells that a thread takes at once; some microseconds of work.
-const CHUNK: usize = 1024;
+/// Cells that are checked together; some microseconds of work.
+pub(crate) const CHUNK: usize = 1024;
 
 impl Cells {
     /// Jacobian determinant at every corner of a cell, as given.
@@ -25,22 +24,16 @@ impl Cells {
             .map(move |corner| determinant::<D>(&std::array::from_fn(|k| x(corner[k + 1]) - x(corner[0]))))
     }
 
-    /// Checks that no cell is inverted or without measure at `coords`; the lowest offending cell is named.
-    ///
-    /// With `parallel`, the threads of the pool that calls share the work.
-    pub(crate) fn check<const D: usize>(&self, coords: &[[f64; D]], parallel: bool) -> Result<(), Error> {
-        for (cell_type, cells, conn) in self.blocks() {
-            let size = cell_type.node_count();
-            let check = |(chunk, conn): (usize, &[u32])| {
-                let first = cells.start + chunk * CHUNK;
-                self.check_chunk(cell_type, first..first + conn.len() / size, conn, coords)
-            };
-            let first = if parallel {
-                conn.par_chunks(CHUNK * size).enumerate().map(check).find_first(Result::is_err)
-            } else {
-                conn.chunks(CHUNK * size).enumerate().map(check).find(Result::is_err)
-            };
-            first.unwrap_or(Ok(()))?;
+    /// Checks that none of some cells of one block is inverted or without measure at `coords`; the lowest offending cell is
+    /// named.
+    pub(crate) fn check_range<const D: usize>(&self, cells: Range<usize>, coords: &[[f64; D]]) -> Result<(), Error> {
+        for (cell_type, of_block, conn) in self.blocks() {
+            let (start, end) = (cells.start.max(of_block.start), cells.end.min(of_block.end));
+            if start < end {
+                let size = cell_type.node_count();
+                let conn = &conn[(start - of_block.start) * size..(end - of_block.start) * size];
+                self.check_chunk(cell_type, start..end, conn, coords)?;
+            }
         }
         Ok(())
     }

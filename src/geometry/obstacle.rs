@@ -1,6 +1,6 @@
 //! Rigid partners: a shape, or a signed distance function, with a pose.
 
-use super::Pose;
+use super::{Pose, Vector};
 use std::sync::Arc;
 
 /// A body given by its signed distance: negative inside, positive outside, in a frame of its own.
@@ -76,6 +76,22 @@ pub enum Shape<const D: usize> {
     },
     /// Signed distance function; fibers only.
     SignedDistance(Arc<dyn SignedDistance<D>>),
+}
+
+impl<const D: usize> Shape<D> {
+    /// Radius of a ball about the shape's origin that holds it; `None` where it is unbounded or unknown.
+    pub(crate) fn bounding_radius(&self) -> Option<f64> {
+        match self {
+            Shape::HalfSpace | Shape::SignedDistance(_) => None,
+            Shape::Ball { radius } => Some(*radius),
+            Shape::Cuboid { half_extents } => Some(Vector::from(*half_extents).norm()),
+            Shape::Cylinder { radius, half_height } | Shape::Cone { radius, half_height } => {
+                Some(radius.hypot(*half_height))
+            }
+            Shape::Capsule { radius, half_height } => Some(radius + half_height),
+            Shape::Polytope { points, .. } => Some(points.iter().map(|x| Vector::from(*x).norm()).fold(0.0, f64::max)),
+        }
+    }
 }
 
 impl<const D: usize> std::fmt::Debug for Shape<D> {

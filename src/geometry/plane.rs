@@ -1,5 +1,6 @@
 //! The boundary of a half-space.
 
+use super::aabb::Aabb;
 use super::{Pose, Vector};
 
 /// The surface of a half-space.
@@ -17,5 +18,11 @@ impl<const D: usize> Plane<D> {
 
     pub(crate) fn height(&self, x: &Vector<D>) -> f64 {
         self.normal.dot(&(x - self.point))
+    }
+
+    /// Least height of a point of a box.
+    pub(crate) fn least(&self, aabb: &Aabb<D>) -> f64 {
+        let lowest = Vector::from_fn(|i, _| if self.normal[i] > 0.0 { aabb.min[i] } else { aabb.max[i] });
+        self.height(&lowest)
     }
 }

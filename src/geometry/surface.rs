@@ -2,9 +2,10 @@
 
 use super::cells::{Cells, check_nodes};
 use super::closed::check_closed;
-use super::components::{connected_labels, enclosed_volume, sorted_ids};
+use super::components::{Components, connected_labels, enclosed_volume, sorted_ids};
 use super::{Bodies, CellBlock, Vector, facet::area_vector};
 use crate::Error;
+use crate::dimension::{recast, rows};
 use std::ops::Range;
 
 /// Boundary facets of the bodies of a mesh, oriented outwards. Topology only: coordinates are not kept.
@@ -27,6 +28,8 @@ pub struct Surface<const D: usize> {
     pub(crate) facet_cell: Vec<u32>,
     /// Vertices of every body, ascending: its nodes, then its centroids.
     pub(crate) vertices: Vec<Vec<u32>>,
+    /// Whether the facets of a body hang together, by body.
+    one_sheet: Vec<bool>,
     /// Cells, where the surface was made from them.
     pub(crate) cells: Option<Cells>,
 }
@@ -42,6 +45,13 @@ impl<const D: usize> Surface<D> {
     /// [`Error::NonFiniteCoordinate`], [`Error::NonManifold`] (more than two cells at a face),
     /// [`Error::InconsistentOrientation`], [`Error::InvertedCell`], [`Error::ZeroMeasure`].
     pub fn from_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
+        match D {
+            2 => recast(from_cells_in_plane(rows(coords), blocks, bodies)?),
+            _ => recast(from_cells_in_space(rows(coords), blocks, bodies)?),
+        }
+    }
+
+    fn of_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         let mut cells = Cells::new::<D>(coords.len(), blocks)?;
         check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))?;
         let body_ids = cells.connect(coords, bodies)?;
@@ -135,6 +145,7 @@ impl<const D: usize> Surface<D> {
             facets: Vec::new(),
             facet_cell: Vec::new(),
             vertices: Vec::new(),
+            one_sheet: Vec::new(),
             cells: None,
         }
     }
@@ -147,6 +158,21 @@ impl<const D: usize> Surface<D> {
             vertices
         };
         self.vertices = self.ranges.iter().map(of).collect();
+        let mut sheets = Components::new(self.nodes.len() + self.centroids.len());
+        for facet in &self.facets {
+            facet[1..].iter().for_each(|&v| {
+                sheets.join(facet[0], v, false);
+            });
+        }
+        for vertices in &self.vertices {
+            let first = vertices.first().map(|&v| sheets.find(v).0);
+            self.one_sheet.push(vertices.iter().all(|&v| Some(sheets.find(v).0) == first));
+        }
+    }
+
+    /// Whether the surface of a body hangs together: it then has no cavity.
+    pub(crate) fn is_one_sheet(&self, body: usize) -> bool {
+        self.one_sheet[body]
     }
 
     /// Vertex of a node that is known to lie on the surface.
@@ -166,7 +192,15 @@ impl<const D: usize> Surface<D> {
 
     /// Positions of the vertices at `coords`.
     pub(crate) fn points(&self, coords: &[[f64; D]]) -> Vec<Vector<D>> {
-        let mut points = Vec::with_capacity(self.nodes.len() + self.centroids.len());
+        let mut points = Vec::new();
+        self.place(coords, &mut points);
+        points
+    }
+
+    /// The same, into memory that is used again.
+    pub(crate) fn place(&self, coords: &[[f64; D]], points: &mut Vec<Vector<D>>) {
+        points.clear();
+        points.reserve_exact(self.nodes.len() + self.centroids.len());
         points.extend(self.nodes.iter().map(|&n| Vector::<D>::from(coords[n as usize])));
         for four in &self.centroids {
             // In the order of node numbers: the same bits from either side of a face.
@@ -175,22 +209,20 @@ impl<const D: usize> Surface<D> {
             let sum = four.iter().fold(Vector::zeros(), |s, &v| s + points[v as usize]);
             points.push(sum * 0.25);
         }
-        points
     }
 
-    /// Checks that coordinates fit and are finite, and on demand that no cell is inverted; with `parallel`, on the
-    /// threads of the pool that calls.
-    pub(crate) fn check(&self, coords: &[[f64; D]], check_cells: bool, parallel: bool) -> Result<(), Error> {
+    /// Checks that coordinates fit, and that they are finite on the surface; with `inner`, wherever a node is used.
+    pub(crate) fn check_coords(&self, coords: &[[f64; D]], inner: bool) -> Result<(), Error> {
         if coords.len() != self.node_count {
             return Err(Error::Length { array: "coords", expected: self.node_count, found: coords.len() });
         }
+        // Nodes that nothing uses may be anything; that they are is rare.
+        if coords.as_flattened().iter().all(|x| x.is_finite()) {
+            return Ok(());
+        }
         match &self.cells {
-            Some(cells) if check_cells => {
-                // Nodes that no cell uses may be anything; that they are is rare.
-                if !coords.as_flattened().iter().all(|x| x.is_finite()) {
-                    check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))?;
-                }
-                cells.check(coords, parallel)
+            Some(cells) if inner => {
+                check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))
             }
             _ => check_finite(coords, self.nodes.iter().copied()),
         }
@@ -242,6 +274,16 @@ impl<const D: usize> Surface<D> {
         }
         faces
     }
+}
+
+/// [`Surface::from_cells`] in 2D, compiled here.
+fn from_cells_in_plane(coords: &[[f64; 2]], blocks: &[CellBlock], bodies: Bodies) -> Result<Surface<2>, Error> {
+    Surface::of_cells(coords, blocks, bodies)
+}
+
+/// The same in 3D.
+fn from_cells_in_space(coords: &[[f64; 3]], blocks: &[CellBlock], bodies: Bodies) -> Result<Surface<3>, Error> {
+    Surface::of_cells(coords, blocks, bodies)
 }
 
 fn check_finite<const D: usize>(coords: &[[f64; D]], nodes: impl Iterator<Item = u32>) -> Result<(), Error> {

@@ -15,11 +15,17 @@ pub(crate) struct Tree<const D: usize> {
 
 struct Node<const D: usize> {
     aabb: Aabb<D>,
-    /// Leaf: items `start..end`. Otherwise: left child is the next node, right child is `right`.
+    /// Items `start..end` of the order lie below it.
     start: u32,
     end: u32,
+    /// Right child, the left one being the next node; 0 for a leaf.
     right: u32,
+    /// Number of the first leaf below it.
+    leaf: u32,
 }
+
+/// Items below a node from which on its two halves are refitted by different threads.
+const SHARED: u32 = 1 << 13;
 
 impl<const D: usize> Tree<D> {
     pub(crate) fn new(boxes: &[Aabb<D>]) -> Self {
@@ -38,22 +44,42 @@ impl<const D: usize> Tree<D> {
         let items: Vec<u32> = order.into_iter().map(|(_, item)| item).collect();
         let mut tree = Self { nodes: Vec::with_capacity(4 * items.len() / LEAF + 1), items };
         if !boxes.is_empty() {
-            tree.build(boxes, 0, boxes.len());
+            tree.build(boxes, 0, boxes.len(), &mut 0);
         }
         tree
     }
 
+    /// Box around all items.
+    pub(crate) fn aabb(&self) -> Aabb<D> {
+        self.nodes.first().map_or(Aabb::empty(), |root| root.aabb)
+    }
+
+    /// The items of every leaf, in the order of the leaves' numbers.
+    pub(crate) fn leaves(&self) -> impl Iterator<Item = &[u32]> {
+        let leaves = self.nodes.iter().filter(|node| node.right == 0);
+        leaves.map(|node| &self.items[node.start as usize..node.end as usize])
+    }
+
+    /// Makes the boxes anew after the items have moved, given those around the leaves by their numbers; which item
+    /// stands where stays as it is. With `parallel`, on the threads of the pool that calls: the result is the same.
+    ///
+    /// Returns the sum of the extents of all leaves, which grows as the items leave the places at which the tree was built.
+    pub(crate) fn refit(&mut self, leaf_box: &(impl Fn(usize) -> Aabb<D> + Sync), parallel: bool) -> f64 {
+        refit(&mut self.nodes, 0, leaf_box, parallel).1
+    }
+
     /// Adds the node over items `start..end` and those below it; returns its box.
-    fn build(&mut self, boxes: &[Aabb<D>], start: usize, end: usize) -> Aabb<D> {
+    fn build(&mut self, boxes: &[Aabb<D>], start: usize, end: usize, leaf: &mut u32) -> Aabb<D> {
         let node = self.nodes.len();
-        self.nodes.push(Node { aabb: Aabb::empty(), start: start as u32, end: end as u32, right: 0 });
+        self.nodes.push(Node { aabb: Aabb::empty(), start: start as u32, end: end as u32, right: 0, leaf: *leaf });
         let aabb = if end - start <= LEAF {
+            *leaf += 1;
             self.items[start..end].iter().fold(Aabb::empty(), |a, &i| a.union(&boxes[i as usize]))
         } else {
             let middle = start + (end - start) / 2;
-            let left = self.build(boxes, start, middle);
+            let left = self.build(boxes, start, middle, leaf);
             self.nodes[node].right = self.nodes.len() as u32;
-            left.union(&self.build(boxes, middle, end))
+            left.union(&self.build(boxes, middle, end, leaf))
         };
         self.nodes[node].aabb = aabb;
         aabb
@@ -66,7 +92,7 @@ impl<const D: usize> Tree<D> {
             stack.push(0u32);
         }
         while let Some(node) = stack.pop() {
-            let Node { aabb, start, end, right } = &self.nodes[node as usize];
+            let Node { aabb, start, end, right, .. } = &self.nodes[node as usize];
             if !accept(aabb) {
                 continue;
             }
@@ -110,6 +136,96 @@ impl<const D: usize> Tree<D> {
             }
         }
     }
+}
+
+impl<const D: usize> Tree<D> {
+    /// Visits items nearer to `x` than what was found so far: `item` is given each that may be, and returns the squared
+    /// distance beyond which nothing is of interest any more. Nearer nodes come first.
+    pub(crate) fn visit_nearest(&self, x: &Vector<D>, mut item: impl FnMut(u32) -> f64) {
+        let mut stack = Vec::with_capacity(64);
+        let mut bound = f64::INFINITY;
+        if !self.nodes.is_empty() {
+            stack.push((0u32, 0.0));
+        }
+        while let Some((node, squared)) = stack.pop() {
+            if squared > bound {
+                continue;
+            }
+            let Node { start, end, right, .. } = self.nodes[node as usize];
+            if right == 0 {
+                for &i in &self.items[start as usize..end as usize] {
+                    bound = item(i);
+                }
+                continue;
+            }
+            let near = |child: u32| (child, self.nodes[child as usize].aabb.squared_distance(x));
+            let (left, right) = (near(node + 1), near(right));
+            if left.1 <= right.1 {
+                stack.extend([right, left]);
+            } else {
+                stack.extend([left, right]);
+            }
+        }
+    }
+
+    /// Visits every two items whose leaves' boxes meet, once, until `go_on` is false.
+    pub(crate) fn visit_own_pairs(&self, mut go_on: impl FnMut(u32, u32) -> bool) {
+        let mut stack = Vec::with_capacity(64);
+        if !self.nodes.is_empty() {
+            stack.push((0u32, 0u32));
+        }
+        while let Some((p, q)) = stack.pop() {
+            let (here, there) = (&self.nodes[p as usize], &self.nodes[q as usize]);
+            if p != q && !here.aabb.meets(&there.aabb) {
+                continue;
+            }
+            match (here.right, there.right) {
+                (0, 0) => {
+                    let items = &self.items[here.start as usize..here.end as usize];
+                    for (n, &i) in items.iter().enumerate() {
+                        let others = &self.items[there.start as usize..there.end as usize];
+                        let others = if p == q { &others[n + 1..] } else { others };
+                        if others.iter().any(|&j| !go_on(i, j)) {
+                            return;
+                        }
+                    }
+                }
+                (right, _) if p == q => stack.extend([(p + 1, p + 1), (p + 1, right), (right, right)]),
+                (right, other_right)
+                    if other_right == 0 || right != 0 && here.aabb.extent().amax() >= there.aabb.extent().amax() =>
+                {
+                    stack.extend([(right, q), (p + 1, q)]);
+                }
+                (_, right) => stack.extend([(p, right), (p, q + 1)]),
+            }
+        }
+    }
+}
+
+/// Refits the node that stands first in `nodes`, which has number `first` in its tree, and those below it; returns its
+/// box and the sum of the extents of the leaves below.
+fn refit<const D: usize>(
+    nodes: &mut [Node<D>],
+    first: u32,
+    leaf_box: &(impl Fn(usize) -> Aabb<D> + Sync),
+    parallel: bool,
+) -> (Aabb<D>, f64) {
+    let Some((node, below)) = nodes.split_first_mut() else { return (Aabb::empty(), 0.0) };
+    if node.right == 0 {
+        node.aabb = leaf_box(node.leaf as usize);
+        return (node.aabb, node.aabb.extent().sum());
+    }
+    let right = node.right;
+    let (left_nodes, right_nodes) = below.split_at_mut((right - first - 1) as usize);
+    let left = |nodes| refit(nodes, first + 1, leaf_box, parallel);
+    let rest = |nodes| refit(nodes, right, leaf_box, parallel);
+    let ((left, l), (rest, r)) = if parallel && node.end - node.start >= SHARED {
+        rayon::join(|| left(left_nodes), || rest(right_nodes))
+    } else {
+        (left(left_nodes), rest(right_nodes))
+    };
+    node.aabb = left.union(&rest);
+    (node.aabb, l + r)
 }
 
 /// Bits of a coordinate in a Morton code.
@@ -172,6 +288,32 @@ mod tests {
         assert!(expected.len() > 100);
         assert_eq!(found, expected);
         Tree::new(&here).visit_pairs(&Tree::new(&[]), [&here, &[]], |_, _| panic!("nothing meets an empty tree"));
+    }
+
+    /// A tree whose items have moved finds what a new one finds.
+    #[test]
+    fn refitted_tree_against_brute_force() {
+        let mut tree = Tree::new(&boxes(20_000, 0.01));
+        let moved: Vec<Aabb<3>> = boxes(20_000, 0.02).iter().map(|b| b.inflated(0.01)).rev().collect();
+        let of_leaf: Vec<Aabb<3>> = tree
+            .leaves()
+            .map(|items| items.iter().fold(Aabb::empty(), |sum, &i| sum.union(&moved[i as usize])))
+            .collect();
+        let mut boxes_of_nodes = Vec::new();
+        for parallel in [false, true] {
+            tree.refit(&|leaf| of_leaf[leaf], parallel);
+            boxes_of_nodes.push(tree.nodes.iter().map(|node| node.aabb).collect::<Vec<_>>());
+        }
+        assert!(boxes_of_nodes[0] == boxes_of_nodes[1]);
+        assert_eq!(tree.aabb(), moved.iter().fold(Aabb::empty(), |sum, b| sum.union(b)));
+        let query = moved[3].inflated(0.03);
+        let mut found = Vec::new();
+        let near = |i: &u32| moved[*i as usize].meets(&query);
+        tree.visit(|b| b.meets(&query), |i| found.extend(Some(i).filter(near)));
+        found.sort_unstable();
+        let expected: Vec<u32> = (0..20_000).filter(near).collect();
+        assert!(expected.len() > 10);
+        assert_eq!(found, expected);
     }
 
     #[test]

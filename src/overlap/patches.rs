@@ -1,6 +1,8 @@
 //! Patches of contact: which facets touch together, and along which direction.
 
-pub(crate) mod directions;
-pub(crate) mod labels;
+mod clusters;
+mod directions;
+mod labels;
 pub(crate) mod partition;
+pub(crate) mod sample;
 pub(crate) mod search;

@@ -1,7 +1,9 @@
 //! Contact points: what either estimator hands to a local law, and sums over them.
 
+pub(crate) mod block_sum;
 pub(crate) mod contact_point;
 pub(crate) mod contact_points;
 pub(crate) mod edge_terms;
+pub(crate) mod end_motion;
 pub(crate) mod hessian;
 pub(crate) mod silhouette_hessian;

@@ -81,7 +81,15 @@ impl<const D: usize> Family<D> {
         [x.dot(&self.axes[0]), v, x.dot(self.direction())]
     }
 
-    /// The same in units of the grid, so that lines stand at whole numbers.
+    /// Box, across and along the lines, around what is seen of a box; widened a little against rounding.
+    pub(crate) fn view_box(&self, aabb: &Aabb<D>) -> [Projected; 2] {
+        let center = self.view(&aabb.center());
+        let axes = if D == 2 { [0, 0, 1] } else { [0, 1, 2] };
+        let half = axes.map(|axis| 0.5 * self.width(aabb, axis % D) + 1e-12 * (aabb.min.amax().max(aabb.max.amax())));
+        [std::array::from_fn(|k| center[k] - half[k]), std::array::from_fn(|k| center[k] + half[k])]
+    }
+
+    /// A point as seen, in units of the grid, so that lines stand at whole numbers.
     pub(crate) fn on_grid(&self, viewed: &Projected, per_length: f64) -> Projected {
         let v = if D == 2 { 0.0 } else { viewed[1] * per_length - self.shift[1] };
         [viewed[0] * per_length - self.shift[0], v, viewed[2]]

@@ -1,10 +1,9 @@
 //! Bundles of fibers: the pieces in which a pair is worked off, in a fixed order whatever the number of threads.
 
+use crate::configuration::FacetSide;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::{Projected, Window};
-use crate::geometry::tree::Tree;
-use crate::overlap::pair::sides::FacetSide;
 use crate::sampling::{Family, Segment};
 use std::ops::Range;
 
@@ -13,7 +12,7 @@ pub(crate) enum Bundle<'a, const D: usize> {
     /// Some lines of a family, as far as the region reaches along them; facets of each side.
     Lines { family: &'a Family<D>, index: usize, spacing: f64, window: Window, reach: [f64; 2], facets: [FacetList; 2] },
     /// Some isotropic segments.
-    Segments { seed: u64, range: Range<u64>, region: &'a Aabb<D>, length: f64, trees: &'a [Tree<D>] },
+    Segments { seed: u64, range: Range<u64>, region: &'a Aabb<D>, length: f64 },
 }
 
 /// Facets of one side that the lines of a bundle may cross.
@@ -75,14 +74,9 @@ impl<const D: usize> Bundle<'_, D> {
     /// A facet as seen along a fiber.
     pub(crate) fn project(&self, side: &FacetSide<D>, facet: usize, fiber: u64) -> [Projected; D] {
         match self {
-            Bundle::Lines { family, index, spacing, .. } => {
-                let viewed = &side.views.viewed[*index];
+            Bundle::Lines { family, spacing, .. } => {
                 let per_length = 1.0 / spacing;
-                let mut p = [[0.0; 3]; D];
-                for (p, &v) in p.iter_mut().zip(&side.facets[facet]) {
-                    *p = family.on_grid(&viewed[v as usize], per_length);
-                }
-                p
+                side.corners(facet).map(|x| family.on_grid(&family.view(&x), per_length))
             }
             Bundle::Segments { seed, region, .. } => {
                 let segment = Segment::sample(*seed, fiber, region);

@@ -7,7 +7,7 @@ use super::volume::FEWEST_FIBERS;
 use crate::Error;
 use crate::geometry::crossing::weights_at;
 use crate::overlap::pair::options::{FiberOptions, Resolution};
-use crate::overlap::pair::sides::{Counterpart, FacetSide, Pair, Views};
+use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::pair::warning::Warning;
 use crate::overlap::patches::partition::Patches;
@@ -17,40 +17,28 @@ use crate::sampling::Family;
 
 impl<const D: usize> FiberPair<'_, D> {
     /// All spans along the directions of `patches`, or `None` where the sides are apart.
-    pub(crate) fn spans(&self, patches: &Patches<D>) -> Result<Option<ContactPoints<D>>, Error> {
-        let mut spans: Option<ContactPoints<D>> = None;
+    pub(crate) fn contact_points(&self, patches: &Patches<D>) -> Result<Option<ContactPoints<D>>, Error> {
+        let mut points: Option<ContactPoints<D>> = None;
         for direction in 0..patches.directions.len() {
-            let Some(found) = self.spans_along(patches, direction)? else { continue };
-            let all = spans.get_or_insert_with(ContactPoints::default);
-            all.spans.extend(found.spans);
+            let Some(found) = self.points_along(patches, direction)? else { continue };
+            let all = points.get_or_insert_with(ContactPoints::default);
+            all.points.extend(found.points);
             all.standard_error = all.standard_error.hypot(found.standard_error);
             all.fiber_count += found.fiber_count;
             all.spacing = if all.spacing > 0.0 { all.spacing.min(found.spacing) } else { found.spacing };
             all.warnings.extend(found.warnings);
         }
-        if let Some(all) = &mut spans {
+        if let Some(all) = &mut points {
             all.patches.clone_from(patches);
         }
-        Ok(spans)
+        Ok(points)
     }
 
-    fn spans_along(&self, patches: &Patches<D>, direction: usize) -> Result<Option<ContactPoints<D>>, Error> {
+    fn points_along(&self, patches: &Patches<D>, direction: usize) -> Result<Option<ContactPoints<D>>, Error> {
         let family = Family::along(patches.directions[direction], self.options.seed, direction as u64);
-        let views = Views::of_side(&self.pair.a, &family);
-        let a = FacetSide { views: &views, ..self.pair.a };
-        let views_of_b;
-        let counterpart = match &self.pair.counterpart {
-            Counterpart::Facets(b) => {
-                views_of_b = Views::of_side(b, &family);
-                Counterpart::Facets(FacetSide { views: &views_of_b, ..*b })
-            }
-            other => *other,
-        };
-        let Pair { partners, pose, surface, parallel, .. } = *self.pair;
         let resolution = patches.spacing.map_or(self.options.resolution, Resolution::Spacing);
-        let pair = Pair { partners, a, counterpart, pose, surface, parallel };
         let pair = FiberPair {
-            pair: &pair,
+            pair: self.pair,
             families: std::slice::from_ref(&family),
             options: &FiberOptions { resolution, ..*self.options },
         };
@@ -58,11 +46,11 @@ impl<const D: usize> FiberPair<'_, D> {
             let found = pair.for_each_bundle(layout, |bundle| {
                 let mut spans = Vec::new();
                 let mut volume_by_parity = [0.0; 2];
-                pair.visit_spans(bundle, layout, direction as u32, |Sampled { mut span, parity }| {
-                    span.weight *= patches.part(direction, &span.ends).value;
-                    if span.weight > 0.0 {
-                        volume_by_parity[parity] += span.weight * span.length;
-                        spans.push(span);
+                pair.visit_spans(bundle, layout, direction as u32, |Sampled { mut point, parity }| {
+                    point.weight *= patches.part(direction, &point.ends).value;
+                    if point.weight > 0.0 {
+                        volume_by_parity[parity] += point.weight * point.length;
+                        spans.push(point);
                     }
                 })?;
                 Ok((spans, volume_by_parity))
@@ -76,18 +64,18 @@ impl<const D: usize> FiberPair<'_, D> {
         all.fiber_count = layout.bundles.iter().map(Bundle::fiber_count).sum();
         let mut halves = [0.0; 2];
         for (spans, [even, odd]) in found {
-            all.spans.extend(spans);
+            all.points.extend(spans);
             (halves[0], halves[1]) = (halves[0] + even, halves[1] + odd);
         }
         // Every other line would do alone; the two estimates differ by twice the error of their mean.
         all.standard_error = (halves[0] - halves[1]).abs();
         let [a, b] = self.pair.partners;
         let Layout { spacing, facet_size, .. } = *layout;
-        if spacing > facet_size && !all.spans.is_empty() {
+        if spacing > facet_size && !all.points.is_empty() {
             all.warnings.push(Warning::CoarseFibers { a, b, spacing, facet_size });
         }
-        if (1..FEWEST_FIBERS).contains(&all.spans.len()) {
-            all.warnings.push(Warning::UnresolvedOverlap { a, b, fibers: all.spans.len() });
+        if (1..FEWEST_FIBERS).contains(&all.points.len()) {
+            all.warnings.push(Warning::UnresolvedOverlap { a, b, fibers: all.points.len() });
         }
         all
     }
@@ -120,8 +108,8 @@ impl<const D: usize> FiberPair<'_, D> {
                         let weight = layout.volume_per_length * part * rest;
                         let ends = [end(first), end(last)];
                         let length = (last.t - first.t).max(0.0);
-                        let span = ContactPoint { weight, across: weight, length, direction, ends };
-                        visit(Sampled { span, parity: (i + j).rem_euclid(2) as usize });
+                        let point = ContactPoint { weight, across: weight, length, direction, ends };
+                        visit(Sampled { point, parity: (i + j).rem_euclid(2) as usize });
                     }
                 }
             });
@@ -131,6 +119,6 @@ impl<const D: usize> FiberPair<'_, D> {
 
 /// A span and on which half of the lines it lies.
 pub(crate) struct Sampled<const D: usize> {
-    pub(crate) span: ContactPoint<D>,
+    pub(crate) point: ContactPoint<D>,
     pub(crate) parity: usize,
 }

@@ -2,9 +2,10 @@
 
 use super::bundle::Bundle;
 use super::sweep::Event;
+use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::{Window, for_each_crossing};
-use crate::overlap::pair::sides::{Counterpart, FacetSide};
+use crate::overlap::pair::sides::Counterpart;
 use crate::sampling::Segment;
 use std::ops::Range;
 
@@ -91,7 +92,7 @@ impl<const D: usize> Bundle<'_, D> {
     }
 
     fn gather_segments(&self, a: &FacetSide<D>, counterpart: &Counterpart<D>) -> BundleEvents {
-        let Bundle::Segments { seed, range, region, length, trees } = self else { return BundleEvents::default() };
+        let Bundle::Segments { seed, range, region, length } = self else { return BundleEvents::default() };
         let b = if let Counterpart::Facets(b) = counterpart { Some(b) } else { None };
         let mut gathered = BundleEvents::default();
         for fiber in range.clone() {
@@ -102,7 +103,7 @@ impl<const D: usize> Bundle<'_, D> {
             let complete = [Some(a), b].into_iter().flatten().enumerate().all(|(s, side)| {
                 let before = gathered.events.len();
                 let accept = |b: &Aabb<D>| b.meets_ray(&segment.origin, segment.direction(), *length);
-                trees[s].visit(accept, |facet| {
+                side.tree.boxes().visit(accept, |facet| {
                     let p = side.corners(facet as usize).map(|x| segment.view(&x));
                     for_each_crossing::<D>(std::array::from_fn(|k| &p[k]), &Window::single(), |_, _, t, leaves| {
                         if t < 0.0 {

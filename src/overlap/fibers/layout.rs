@@ -3,13 +3,12 @@
 use super::bundle::{Bundle, FacetList};
 use super::resolution::{MOST_FIBERS, facet_size, line_spacing, segment_count};
 use crate::Error;
+use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::{Projected, Window, ceil};
-use crate::geometry::tree::Tree;
-use crate::overlap::pair::obstacle_region;
 use crate::overlap::pair::options::FiberOptions;
-use crate::overlap::pair::region::{Region, common_region, region_of};
-use crate::overlap::pair::sides::{Counterpart, FacetSide, Pair};
+use crate::overlap::pair::region::Region;
+use crate::overlap::pair::sides::{Counterpart, Pair};
 use crate::sampling::{Family, FiberPattern};
 
 /// Lines of a bundle. Large enough that the loop over facets is small beside the crossings, small enough that the
@@ -39,17 +38,6 @@ pub(crate) struct Layout<'a, const D: usize> {
 }
 
 impl<const D: usize> FiberPair<'_, D> {
-    /// Where the two sides can overlap.
-    fn region(&self) -> Result<Option<Region<D>>, Error> {
-        Ok(match &self.pair.counterpart {
-            Counterpart::Itself => region_of(&self.pair.a, &self.pair.a.aabb),
-            Counterpart::Facets(b) => common_region(&self.pair.a, b),
-            Counterpart::Implicit(side) => {
-                obstacle_region::region(side, &self.pair.a.aabb)?.and_then(|within| region_of(&self.pair.a, &within))
-            }
-        })
-    }
-
     /// Calls `work` with the layout, or returns `None` where the sides are apart. Lines lie `coarser` times as far apart
     /// as the options say.
     pub(crate) fn with_layout<T>(
@@ -57,7 +45,7 @@ impl<const D: usize> FiberPair<'_, D> {
         coarser: f64,
         work: impl FnOnce(&Layout<D>) -> Result<T, Error>,
     ) -> Result<Option<T>, Error> {
-        let Some(Region { aabb: region, facets }) = self.region()? else { return Ok(None) };
+        let Some(Region { aabb: region, facets }) = self.pair.region()? else { return Ok(None) };
         let b = if let Counterpart::Facets(b) = &self.pair.counterpart { Some(b) } else { None };
         let sizes = [Some(&self.pair.a), b].into_iter().flatten().zip(&facets).map(|(s, f)| facet_size(s, f));
         let facet_size = sizes.fold(f64::INFINITY, f64::min);
@@ -79,12 +67,7 @@ impl<const D: usize> FiberPair<'_, D> {
                 // Fibers that start within one length of the region reach it from all sides with uniform density.
                 let starts = region.inflated(length);
                 let count = segment_count(self.options.resolution, &starts, facet_size)?;
-                let trees: Vec<Tree<D>> = [Some(&self.pair.a), b]
-                    .iter()
-                    .flatten()
-                    .map(|s| Tree::new(&(0..s.facets.len()).map(|f| s.facet_box(f)).collect::<Vec<_>>()))
-                    .collect();
-                let bundles = segment_bundles(self.options.seed, count, &starts, length, &trees);
+                let bundles = segment_bundles(self.options.seed, count, &starts, length);
                 let volume_per_length = starts.volume() / (count as f64 * length);
                 work(&Layout { region, facet_size, tolerance, spacing: length, volume_per_length, bundles }).map(Some)
             }
@@ -118,11 +101,14 @@ fn line_bundles<'a, const D: usize>(
     let mut facets: Vec<[FacetList; 2]> = (0..count).map(|_| Default::default()).collect();
     for (s, side) in sides.iter().enumerate() {
         let Some(side) = side else { continue };
-        let viewed = &side.views.viewed[index];
-        for (facet, vertices) in side.facets.iter().enumerate() {
+        let met = side.facets_where(|aabb| {
+            let [low, high] = family.view_box(aabb);
+            low[2] <= reach[1] && !apart(&low, &high)
+        });
+        for facet in met {
             let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-            for &v in vertices {
-                let p = &viewed[v as usize];
+            for x in side.corners(facet as usize) {
+                let p = family.view(&x);
                 for axis in 0..3 {
                     low[axis] = low[axis].min(p[axis]);
                     high[axis] = high[axis].max(p[axis]);
@@ -145,7 +131,7 @@ fn line_bundles<'a, const D: usize>(
             let end = (last[axis].min(across.end) - 1 - across.start) / rows;
             for bundle in start..=end {
                 let FacetList { within, before: earlier } = &mut facets[bundle as usize][s];
-                (if before { earlier } else { within }).push(facet as u32);
+                (if before { earlier } else { within }).push(facet);
             }
         }
     }
@@ -164,18 +150,12 @@ fn line_bundles<'a, const D: usize>(
 }
 
 /// Cuts `count` segments into bundles.
-fn segment_bundles<'a, const D: usize>(
-    seed: u64,
-    count: u64,
-    region: &'a Aabb<D>,
-    length: f64,
-    trees: &'a [Tree<D>],
-) -> Vec<Bundle<'a, D>> {
+fn segment_bundles<'a, const D: usize>(seed: u64, count: u64, region: &'a Aabb<D>, length: f64) -> Vec<Bundle<'a, D>> {
     (0..count)
         .step_by(SEGMENTS_PER_BUNDLE as usize)
         .map(|start| {
             let range = start..(start + SEGMENTS_PER_BUNDLE).min(count);
-            Bundle::Segments { seed, range, region, length, trees }
+            Bundle::Segments { seed, range, region, length }
         })
         .collect()
 }

@@ -1,10 +1,10 @@
 //! From the facets in contact to the spacing of the fibers.
 
 use crate::Error;
+use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::overlap::pair::options::Resolution;
-use crate::overlap::pair::sides::FacetSide;
 use crate::sampling::Family;
 
 /// Spacing by facet size in 2D and 3D. Measured on meshes with an exact answer: 1/16 in 2D and 1/3 in 3D keep the error

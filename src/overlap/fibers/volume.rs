@@ -154,7 +154,7 @@ impl<const D: usize> FiberPair<'_, D> {
 
     fn assemble(&self, layout: &Layout<D>, sums: Vec<BundleSum<D>>) -> Overlap<D> {
         let (volume, standard_error) = self.volume(layout, &sums);
-        let mut assembly = Assembly::new(self.pair.a.views.points.len());
+        let mut assembly = Assembly::new();
         for sum in &sums {
             for share in &sum.facet_shares {
                 match (&self.pair.counterpart, share.of_b) {

@@ -11,13 +11,13 @@ use crate::overlap::points::contact_points::ContactPoints;
 
 impl<const D: usize> FiberPair<'_, D> {
     /// The spans of the standard families, or `None` where the sides are apart.
-    pub(crate) fn volume_spans(&self) -> Result<Option<ContactPoints<D>>, Error> {
+    pub(crate) fn volume_points(&self) -> Result<Option<ContactPoints<D>>, Error> {
         let part = 1.0 / self.families.len() as f64;
         self.with_layout(1.0, |layout| {
             let found = self.for_each_bundle(layout, |bundle| {
                 let mut spans = Vec::new();
                 self.visit_spans(bundle, layout, bundle.family_index() as u32, |sampled| {
-                    let mut span = sampled.span;
+                    let mut span = sampled.point;
                     span.weight *= part;
                     spans.push(span);
                 })?;
@@ -26,7 +26,7 @@ impl<const D: usize> FiberPair<'_, D> {
             let directions = self.families.iter().map(|family| *family.direction()).collect();
             Ok(ContactPoints {
                 patches: Patches { directions, ..Patches::default() },
-                spans: found.into_iter().flatten().collect(),
+                points: found.into_iter().flatten().collect(),
                 ..ContactPoints::default()
             })
         })

@@ -1,10 +1,11 @@
 //! From crossings, or clipped pieces, to the gradient on nodes and poses.
 
-use super::sides::FacetSide;
+use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::{area_vector, moment};
 use crate::geometry::{Pose, Surface, Vector};
 use crate::overlap::pair::overlap::PoseGradient;
+use rustc_hash::FxHashMap;
 
 /// Share of one facet in ∂V/∂x: `shares[a]` times the facet's unit normal belongs to its corner a.
 #[derive(Clone, Copy, Debug)]
@@ -24,10 +25,12 @@ pub(crate) struct PointShare<const D: usize> {
 
 /// Sums shares in the order in which they come.
 pub(crate) struct Assembly<const D: usize> {
-    /// Gradient by slot: twice the vertex, and one more for the second side. A node may belong to both.
-    values: Vec<Vector<D>>,
+    /// Slots in the order in which they came, and the gradient on them. A slot is twice a vertex, and one more for the
+    /// second side: a node may belong to both.
     touched: Vec<u32>,
-    seen: Vec<bool>,
+    values: Vec<Vector<D>>,
+    /// Where among these a slot is. Never iterated over: its order is not ours.
+    place: FxHashMap<u32, u32>,
     pose: PoseGradient<D>,
     /// Sum of the shares of each side; apart, so that a swap of the sides changes no bit.
     resultants: [Vector<D>; 2],
@@ -40,11 +43,11 @@ pub(crate) struct Assembly<const D: usize> {
 }
 
 impl<const D: usize> Assembly<D> {
-    pub(crate) fn new(vertex_count: usize) -> Self {
+    pub(crate) fn new() -> Self {
         Self {
-            values: vec![Vector::zeros(); 2 * vertex_count],
             touched: Vec::new(),
-            seen: vec![false; 2 * vertex_count],
+            values: Vec::new(),
+            place: FxHashMap::default(),
             pose: PoseGradient { position: Vector::zeros(), rotation: [0.0; 3], scale: 0.0 },
             resultants: [Vector::zeros(); 2],
             share_count: 0,
@@ -133,10 +136,9 @@ impl<const D: usize> Assembly<D> {
     /// overlap does not change when both sides move together.
     pub(crate) fn add_reaction(&mut self, normal: &Vector<D>, points: &[Vector<D>]) {
         let mut force = Vector::zeros();
-        for &slot in &self.touched {
-            let g = self.values[slot as usize];
+        for (&slot, g) in self.touched.iter().zip(&self.values) {
             force += g;
-            for (sum, m) in self.pose.rotation.iter_mut().zip(moment(&points[slot as usize / 2], &g)) {
+            for (sum, m) in self.pose.rotation.iter_mut().zip(moment(&points[slot as usize / 2], g)) {
                 *sum -= m;
             }
         }
@@ -201,27 +203,32 @@ impl<const D: usize> Assembly<D> {
     }
 
     fn add_to(&mut self, slot: u32, g: Vector<D>) {
-        if !std::mem::replace(&mut self.seen[slot as usize], true) {
+        let place = *self.place.entry(slot).or_insert_with(|| {
             self.touched.push(slot);
-        }
-        self.values[slot as usize] += g;
+            self.values.push(Vector::zeros());
+            self.touched.len() as u32 - 1
+        });
+        self.values[place as usize] += g;
     }
 
     /// Nodes, ascending, the gradient on them, and whether they are of the second side; shares of a face centroid go to
     /// the face's four nodes.
     pub(crate) fn into_nodes(mut self, surface: &Surface<D>) -> (Vec<u32>, Vec<Vector<D>>, Vec<bool>) {
-        let is_node = |slot: &u32| ((slot / 2) as usize) < surface.nodes.len();
-        self.touched.sort_unstable();
-        let centroids = self.touched.split_off(self.touched.partition_point(is_node));
-        for slot in centroids {
-            let quarter = self.values[slot as usize] * 0.25;
+        let of_node = |slot: u32| ((slot / 2) as usize) < surface.nodes.len();
+        let mut centroids: Vec<(u32, u32)> =
+            (self.touched.iter().copied().zip(0..)).filter(|(slot, _)| !of_node(*slot)).collect();
+        centroids.sort_unstable();
+        for (slot, place) in centroids {
+            let quarter = self.values[place as usize] * 0.25;
             for vertex in surface.centroids[(slot / 2) as usize - surface.nodes.len()] {
                 self.add_to(2 * vertex + slot % 2, quarter);
             }
         }
-        self.touched.sort_unstable();
-        let nodes = self.touched.iter().map(|&slot| surface.nodes[(slot / 2) as usize]).collect();
-        let values = self.touched.iter().map(|&slot| self.values[slot as usize]).collect();
-        (nodes, values, self.touched.iter().map(|&slot| slot % 2 == 1).collect())
+        let mut order: Vec<(u32, u32)> =
+            self.touched.iter().copied().zip(0..).filter(|(slot, _)| of_node(*slot)).collect();
+        order.sort_unstable();
+        let nodes = order.iter().map(|&(slot, _)| surface.nodes[(slot / 2) as usize]).collect();
+        let values = order.iter().map(|&(_, place)| self.values[place as usize]).collect();
+        (nodes, values, order.iter().map(|&(slot, _)| slot % 2 == 1).collect())
     }
 }

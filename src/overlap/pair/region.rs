@@ -1,9 +1,11 @@
 //! Where two bodies can overlap, found from their facets.
 
-use super::sides::FacetSide;
+use super::obstacle_region;
+use super::sides::{Counterpart, Pair};
+use crate::Error;
+use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::{Piece, clip_to_box};
-use crate::geometry::winding_number;
 
 /// Rounds of trimming. Two find the lens of two balls; more are for curved slots.
 const ROUNDS: usize = 3;
@@ -15,6 +17,20 @@ const WORTHWHILE: f64 = 0.1;
 pub(crate) struct Region<const D: usize> {
     pub(crate) aabb: Aabb<D>,
     pub(crate) facets: [Vec<u32>; 2],
+}
+
+impl<const D: usize> Pair<'_, D> {
+    /// Where the two sides can overlap, or `None` if they cannot. Results do not depend on how closely it is found, but
+    /// for the automatic spacing of lines.
+    pub(crate) fn region(&self) -> Result<Option<Region<D>>, Error> {
+        Ok(match &self.counterpart {
+            Counterpart::Itself => region_of(&self.a, &self.a.aabb),
+            Counterpart::Facets(b) => common_region(&self.a, b),
+            Counterpart::Implicit(side) => {
+                obstacle_region::region(side, &self.a.aabb)?.and_then(|within| region_of(&self.a, &within))
+            }
+        })
+    }
 }
 
 /// The region of two bodies, or `None` if they cannot overlap. Its box is a function of the two bodies without regard to
@@ -80,7 +96,7 @@ fn trim<const D: usize>(side: &FacetSide<D>, facets: &mut Vec<u32>, region: &Aab
         meets
     });
     let bounds = bounds.inflated(region.rounding()).intersection(region);
-    let outside = |slab: &Aabb<D>| winding_number(side.facets, &side.views.points, &slab.center()) == 0;
+    let outside = |slab: &Aabb<D>| side.winding_number(&slab.center()) == 0;
     if bounds.is_empty() {
         return (!outside(region)).then_some(*region);
     }

@@ -73,7 +73,7 @@ pub(crate) fn directions<const D: usize>(spans: &[Ends<D>], rounded: bool) -> Ve
     let mut axes = vec![all.direction()];
     while axes.len() < D {
         let served = |normal: &Vector<D>| axes.iter().any(|d| normal.dot(d).abs() >= SERVED);
-        let unserved = || spans.iter().filter(|ends| ends.iter().all(|(n, m)| *m == 0.0 || !served(n))).flatten();
+        let unserved = || spans.iter().filter(|ends| ends.iter().all(|(n, _)| !served(n))).flatten();
         if unserved().map(|(_, measure)| measure).sum::<f64>() <= WORTHWHILE * all.measure {
             break;
         }

@@ -15,11 +15,30 @@ pub(crate) struct Patches<const D: usize> {
     pub(crate) directions: Vec<Vector<D>>,
     /// Spacing of the lines, once it is known and kept.
     pub(crate) spacing: Option<f64>,
-    /// Direction of every facet of either side; empty where there is only one. A number from `directions.len()` on is
-    /// that of an entry of `blends`.
-    pub(crate) labels: [Vec<u32>; 2],
+    /// Directions of the facets of either side; empty where there is only one.
+    pub(crate) labels: [Labels; 2],
     /// For facets at a border: the part of every direction at every corner.
     pub(crate) blends: Vec<Vec<[f64; D]>>,
+}
+
+/// The direction of every facet of one side that may come into contact.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Labels {
+    /// Numbers of the facets, ascending.
+    pub(crate) facets: Vec<u32>,
+    /// Number of each one's direction; a number from the count of directions on is that of a blend.
+    pub(crate) labels: Vec<u32>,
+}
+
+impl Labels {
+    fn of(&self, facet: u32) -> Option<u32> {
+        // All facets of a side stand at their own numbers.
+        let place = match self.facets.get(facet as usize) {
+            Some(&found) if found == facet => facet as usize,
+            _ => self.facets.binary_search(&facet).ok()?,
+        };
+        self.labels.get(place).copied()
+    }
 }
 
 /// The part of a span that counts for one direction.
@@ -48,7 +67,7 @@ impl<const D: usize> Patches<D> {
         }
         let labels = ends.each_ref().map(|end| match *end {
             SurfacePoint::Facet { of_b, facet, weights } => {
-                self.labels[usize::from(of_b)].get(facet as usize).map(|&label| (label as usize, weights))
+                self.labels[usize::from(of_b)].of(facet).map(|label| (label as usize, weights))
             }
             SurfacePoint::Point { .. } => None,
         });

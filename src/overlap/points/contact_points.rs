@@ -24,7 +24,7 @@ use crate::overlap::points::edge_terms::{Anchor, GapKink, SilhouettePoint};
 pub(crate) struct ContactPoints<const D: usize> {
     /// Directions of the lines, and which part of a span counts for which.
     pub(crate) patches: Patches<D>,
-    pub(crate) spans: Vec<ContactPoint<D>>,
+    pub(crate) points: Vec<ContactPoint<D>>,
     pub(crate) kinks: Vec<GapKink<D>>,
     /// Only where the integral over the lines is exact.
     pub(crate) silhouettes: Vec<SilhouettePoint<D>>,
@@ -46,12 +46,12 @@ pub(crate) struct PointGradient<const D: usize> {
 impl<const D: usize> ContactPoints<D> {
     /// Longest span.
     pub(crate) fn longest(&self) -> f64 {
-        self.spans.iter().map(|s| s.length).fold(0.0, f64::max)
+        self.points.iter().map(|s| s.length).fold(0.0, f64::max)
     }
 
     /// Σ ω f(L).
     pub(crate) fn sum(&self, f: impl Fn(f64) -> f64) -> f64 {
-        self.spans.iter().map(|s| s.weight * f(s.length)).sum()
+        self.points.iter().map(|s| s.weight * f(s.length)).sum()
     }
 
     /// Volume Σ ω L, its gradient, and what is known of the contact.
@@ -80,6 +80,16 @@ impl<const D: usize> ContactPoints<D> {
         overlap
     }
 
+    /// Gradient of Σ ω ψ(L), given ψ and ψ', and the overlap.
+    pub(crate) fn gradient_and_overlap(
+        &self,
+        pair: &Pair<D>,
+        value: impl Fn(f64) -> f64,
+        slope: impl Fn(f64) -> f64,
+    ) -> (PointGradient<D>, Overlap<D>) {
+        (self.gradient(pair, value, slope), self.overlap(pair))
+    }
+
     /// Gradient of Σ ω ψ(L), given ψ and ψ'.
     pub(crate) fn gradient(
         &self,
@@ -94,8 +104,8 @@ impl<const D: usize> ContactPoints<D> {
     }
 
     fn assembly(&self, pair: &Pair<D>, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> Assembly<D> {
-        let mut assembly = Assembly::new(pair.a.views.points.len());
-        for span in &self.spans {
+        let mut assembly = Assembly::new();
+        for span in &self.points {
             let d = &self.patches.directions[span.direction as usize];
             let share = span.weight * slope(span.length);
             let blends = self.blends(pair, span);
@@ -126,7 +136,7 @@ impl<const D: usize> ContactPoints<D> {
             let jump: f64 = silhouette.spans.iter().map(|span| span.weight * value(span.length)).sum();
             for (anchor, weight) in &silhouette.weights {
                 let Anchor::Vertex { of_b, vertex } = *anchor else { continue };
-                let point = pair.side(of_b).views.points[vertex as usize];
+                let point = pair.side(of_b).points[vertex as usize];
                 let pose = if of_b { pair.pose } else { None };
                 assembly.add_to_vertex(of_b, vertex, &point, &(silhouette.across * (*weight * jump)), pose);
             }

@@ -1,4 +1,4 @@
-//! Second derivatives of sums over spans, in closed form.
+//! Second derivatives of sums over contact points, in closed form.
 //!
 //! With the line o + t d fixed, a facet with corners x_a is crossed at barycentric N. Let m solve m·(x_b − x_c) = 0,
 //! m·d = 1, and h_a solve h_a·(x_b − x_c) = δ_ab − δ_ac, h_a·d = 0. Then
@@ -8,11 +8,12 @@
 //! ∂²t/∂x_a∂x_b  = −(N_b m h_aᵀ + N_a h_b mᵀ)
 //! ```
 //!
-//! so that a span of length L = t_leaving − t_entering adds ω [ψ'' ∇L ∇Lᵀ + ψ' ∇²L] on the nodes of two facets. The first
-//! part alone is positive semidefinite. For sampled lines this is the derivative of the force; where the integral over
-//! the lines is exact, the kinks of L along the edges of facets, which move with their nodes, add [`GapKink`]s.
+//! so that a point of penetration L = t_leaving − t_entering adds ω [ψ'' ∇L ∇Lᵀ + ψ' ∇²L] on the nodes of two facets. The
+//! first part alone is positive semidefinite. For sampled lines this is the derivative of the force; where the integral
+//! over the lines is exact, the kinks of L along the edges of facets, which move with their nodes, add
+//! [`GapKink`](super::edge_terms::GapKink)s.
 //!
-//! Where patches blend, the span counts with a part p, linear in N with slope η across the lines:
+//! Where patches blend, the point counts with a part p, linear in N with slope η across the lines:
 //!
 //! ```text
 //! ∂p/∂x_a       = −N_a η
@@ -20,54 +21,22 @@
 //! ```
 //!
 //! and adds ω [p (ψ'' ∇L ∇Lᵀ + ψ' ∇²L) + ψ' (∇L ∇pᵀ + ∇p ∇Lᵀ) + ψ ∇²p].
+//!
+//! m, h and η are those of the facets, so that all points between two facets need their sums over N_a N_b and N_a only.
 
-use crate::geometry::facet_slopes::slopes;
-use crate::geometry::{Surface, Vector};
+use super::block_sum::{Block, BlockSum};
+use super::contact_point::ContactPoint;
+use super::contact_points::ContactPoints;
+use super::end_motion::EndMotion;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::pair::surface_point::SurfacePoint;
-use crate::overlap::points::contact_point::ContactPoint;
-use crate::overlap::points::contact_points::ContactPoints;
-use crate::overlap::points::edge_terms::{Anchor, GapKink};
+use rayon::prelude::*;
 
-/// A block ∂²w/∂x_row ∂x_col.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Block<const D: usize> {
-    /// Node of the rows.
-    pub row: u32,
-    /// Node of the columns.
-    pub col: u32,
-    /// Entries, row by row.
-    pub value: [[f64; D]; D],
-}
+/// A function of the penetration.
+pub(crate) type OfLength<'a> = &'a (dyn Fn(f64) -> f64 + Sync);
 
-/// What a node has to do with one end of a span.
-#[derive(Clone, Copy)]
-pub(crate) struct Share<const D: usize> {
-    pub(crate) node: u32,
-    /// N, and h with the sign of the end.
-    pub(crate) weight: f64,
-    h: Vector<D>,
-}
-
-/// One end of a span: ∂t/∂x = ±N m on its nodes, and ∂p/∂x = −N η.
-pub(crate) struct EndShares<const D: usize> {
-    pub(crate) shares: Vec<Share<D>>,
-    pub(crate) m: Vector<D>,
-    pub(crate) eta: Vector<D>,
-    /// +1 where the line leaves, −1 where it enters.
-    pub(crate) sign: f64,
-}
-
-/// Nodes of a surface's vertex with their parts: itself, or the four of a face about whose centroid it is.
-pub(crate) fn nodes_of<const D: usize>(surface: &Surface<D>, vertex: u32, mut visit: impl FnMut(u32, f64)) {
-    match surface.nodes.get(vertex as usize) {
-        Some(&node) => visit(node, 1.0),
-        None => {
-            let corners = surface.centroids[vertex as usize - surface.nodes.len()];
-            corners.iter().for_each(|&v| visit(surface.nodes[v as usize], 0.25));
-        }
-    }
-}
+/// Pairs of facets that a thread takes at once. Fixed, so that sums do not depend on the number of threads.
+const CHUNK: usize = 512;
 
 impl<const D: usize> ContactPoints<D> {
     /// Hessian of Σ ω ψ(L), given ψ, ψ' and ψ'', as blocks sorted by row and column. The obstacle of the pair, if there
@@ -76,211 +45,155 @@ impl<const D: usize> ContactPoints<D> {
     pub(crate) fn hessian(
         &self,
         pair: &Pair<D>,
-        [value, slope, curvature]: [&dyn Fn(f64) -> f64; 3],
+        functions: [OfLength; 3],
         semidefinite: bool,
         obstacle_node: u32,
     ) -> Vec<Block<D>> {
-        let mut order: Vec<(Key, u32)> = self.spans.iter().zip(0..).map(|(span, index)| (key(span), index)).collect();
-        order.sort_unstable();
-        let mut blocks = Vec::new();
-        for group in order.chunk_by(|p, q| p.0 == q.0) {
-            let mut local = Local::default();
-            for &(_, index) in group {
-                let span = &self.spans[index as usize];
-                let Some(ends) = self.end_shares(pair, span, obstacle_node) else { continue };
-                let mut factors = Factors { stiffness: span.weight * curvature(span.length), ..Factors::default() };
-                if !semidefinite {
-                    factors.geometric = span.weight * slope(span.length);
-                    if ends.iter().any(|end| end.eta != Vector::<D>::zeros()) {
-                        factors.mixed = span.across * slope(span.length);
-                        factors.blend = span.across * value(span.length);
-                    }
-                }
-                local.add(&ends, &factors);
-            }
-            local.write(&mut blocks);
+        let mut order: Vec<(Key, u32)> = self.points.iter().zip(0..).map(|(p, index)| (key(p, index), index)).collect();
+        if pair.parallel {
+            order.par_sort_unstable();
+        } else {
+            order.sort_unstable();
         }
+        let groups: Vec<&[(Key, u32)]> = order.chunk_by(|p, q| p.0 == q.0).collect();
+        let of_chunk = |groups: &[&[(Key, u32)]]| {
+            let mut sum = BlockSum::default();
+            for group in groups {
+                self.add_group(pair, group, functions, semidefinite, obstacle_node, &mut sum);
+            }
+            sum
+        };
+        let chunks: Vec<BlockSum<D>> = if pair.parallel {
+            groups.par_chunks(CHUNK).map(of_chunk).collect()
+        } else {
+            groups.chunks(CHUNK).map(of_chunk).collect()
+        };
+        let mut sum = BlockSum::default();
+        chunks.into_iter().for_each(|chunk| sum.add_sum(chunk));
         if !semidefinite {
+            let [value, slope, _] = functions;
             for kink in &self.kinks {
                 let factor = slope(kink.length) * kink.factor + value(kink.length) * kink.blend;
-                add_kink(pair, kink, factor, obstacle_node, &mut blocks);
+                kink.add_to(pair, factor, obstacle_node, &mut sum);
             }
             for silhouette in &self.silhouettes {
-                self.add_silhouette(pair, silhouette, [value, slope], obstacle_node, &mut blocks);
+                self.add_silhouette(pair, silhouette, [value, slope], obstacle_node, &mut sum);
             }
         }
-        merged(blocks)
+        sum.into_blocks()
     }
 
-    pub(crate) fn end_shares(
+    /// Adds what all points between two facets contribute.
+    fn add_group(
         &self,
         pair: &Pair<D>,
-        span: &ContactPoint<D>,
+        group: &[(Key, u32)],
+        [value, slope, curvature]: [OfLength; 3],
+        semidefinite: bool,
         obstacle_node: u32,
-    ) -> Option<[EndShares<D>; 2]> {
-        let d = &self.patches.directions[span.direction as usize];
-        let [before, behind] = self.blends(pair, span).map(|eta| eta.unwrap_or_else(Vector::zeros));
-        let of = |end: &SurfacePoint<D>, sign: f64, eta: Vector<D>| match *end {
-            SurfacePoint::Facet { of_b, facet, weights } => {
-                let side = pair.side(of_b);
-                let (m, h) = slopes(&side.corners(facet as usize), d)?;
-                let mut shares: Vec<Share<D>> = Vec::with_capacity(4);
-                if of_b && pair.pose.is_some() {
-                    // All corners move alike: Σ N = 1, Σ h = 0.
-                    shares.push(Share { node: obstacle_node, weight: 1.0, h: Vector::zeros() });
-                    return Some(EndShares { shares, m, eta, sign });
-                }
+        sum: &mut BlockSum<D>,
+    ) {
+        let point = |index: u32| &self.points[index as usize];
+        let Some(ends) = self.end_motions(pair, point(group[0].1), obstacle_node) else { return };
+        let has_blend = !semidefinite && ends.iter().any(|end| end.eta.amax() > 0.0);
+        let mut sums = Sums::<D>::default();
+        for &(_, index) in group {
+            let point = point(index);
+            let weights = ends.each_ref().map(|end| end.weights_of(&point.ends));
+            let stiffness = point.weight * curvature(point.length);
+            let slope = if semidefinite { 0.0 } else { slope(point.length) };
+            let mixed = if has_blend { point.across * slope } else { 0.0 };
+            let blend = if has_blend { point.across * value(point.length) } else { 0.0 };
+            for p in 0..2 {
                 for a in 0..D {
-                    nodes_of(pair.surface, side.facets[facet as usize][a], |node, part| {
-                        let place = shares.iter().position(|s| s.node == node).unwrap_or_else(|| {
-                            shares.push(Share { node, weight: 0.0, h: Vector::zeros() });
-                            shares.len() - 1
-                        });
-                        shares[place].weight += part * weights[a];
-                        shares[place].h += h[a] * part;
-                    });
-                }
-                Some(EndShares { shares, m, eta, sign })
-            }
-            SurfacePoint::Point { normal, .. } => {
-                let slope = d.dot(&normal);
-                let share = Share { node: obstacle_node, weight: 1.0, h: Vector::zeros() };
-                (slope != 0.0).then(|| EndShares { shares: vec![share], m: normal / slope, eta, sign })
-            }
-        };
-        Some([of(&span.ends[0], -1.0, before)?, of(&span.ends[1], 1.0, behind)?])
-    }
-}
-
-/// Which facets a span lies between.
-type Key = ([(bool, u32); 2], u32);
-
-fn key<const D: usize>(span: &ContactPoint<D>) -> Key {
-    let of = |end: &SurfacePoint<D>| match *end {
-        SurfacePoint::Facet { of_b, facet, .. } => (of_b, facet),
-        SurfacePoint::Point { .. } => (true, u32::MAX),
-    };
-    ([of(&span.ends[0]), of(&span.ends[1])], span.direction)
-}
-
-/// What the parts of a span's second derivative are multiplied by.
-#[derive(Default)]
-struct Factors {
-    /// ω p ψ'', of ∇L ∇Lᵀ.
-    stiffness: f64,
-    /// ω p ψ', of ∇²L.
-    geometric: f64,
-    /// ω ψ', of ∇L ∇pᵀ + ∇p ∇Lᵀ.
-    mixed: f64,
-    /// ω ψ, of ∇²p.
-    blend: f64,
-}
-
-/// The sum of the blocks of all spans between two facets.
-#[derive(Default)]
-struct Local<const D: usize> {
-    nodes: Vec<u32>,
-    /// Square, `nodes.len()` a side.
-    values: Vec<[[f64; D]; D]>,
-}
-
-impl<const D: usize> Local<D> {
-    fn add(&mut self, ends: &[EndShares<D>; 2], factors: &Factors) {
-        if self.nodes.is_empty() {
-            self.nodes = ends.iter().flat_map(|end| end.shares.iter().map(|share| share.node)).collect();
-            self.values = vec![[[0.0; D]; D]; self.nodes.len().pow(2)];
-        }
-        let count = self.nodes.len();
-        let mut row = 0;
-        for p in ends {
-            // Of ∇²: the same form for L, along m, and for the part, along η.
-            let turning = p.eta * factors.blend - p.m * (factors.geometric * p.sign);
-            let turns = factors.geometric != 0.0 || factors.blend != 0.0;
-            for a in &p.shares {
-                let mut col = 0;
-                for q in ends {
-                    let stiffness = factors.stiffness * p.sign * q.sign;
-                    for b in &q.shares {
-                        let block = &mut self.values[row * count + col];
-                        for i in 0..D {
-                            let along = stiffness * p.m[i] - factors.mixed * q.sign * p.eta[i];
-                            let aside = factors.mixed * p.sign * p.m[i];
-                            for j in 0..D {
-                                block[i][j] += a.weight * b.weight * (along * q.m[j] - aside * q.eta[j]);
-                            }
+                    sums.geometric[p][a] += point.weight * slope * weights[p][a];
+                    sums.blend[p][a] += blend * weights[p][a];
+                    for q in 0..2 {
+                        for b in 0..D {
+                            let product = weights[p][a] * weights[q][b];
+                            sums.stiffness[p][a][q][b] += stiffness * product;
+                            sums.mixed[p][a][q][b] += mixed * product;
                         }
-                        if turns && std::ptr::eq(p, q) {
-                            for i in 0..D {
-                                for j in 0..D {
-                                    block[i][j] += b.weight * turning[i] * a.h[j] + a.weight * b.h[i] * turning[j];
-                                }
-                            }
-                        }
-                        col += 1;
                     }
                 }
-                row += 1;
             }
         }
-    }
-
-    fn write(&self, blocks: &mut Vec<Block<D>>) {
-        for (r, &row) in self.nodes.iter().enumerate() {
-            for (c, &col) in self.nodes.iter().enumerate() {
-                blocks.push(Block { row, col, value: self.values[r * self.nodes.len() + c] });
-            }
-        }
+        sums.add_to(&ends, sum);
     }
 }
 
-/// Nodes that move an anchor, with their parts of it.
-pub(crate) fn for_each_node<const D: usize>(
-    pair: &Pair<D>,
-    anchor: Anchor,
-    obstacle_node: u32,
-    mut visit: impl FnMut(u32, f64),
-) {
-    match anchor {
-        Anchor::Vertex { of_b: true, .. } if pair.pose.is_some() => visit(obstacle_node, 1.0),
-        Anchor::Vertex { vertex, .. } => nodes_of(pair.surface, vertex, visit),
-        Anchor::Obstacle => visit(obstacle_node, 1.0),
+/// Which facets a point lies between, and along which direction. A rigid shape is curved: its points stand alone.
+type Key = ([(bool, u32); 2], u32);
+
+fn key<const D: usize>(point: &ContactPoint<D>, index: u32) -> Key {
+    let of = |end: &SurfacePoint<D>| match *end {
+        SurfacePoint::Facet { of_b, facet, .. } => (of_b, facet),
+        SurfacePoint::Point { .. } => (true, u32::MAX - index),
+    };
+    ([of(&point.ends[0]), of(&point.ends[1])], point.direction)
+}
+
+/// Sums over the points between two facets, by end and corner.
+struct Sums<const D: usize> {
+    /// ω p ψ'' N N, of ∇L ∇Lᵀ.
+    stiffness: [[[[f64; D]; 2]; D]; 2],
+    /// ω ψ' N N, of ∇L ∇pᵀ + ∇p ∇Lᵀ.
+    mixed: [[[[f64; D]; 2]; D]; 2],
+    /// ω p ψ' N, of ∇²L.
+    geometric: [[f64; D]; 2],
+    /// ω ψ N, of ∇²p.
+    blend: [[f64; D]; 2],
+}
+
+impl<const D: usize> Default for Sums<D> {
+    fn default() -> Self {
+        let square = [[[[0.0; D]; 2]; D]; 2];
+        Self { stiffness: square, mixed: square, geometric: [[0.0; D]; 2], blend: [[0.0; D]; 2] }
     }
 }
 
-/// factor g gᵀ of one point of a crease.
-fn add_kink<const D: usize>(
-    pair: &Pair<D>,
-    kink: &GapKink<D>,
-    factor: f64,
-    obstacle_node: u32,
-    blocks: &mut Vec<Block<D>>,
-) {
-    let mut gradient: Vec<(u32, Vector<D>)> = Vec::new();
-    for (anchor, g) in &kink.gradient {
-        for_each_node(pair, *anchor, obstacle_node, |node, part| gradient.push((node, g * part)));
-    }
-    let factor = kink.weight * factor;
-    for (row, p) in &gradient {
-        for (col, q) in &gradient {
-            let value = std::array::from_fn(|i| std::array::from_fn(|j| factor * p[i] * q[j]));
-            blocks.push(Block { row: *row, col: *col, value });
-        }
-    }
-}
-
-/// Blocks sorted by row and column, those of one place summed in the order in which they came.
-pub(crate) fn merged<const D: usize>(mut blocks: Vec<Block<D>>) -> Vec<Block<D>> {
-    blocks.sort_by_key(|block| (block.row, block.col));
-    blocks.dedup_by(|next, sum| {
-        let same = (next.row, next.col) == (sum.row, sum.col);
-        if same {
-            for i in 0..D {
-                for j in 0..D {
-                    sum.value[i][j] += next.value[i][j];
+impl<const D: usize> Sums<D> {
+    /// Adds the blocks of all nodes that move the two ends.
+    fn add_to(&self, ends: &[EndMotion<D>; 2], sum: &mut BlockSum<D>) {
+        let corners: Vec<(usize, usize)> =
+            (0..2).flat_map(|p| (0..ends[p].corner_count()).map(move |a| (p, a))).collect();
+        let nodes: Vec<u32> = corners.iter().flat_map(|&(p, a)| ends[p].nodes(a).map(|(node, _)| node)).collect();
+        let mut values = Vec::with_capacity(nodes.len() * nodes.len());
+        for &(p, a) in &corners {
+            for (_, of_row) in ends[p].nodes(a) {
+                for &(q, b) in &corners {
+                    let block = self.block(ends, (p, a), (q, b));
+                    for (_, of_col) in ends[q].nodes(b) {
+                        values.push(block.map(|row| row.map(|x| x * (of_row * of_col))));
+                    }
                 }
             }
         }
-        same
-    });
-    blocks
+        sum.add_square(&nodes, &values);
+    }
+
+    /// The block of corner a of end p, and corner b of end q.
+    fn block(&self, ends: &[EndMotion<D>; 2], (p, a): (usize, usize), (q, b): (usize, usize)) -> [[f64; D]; D] {
+        let (of_p, of_q) = (&ends[p], &ends[q]);
+        let stiffness = self.stiffness[p][a][q][b] * of_p.sign * of_q.sign;
+        let mixed = self.mixed[p][a][q][b];
+        let mut block = [[0.0; D]; D];
+        for i in 0..D {
+            let along = stiffness * of_p.m[i] - mixed * of_q.sign * of_p.eta[i];
+            let aside = mixed * of_p.sign * of_p.m[i];
+            for j in 0..D {
+                block[i][j] = along * of_q.m[j] - aside * of_q.eta[j];
+            }
+        }
+        if p == q {
+            let turning = |c: usize| of_p.eta * self.blend[p][c] - of_p.m * (self.geometric[p][c] * of_p.sign);
+            let (of_a, of_b) = (turning(a), turning(b));
+            for i in 0..D {
+                for j in 0..D {
+                    block[i][j] += of_b[i] * of_p.h[a][j] + of_p.h[b][i] * of_a[j];
+                }
+            }
+        }
+        block
+    }
 }

@@ -1,6 +1,8 @@
 //! Second derivatives at the edges of notches: see [`SilhouettePoint`].
 
-use super::hessian::{Block, for_each_node};
+use super::block_sum::BlockSum;
+use super::end_motion::for_each_node;
+use super::hessian::OfLength;
 use crate::geometry::Vector;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::points::contact_points::ContactPoints;
@@ -12,20 +14,23 @@ impl<const D: usize> ContactPoints<D> {
         &self,
         pair: &Pair<D>,
         silhouette: &SilhouettePoint<D>,
-        [value, slope]: [&dyn Fn(f64) -> f64; 2],
+        [value, slope]: [OfLength; 2],
         obstacle_node: u32,
-        blocks: &mut Vec<Block<D>>,
+        sum: &mut BlockSum<D>,
     ) {
         // ∇J at a fixed line, by node.
         let mut gradient: Vec<(u32, Vector<D>)> = Vec::new();
         let mut jump = 0.0;
         for span in &silhouette.spans {
-            let Some(ends) = self.end_shares(pair, span, obstacle_node) else { return };
+            let Some(ends) = self.end_motions(pair, span, obstacle_node) else { return };
             jump += span.weight * value(span.length);
             for end in &ends {
                 let along = end.m * (end.sign * span.weight * slope(span.length));
                 let aside = end.eta * (span.across * value(span.length));
-                gradient.extend(end.shares.iter().map(|share| (share.node, (along - aside) * share.weight)));
+                let weights = end.weights_of(&span.ends);
+                for (corner, weight) in weights.iter().enumerate().take(end.corner_count()) {
+                    gradient.extend(end.nodes(corner).map(|(node, part)| (node, (along - aside) * (part * weight))));
+                }
             }
         }
         let of_line = -gradient.iter().fold(Vector::<D>::zeros(), |sum, (_, g)| sum + g);
@@ -37,7 +42,7 @@ impl<const D: usize> ContactPoints<D> {
         }
         let swept: Vec<(u32, f64)> = of_anchors.iter().flatten().copied().collect();
         gradient.extend(swept.iter().map(|&(node, weight)| (node, of_line * (0.5 * weight))));
-        let mut add = |row: u32, col: u32, value: [[f64; D]; D]| blocks.push(Block { row, col, value });
+        let mut add = |row: u32, col: u32, value: [[f64; D]; D]| sum.add(row, col, &value);
         for (row, g) in &gradient {
             for &(col, weight) in &swept {
                 let a = silhouette.across * weight;

@@ -1,11 +1,11 @@
 //! Which facets of two sides keep clear of the boundary of the other side.
 
+use crate::configuration::FacetSide;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::tree::Tree;
 use crate::overlap::pair::region::Region;
-use crate::overlap::pair::sides::FacetSide;
 
 /// The facets of two sides in their common region, and how they stand to the other side.
 pub(crate) struct NearFacets<const D: usize> {

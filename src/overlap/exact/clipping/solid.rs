@@ -4,10 +4,10 @@ use super::cell_simplices::for_each_simplex;
 use super::cell_walk::{CellWalk, Slab};
 use super::near_facets::Facets;
 use super::simplex::Simplex;
+use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::tree::Tree;
-use crate::overlap::pair::sides::FacetSide;
 
 /// A body as simplices that can be found by place.
 pub(crate) enum Solid<'a, const D: usize> {
@@ -48,8 +48,9 @@ impl<const D: usize> Solid<'_, D> {
     pub(crate) fn from_facets(side: &FacetSide<D>, region: &Aabb<D>, tolerance: f64) -> Self {
         let (mut simplices, mut origins) = (Vec::new(), Vec::new());
         let middle = side.aabb.center();
-        for facet in 0..side.facets.len() {
-            let x = side.corners(facet);
+        let point = Aabb { min: middle, max: middle };
+        for facet in side.facets_where(|aabb| aabb.union(&point).meets(region)) {
+            let x = side.corners(facet as usize);
             let mut corners = [middle; 4];
             corners[..D].copy_from_slice(&x);
             // ProjectedFacet from inside the facet's corners run clockwise: in 3D they make a negative volume with the middle.
@@ -67,7 +68,7 @@ impl<const D: usize> Solid<'_, D> {
             // Opposite to the last corner, the middle, lies the facet.
             if let Some(simplex) = Simplex::new(&corners, 1 << D, false) {
                 simplices.push(simplex);
-                origins.push(facet as u32);
+                origins.push(facet);
             }
         }
         Self::new(simplices, origins)

@@ -15,14 +15,16 @@ use super::near_facets::{Facets, NearFacets};
 use super::solid::Solid;
 use super::winding::windings;
 use crate::Error;
+use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
+use crate::geometry::plane::Plane;
 use crate::geometry::{Pose, Shape, Vector};
 use crate::overlap::pair::assembly::Assembly;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::common_region;
-use crate::overlap::pair::sides::{Counterpart, FacetSide, ImplicitSide, Pair};
+use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
 use crate::overlap::pair::warning::swallowed;
 use rayon::prelude::*;
 
@@ -32,7 +34,6 @@ const CHUNK: usize = 16;
 /// A pair that is to be clipped.
 pub(crate) struct ExactPair<'a, const D: usize> {
     pub(crate) pair: &'a Pair<'a, D>,
-    pub(crate) coords: &'a [[f64; D]],
 }
 
 /// What was clipped.
@@ -41,7 +42,7 @@ pub(crate) struct Found<'a, const D: usize> {
     pub(crate) sides: Vec<(&'a FacetSide<'a, D>, Vec<Clipped<D>>, Option<&'a Pose<D>>)>,
     pub(crate) region: Aabb<D>,
     /// Normal and a point of the plane of a half-space.
-    plane: Option<(Vector<D>, Vector<D>)>,
+    pub(crate) plane: Option<(Vector<D>, Vector<D>)>,
 }
 
 impl<const D: usize> ExactPair<'_, D> {
@@ -57,7 +58,7 @@ impl<const D: usize> ExactPair<'_, D> {
             Counterpart::Itself => {
                 let tolerance = a.aabb.rounding();
                 let solid = match (&self.pair.surface.cells, self.pair.partners[0]) {
-                    (Some(cells), Partner::Body(body)) => Solid::from_cells(cells, body, self.coords),
+                    (Some(cells), Partner::Body(body)) => Solid::from_cells(cells, body, self.pair.coords),
                     _ => Solid::from_facets(a, &a.aabb.inflated(tolerance), tolerance),
                 };
                 let facets: Vec<u32> = (0..a.facets.len() as u32).collect();
@@ -82,7 +83,10 @@ impl<const D: usize> ExactPair<'_, D> {
                 let origin = Vector::from(pose.position);
                 let tolerance = a.aabb.rounding();
                 let mut clipper = Clipper::default();
-                let shares: Vec<Clipped<D>> = (0..a.facets.len() as u32)
+                let heights = Plane { point: origin, normal };
+                let below = a.facets_where(|aabb| heights.least(aabb) <= tolerance);
+                let shares: Vec<Clipped<D>> = below
+                    .into_iter()
                     .filter_map(|facet| clipper.below(facet, &a.corners(facet as usize), &normal, &origin, tolerance))
                     .collect();
                 Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: Some((normal, origin)) }))
@@ -113,7 +117,7 @@ impl<const D: usize> ExactPair<'_, D> {
             let solid = match (&self.pair.surface.cells, self.pair.partners[which]) {
                 (Some(cells), Partner::Body(body)) => {
                     let facet_cell = &self.pair.surface.facet_cell[self.pair.surface.ranges[body].clone()];
-                    Solid::Cells { cells, coords: self.coords, facets: other_facets, facet_cell }
+                    Solid::Cells { cells, coords: self.pair.coords, facets: other_facets, facet_cell }
                 }
                 _ => {
                     let boxes = facets.boxes.iter().zip(&facets.is_near).filter(|f| *f.1);
@@ -192,13 +196,13 @@ impl<const D: usize> ExactPair<'_, D> {
         if let Some((normal, on_plane)) = plane {
             origin -= normal * normal.dot(&(origin - on_plane));
         }
-        let mut assembly = Assembly::new(self.pair.a.views.points.len());
+        let mut assembly = Assembly::new();
         let mut volume = 0.0;
         for (side, shares, pose) in sides {
             volume += self.add(&mut assembly, side, shares, *pose, &origin);
         }
         if let Some((normal, _)) = plane {
-            assembly.add_reaction(normal, &self.pair.a.views.points);
+            assembly.add_reaction(normal, self.pair.a.points);
         }
         self.finish(assembly, volume / D as f64)
     }

@@ -6,7 +6,7 @@
 //! M_a ∂A/∂x_b,        M_a = ∫ N_a over the region, the whole facet having measure 1
 //! ```
 //!
-//! and along the curve C in which f of one side meets g of the other at the angle θ the region's rim moves:
+//! and along the curve C in which f of one side meets g of the other at the angle θ the region's border moves:
 //!
 //! ```text
 //! δ(∂V/∂x_a)|_C = ∫_C N_a n_f [n_g·(δx_g − δx_f) / sin θ] dl
@@ -16,179 +16,177 @@
 //! against itself, nor for bodies that are folded.
 
 use super::clipper::Clipped;
-use super::volume::ExactPair;
+use super::volume::{ExactPair, Found};
 use crate::Error;
-use crate::geometry::aabb::Aabb;
+use crate::configuration::FacetSide;
+use crate::geometry::Vector;
 use crate::geometry::convex_piece::{whole, zeros};
 use crate::geometry::facet::area_vector;
-use crate::geometry::tree::Tree;
-use crate::geometry::{Shape, Vector};
-use crate::overlap::pair::sides::{Counterpart, FacetSide, ImplicitSide};
-use crate::overlap::points::hessian::{Block, merged, nodes_of};
-
-/// What moves a point: nodes with weights.
-type Weights = Vec<(u32, f64)>;
+use crate::geometry::plane::Plane;
+use crate::overlap::pair::sides::Counterpart;
+use crate::overlap::points::block_sum::{Block, BlockSum, product};
+use crate::overlap::points::end_motion::nodes_of;
+use rayon::prelude::*;
 
 /// Below this sine of the angle between two facets they do not cross in a curve.
 const PARALLEL: f64 = 1e-12;
+
+/// Facets that a thread takes at once. Fixed, so that sums do not depend on the number of threads.
+const CHUNK: usize = 256;
+
+/// What moves a point: nodes, each with the corner it belongs to and its part of that corner.
+type Movers = Vec<(u32, usize, f64)>;
 
 impl<const D: usize> ExactPair<'_, D> {
     /// Hessian of the overlap volume, as blocks sorted by row and column; the translation of the pair's obstacle has the
     /// number `obstacle_node`.
     pub(crate) fn hessian(&self, obstacle_node: u32) -> Result<Vec<Block<D>>, Error> {
-        let mut blocks = Vec::new();
-        let Some(found) = self.clipped()? else { return Ok(blocks) };
-        let Some((a, shares_a, _)) = found.sides.first() else { return Ok(blocks) };
-        self.turn(a, shares_a, false, obstacle_node, &mut blocks);
-        match &self.pair.counterpart {
-            Counterpart::Facets(b) => {
-                if let Some((_, shares_b, _)) = found.sides.get(1) {
-                    self.turn(b, shares_b, true, obstacle_node, &mut blocks);
-                }
-                self.cross(a, b, &found.region, obstacle_node, &mut blocks);
-            }
-            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
-                let mut up = Vector::zeros();
-                up[D - 1] = 1.0;
-                let (normal, origin) = (pose.rotate(&up), Vector::from(pose.position));
-                for facet in 0..a.facets.len() as u32 {
-                    let corners = a.corners(facet as usize);
-                    let Some(n) = area_vector(&corners).try_normalize(0.0) else { continue };
-                    let ends = zeros(&whole::<D>(), &corners.map(|x| normal.dot(&(x - origin))));
-                    self.silhouette(&ends, &corners, [n, normal], &mut blocks, |w| {
-                        [self.weights(a, facet, false, w, obstacle_node), vec![(obstacle_node, 1.0)]]
-                    });
-                }
-            }
-            _ => return Err(Error::Unsupported { what: "the tangent of the exact volume of a body with itself" }),
+        if self.pair.is_own() {
+            return Err(Error::Unsupported { what: "the tangent of the exact volume of a body with itself" });
         }
-        Ok(merged(blocks))
+        let Some(Found { sides, plane, region }) = self.clipped()? else { return Ok(Vec::new()) };
+        let mut sum = BlockSum::default();
+        for (side, shares, _) in &sides {
+            let parts = self.in_chunks(shares, |share, sum| self.normal_variation(side, share, sum));
+            parts.into_iter().for_each(|part| sum.add_sum(part));
+        }
+        let a = &self.pair.a;
+        let parts = match (&self.pair.counterpart, plane) {
+            (Counterpart::Facets(b), _) => self.in_chunks(&a.facets_in(&region), |&facet, sum| {
+                self.add_crossings(b, facet, obstacle_node, sum);
+            }),
+            (_, Some((normal, point))) => {
+                let plane = Plane { point, normal };
+                let met = a.facets_where(|aabb| plane.least(aabb) <= 0.0);
+                self.in_chunks(&met, |&facet, sum| self.add_crossing_with(&plane, facet, obstacle_node, sum))
+            }
+            _ => Vec::new(),
+        };
+        parts.into_iter().for_each(|part| sum.add_sum(part));
+        Ok(sum.into_blocks())
     }
 
-    /// Nodes of a facet with the weights of a point at barycentric coordinates `w`.
-    fn weights(&self, side: &FacetSide<D>, facet: u32, of_b: bool, w: &[f64; D], obstacle_node: u32) -> Weights {
-        if of_b && self.pair.pose.is_some() {
-            return vec![(obstacle_node, 1.0)];
+    /// Sums over chunks of some items, in their order.
+    fn in_chunks<T: Sync>(&self, items: &[T], add: impl Fn(&T, &mut BlockSum<D>) + Sync) -> Vec<BlockSum<D>> {
+        let of_chunk = |items: &[T]| {
+            let mut sum = BlockSum::default();
+            items.iter().for_each(|item| add(item, &mut sum));
+            sum
+        };
+        if self.pair.parallel {
+            items.par_chunks(CHUNK).map(of_chunk).collect()
+        } else {
+            items.chunks(CHUNK).map(of_chunk).collect()
         }
-        let mut weights = Vec::with_capacity(4);
-        for (&vertex, &w) in side.facets[facet as usize].iter().zip(w) {
-            nodes_of(self.pair.surface, vertex, |node, part| weights.push((node, part * w)));
-        }
-        weights
     }
 
-    /// Derivative of the area vectors. On an obstacle they do not change with its place.
-    fn turn(
-        &self,
-        side: &FacetSide<D>,
-        shares: &[Clipped<D>],
-        of_b: bool,
-        obstacle_node: u32,
-        blocks: &mut Vec<Block<D>>,
-    ) {
+    /// Nodes that move a facet, by corner; an obstacle moves as a whole, as if it had one corner.
+    fn movers(&self, side: &FacetSide<D>, facet: u32, of_b: bool, obstacle_node: u32) -> Movers {
         if of_b && self.pair.pose.is_some() {
+            return vec![(obstacle_node, D, 1.0)];
+        }
+        let mut movers = Vec::with_capacity(4 * D);
+        for (corner, &vertex) in side.facets[facet as usize].iter().enumerate() {
+            nodes_of(self.pair.surface, vertex, |node, part| movers.push((node, corner, part)));
+        }
+        movers
+    }
+
+    /// Derivative of a facet's area vector. On an obstacle it does not change with its place.
+    fn normal_variation(&self, side: &FacetSide<D>, Clipped { share, .. }: &Clipped<D>, sum: &mut BlockSum<D>) {
+        let corners = side.corners(share.facet as usize);
+        let measure = area_vector(&corners).norm();
+        if measure == 0.0 || share.of_b && self.pair.pose.is_some() {
             return;
         }
-        for Clipped { share, .. } in shares {
-            let corners = side.corners(share.facet as usize);
-            let measure = area_vector(&corners).norm();
-            if measure == 0.0 {
-                continue;
-            }
-            let moments = share.shares.map(|s| s / measure);
-            let unit = |a: usize| std::array::from_fn(|k| f64::from(u8::from(k == a)));
-            let of_corner: Vec<Weights> =
-                (0..D).map(|a| self.weights(side, share.facet, of_b, &unit(a), obstacle_node)).collect();
-            for b in 0..D {
-                let change = area_change(&corners, b);
-                for (a, moment) in moments.iter().enumerate() {
-                    for &(row, p) in &of_corner[a] {
-                        for &(col, q) in &of_corner[b] {
-                            let value = change.map(|r| r.map(|x| x * moment * p * q));
-                            blocks.push(Block { row, col, value });
-                        }
-                    }
-                }
+        let moments = share.shares.map(|s| s / measure);
+        let changes: [[[f64; D]; D]; D] = std::array::from_fn(|b| area_change(&corners, b));
+        let movers = self.movers(side, share.facet, share.of_b, 0);
+        for &(row, a, p) in &movers {
+            for &(col, b, q) in &movers {
+                sum.add(row, col, &changes[b].map(|r| r.map(|x| x * (moments[a] * p * q))));
             }
         }
     }
 
-    /// Curves in which facets of both sides cross.
-    fn cross(
-        &self,
-        a: &FacetSide<D>,
-        b: &FacetSide<D>,
-        region: &Aabb<D>,
-        obstacle_node: u32,
-        blocks: &mut Vec<Block<D>>,
-    ) {
-        let of_b = b.facets_in(region);
-        let boxes: Vec<Aabb<D>> = of_b.iter().map(|&g| b.facet_box(g as usize)).collect();
-        let tree = Tree::new(&boxes);
-        for facet in a.facets_in(region) {
-            let corners = a.corners(facet as usize);
-            let Some(n) = area_vector(&corners).try_normalize(0.0) else { continue };
-            let aabb = a.facet_box(facet as usize);
-            let mut near = Vec::new();
-            tree.visit(|b| b.meets(&aabb), |g| near.push(g));
-            near.sort_unstable();
-            for g in near {
-                if !boxes[g as usize].meets(&aabb) {
-                    continue;
-                }
-                let other = b.corners(of_b[g as usize] as usize);
-                let Some(m) = area_vector(&other).try_normalize(0.0) else { continue };
-                let ends = zeros(&whole::<D>(), &corners.map(|x| m.dot(&(x - other[0]))));
-                let ends = within(&ends, &corners, &other, &m);
-                self.silhouette(&ends, &corners, [n, m], blocks, |w| {
-                    let point = (0..D).fold(Vector::zeros(), |sum, k| sum + corners[k] * w[k]);
-                    let on_other = barycentric(&other, &m, &point);
-                    [
-                        self.weights(a, facet, false, w, obstacle_node),
-                        self.weights(b, of_b[g as usize], true, &on_other, obstacle_node),
-                    ]
-                });
-            }
-        }
-    }
-
-    /// ∫ along the curve between `ends`, barycentric on the first of two facets with normals n: both facets' parts.
-    fn silhouette(
-        &self,
-        ends: &[[f64; D]],
-        corners: &[Vector<D>; D],
-        [n, m]: [Vector<D>; 2],
-        blocks: &mut Vec<Block<D>>,
-        weights: impl Fn(&[f64; D]) -> [Weights; 2],
-    ) {
-        let (Some(first), Some(last)) = (ends.first(), ends.last()) else { return };
-        let sine = (1.0 - n.dot(&m).powi(2)).max(0.0).sqrt();
-        if sine < PARALLEL {
-            return;
-        }
-        let place = |w: &[f64; D]| (0..D).fold(Vector::zeros(), |sum, k| sum + corners[k] * w[k]);
-        let length = if D == 2 { 1.0 } else { (place(last) - place(first)).norm() };
-        let offset = if D == 2 { 0.0 } else { 0.5 / 3f64.sqrt() };
-        for s in [0.5 - offset, 0.5 + offset] {
-            let w = std::array::from_fn(|k| first[k] + s * (last[k] - first[k]));
-            let [of_f, of_g] = weights(&w);
-            let factor = 0.5 * length / sine;
-            // δ(∂V/∂x of f) = N n [m·(δg − δf)], and that of g with n and m exchanged.
-            let mut add = |rows: &Weights, cols: &Weights, p: &Vector<D>, q: &Vector<D>, sign: f64| {
-                for &(row, x) in rows {
-                    for &(col, y) in cols {
-                        let value =
-                            std::array::from_fn(|i| std::array::from_fn(|j| sign * factor * x * y * p[i] * q[j]));
-                        blocks.push(Block { row, col, value });
-                    }
-                }
+    /// Curves in which a facet of the first side crosses facets of the second.
+    fn add_crossings(&self, b: &FacetSide<D>, facet: u32, obstacle_node: u32, sum: &mut BlockSum<D>) {
+        let a = &self.pair.a;
+        let corners = a.corners(facet as usize);
+        let Some(n) = area_vector(&corners).try_normalize(0.0) else { return };
+        let of_f = self.movers(a, facet, false, obstacle_node);
+        for g in b.facets_in(&a.facet_box(facet as usize)) {
+            let other = b.corners(g as usize);
+            let Some(m) = area_vector(&other).try_normalize(0.0) else { continue };
+            let ends = zeros(&whole::<D>(), &corners.map(|x| m.dot(&(x - other[0]))));
+            let ends = within(&ends, &corners, &other, &m);
+            let on_other = |w: &[f64; D]| {
+                let point = (0..D).fold(Vector::zeros(), |sum, k| sum + corners[k] * w[k]);
+                barycentric(&other, &m, &point)
             };
-            add(&of_f, &of_g, &n, &m, 1.0);
-            add(&of_f, &of_f, &n, &m, -1.0);
-            add(&of_g, &of_f, &m, &n, 1.0);
-            add(&of_g, &of_g, &m, &n, -1.0);
+            let of_g = self.movers(b, g, true, obstacle_node);
+            add_curve(&ends, &corners, [n, m], [&of_f, &of_g], on_other, sum);
         }
     }
+
+    /// The curve in which a facet crosses the plane of a half-space.
+    fn add_crossing_with(&self, plane: &Plane<D>, facet: u32, obstacle_node: u32, sum: &mut BlockSum<D>) {
+        let corners = self.pair.a.corners(facet as usize);
+        let Some(n) = area_vector(&corners).try_normalize(0.0) else { return };
+        let ends = zeros(&whole::<D>(), &corners.map(|x| plane.height(&x)));
+        let of_f = self.movers(&self.pair.a, facet, false, obstacle_node);
+        add_curve(&ends, &corners, [n, plane.normal], [&of_f, &vec![(obstacle_node, D, 1.0)]], |_| [0.0; D], sum);
+    }
+}
+
+/// ∫ along the curve between `ends`, barycentric on the first of two facets with normals n: both facets' parts.
+/// `on_other` gives the barycentric coordinates on the second.
+fn add_curve<const D: usize>(
+    ends: &[[f64; D]],
+    corners: &[Vector<D>; D],
+    [n, m]: [Vector<D>; 2],
+    [of_f, of_g]: [&Movers; 2],
+    on_other: impl Fn(&[f64; D]) -> [f64; D],
+    sum: &mut BlockSum<D>,
+) {
+    let (Some(first), Some(last)) = (ends.first(), ends.last()) else { return };
+    let sine = (1.0 - n.dot(&m).powi(2)).max(0.0).sqrt();
+    if sine < PARALLEL {
+        return;
+    }
+    let place = |w: &[f64; D]| (0..D).fold(Vector::zeros(), |sum, k| sum + corners[k] * w[k]);
+    let length = if D == 2 { 1.0 } else { (place(last) - place(first)).norm() };
+    let offset = if D == 2 { 0.0 } else { 0.5 / 3f64.sqrt() };
+    let factor = 0.5 * length / sine;
+    // What moves with corner D moves as a whole.
+    let weight = |w: &[f64; D], corner: usize, part: f64| if corner == D { part } else { w[corner] * part };
+    let nodes: Vec<u32> = of_f.iter().chain(of_g).map(|mover| mover.0).collect();
+    let (count, of_first) = (nodes.len(), of_f.len());
+    let mut products = vec![0.0; count * count];
+    let mut weights = vec![0.0; count];
+    for s in [0.5 - offset, 0.5 + offset] {
+        let w = std::array::from_fn(|k| first[k] + s * (last[k] - first[k]));
+        let v = on_other(&w);
+        for (k, &(_, corner, part)) in of_f.iter().chain(of_g).enumerate() {
+            weights[k] = weight(if k < of_first { &w } else { &v }, corner, part);
+        }
+        for (row, p) in weights.iter().enumerate() {
+            for (product, q) in products[row * count..].iter_mut().zip(&weights) {
+                *product += factor * p * q;
+            }
+        }
+    }
+    // δ(∂V/∂x of f) = N n [m·(δg − δf)], and that of g with n and m exchanged.
+    let (of_n, of_m) = (product(1.0, &n, &m), product(1.0, &m, &n));
+    let values: Vec<[[f64; D]; D]> = (0..count * count)
+        .map(|k| {
+            let (row, col) = (k / count, k % count);
+            let base = if row < of_first { &of_n } else { &of_m };
+            let sign = if (row < of_first) == (col < of_first) { -1.0 } else { 1.0 };
+            base.map(|r| r.map(|x| sign * products[k] * x))
+        })
+        .collect();
+    sum.add_square(&nodes, &values);
 }
 
 /// ∂A/∂x_b of the area vector.

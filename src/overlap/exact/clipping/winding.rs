@@ -5,10 +5,10 @@
 //! region in which the two bodies can overlap, they are outside.
 
 use super::near_facets::Facets;
+use crate::configuration::FacetSide;
+use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::components::Components;
-use crate::geometry::{Vector, winding_numbers};
-use crate::overlap::pair::sides::FacetSide;
 
 /// What is known of facets that hang together.
 #[derive(Clone, Copy)]
@@ -59,6 +59,6 @@ pub(crate) fn windings<const D: usize>(
             *cover
         })
         .collect();
-    let counts = winding_numbers(other.facets, &other.views.points, &points);
+    let counts: Vec<i32> = points.iter().map(|x| other.winding_number(x)).collect();
     group.iter().map(|cover| if let Cover::Asked(point) = cover { counts[*point] } else { 0 }).collect()
 }

@@ -17,6 +17,7 @@ use crate::geometry::{Shape, Vector};
 use crate::overlap::exact::clipping::volume::ExactPair;
 use crate::overlap::exact::projection::edges::Edge;
 use crate::overlap::exact::projection::projected_facets::end;
+use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide};
 use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::patches::partition::Patches;
@@ -31,16 +32,18 @@ const EDGE_ON: f64 = 1e-9;
 
 impl<const D: usize> ExactPair<'_, D> {
     /// All spans along the directions of `patches`, and, if asked for, the creases that their tangent needs.
-    pub(crate) fn spans(&self, patches: &Patches<D>, kinks: bool) -> Result<Option<ContactPoints<D>>, Error> {
-        let mut spans = ContactPoints { patches: patches.clone(), ..ContactPoints::default() };
+    pub(crate) fn contact_points(&self, patches: &Patches<D>, kinks: bool) -> Result<Option<ContactPoints<D>>, Error> {
+        let mut points = ContactPoints { patches: patches.clone(), ..ContactPoints::default() };
         let fine = patches.are_blended();
+        let Some(Region { aabb, facets }) = self.pair.region()? else { return Ok(None) };
+        let rounding = aabb.rounding();
         for (direction, d) in patches.directions.iter().enumerate() {
             let family = Family::along(*d, 0, 0);
             let mut add = |mut span: ContactPoint<D>| {
                 span.weight *= patches.part(direction, &span.ends).value;
                 span.direction = direction as u32;
                 if span.weight > 0.0 && span.length > 0.0 {
-                    spans.spans.push(span);
+                    points.points.push(span);
                 }
             };
             let plane = match &self.pair.counterpart {
@@ -52,33 +55,31 @@ impl<const D: usize> ExactPair<'_, D> {
                     return Err(Error::Unsupported { what });
                 }
             };
-            let mut seen = self.seen(&family, false, plane.as_ref());
-            if matches!(self.pair.counterpart, Counterpart::Facets(_)) {
-                seen.extend(self.seen(&family, true, None));
-            }
+            let mut seen = self.seen(&family, false, &facets[0], plane.as_ref(), rounding);
+            seen.extend(self.seen(&family, true, &facets[1], None, rounding));
             let seen = Projection::new(seen);
             if let Some(plane) = &plane {
-                self.spans_on_plane(&seen, &family, plane, fine, &mut add);
+                self.points_on_plane(&seen, &family, plane, fine, &mut add);
             }
-            self.spans_between(&seen, fine, &mut add);
+            self.points_between(&seen, fine, &mut add);
             let edges = self.edge_sides(&seen);
             self.visit_silhouettes(&seen, &edges, &family, plane.as_ref(), |mut silhouette| {
                 for span in &mut silhouette.spans {
                     span.weight *= patches.part(direction, &span.ends).value;
                     span.direction = direction as u32;
                 }
-                spans.silhouettes.push(silhouette);
+                points.silhouettes.push(silhouette);
             });
             if kinks {
                 let count = |mut kink: GapKink<D>, ends: &[SurfacePoint<D>; 2], edge: Option<&Edge<D>>| {
                     kink.factor *= patches.part(direction, ends).value;
                     kink.blend = edge.map_or(0.0, |edge| self.jump_of_part(patches, direction, ends, edge));
-                    spans.kinks.push(kink);
+                    points.kinks.push(kink);
                 };
                 self.visit_kinks(&seen, &edges, &family, plane.as_ref(), count);
             }
         }
-        Ok(Some(spans))
+        Ok(Some(points))
     }
 
     /// Jump, across an edge at the first end of a span, of the slope of the part that counts for a direction.
@@ -96,17 +97,16 @@ impl<const D: usize> ExactPair<'_, D> {
         before - behind
     }
 
-    /// Facets of one side that the other side's box, or the half-space, reaches; those seen edge-on are left out: no line
-    /// crosses them.
-    fn seen(&self, family: &Family<D>, of_b: bool, plane: Option<&Plane<D>>) -> Vec<ProjectedFacet<D>> {
+    /// Facets of one side in the region of contact; those seen edge-on are left out: no line crosses them.
+    fn seen(
+        &self,
+        family: &Family<D>,
+        of_b: bool,
+        facets: &[u32],
+        plane: Option<&Plane<D>>,
+        rounding: f64,
+    ) -> Vec<ProjectedFacet<D>> {
         let side = self.pair.side(of_b);
-        let other = match &self.pair.counterpart {
-            Counterpart::Facets(_) => self.pair.side(!of_b).aabb,
-            _ => side.aabb,
-        };
-        let region = side.aabb.intersection(&other);
-        let region = region.inflated(region.rounding());
-        let rounding = region.rounding();
         let see = |facet: u32| {
             if plane.is_some_and(|p| side.corners(facet as usize).iter().all(|x| p.height(x) > rounding)) {
                 return None;
@@ -117,10 +117,10 @@ impl<const D: usize> ExactPair<'_, D> {
             let seen = ProjectedFacet { of_b, facet, corners, leaves: slope > 0.0 };
             (seen.projected_area() > EDGE_ON * area.norm()).then_some(seen)
         };
-        side.facets_in(&region).into_iter().filter_map(see).collect()
+        facets.iter().copied().filter_map(see).collect()
     }
 
-    fn spans_between(&self, seen: &Projection<D>, fine: bool, add: &mut impl FnMut(ContactPoint<D>)) {
+    fn points_between(&self, seen: &Projection<D>, fine: bool, add: &mut impl FnMut(ContactPoint<D>)) {
         for (entered, e) in seen.facets.iter().enumerate().filter(|(_, s)| !s.leaves) {
             for left in seen.near(&seen.boxes[entered]) {
                 let x = &seen.facets[left as usize];
@@ -157,7 +157,7 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 
-    fn spans_on_plane(
+    fn points_on_plane(
         &self,
         seen: &Projection<D>,
         family: &Family<D>,

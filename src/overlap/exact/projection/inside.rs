@@ -1,11 +1,12 @@
 //! Whether the line between two facets is inside both sides.
 
 use super::projected_facets::{ProjectedFacet, Projection, flat};
+use crate::configuration::FacetSide;
+use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::plane::Plane;
-use crate::geometry::{Vector, winding_number};
 use crate::overlap::exact::clipping::volume::ExactPair;
-use crate::overlap::pair::sides::{Counterpart, FacetSide};
+use crate::overlap::pair::sides::Counterpart;
 
 impl<const D: usize> ExactPair<'_, D> {
     /// Whether a line is inside both sides between two facets with nothing between, through one of which it enters and
@@ -28,7 +29,7 @@ impl<const D: usize> ExactPair<'_, D> {
             (0..D).fold(Vector::zeros(), |sum, a| sum + corners[a] * w[a])
         });
         let middle = (p + q) * 0.5;
-        let covering = |side: &FacetSide<D>| winding_number(side.facets, &side.views.points, &middle);
+        let covering = |side: &FacetSide<D>| side.winding_number(&middle);
         match &self.pair.counterpart {
             Counterpart::Itself => covering(&self.pair.a) > 1,
             Counterpart::Facets(_) if is_one_side => covering(self.pair.side(!e.of_b)) > 0,

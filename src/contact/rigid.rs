@@ -1,7 +1,17 @@
 //! Obstacles in the form in which the estimators take them.
 
 use crate::Error;
+use crate::configuration::{FacetSide, FacetTree};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::plane::Plane;
 use crate::geometry::{Bodies, Obstacle, Pose, Shape, Surface, Vector};
+
+/// Facets of an obstacle where it stands.
+pub(crate) struct Placed<const D: usize> {
+    points: Vec<Vector<D>>,
+    tree: FacetTree<D>,
+    pose: Pose<D>,
+}
 
 /// An obstacle whose values have been checked.
 pub(crate) struct Rigid<const D: usize> {
@@ -40,13 +50,44 @@ impl<const D: usize> Rigid<D> {
         Ok(Self { obstacle, facets })
     }
 
-    /// Facets and placed corners, where the estimator is to see this obstacle as facets.
-    pub(crate) fn placed_facets(&self, exact: bool) -> Option<(&[[u32; D]], Vec<Vector<D>>)> {
-        let (surface, points) = self.facets.as_ref()?;
-        if matches!(self.obstacle.shape, Shape::Cuboid { .. }) && !exact {
-            return None;
+    /// Brings the facets of this obstacle, where the estimator is to see it so, to where it stands.
+    pub(crate) fn place(&self, prefers_facets: bool, placed: &mut Option<Placed<D>>) {
+        let is_optional = matches!(self.obstacle.shape, Shape::Cuboid { .. });
+        let Some((surface, points)) = self.facets.as_ref().filter(|_| prefers_facets || !is_optional) else {
+            *placed = None;
+            return;
+        };
+        let pose = self.obstacle.pose;
+        if placed.as_ref().is_some_and(|placed| placed.pose == pose) {
+            return;
         }
-        Some((&surface.facets, points.iter().map(|x| self.obstacle.pose.place(x)).collect()))
+        let points: Vec<Vector<D>> = points.iter().map(|x| pose.place(x)).collect();
+        match placed {
+            Some(placed) => {
+                placed.tree.update(&surface.facets, &points, false);
+                (placed.points, placed.pose) = (points, pose);
+            }
+            None => *placed = Some(Placed { tree: FacetTree::new(&surface.facets, &points), points, pose }),
+        }
+    }
+
+    /// The obstacle as a side of a pair.
+    pub(crate) fn side<'a>(&'a self, placed: &'a Placed<D>) -> FacetSide<'a, D> {
+        let facets: &[[u32; D]] = self.facets.as_ref().map_or(&[], |(surface, _)| &surface.facets);
+        FacetSide { facets, points: &placed.points, tree: &placed.tree, aabb: placed.tree.aabb(), is_upright: false }
+    }
+
+    /// Whether it may reach into a box, as far as boxes tell.
+    pub(crate) fn may_meet(&self, placed: Option<&Placed<D>>, aabb: &Aabb<D>) -> bool {
+        match (placed, &self.obstacle.shape) {
+            (Some(placed), _) => placed.tree.aabb().meets(aabb),
+            (None, Shape::HalfSpace) => Plane::of(&self.obstacle.pose).least(aabb) <= aabb.rounding(),
+            (None, shape) => shape.bounding_radius().is_none_or(|radius| {
+                let reach = radius * self.obstacle.pose.scale;
+                let center = Vector::from(self.obstacle.pose.position);
+                Aabb { min: center, max: center }.inflated(reach).meets(aabb)
+            }),
+        }
     }
 }
 

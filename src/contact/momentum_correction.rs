@@ -20,17 +20,12 @@ struct Carrier<const D: usize> {
     of_b: bool,
 }
 
-/// What rounding leaves of ΣF and ΣM in exact overlaps, in parts of Σ|F| and of Σ|F| times the size of the contact. Sums
-/// over some thousand nodes stay below 1e-14. Where facets are parallel within rounding, the curves in which they cross
-/// are found differently from either side, and much more can be left.
-pub(crate) const ROUNDING: f64 = 1e-13;
-
 /// Corrects the gradient of one pair, on nodes at `coords` and on the pose of an obstacle. `of_b` tells the side of every
 /// node. What is balanced up to `tolerance` is left as it is.
 ///
 /// An obstacle takes part as one more node at the point where its resultant acts. A mode that no node resists (turning
 /// about the line through all of them) is left as it is.
-pub(crate) fn balance<const D: usize>(
+pub(crate) fn correct<const D: usize>(
     nodes: &[u32],
     of_b: &[bool],
     gradient: &mut [Vector<D>],

@@ -1,7 +1,7 @@
 //! Energy of one pair and its gradient, whichever law it follows.
 
 use super::EnergyLaw;
-use super::balance::balance;
+use crate::contact::momentum_correction::correct;
 use crate::geometry::Vector;
 use crate::overlap::{ContactPoints, Overlap, Pair, PoseGradient};
 
@@ -36,28 +36,27 @@ impl<const D: usize> PairEnergy<D> {
         }
     }
 
-    /// Σ ω ψ(L), with forces that balance if `balanced`.
-    pub(crate) fn of_spans(
-        spans: &ContactPoints<D>,
+    /// Σ ω ψ(L); with a `correction`, an imbalance of the forces beyond it is put right.
+    pub(crate) fn of_points(
+        points: &ContactPoints<D>,
         pair: &Pair<D>,
         law: &EnergyLaw,
-        balanced: bool,
-        coords: &[[f64; D]],
+        correction: Option<f64>,
     ) -> Self {
         let slope = |length: f64| law.energy_gradient(length);
-        let mut gradient = spans.gradient(pair, |length| law.energy(length), slope);
-        if balanced {
-            balance(&gradient.nodes, &gradient.of_b, &mut gradient.values, &mut gradient.pose, coords, 0.0);
+        let (mut gradient, overlap) = points.gradient_and_overlap(pair, |length| law.energy(length), slope);
+        if let Some(tolerance) = correction {
+            correct(&gradient.nodes, &gradient.of_b, &mut gradient.values, &mut gradient.pose, pair.coords, tolerance);
         }
-        let across = spans.sum(|_| 1.0);
+        let across = points.sum(|_| 1.0);
         Self {
-            overlap: spans.overlap(pair),
-            energy: spans.sum(|length| law.energy(length)),
-            pressure: if across > 0.0 { spans.sum(slope) / across } else { 0.0 },
+            energy: points.sum(|length| law.energy(length)),
+            pressure: if across > 0.0 { points.sum(slope) / across } else { 0.0 },
             nodes: gradient.nodes,
             gradient: gradient.values,
             of_b: gradient.of_b,
             pose_gradient: gradient.pose,
+            overlap,
         }
     }
 }

@@ -1,0 +1,15 @@
+//! The bodies of a mesh at given coordinates: where their facets are, to be found by place, and what was checked.
+//!
+//! Topology of the search trees outlives an evaluation, boxes are refitted. No result depends on what was kept: whatever
+//! a tree finds is put into ascending order before it is used.
+
+mod bodies;
+mod cell_check;
+mod facet_side;
+mod facet_tree;
+mod self_contact;
+
+pub(crate) use bodies::Configuration;
+pub(crate) use cell_check::CellCheck;
+pub(crate) use facet_side::FacetSide;
+pub(crate) use facet_tree::FacetTree;

@@ -1,0 +1,106 @@
+//! All bodies of a mesh at given coordinates.
+
+use super::{CellCheck, FacetSide, FacetTree};
+use crate::Error;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::tree::Tree;
+use crate::geometry::{Surface, Vector};
+
+/// The bodies at one set of coordinates. It may be brought to others, for which it keeps the topology of its trees.
+pub(crate) struct Configuration<const D: usize> {
+    /// The coordinates, of all nodes.
+    coords: Vec<[f64; D]>,
+    /// Positions of the surface's vertices.
+    points: Vec<Vector<D>>,
+    /// Facets of every body.
+    trees: Vec<FacetTree<D>>,
+    cell_check: Option<CellCheck<D>>,
+    /// Whether no cell is inverted here.
+    is_checked: bool,
+}
+
+impl<const D: usize> Configuration<D> {
+    /// The bodies of `surface`, nowhere yet.
+    pub(crate) fn new() -> Self {
+        Self { coords: Vec::new(), points: Vec::new(), trees: Vec::new(), cell_check: None, is_checked: false }
+    }
+
+    /// Brings the bodies of `surface` (always the same) to `coords`; with `check_cells`, checks that no cell is inverted
+    /// there. Nothing is done where they are there already. Returns whether they have moved.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`].
+    pub(crate) fn update(
+        &mut self,
+        surface: &Surface<D>,
+        coords: &[[f64; D]],
+        check_cells: bool,
+        parallel: bool,
+    ) -> Result<bool, Error> {
+        let is_here = !self.trees.is_empty() && same_bits(&self.coords, coords);
+        if is_here && (self.is_checked || !check_cells) {
+            return Ok(false);
+        }
+        surface.check_coords(coords, check_cells)?;
+        if let (Some(cells), true) = (&surface.cells, check_cells) {
+            self.cell_check.get_or_insert_with(|| CellCheck::new(cells)).check(cells, coords, parallel)?;
+        }
+        self.is_checked = check_cells && surface.cells.is_some();
+        if is_here {
+            return Ok(false);
+        }
+        self.coords.clear();
+        self.coords.extend_from_slice(coords);
+        surface.place(coords, &mut self.points);
+        let points = &self.points;
+        if self.trees.is_empty() {
+            self.trees = surface.ranges.iter().map(|r| FacetTree::new(&surface.facets[r.clone()], points)).collect();
+        } else {
+            for (tree, range) in self.trees.iter_mut().zip(&surface.ranges) {
+                tree.update(&surface.facets[range.clone()], points, parallel);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Coordinates of all nodes.
+    pub(crate) fn coords(&self) -> &[[f64; D]] {
+        &self.coords
+    }
+
+    /// One body.
+    pub(crate) fn body<'a>(&'a self, surface: &'a Surface<D>, body: usize) -> FacetSide<'a, D> {
+        let tree = &self.trees[body];
+        FacetSide {
+            facets: &surface.facets[surface.ranges[body].clone()],
+            points: &self.points,
+            tree,
+            aabb: tree.aabb(),
+            is_upright: self.is_checked,
+        }
+    }
+
+    /// Box of a body.
+    pub(crate) fn body_box(&self, body: usize) -> Aabb<D> {
+        self.trees[body].aabb()
+    }
+
+    /// Pairs (i, j) with i < j of bodies whose boxes meet, ascending.
+    pub(crate) fn meeting_bodies(&self) -> Vec<(usize, usize)> {
+        let boxes: Vec<Aabb<D>> = self.trees.iter().map(FacetTree::aabb).collect();
+        let tree = Tree::new(&boxes);
+        let mut pairs = Vec::new();
+        tree.visit_pairs(&tree, [&boxes, &boxes], |i, j| {
+            if i < j {
+                pairs.push((i as usize, j as usize));
+            }
+        });
+        pairs.sort_unstable();
+        pairs
+    }
+}
+
+/// Whether two sets of coordinates are the same number for number; what is no number equals nothing.
+fn same_bits<const D: usize>(a: &[[f64; D]], b: &[[f64; D]]) -> bool {
+    a.len() == b.len() && a.as_flattened().iter().zip(b.as_flattened()).all(|(x, y)| x.to_bits() == y.to_bits())
+}

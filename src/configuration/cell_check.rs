@@ -1,0 +1,152 @@
+//! Whether cells are inverted, told from how far their nodes have moved since they were last looked at.
+//!
+//! A simplex can only turn inside out by way of a position in which its corners lie in one plane, and then each of them has
+//! moved by at least half of the simplex's width, the least distance between two parallel planes with the simplex
+//! between them. In 3D the width is at least 6 V / ℓ², in 2D 2 A / ℓ, with ℓ the longest edge. So a group of cells whose
+//! nodes have all moved less than that, apart from a translation of the whole group, has not changed its orientation.
+//! Only the other groups are looked at cell by cell, and the answer is that of looking at every cell.
+
+use crate::Error;
+use crate::geometry::Vector;
+use crate::geometry::cells::Cells;
+use crate::geometry::facet::determinant;
+use crate::geometry::inverted::CHUNK;
+use rayon::prelude::*;
+
+/// Part of the width up to which movements are trusted, for rounding in the determinants.
+const TRUSTED: f64 = 0.9;
+
+/// Groups of cells, with the positions in which they were last looked at.
+#[derive(Default)]
+pub(crate) struct CellCheck<const D: usize> {
+    groups: Vec<Group<D>>,
+}
+
+struct Group<const D: usize> {
+    cells: std::ops::Range<usize>,
+    /// Its nodes, each once, and where they were.
+    nodes: Vec<u32>,
+    reference: Vec<[f64; D]>,
+    /// Least width of a corner's simplex of any of its cells; 0 before it was ever looked at.
+    width: f64,
+}
+
+impl<const D: usize> CellCheck<D> {
+    /// Nothing has been looked at yet.
+    pub(crate) fn new(cells: &Cells) -> Self {
+        let mut groups = Vec::new();
+        for range in cells.block_ranges() {
+            for start in range.clone().step_by(CHUNK) {
+                let cells_of = start..(start + CHUNK).min(range.end);
+                let mut nodes: Vec<u32> = cells_of.clone().flat_map(|cell| cells.nodes(cell)).copied().collect();
+                nodes.sort_unstable();
+                nodes.dedup();
+                nodes.shrink_to_fit();
+                groups.push(Group { cells: cells_of, nodes, reference: Vec::new(), width: 0.0 });
+            }
+        }
+        Self { groups }
+    }
+
+    /// Checks that no cell is inverted or without measure at `coords`; the lowest offending cell is named.
+    ///
+    /// # Errors
+    /// [`Error::InvertedCell`], [`Error::ZeroMeasure`].
+    pub(crate) fn check(&mut self, cells: &Cells, coords: &[[f64; D]], parallel: bool) -> Result<(), Error> {
+        let check = |group: &mut Group<D>| group.check(cells, coords);
+        if parallel {
+            // The lowest of several offending cells, whichever thread finds one first.
+            let failed: Vec<Error> = self.groups.par_iter_mut().filter_map(|group| check(group).err()).collect();
+            failed.into_iter().next().map_or(Ok(()), Err)
+        } else {
+            self.groups.iter_mut().try_for_each(check)
+        }
+    }
+}
+
+impl<const D: usize> Group<D> {
+    fn check(&mut self, cells: &Cells, coords: &[[f64; D]]) -> Result<(), Error> {
+        if self.width > 0.0 && 2.0 * self.moved(coords) < TRUSTED * self.width {
+            return Ok(());
+        }
+        cells.check_range(self.cells.clone(), coords)?;
+        self.reference.clear();
+        self.reference.extend(self.nodes.iter().map(|&n| coords[n as usize]));
+        self.width = self.cells.clone().map(|cell| width(cells, cell, coords)).fold(f64::INFINITY, f64::min);
+        Ok(())
+    }
+
+    /// Longest way of a node since then, apart from that of the first.
+    fn moved(&self, coords: &[[f64; D]]) -> f64 {
+        let way = |(&node, x): (&u32, &[f64; D])| Vector::<D>::from(coords[node as usize]) - Vector::from(*x);
+        let mut ways = self.nodes.iter().zip(&self.reference).map(way);
+        let Some(of_all) = ways.next() else { return 0.0 };
+        // A way that is no number makes the sum one that is not less than any width.
+        let most = ways.fold(0.0f64, |most, way| {
+            let squared = (way - of_all).norm_squared();
+            if squared > most || squared.is_nan() { squared } else { most }
+        });
+        most.sqrt()
+    }
+}
+
+/// Least width of the simplices at a cell's corners.
+fn width<const D: usize>(cells: &Cells, cell: usize, coords: &[[f64; D]]) -> f64 {
+    let nodes = cells.nodes(cell);
+    let x = |n: usize| Vector::<D>::from(coords[nodes[n] as usize]);
+    let mut least = f64::INFINITY;
+    for corner in cells.cell_type(cell).corners() {
+        let edges: [Vector<D>; D] = std::array::from_fn(|k| x(corner[k + 1]) - x(corner[0]));
+        let mut longest = 0.0f64;
+        for k in 0..D {
+            longest = longest.max(edges[k].norm_squared());
+            for other in &edges[..k] {
+                longest = longest.max((edges[k] - other).norm_squared());
+            }
+        }
+        let across = if D == 2 { longest.sqrt() } else { longest };
+        least = least.min(determinant(&edges).abs() / across);
+    }
+    least
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Bodies, CellBlock, CellType, Surface};
+    use fmc_shapes::{cuboid_hex8, cuboid_tet4};
+
+    /// Nodes wander until cells turn inside out: the answer is that of looking at every cell, at every step.
+    #[test]
+    fn kept_checks_answer_as_checks_of_every_cell() {
+        let meshes = [
+            (cuboid_tet4([0.0; 3], [1.0; 3], [9, 8, 7]), CellType::Tet4),
+            (cuboid_hex8([0.0; 3], [1.0; 3], [14, 13, 9]), CellType::Hex8),
+        ];
+        for (mesh, cell_type) in meshes {
+            let blocks = [CellBlock { cell_type, conn: &mesh.conn }];
+            let surface = Surface::from_cells(&mesh.coords, &blocks, Bodies::Connected).expect("a valid mesh");
+            let cells = surface.cells.as_ref().expect("cells");
+            let mut kept = CellCheck::new(cells);
+            let (mut passed, mut trusted, mut failed) = (0, 0, 0);
+            for step in 0..60 {
+                let s = f64::from(step);
+                let mut coords = mesh.clone().rotated([1.0, 2.0, 3.0], 0.02 * s).coords;
+                for (node, x) in coords.iter_mut().enumerate() {
+                    for (axis, x) in x.iter_mut().enumerate() {
+                        let noise = ((node * 31 + axis * 17) % 101) as f64 / 101.0 - 0.5;
+                        *x += 0.4 * s + 2e-3 * s * noise;
+                    }
+                }
+                let before: Vec<f64> = kept.groups.iter().map(|group| group.moved(&coords)).collect();
+                trusted += kept.groups.iter().zip(&before).filter(|(g, m)| 2.0 * **m < TRUSTED * g.width).count();
+                let expected = cells.check_range(0..cells.len(), &coords);
+                for parallel in [false, true] {
+                    assert_eq!(kept.check(cells, &coords, parallel), expected, "{cell_type:?}, step {step}");
+                }
+                if expected.is_ok() { passed += 1 } else { failed += 1 }
+            }
+            assert!(passed > 5 && failed > 5 && trusted > 10, "{passed} passed, {trusted} trusted, {failed} failed");
+        }
+    }
+}

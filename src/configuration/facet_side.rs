@@ -1,0 +1,82 @@
+//! A body bounded by facets, at given coordinates.
+
+use super::facet_tree::FacetTree;
+use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::closest_point::closest_point;
+use crate::geometry::inside::winding_step;
+
+/// A body (or an obstacle bounded by facets) as the estimators see it.
+#[derive(Clone, Copy)]
+pub(crate) struct FacetSide<'a, const D: usize> {
+    pub(crate) facets: &'a [[u32; D]],
+    /// Positions of the vertices that the facets name.
+    pub(crate) points: &'a [Vector<D>],
+    pub(crate) tree: &'a FacetTree<D>,
+    /// Box of all its vertices.
+    pub(crate) aabb: Aabb<D>,
+    /// Whether all its cells are known to have positive volume: it then covers no place less than zero times.
+    pub(crate) is_upright: bool,
+}
+
+impl<const D: usize> FacetSide<'_, D> {
+    pub(crate) fn corners(&self, facet: usize) -> [Vector<D>; D] {
+        let mut corners = [Vector::zeros(); D];
+        for (corner, &v) in corners.iter_mut().zip(&self.facets[facet]) {
+            *corner = self.points[v as usize];
+        }
+        corners
+    }
+
+    pub(crate) fn facet_box(&self, facet: usize) -> Aabb<D> {
+        Aabb::of(self.facets[facet].iter().map(|&v| &self.points[v as usize]))
+    }
+
+    /// Facets whose box meets `region`, ascending.
+    pub(crate) fn facets_in(&self, region: &Aabb<D>) -> Vec<u32> {
+        self.facets_where(|aabb| aabb.meets(region))
+    }
+
+    /// Facets for whose boxes, and all boxes around them, `accept` holds; ascending.
+    pub(crate) fn facets_where(&self, accept: impl Fn(&Aabb<D>) -> bool) -> Vec<u32> {
+        let mut found = Vec::new();
+        self.tree.boxes().visit(&accept, |facet| {
+            if accept(&self.facet_box(facet as usize)) {
+                found.push(facet);
+            }
+        });
+        found.sort_unstable();
+        found
+    }
+
+    /// How often the body covers the point `x`: 0 outside, 1 inside, 2 where it folds over itself.
+    ///
+    /// Counted along the line through `x` parallel to the last axis. On the boundary it may be either.
+    pub(crate) fn winding_number(&self, x: &Vector<D>) -> i32 {
+        // A crossing is found by interpolation, which may be off by rounding along the line.
+        let top = x[D - 1] + self.aabb.rounding();
+        let reaches = |b: &Aabb<D>| {
+            b.min[D - 1] <= top && (0..D - 1).fold(true, |all, i| all & (b.min[i] <= x[i]) & (x[i] <= b.max[i]))
+        };
+        let mut count = 0;
+        self.tree.boxes().visit(reaches, |facet| count += winding_step(&self.facets[facet as usize], self.points, x));
+        count
+    }
+
+    /// The facet that is nearest to a point, the barycentric coordinates of its nearest point, and the distance. Of facets
+    /// that are equally near, the first.
+    pub(crate) fn nearest(&self, x: &Vector<D>) -> Option<(u32, [f64; D], f64)> {
+        let (mut found, mut least) = (None, (f64::INFINITY, u32::MAX));
+        self.tree.boxes().visit_nearest(x, |facet| {
+            let corners = self.corners(facet as usize);
+            let w = closest_point(&corners, x);
+            let squared = (0..D).fold(-x, |sum, k| sum + corners[k] * w[k]).norm_squared();
+            if (squared, facet) < least {
+                least = (squared, facet);
+                found = Some((facet, w));
+            }
+            least.0
+        });
+        found.map(|(facet, w)| (facet, w, least.0.sqrt()))
+    }
+}

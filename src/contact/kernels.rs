@@ -1,0 +1,118 @@
+//! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
+
+use super::Contact;
+use super::forces::ContactForces;
+use super::laws::PairLaw;
+use super::options::Options;
+use super::tangent::{Tangent, TangentPart};
+use crate::Error;
+use crate::dimension::{recast, rows};
+use crate::overlap::{self, FiberTrace, Overlap, OverlapEstimator, Partner, Patches, Reach};
+use std::any::Any;
+
+/// Patches by pair.
+pub(super) type PatchesByPair<const D: usize> = Vec<([Partner; 2], Patches<D>)>;
+
+/// Hands `$public` over to `$work`, at D = 2 or 3.
+macro_rules! kernel {
+    ($(#[$doc:meta])* $public:ident = $work:ident ( $($name:ident : $kind:ty),* ) -> $result:ident) => {
+        $(#[$doc])*
+        pub(super) fn $public<const D: usize>(
+            contact: &Contact<D>,
+            coords: &[[f64; D]],
+            $($name: $kind,)*
+        ) -> Result<$result!(D), Error> {
+            fn in_plane(contact: &Contact<2>, coords: &[[f64; 2]], $($name: $kind,)*) -> Result<$result!(2), Error> {
+                $work(contact, coords, $($name,)*)
+            }
+            fn in_space(contact: &Contact<3>, coords: &[[f64; 3]], $($name: $kind,)*) -> Result<$result!(3), Error> {
+                $work(contact, coords, $($name,)*)
+            }
+            let any: &dyn Any = contact;
+            if let Some(contact) = any.downcast_ref() {
+                return recast(in_plane(contact, rows(coords), $($name,)*)?);
+            }
+            match any.downcast_ref() {
+                Some(contact) => recast(in_space(contact, rows(coords), $($name,)*)?),
+                None => recast(()),
+            }
+        }
+    };
+}
+
+macro_rules! forces { ($d:expr) => { ContactForces<$d> }; }
+macro_rules! tangents { ($d:expr) => { Tangent<$d> }; }
+macro_rules! overlap_list { ($d:expr) => { Vec<Overlap<$d>> }; }
+macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
+macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
+
+kernel! { /// Forces.
+evaluate = evaluate_in() -> forces }
+kernel! { /// Second derivative of the energy.
+tangent = tangent_in(part: TangentPart) -> tangents }
+kernel! { /// Overlaps of all pairs.
+overlaps = overlaps_in() -> overlap_list }
+kernel! { /// Lines that cross an overlap.
+trace = trace_in() -> traces }
+kernel! { /// Patches of all pairs, for all facets.
+patches = patches_in() -> patch_list }
+
+fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
+    let pairs = contact.for_each_pair(coords, |measured| contact.law.energy(measured))?;
+    ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &pairs)
+}
+
+fn tangent_in<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    part: TangentPart,
+) -> Result<Tangent<D>, Error> {
+    let tangents = contact.for_each_pair(coords, |measured| {
+        let obstacle = if let Partner::Obstacle(obstacle) = measured.pair.partners[1] { obstacle } else { 0 };
+        contact.law.tangent(measured, part, (coords.len() + obstacle) as u32)
+    })?;
+    Ok(Tangent::sum(tangents))
+}
+
+fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
+    contact.for_each_pair(coords, |measured| contact.law.overlap(measured))
+}
+
+fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
+    let traces = contact.for_each_pair(coords, |measured| measured.estimator.trace(measured.pair).map(Some))?;
+    Ok(traces.into_iter().flatten().collect())
+}
+
+fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<PatchesByPair<D>, Error> {
+    if !contact.law.is_local() {
+        return Ok(Vec::new());
+    }
+    contact.for_each_pair(coords, |measured| {
+        let Some(mut patches) = measured.patches(Reach::Everywhere)? else { return Ok(None) };
+        let points = measured.estimator.contact_points(measured.pair, &patches, false)?;
+        patches.spacing = points.map(|points| points.spacing).filter(|spacing| *spacing > 0.0);
+        Ok(Some((measured.pair.partners, patches)))
+    })
+}
+
+/// The estimator that the options name.
+pub(super) fn estimator<const D: usize>(options: &Options) -> Result<Box<dyn OverlapEstimator<D>>, Error> {
+    fn in_plane(options: &Options) -> Box<dyn OverlapEstimator<2>> {
+        overlap::estimator(&options.estimator)
+    }
+    fn in_space(options: &Options) -> Box<dyn OverlapEstimator<3>> {
+        overlap::estimator(&options.estimator)
+    }
+    if D == 2 { recast(in_plane(options)) } else { recast(in_space(options)) }
+}
+
+/// The law that the options name.
+pub(super) fn pair_law<const D: usize>(options: &Options) -> Result<Box<dyn PairLaw<D>>, Error> {
+    fn in_plane(options: &Options) -> Box<dyn PairLaw<2>> {
+        options.law.pair_law()
+    }
+    fn in_space(options: &Options) -> Box<dyn PairLaw<3>> {
+        options.law.pair_law()
+    }
+    if D == 2 { recast(in_plane(options)) } else { recast(in_space(options)) }
+}

@@ -1,0 +1,42 @@
+//! w = Σ measure · ψ(L) over contact points, L being the penetration: a traction ψ'(L) that varies over the patch.
+
+use super::{EnergyLaw, Measured, PairEnergy, PairLaw};
+use crate::Error;
+use crate::contact::momentum_correction::correct;
+use crate::contact::tangent::{Tangent, TangentPart};
+use crate::overlap::Overlap;
+
+/// The fiber law, and any local law of the penetration.
+pub(super) struct FiberLaw(pub(super) EnergyLaw);
+
+impl<const D: usize> PairLaw<D> for FiberLaw {
+    fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
+        let Some(points) = measured.contact_points(false)? else { return Ok(None) };
+        let correction = measured.estimator.imbalance_of_points();
+        Ok(Some(PairEnergy::of_points(&points, measured.pair, &self.0, correction)))
+    }
+
+    fn tangent(
+        &self,
+        measured: &Measured<D>,
+        part: TangentPart,
+        obstacle_node: u32,
+    ) -> Result<Option<Tangent<D>>, Error> {
+        let points = measured.contact_points(part == TangentPart::Full)?;
+        Ok(points.map(|points| Tangent::of_points(&points, measured.pair, &self.0, part, obstacle_node)))
+    }
+
+    fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {
+        let points = measured.contact_points(false)?;
+        let mut overlap = points.map(|points| points.overlap(measured.pair)).filter(Overlap::has_content);
+        // Overlaps are corrected as those of the volume law are.
+        if let (Some(o), Some(tolerance)) = (&mut overlap, measured.estimator.imbalance_of_volume()) {
+            correct(&o.nodes, &o.of_b, &mut o.gradient, &mut o.pose_gradient, measured.pair.coords, tolerance);
+        }
+        Ok(overlap)
+    }
+
+    fn is_local(&self) -> bool {
+        true
+    }
+}

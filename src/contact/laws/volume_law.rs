@@ -1,0 +1,43 @@
+//! w = w(V): one traction for the whole pair.
+
+use super::{EnergyLaw, Measured, PairEnergy, PairLaw};
+use crate::Error;
+use crate::contact::momentum_correction::correct;
+use crate::contact::tangent::{Tangent, TangentPart};
+use crate::overlap::Overlap;
+
+/// The volume law.
+pub(super) struct VolumeLaw(pub(super) EnergyLaw);
+
+impl<const D: usize> PairLaw<D> for VolumeLaw {
+    fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
+        Ok(self.overlap(measured)?.map(|overlap| PairEnergy::of_volume(overlap, &self.0)))
+    }
+
+    fn tangent(
+        &self,
+        measured: &Measured<D>,
+        part: TangentPart,
+        obstacle_node: u32,
+    ) -> Result<Option<Tangent<D>>, Error> {
+        let overlap = measured.estimator.overlap(measured.pair)?;
+        let blocks = match part {
+            TangentPart::Semidefinite => Vec::new(),
+            TangentPart::Full => measured.estimator.volume_hessian(measured.pair, obstacle_node)?,
+        };
+        let Some(overlap) = overlap.filter(|overlap| overlap.volume > 0.0) else { return Ok(None) };
+        Ok(Some(Tangent::of_volume(&overlap, blocks, &self.0, obstacle_node)))
+    }
+
+    fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {
+        let mut overlap = measured.estimator.overlap(measured.pair)?.filter(Overlap::has_content);
+        if let (Some(o), Some(tolerance)) = (&mut overlap, measured.estimator.imbalance_of_volume()) {
+            correct(&o.nodes, &o.of_b, &mut o.gradient, &mut o.pose_gradient, measured.pair.coords, tolerance);
+        }
+        Ok(overlap)
+    }
+
+    fn is_local(&self) -> bool {
+        false
+    }
+}

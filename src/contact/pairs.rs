@@ -1,0 +1,100 @@
+//! The pairs that may overlap.
+
+use super::Contact;
+use super::laws::Measured;
+use super::state::State;
+use crate::Error;
+use crate::geometry::{Pose, Shape};
+use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
+use rayon::prelude::*;
+
+impl<const D: usize> Contact<D> {
+    /// Runs through all pairs whose boxes meet, and returns what `work` has to say of them in the order of their
+    /// indices, on the threads of the options.
+    pub(super) fn for_each_pair<T: Send>(
+        &self,
+        coords: &[[f64; D]],
+        work: impl Fn(&Measured<D>) -> Result<Option<T>, Error> + Sync,
+    ) -> Result<Vec<T>, Error> {
+        self.with_state(coords, |state| {
+            let pairs = self.pairs(state);
+            let work = |partners: &[Partner; 2]| self.with_pair(state, *partners, &work);
+            let Some(pool) = &self.pool else {
+                return pairs.iter().filter_map(|partners| work(partners).transpose()).collect();
+            };
+            // A signed distance function belongs to the host and is called on the calling thread.
+            let mut found: Vec<Option<Result<Option<T>, Error>>> = pool.install(|| {
+                pairs.par_iter().map(|partners| (!self.is_marched(partners)).then(|| work(partners))).collect()
+            });
+            for (partners, found) in pairs.iter().zip(&mut found).filter(|(_, found)| found.is_none()) {
+                *found = Some(work(partners));
+            }
+            found.into_iter().flatten().filter_map(Result::transpose).collect()
+        })
+    }
+
+    fn is_marched(&self, partners: &[Partner; 2]) -> bool {
+        match partners[1] {
+            Partner::Obstacle(o) => matches!(self.obstacles[o].obstacle.shape, Shape::SignedDistance(_)),
+            Partner::Body(_) => false,
+        }
+    }
+
+    /// Partners whose boxes meet, ascending: for every body itself (if asked for), later bodies, obstacles.
+    fn pairs(&self, state: &State<D>) -> Vec<[Partner; 2]> {
+        let mut pairs = Vec::new();
+        let meeting = state.configuration.meeting_bodies();
+        let mut next = meeting.iter().peekable();
+        for i in 0..self.surface.body_count() {
+            if self.options.self_contact {
+                pairs.push([Partner::Body(i); 2]);
+            }
+            while let Some((_, j)) = next.next_if(|(first, _)| *first == i) {
+                pairs.push([Partner::Body(i), Partner::Body(*j)]);
+            }
+            let aabb = state.configuration.body_box(i);
+            for (o, (rigid, placed)) in self.obstacles.iter().zip(&state.placed).enumerate() {
+                if rigid.may_meet(placed.as_ref(), &aabb) {
+                    pairs.push([Partner::Body(i), Partner::Obstacle(o)]);
+                }
+            }
+        }
+        pairs
+    }
+
+    fn with_pair<T>(
+        &self,
+        state: &State<D>,
+        partners: [Partner; 2],
+        work: impl Fn(&Measured<D>) -> Result<Option<T>, Error>,
+    ) -> Result<Option<T>, Error> {
+        let State { configuration, placed, found } = state;
+        let Partner::Body(first) = partners[0] else { return Ok(None) };
+        let a = configuration.body(&self.surface, first);
+        let pose: Option<&Pose<D>> = match partners[1] {
+            Partner::Obstacle(o) => Some(&self.obstacles[o].obstacle.pose),
+            Partner::Body(_) => None,
+        };
+        let counterpart = match (partners[1], pose) {
+            (Partner::Body(second), _) if second == first => {
+                if !a.may_cross_itself() && self.surface.is_one_sheet(first) {
+                    return Ok(None);
+                }
+                Counterpart::Itself
+            }
+            (Partner::Body(second), _) => Counterpart::Facets(configuration.body(&self.surface, second)),
+            (Partner::Obstacle(obstacle), Some(pose)) => match &placed[obstacle] {
+                Some(placed) => Counterpart::Facets(self.obstacles[obstacle].side(placed)),
+                None => {
+                    let shape = &self.obstacles[obstacle].obstacle.shape;
+                    Counterpart::Implicit(ImplicitSide { obstacle, shape, pose })
+                }
+            },
+            (Partner::Obstacle(_), None) => return Ok(None),
+        };
+        let (surface, coords, parallel) = (&self.surface, configuration.coords(), self.pool.is_some());
+        let pair = Pair { partners, a, counterpart, pose, surface, coords, parallel };
+        let kept = self.kept.iter().find(|(kept, _)| *kept == partners).map(|(_, patches)| patches);
+        work(&Measured { pair: &pair, estimator: &*self.estimator, kept, found })
+    }
+}

@@ -1,0 +1,63 @@
+//! What a contact keeps from one evaluation to the next: nothing that any result depends on.
+
+use super::Contact;
+use super::laws::FoundPatches;
+use super::rigid::Placed;
+use crate::Error;
+use crate::configuration::Configuration;
+
+/// The bodies and the obstacles where they were evaluated last.
+pub(super) struct State<const D: usize> {
+    pub(super) configuration: Configuration<D>,
+    /// Obstacles that are bounded by facets.
+    pub(super) placed: Vec<Option<Placed<D>>>,
+    pub(super) found: FoundPatches<D>,
+}
+
+impl<const D: usize> Contact<D> {
+    /// Calls `work` with the bodies at `coords`.
+    ///
+    /// Whoever comes first takes what was kept; calls at the same time find nothing and begin anew, with the same result.
+    pub(super) fn with_state<T>(
+        &self,
+        coords: &[[f64; D]],
+        work: impl FnOnce(&State<D>) -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        let lock = || self.state.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let kept = lock().take();
+        let mut state = kept.unwrap_or_else(|| {
+            let (configuration, placed) = (Configuration::new(), Vec::new());
+            Box::new(State { configuration, placed, found: FoundPatches::default() })
+        });
+        let brought = self.bring(&mut state, coords);
+        let result = brought.and_then(|()| work(&state));
+        *lock() = Some(state);
+        result
+    }
+
+    fn bring(&self, state: &mut State<D>, coords: &[[f64; D]]) -> Result<(), Error> {
+        let update = |state: &mut State<D>| {
+            state.configuration.update(&self.surface, coords, self.options.check_cells, self.pool.is_some())
+        };
+        let moved = match &self.pool {
+            Some(pool) => pool.install(|| update(state)),
+            None => update(state),
+        }?;
+        if moved {
+            state.found = FoundPatches::default();
+        }
+        let prefers_facets = self.estimator.prefers_facets();
+        state.placed.resize_with(self.obstacles.len(), || None);
+        for (rigid, placed) in self.obstacles.iter().zip(&mut state.placed) {
+            rigid.place(prefers_facets, placed);
+        }
+        Ok(())
+    }
+
+    /// Forgets what was found at the last coordinates, after a change of the options or of an obstacle.
+    pub(super) fn forget_found(&mut self) {
+        if let Some(state) = self.state.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner()) {
+            state.found = FoundPatches::default();
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What every estimator can be asked for a pair of bodies.
+
+use super::exact::ExactEstimator;
+use super::fibers::FiberEstimator;
+use super::fibers::trace::FiberTrace;
+use super::pair::options::Estimator;
+use super::pair::overlap::Overlap;
+use super::pair::sides::Pair;
+use super::patches::partition::Patches;
+use super::patches::sample::ContactSample;
+use super::points::block_sum::Block;
+use super::points::contact_points::ContactPoints;
+use crate::Error;
+
+/// Measures the overlap of a pair. A new estimator is a type of this kind and its line in [`estimator`].
+pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
+    /// Volume and its gradient, or `None` where the sides are apart.
+    fn overlap(&self, pair: &Pair<D>) -> Result<Option<Overlap<D>>, Error>;
+
+    /// Second derivative of the volume, as blocks sorted by row and column; the translation of the pair's obstacle has
+    /// the number `obstacle_node`.
+    fn volume_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Vec<Block<D>>, Error>;
+
+    /// Where the sides touch, for the search for patches; few samples are enough.
+    fn samples(&self, pair: &Pair<D>) -> Result<Vec<ContactSample<D>>, Error>;
+
+    /// Contact points along the directions of `patches`, or `None` where the sides are apart. `derivative` asks also for
+    /// what only the second derivative of a local law needs.
+    fn contact_points(
+        &self,
+        pair: &Pair<D>,
+        patches: &Patches<D>,
+        derivative: bool,
+    ) -> Result<Option<ContactPoints<D>>, Error>;
+
+    /// Lines that cross the overlap, to look at; none where there are no lines.
+    fn trace(&self, pair: &Pair<D>) -> Result<Vec<FiberTrace<D>>, Error>;
+
+    /// Imbalance of the forces of a volume law, in parts of their sizes, that is put right; `None`: none is.
+    fn imbalance_of_volume(&self) -> Option<f64>;
+
+    /// The same for a local law.
+    fn imbalance_of_points(&self) -> Option<f64>;
+
+    /// Whether obstacles with flat sides are to come as facets where they need not.
+    fn prefers_facets(&self) -> bool;
+}
+
+/// The estimator that the options name.
+pub(crate) fn estimator<const D: usize>(options: &Estimator) -> Box<dyn OverlapEstimator<D>> {
+    match options {
+        Estimator::Fibers(options) => Box::new(FiberEstimator::new(*options)),
+        Estimator::Exact => Box::new(ExactEstimator),
+    }
+}

@@ -1,0 +1,77 @@
+//! Sampling by fibers as an estimator.
+
+use super::layout::FiberPair;
+use super::trace::FiberTrace;
+use crate::Error;
+use crate::overlap::estimator::OverlapEstimator;
+use crate::overlap::pair::options::FiberOptions;
+use crate::overlap::pair::overlap::Overlap;
+use crate::overlap::pair::sides::Pair;
+use crate::overlap::patches::partition::Patches;
+use crate::overlap::patches::sample::ContactSample;
+use crate::overlap::points::block_sum::Block;
+use crate::overlap::points::contact_points::ContactPoints;
+use crate::overlap::points::hessian::OfLength;
+use crate::sampling::{Family, FiberPattern};
+
+/// Overlaps by sampling.
+pub(crate) struct FiberEstimator<const D: usize> {
+    options: FiberOptions,
+    /// The standard families; none for isotropic segments.
+    families: Vec<Family<D>>,
+}
+
+impl<const D: usize> FiberEstimator<D> {
+    pub(crate) fn new(options: FiberOptions) -> Self {
+        let with_lines = options.pattern == FiberPattern::Lines;
+        Self { options, families: if with_lines { Family::all(options.seed) } else { Vec::new() } }
+    }
+
+    fn of<'a>(&'a self, pair: &'a Pair<'a, D>) -> FiberPair<'a, D> {
+        FiberPair { pair, families: &self.families, options: &self.options }
+    }
+}
+
+impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
+    fn overlap(&self, pair: &Pair<D>) -> Result<Option<Overlap<D>>, Error> {
+        self.of(pair).overlap()
+    }
+
+    fn volume_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Vec<Block<D>>, Error> {
+        if self.families.is_empty() {
+            return Err(Error::Unsupported { what: "the tangent on isotropic fibers" });
+        }
+        let points = self.of(pair).volume_points()?;
+        let linear: [OfLength; 3] = [&|length| length, &|_| 1.0, &|_| 0.0];
+        Ok(points.map_or(Vec::new(), |points| points.hessian(pair, linear, false, obstacle_node)))
+    }
+
+    fn samples(&self, pair: &Pair<D>) -> Result<Vec<ContactSample<D>>, Error> {
+        self.of(pair).samples()
+    }
+
+    fn contact_points(
+        &self,
+        pair: &Pair<D>,
+        patches: &Patches<D>,
+        _derivative: bool,
+    ) -> Result<Option<ContactPoints<D>>, Error> {
+        self.of(pair).contact_points(patches)
+    }
+
+    fn trace(&self, pair: &Pair<D>) -> Result<Vec<FiberTrace<D>>, Error> {
+        self.of(pair).trace()
+    }
+
+    fn imbalance_of_volume(&self) -> Option<f64> {
+        self.options.balance.then_some(0.0)
+    }
+
+    fn imbalance_of_points(&self) -> Option<f64> {
+        self.options.balance.then_some(0.0)
+    }
+
+    fn prefers_facets(&self) -> bool {
+        false
+    }
+}

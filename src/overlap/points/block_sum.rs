@@ -1,0 +1,131 @@
+//! Sums of blocks by row and column.
+
+use crate::geometry::Vector;
+use rustc_hash::FxHashMap;
+
+/// A block ∂²w/∂x_row ∂x_col.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block<const D: usize> {
+    /// Node of the rows.
+    pub row: u32,
+    /// Node of the columns.
+    pub col: u32,
+    /// Entries, row by row.
+    pub value: [[f64; D]; D],
+}
+
+/// A sparse matrix of blocks that grows as blocks are added; those of one place are summed in the order in which they
+/// come. A row has few columns, which are run through: that is faster than any search among so few.
+#[derive(Default)]
+pub(crate) struct BlockSum<const D: usize> {
+    rows: Vec<Row<D>>,
+    /// Where among these a node's row is. Never iterated over: its order is not ours.
+    place: FxHashMap<u32, u32>,
+}
+
+struct Row<const D: usize> {
+    node: u32,
+    cols: Vec<u32>,
+    values: Vec<[[f64; D]; D]>,
+}
+
+impl<const D: usize> Row<D> {
+    fn add(&mut self, col: u32, value: &[[f64; D]; D]) {
+        match self.cols.iter().position(|c| *c == col) {
+            Some(place) => add_to(&mut self.values[place], value),
+            None => {
+                self.cols.push(col);
+                self.values.push(*value);
+            }
+        }
+    }
+}
+
+fn add_to<const D: usize>(sum: &mut [[f64; D]; D], value: &[[f64; D]; D]) {
+    for (sum, value) in sum.iter_mut().zip(value) {
+        for (sum, value) in sum.iter_mut().zip(value) {
+            *sum += value;
+        }
+    }
+}
+
+impl<const D: usize> BlockSum<D> {
+    fn row(&mut self, node: u32) -> &mut Row<D> {
+        let place = *self.place.entry(node).or_insert_with(|| {
+            self.rows.push(Row { node, cols: Vec::new(), values: Vec::new() });
+            self.rows.len() as u32 - 1
+        });
+        &mut self.rows[place as usize]
+    }
+
+    /// Adds one block.
+    pub(crate) fn add(&mut self, row: u32, col: u32, value: &[[f64; D]; D]) {
+        self.row(row).add(col, value);
+    }
+
+    /// Adds p qᵀ, times `factor`.
+    pub(crate) fn add_product(&mut self, row: u32, col: u32, factor: f64, p: &Vector<D>, q: &Vector<D>) {
+        self.add(row, col, &product(factor, p, q));
+    }
+
+    /// Adds a square of blocks: `values[r * nodes.len() + c]` in the row of node r and the column of node c.
+    pub(crate) fn add_square(&mut self, nodes: &[u32], values: &[[[f64; D]; D]]) {
+        for (&node, values) in nodes.iter().zip(values.chunks_exact(nodes.len().max(1))) {
+            let row = self.row(node);
+            for (&col, value) in nodes.iter().zip(values) {
+                row.add(col, value);
+            }
+        }
+    }
+
+    /// Adds all of another sum.
+    pub(crate) fn add_sum(&mut self, other: Self) {
+        if self.rows.is_empty() {
+            *self = other;
+            return;
+        }
+        for Row { node, cols, values } in other.rows {
+            let row = self.row(node);
+            for (col, value) in cols.iter().zip(&values) {
+                row.add(*col, value);
+            }
+        }
+    }
+
+    /// The blocks, sorted by row and column, one per place.
+    pub(crate) fn into_blocks(mut self) -> Vec<Block<D>> {
+        self.rows.sort_unstable_by_key(|row| row.node);
+        let mut blocks = Vec::with_capacity(self.rows.iter().map(|row| row.cols.len()).sum());
+        let mut order: Vec<(u32, u32)> = Vec::new();
+        for Row { node, cols, values } in self.rows {
+            order.clear();
+            order.extend(cols.iter().copied().zip(0..));
+            order.sort_unstable();
+            blocks.extend(order.iter().map(|&(col, k)| Block { row: node, col, value: values[k as usize] }));
+        }
+        blocks
+    }
+}
+
+/// factor · p qᵀ.
+pub(crate) fn product<const D: usize>(factor: f64, p: &Vector<D>, q: &Vector<D>) -> [[f64; D]; D] {
+    std::array::from_fn(|i| std::array::from_fn(|j| factor * p[i] * q[j]))
+}
+
+/// Sums what several matrices of sorted blocks have at one place.
+pub(crate) fn merged<const D: usize>(mut parts: Vec<Vec<Block<D>>>) -> Vec<Block<D>> {
+    if parts.len() < 2 {
+        return parts.pop().unwrap_or_default();
+    }
+    // Runs that are sorted already are found by this sort, which leaves blocks of one place in the order of the parts.
+    let mut blocks: Vec<Block<D>> = parts.into_iter().flatten().collect();
+    blocks.sort_by_key(|block| (block.row, block.col));
+    blocks.dedup_by(|next, sum| {
+        let same = (next.row, next.col) == (sum.row, sum.col);
+        if same {
+            add_to(&mut sum.value, &next.value);
+        }
+        same
+    });
+    blocks
+}
