@@ -6,8 +6,8 @@ use super::newton::NewtonSettings;
 use super::problem::Problem;
 use super::stiffness::Entries;
 use crate::fem::{Constraints, Model};
+use crate::sparse::{Factorisation, Lower};
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
-use fmc_sparse::{Factorisation, Lower};
 use std::sync::Arc;
 use std::time::Instant;
 

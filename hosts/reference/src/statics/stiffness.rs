@@ -4,8 +4,8 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Tangent;
 use crate::fem::Law;
+use crate::sparse::Lower;
 use fmc_contact::contact::TangentPart;
-use fmc_sparse::Lower;
 use std::sync::Arc;
 
 /// Row, column and value on the equations, row ≥ column.
