@@ -18,11 +18,13 @@ mod page;
 mod plan;
 mod quantity;
 mod record;
+mod setting;
 mod stamp;
 
-pub use carry_out::{Setting, carry_out};
+pub use carry_out::carry_out;
 pub use job::{Example, Size, examples};
 pub use page::write;
 pub use plan::Plan;
 pub use record::{Outcome, Record};
+pub use setting::Setting;
 pub use stamp::{Stamp, program};

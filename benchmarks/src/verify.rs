@@ -24,11 +24,6 @@ mod squares;
 mod table;
 mod verification;
 
-use case::{Case, Form};
-use closed_form::ClosedForm;
-use scene::{PoseRate, Scene};
-use verification::{AnyCase, by_name};
-
 pub use convergence::SEEDS;
 pub use method::Method;
 pub use row::Row;

@@ -2,35 +2,21 @@
 
 mod pictures;
 
-use super::job::{Job, Size, Work};
+use super::job::{Job, Work};
 use super::kernel;
 use super::quantity::count;
 use super::record::{Outcome, Record};
+use super::setting::Setting;
 use super::stamp::Stamp;
 use crate::case::{Case, Document};
 use crate::run::{self, Ending, Progress, RunOptions, Summary};
 use anyhow::{Context, Result};
 use fmc_solid::statics::Iteration;
-use indicatif::ProgressBar;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
-
-/// How jobs are carried out.
-pub struct Setting<'a> {
-    /// How much is run.
-    pub size: Size,
-    /// Threads; nothing but the seconds depends on them.
-    pub threads: usize,
-    /// Time after which a run is left out.
-    pub limit: Option<Duration>,
-    /// Where progress is shown.
-    pub bar: &'a ProgressBar,
-    /// Set when the user wants to stop.
-    pub stop: &'a AtomicBool,
-}
+use std::sync::atomic::Ordering;
+use std::time::Instant;
 
 /// What a run was started with, so that a checkpoint is taken up only by the same run.
 const STARTED: &str = "started.json";

@@ -2,10 +2,10 @@
 
 mod pictures;
 
-use super::carry_out::Setting;
 use super::job::Size;
 use super::quantity::count;
 use super::record::{CheckRecord, FigureRecord, Outcome, Picture, PictureKind, Record};
+use super::setting::Setting;
 use super::stamp::Stamp;
 use crate::verify::{self, Method, Row, Verification};
 use anyhow::Result;

@@ -1,10 +1,10 @@
 //! One way of many to solve a problem, and what it came to.
 
-use super::{Impact, Method};
+use super::Method;
 use crate::case::{Case, FigureKind};
 use crate::run::Motion;
 use anyhow::{Context, Result};
-use fmc_solid::dynamics::{Sample, Simulation};
+use fmc_solid::dynamics::{Sample, Setup, Simulation};
 use std::ops::ControlFlow;
 
 /// A method with a law w = k Vᵐ, and how the impact went.
@@ -51,18 +51,18 @@ pub struct Outcome {
 }
 
 impl Attempt {
-    /// Runs a case until `step_count`, or until it fails or `watch`, told of every step, breaks it off; then `None`.
+    /// Runs the setup of a case until `step_count`, or until it fails or `watch`, told of every step, breaks it off; then `None`.
     ///
     /// # Errors
     /// If the case cannot be started.
     pub(super) fn run<const D: usize>(
         method: Method,
         case: &Case,
-        impact: &Impact,
+        setup: Setup<D>,
         step_count: u64,
         watch: &mut dyn FnMut(u64) -> ControlFlow<()>,
     ) -> Result<Option<Self>> {
-        let mut simulation = Simulation::start(case.setup::<D>(&impact.folder, impact.threads)?)?;
+        let mut simulation = Simulation::start(setup)?;
         let motion = Motion::new(case, simulation.model().parts())?;
         let mut samples = vec![simulation.sample()];
         let mut failure = None;

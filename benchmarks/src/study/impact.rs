@@ -64,7 +64,7 @@ impl Impact {
                 progress.step = before + step;
                 watch(&progress)
             };
-            match Attempt::run::<2>(*method, &case, self, steps, &mut told)? {
+            match Attempt::run(*method, &case, case.setup::<2>(&self.folder, self.threads)?, steps, &mut told)? {
                 Some(attempt) => attempts.push(attempt),
                 None => break,
             }

@@ -1,6 +1,7 @@
 //! One benchmark of the paper's section 2.4.
 
-use super::{ClosedForm, Scene};
+use super::closed_form::ClosedForm;
+use super::scene::Scene;
 
 /// A geometry that depends on one parameter θ, and the overlap that it should have.
 pub(super) struct Case<const D: usize> {

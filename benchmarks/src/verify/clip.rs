@@ -9,7 +9,7 @@
 //!
 //! and the integral is that of a linear function, as v is linear (a translation, a turn, a growth).
 
-use super::ClosedForm;
+use super::closed_form::ClosedForm;
 
 type Point = [f64; 2];
 

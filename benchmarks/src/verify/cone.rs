@@ -9,8 +9,10 @@
 //! The paper does not print its sizes; these are ours.
 
 use super::bounds::DRAWN;
+use super::case::{Case, Form};
+use super::closed_form::ClosedForm;
 use super::closed_form::polygon_fraction;
-use super::{Case, ClosedForm, Form, PoseRate, Scene};
+use super::scene::{PoseRate, Scene};
 use fmc_contact::{Pose, Shape};
 use fmc_shapes::{Mesh, cone_tet4, cuboid_hex8};
 use std::f64::consts::PI;

@@ -1,6 +1,7 @@
 //! Error against the number of fibers.
 
-use super::{Case, Method};
+use super::case::Case;
+use super::method::Method;
 use crate::chart::{Axis, Mark, Panel, Series};
 use fmc_contact::{Error, Resolution};
 

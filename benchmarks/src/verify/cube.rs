@@ -4,7 +4,9 @@
 //! is the distance from the middle.
 
 use super::bounds::DRAWN;
-use super::{Case, ClosedForm, Form, PoseRate, Scene};
+use super::case::{Case, Form};
+use super::closed_form::ClosedForm;
+use super::scene::{PoseRate, Scene};
 use fmc_contact::{Pose, Shape};
 use fmc_shapes::{Mesh, cuboid_hex8};
 use std::f64::consts::FRAC_PI_4;

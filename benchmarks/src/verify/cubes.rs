@@ -1,9 +1,11 @@
 //! The turning cube over a second, fixed one: the overlap of a turned with a shifted square, by clipping, times a height.
 
 use super::bounds::DRAWN;
+use super::case::{Case, Form};
 use super::clip::clip;
+use super::closed_form::ClosedForm;
 use super::cube::{Z, turned_cube, turning};
-use super::{Case, ClosedForm, Form, PoseRate, Scene};
+use super::scene::{PoseRate, Scene};
 use fmc_contact::{Pose, Shape};
 use fmc_shapes::{Mesh, cuboid_hex8};
 use std::f64::consts::FRAC_PI_4;

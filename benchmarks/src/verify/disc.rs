@@ -1,8 +1,10 @@
 //! Disc of radius θ, inside a larger block: A = πθ², dA/dθ = 2πθ.
 
 use super::bounds::PAPER_2D;
+use super::case::{Case, Form};
+use super::closed_form::ClosedForm;
 use super::closed_form::polygon_fraction;
-use super::{Case, ClosedForm, Form, PoseRate, Scene};
+use super::scene::{PoseRate, Scene};
 use fmc_contact::{Pose, Shape};
 use fmc_shapes::{Mesh, disc_tri3, rectangle_quad4};
 use std::f64::consts::PI;

@@ -10,8 +10,10 @@
 //! The paper does not print its sizes; these are ours. As an implicit shape it is a disc: the upper half meets nothing.
 
 use super::bounds::DRAWN;
+use super::case::{Case, Form};
 use super::clip::clip;
-use super::{Case, ClosedForm, Form, PoseRate, Scene};
+use super::closed_form::ClosedForm;
+use super::scene::{PoseRate, Scene};
 use fmc_contact::{Pose, Shape};
 use fmc_shapes::{Mesh, half_disc_tri3, rectangle_quad4};
 use std::f64::consts::PI;

@@ -1,7 +1,10 @@
 //! One figure of the table.
 
 use super::bounds::ROUNDOFF;
-use super::{Case, ClosedForm, Form, Method, Scene};
+use super::case::{Case, Form};
+use super::closed_form::ClosedForm;
+use super::method::Method;
+use super::scene::Scene;
 use fmc_contact::{Contact, Error, Resolution};
 use serde::Serialize;
 

@@ -1,6 +1,7 @@
 //! What a case looks like.
 
-use super::{AnyCase, Case, by_name};
+use super::case::Case;
+use super::verification::{AnyCase, by_name};
 use anyhow::{Context, Result};
 use fmc_contact::{CellType, Estimator, FiberOptions, Resolution};
 

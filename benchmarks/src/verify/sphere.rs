@@ -1,7 +1,9 @@
 //! Ball of radius θ, inside a larger block: V = 4/3 πθ³, dV/dθ = 4πθ².
 
 use super::bounds::PAPER_3D;
-use super::{Case, ClosedForm, Form, PoseRate, Scene};
+use super::case::{Case, Form};
+use super::closed_form::ClosedForm;
+use super::scene::{PoseRate, Scene};
 use fmc_contact::{Pose, Shape};
 use fmc_shapes::{Mesh, ball_tet4, cuboid_hex8, icosphere};
 use std::f64::consts::PI;

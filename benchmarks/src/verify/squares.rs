@@ -3,7 +3,9 @@
 //! A = (2θ)² until they coincide at θ = ½, then (2 − 2θ)².
 
 use super::bounds::DRAWN;
-use super::{Case, ClosedForm, Form, PoseRate, Scene};
+use super::case::{Case, Form};
+use super::closed_form::ClosedForm;
+use super::scene::{PoseRate, Scene};
 use fmc_contact::{Pose, Shape};
 use fmc_shapes::{Mesh, rectangle_quad4};
 

@@ -1,6 +1,6 @@
 //! The rows to read: of every case, form, estimator and quantity the θ with the largest scaled error.
 
-use super::Row;
+use super::row::Row;
 use comfy_table::{CellAlignment, Table, presets::ASCII_MARKDOWN};
 
 /// The table, in Markdown.

@@ -1,7 +1,9 @@
 //! From the cases to rows and pictures.
 
+use super::case::Case;
+use super::method::Method;
 use super::row::{self, Row, Setting};
-use super::{Case, Method, cone, convergence, cube, cubes, disc, half_disc, over_theta, sphere, squares};
+use super::{cone, convergence, cube, cubes, disc, half_disc, over_theta, sphere, squares};
 use crate::chart::{self, Panel};
 use anyhow::{Context, Result, bail};
 use fmc_contact::Resolution;
@@ -126,7 +128,7 @@ impl Verification {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::ClosedForm;
+    use crate::verify::closed_form::ClosedForm;
 
     fn check_closed_forms<const D: usize>(case: Case<D>) {
         let forms = case.forms.iter().filter_map(|form| form.of_the_mesh).chain([case.closed_form]);

@@ -12,7 +12,7 @@
 //! Everything is SI, two dimensions are plane strain per metre of thickness, and the same input gives the same bits with
 //! any number of threads.
 //!
-//! `examples/ball_at_rest.rs` and `examples/bar_impact.rs` are complete programs.
+//! `examples/disc_at_rest.rs` and `examples/bar_impact.rs` are complete programs.
 
 pub mod dynamics;
 pub mod fem;

@@ -4,4 +4,4 @@ mod factorisation;
 mod lower;
 
 pub use factorisation::Factorisation;
-pub use lower::Lower;
+pub use lower::{Entries, Lower};

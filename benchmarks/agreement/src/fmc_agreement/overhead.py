@@ -6,12 +6,11 @@ import os
 import subprocess
 import sys
 import time
-from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
 
-from .runs import HOSTS, mpirun
+from .runs import drivers, mpirun
 
 
 def plates(divisions: int = 110) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -50,9 +49,8 @@ def share(contact: Any, adapted: Callable[[], Any], repeats: int = 9) -> tuple[f
 def measured() -> str:
     """A line for every adapter."""
     lines = []
-    root = Path(os.environ.get("FMC_HOSTS", HOSTS))
     for host, ranks in (("skfem", 1), ("dolfinx", 1), ("dolfinx", 2)):
-        command = [sys.executable, str(root / host / "driver" / "overhead.py")]
+        command = [sys.executable, str(drivers() / host / "overhead.py")]
         if host == "dolfinx":
             command = [*mpirun(ranks), *command]
         more = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}

@@ -14,8 +14,8 @@ import numpy as np
 from . import figures, outcome, plain
 from .problem import Problem
 
-HOSTS = Path(__file__).parents[3]
-"""The folder ``hosts`` of the checkout; ``FMC_HOSTS`` where this package is installed elsewhere."""
+DRIVERS = Path(__file__).parents[2] / "drivers"
+"""The folder of the drivers in the checkout; ``FMC_DRIVERS`` where this package is installed elsewhere."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def run(host: str, ranks: int, case: Case, problem: Problem, folder: Path) -> fl
     if host == "petsc":
         _petsc(ranks, problem, folder)
         return time.perf_counter() - begin
-    command = [sys.executable, str(_hosts() / host / "driver" / "run_case.py"), case.name, "--out", str(folder)]
+    command = [sys.executable, str(drivers() / host / "run_case.py"), case.name, "--out", str(folder)]
     command += ["--variant", case.variant] if case.variant else []
     for change in case.changes:
         command += ["--override", change]
@@ -86,8 +86,9 @@ def mpirun(ranks: int) -> list[str]:
     return ["timeout", "600", "mpirun", "--oversubscribe", "-n", str(ranks)]
 
 
-def _hosts() -> Path:
-    return Path(os.environ.get("FMC_HOSTS", HOSTS))
+def drivers() -> Path:
+    """Where the drivers are, a folder for each host."""
+    return Path(os.environ.get("FMC_DRIVERS", DRIVERS))
 
 
 def _petsc(ranks: int, problem: Problem, folder: Path) -> None:

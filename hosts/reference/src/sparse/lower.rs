@@ -2,6 +2,9 @@
 
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 
+/// Row, column and value, row ≥ column; entries at one place add up.
+pub type Entries = Vec<(usize, usize, f64)>;
+
 /// Lower triangle of a symmetric matrix: column after column, rows ascending, no place twice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lower {

@@ -2,11 +2,10 @@
 
 use super::balance::Balance;
 use super::error::StaticsError;
-use super::newton::NewtonSettings;
+use super::newton_settings::NewtonSettings;
 use super::problem::Problem;
-use super::stiffness::Entries;
 use crate::fem::{Constraints, Model};
-use crate::sparse::{Factorisation, Lower};
+use crate::sparse::{Entries, Factorisation, Lower};
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
 use std::sync::Arc;
 use std::time::Instant;
