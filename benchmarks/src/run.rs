@@ -30,8 +30,6 @@ mod frames;
 mod hertz;
 mod history;
 mod indentation;
-#[cfg(feature = "plots")]
-mod palette;
 mod patch;
 mod plots;
 mod profile;

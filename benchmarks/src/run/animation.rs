@@ -1,13 +1,11 @@
 //! The deformed bodies in motion, coloured by von Mises stress, as a GIF.
 
 use super::canvas::Canvas;
-use super::palette::{Palette, UNCHANGED};
 use crate::chart;
 use anyhow::{Context, Result, anyhow};
 use fmc_mesh_io as mesh;
 use fmc_solid::fem::Model;
 use gif::{DisposalMethod, Encoder, Frame, Repeat};
-use std::borrow::Cow;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
@@ -45,19 +43,17 @@ pub(super) fn write<const D: usize>(
     }
     let canvas = Canvas::new(title, low, high, brightest(&shapes));
     let size = (canvas.size.0 as u16, canvas.size.1 as u16);
-    let mut palette = Palette::new();
     let cannot = || format!("{} cannot be written", path.display());
     let file = BufWriter::new(File::create(path).with_context(cannot)?);
-    let mut encoder = Encoder::new(file, size.0, size.1, &palette.bytes()).with_context(cannot)?;
+    let mut encoder = Encoder::new(file, size.0, size.1, &[]).with_context(cannot)?;
     encoder.set_repeat(Repeat::Infinite).with_context(cannot)?;
     let mut before: Vec<u8> = Vec::new();
     for (number, shape) in shapes.iter().enumerate() {
         let pixels = canvas.draw(&format!("t = {:.2} ms", 1e3 * shape.time), cells(model, shape))?;
-        let entries: Vec<u8> = pixels.chunks_exact(3).map(|c| palette.entry([c[0], c[1], c[2]])).collect();
         let is_last = number + 1 == shapes.len();
-        let frame = changed_part(&entries, &before, size, if is_last { LAST_DELAY } else { DELAY });
+        let frame = changed_part(&pixels, &before, size, if is_last { LAST_DELAY } else { DELAY });
         encoder.write_frame(&frame).with_context(cannot)?;
-        before = entries;
+        before = pixels;
     }
     Ok(())
 }
@@ -96,28 +92,29 @@ fn brightest(shapes: &[Shape]) -> f64 {
     round.unwrap_or(10.0) * decade
 }
 
-/// The rectangle in which a frame differs from the one before.
-fn changed_part(entries: &[u8], before: &[u8], size: (u16, u16), delay: u16) -> Frame<'static> {
+/// The quantiser takes every pixel (its fastest looks at each thirtieth); it is asked only where there are more than 256 colours.
+const EVERY_PIXEL: i32 = 1;
+
+/// The rectangle in which a frame differs from the one before; what is in it and does not differ is transparent.
+fn changed_part(pixels: &[u8], before: &[u8], size: (u16, u16), delay: u16) -> Frame<'static> {
     let width = size.0 as usize;
-    let differs = |index: &usize| before.get(*index) != Some(&entries[*index]);
+    let color = |pixels: &[u8], index: usize| pixels.get(3 * index..3 * index + 3).map(|c| [c[0], c[1], c[2]]);
+    let differs = |index: &usize| color(pixels, *index) != color(before, *index);
     let changed: Vec<(usize, usize)> =
-        (0..entries.len()).filter(differs).map(|index| (index % width, index / width)).collect();
+        (0..pixels.len() / 3).filter(differs).map(|index| (index % width, index / width)).collect();
     let range = |values: &dyn Fn(&(usize, usize)) -> usize| {
         let low = changed.iter().map(values).min().unwrap_or(0);
         (low, changed.iter().map(values).max().unwrap_or(low))
     };
     let ((left, right), (top, bottom)) = (range(&|x| x.0), range(&|x| x.1));
-    let pixels = (top..=bottom).flat_map(|row| (left..=right).map(move |column| row * width + column));
-    let buffer: Vec<u8> = pixels.map(|index| if differs(&index) { entries[index] } else { UNCHANGED }).collect();
-    Frame {
-        delay,
-        dispose: DisposalMethod::Keep,
-        transparent: Some(UNCHANGED),
-        top: top as u16,
-        left: left as u16,
-        width: (right - left + 1) as u16,
-        height: (bottom - top + 1) as u16,
-        buffer: Cow::Owned(buffer),
-        ..Frame::default()
-    }
+    let inside = (top..=bottom).flat_map(|row| (left..=right).map(move |column| row * width + column));
+    let mut part: Vec<u8> = inside
+        .flat_map(|index| match color(pixels, index).filter(|_| differs(&index)) {
+            Some([r, g, b]) => [r, g, b, u8::MAX],
+            None => [0; 4],
+        })
+        .collect();
+    let (columns, rows) = ((right - left + 1) as u16, (bottom - top + 1) as u16);
+    let frame = Frame::from_rgba_speed(columns, rows, &mut part, EVERY_PIXEL);
+    Frame { delay, dispose: DisposalMethod::Keep, top: top as u16, left: left as u16, ..frame }
 }

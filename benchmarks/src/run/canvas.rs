@@ -1,7 +1,7 @@
 //! One frame of an animation as pixels.
 
-use super::palette::{color, line_color};
 use anyhow::{Result, anyhow};
+use colorous::VIRIDIS;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
@@ -108,4 +108,20 @@ fn round(x: f64) -> f64 {
 
 fn rgb([r, g, b]: [u8; 3]) -> RGBColor {
     RGBColor(r, g, b)
+}
+
+/// Colours of the scale. Few enough that most cells keep theirs from frame to frame, which makes the file small.
+const STEPS: usize = 40;
+
+/// How much darker the lines between cells are.
+const LINE_SHADE: f64 = 0.82;
+
+/// Colour of a value between 0 and 1.
+fn color(value: f64) -> [u8; 3] {
+    VIRIDIS.eval_rational((value.clamp(0.0, 1.0) * (STEPS - 1) as f64).round() as usize, STEPS).into_array()
+}
+
+/// Colour of the lines around a cell of that value.
+fn line_color(value: f64) -> [u8; 3] {
+    color(value).map(|k| (f64::from(k) * LINE_SHADE).round() as u8)
 }

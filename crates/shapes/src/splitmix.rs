@@ -1,21 +1,22 @@
 //! Random numbers that are the same everywhere.
 
-/// SplitMix64: a counter and a mixing function (Steele, Lea, Flood 2014).
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
+
+/// SplitMix64 of rand's family. The conversions to `f64` are our own: distributions of a library may change their values with
+/// a release, and every mesh with them.
 #[derive(Clone, Debug)]
-pub struct Splitmix(u64);
+pub struct Splitmix(SplitMix64);
 
 impl Splitmix {
     /// Stream of the seed.
     pub fn new(seed: u64) -> Self {
-        Self(seed)
+        Self(SplitMix64::from_seed(seed.to_le_bytes()))
     }
 
     /// Next 64 bits.
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0.next_u64()
     }
 
     /// Uniform in `[0, 1)`.
