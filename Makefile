@@ -105,7 +105,8 @@ python:
 # the compiled parts of dolfinx. So the environment sees the system's packages, and nothing is installed that brings numpy.
 SYSTEM_PYTHON ?= /usr/bin/python3
 HOSTS = $(abspath $(TARGET))/hosts
-HOST_PACKAGES = python3-dolfinx python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc
+PAGE_PACKAGES = python3-jinja2 python3-matplotlib
+HOST_PACKAGES = python3-dolfinx python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc $(PAGE_PACKAGES)
 
 # fmc comes first: the build of the Python package strips the library, after which cargo would build everything again.
 # After the tests of the workspace it is there, and BUILD_FMC is empty.
@@ -113,7 +114,7 @@ BUILD_FMC = $(CARGO) build --release -p fmc-contact -p fmc
 
 host-environment:
 	$(BUILD_FMC)
-	@{ $(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip' && mpicc --version && pkg-config PETSc; } >/dev/null 2>&1 \
+	@{ $(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip, jinja2, matplotlib' && mpicc --version && pkg-config PETSc; } >/dev/null 2>&1 \
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $(HOST_PACKAGES); }
 	@$(HOSTS)/bin/python -m pip --version >/dev/null 2>&1 \
 	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
@@ -145,8 +146,9 @@ RUN_PEERS = FMC=$(abspath $(TARGET))/release/fmc OMP_NUM_THREADS=1 \
 
 peer-environment:
 	$(CARGO) build --release -p fmc
-	@$(SYSTEM_PYTHON) -c 'import getfem, numpy' 2>/dev/null \
-	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3-getfem python3-scipy; }
+	@$(SYSTEM_PYTHON) -c 'import getfem, jinja2, matplotlib, numpy' 2>/dev/null \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3-getfem python3-scipy \
+	    $(PAGE_PACKAGES); }
 	@test -e $(BLAS_FOLDER)/libblas.so.3 || { mkdir -p $(PEER_BLAS) && cd $(PEER_BLAS) \
 	  && { apt-get download -q libopenblas0-serial || { $(SUDO) apt-get update -q && apt-get download -q libopenblas0-serial; }; } \
 	  && dpkg -x libopenblas0-serial*.deb .; }

@@ -67,9 +67,7 @@ def draw(path: Path, problem: Problem, runs: list[list[measure.Run]]) -> None:
     reach = 1.3 * max(one.reach() for one in found.values())
     # The tip is singular and would flatten the rest.
     curves = {name: one.profile(reach)[1:] for name, one in found.items()}
-    style = "<style>text { font: 12px sans-serif; fill: #444; } .grid { stroke: #e4e4e4; }</style>"
-    head, rest = overlay(problem.raw["figures"]["kind"], curves).split(">", 1)
-    path.write_text(f'{head} xmlns="http://www.w3.org/2000/svg">{style}{rest}\n')
+    path.write_text(overlay(problem.raw["figures"]["kind"], curves))
 
 
 def tied_rows(problem: Problem) -> list[dict]:
