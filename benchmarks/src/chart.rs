@@ -7,7 +7,7 @@ mod axis;
 mod plot;
 mod series;
 
-pub use axis::{Axis, superscript};
+pub use axis::Axis;
 #[cfg(feature = "plots")]
 pub(crate) use plot::use_font;
 pub use series::{Mark, Series, Sign};

@@ -15,6 +15,7 @@
 
 pub mod case;
 pub mod chart;
+mod number;
 #[cfg(feature = "plots")]
 pub mod report;
 pub mod run;

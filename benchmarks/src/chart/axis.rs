@@ -1,5 +1,6 @@
 //! Numbers along the side of a picture.
 
+use crate::number::{superscript, trimmed};
 use std::ops::Range;
 
 /// An axis.
@@ -37,8 +38,7 @@ impl Axis {
     pub fn tick(&self, place: f64) -> String {
         if !self.log {
             // Ticks are multiples of a round step; one that should be zero may miss it by rounding.
-            let text = format!("{:.4}", if place.abs() < 5e-5 { 0.0 } else { place });
-            return text.trim_end_matches('0').trim_end_matches('.').replace('-', "−");
+            return trimmed(if place.abs() < 5e-5 { 0.0 } else { place }, 4).replace('-', "−");
         }
         if (place - place.round()).abs() > 1e-6 {
             return String::new();
@@ -50,18 +50,6 @@ impl Axis {
     pub fn tick_count(&self, range: &Range<f64>) -> usize {
         if self.log { (range.end - range.start) as usize + 1 } else { 7 }
     }
-}
-
-/// A whole number, raised.
-pub fn superscript(number: &str) -> String {
-    let digit = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
-    };
-    number.chars().map(digit).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Numbers as they are read.
 
-use crate::chart::superscript;
+use crate::number::{significant, superscript};
 
 /// A unit in which some numbers of one kind read well.
 pub(super) struct Scale {
@@ -58,11 +58,7 @@ pub(super) fn digits(x: f64, count: i32) -> String {
     let text = match x.abs() {
         0.0 => "0".to_owned(),
         size if !size.is_finite() => return "no number".into(),
-        size if (1e-4..1e7).contains(&size) => {
-            let decimals = (count - 1 - size.log10().floor() as i32).clamp(0, 8) as usize;
-            let text = format!("{x:.decimals$}");
-            if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-        }
+        size if (1e-4..1e7).contains(&size) => significant(x, count),
         _ => {
             let text = format!("{x:.1e}");
             let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -3,8 +3,9 @@
 use super::job::{Job, Size, Work};
 use crate::case::MeshSource;
 use anyhow::{Context, Result};
+use fnv::FnvHasher;
 use serde::{Deserialize, Serialize};
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::hash::{Hash, Hasher};
 
 /// Fingerprints of all that decides what comes out of a run; a record with another stamp is out of date.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -51,10 +52,9 @@ impl Stamp {
     }
 }
 
-/// 64 bits against mistakes, not against malice. That another release of Rust may hash otherwise does no harm: it makes
-/// another program.
+/// 64 bits against mistakes, not against malice.
 fn hash(value: &impl Hash) -> String {
-    let mut hasher = DefaultHasher::new();
+    let mut hasher = FnvHasher::default();
     value.hash(&mut hasher);
     format!("{:016x}", hasher.finish())
 }

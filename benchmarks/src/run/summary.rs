@@ -2,6 +2,7 @@
 
 use super::Figure;
 use crate::case::{Case, Document, LawName, Origin};
+use crate::number::significant;
 use comfy_table::{CellAlignment, Table, presets::ASCII_MARKDOWN};
 use serde::{Serialize, Serializer};
 
@@ -255,16 +256,7 @@ impl Summary {
 
 /// Six significant digits.
 fn number(x: f64) -> String {
-    let magnitude = x.abs();
-    if magnitude == 0.0 {
-        "0".into()
-    } else if (1e-3..1e7).contains(&magnitude) {
-        let decimals = (5 - magnitude.log10().floor() as i32).clamp(0, 8) as usize;
-        let text = format!("{x:.decimals$}");
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    } else {
-        format!("{x:.3e}")
-    }
+    if x == 0.0 || (1e-3..1e7).contains(&x.abs()) { significant(x, 6) } else { format!("{x:.3e}") }
 }
 
 #[cfg(test)]
