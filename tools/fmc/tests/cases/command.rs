@@ -87,6 +87,7 @@ fn interrupt_ends_cleanly() {
     assert_eq!(output.status.code(), Some(130), "{said}");
     assert!(said.contains("--resume"), "{said}");
     assert!(folder.0.join("checkpoint.state").exists());
+    assert!(folder.text("history.csv").lines().count() > 1, "what was computed stays");
 }
 
 #[test]
