@@ -1,5 +1,9 @@
+# make check     the library alone: format, lints, tests; below two minutes after a build
+# make test      what CI runs: format, lints, all tests in release mode, C and C++ hosts, valgrind, installation, the adapters for
+#                scikit-fem, FEniCSx and PETSc, the Python package; seconds of CPU of each suite at its end
+# make release   everything that takes long, step by step: test, compat, peers, agree, sanitizers, mutants; log: docs/release-log.md
+#
 # make demo      forces of two meshes in examples/, printed and written as VTU
-# make test      everything: format, lints, tests in release mode, C and C++ hosts, valgrind, installation, Python package
 # make python    the Python package, in an environment of its own under target/, and its tests
 # make hosts     the adapters for scikit-fem, FEniCSx and PETSc, and their tests, against the reference host too
 # make agree     the cases in all hosts, side by side: table and pictures in out/agree
@@ -10,7 +14,7 @@
 # make install   PREFIX=/usr/local: shared and static library, header, pkg-config and CMake files (Linux)
 # make clean
 #
-# demo and install need Rust (https://rustup.rs) and nothing else; test fetches what it lacks through apt.
+# demo and install need Rust (https://rustup.rs) and nothing else; check and test fetch what they lack through apt.
 
 PREFIX ?= /usr/local
 CARGO ?= cargo
@@ -19,22 +23,65 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: demo test tools python hosts host-environment agree peer-environment peers peers-test compat bench header build install clean
+.PHONY: check demo test suites release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench header build install clean
 
+# The command with `force` alone: no solver and no pictures are compiled.
 demo:
-	$(CARGO) run --release -p fmc-reference --bin fmc -- force examples/star.msh examples/block.msh --stiffness 2.8e7
+	$(CARGO) run --release -p fmc --no-default-features -- force examples/star.msh examples/block.msh --stiffness 2.8e7
+
+check: check-tools
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy -p fmc-contact --all-targets --release -- -D warnings
+	$(CARGO) test -p fmc-contact --release
+
+# Every step, and every program of tests, is a suite; .ci/suite notes its processor time.
+export SUITES = $(abspath $(TARGET))/suites.txt
+SUITE_OF = $(CURDIR)/.ci/suite
+TRIPLE = $(shell rustc -vV | sed -n 's/^host: //p')
+TESTS = --lib --bins --tests --examples
+AS_SUITES = $(shell echo CARGO_TARGET_$(TRIPLE)_RUNNER | tr 'a-z-' 'A-Z_')=$(SUITE_OF)
 
 test: tools
+	@mkdir -p $(TARGET) && rm -f $(SUITES)
 	$(CARGO) fmt --all --check
-	$(CARGO) clippy --workspace --all-targets --release -- -D warnings
-	$(CARGO) test --workspace --release
+	$(SUITE_OF) "lints (clippy)" $(CARGO) clippy --workspace --all-targets --release -- -D warnings
+	$(SUITE_OF) "lints (fmc with force alone)" $(CARGO) clippy --release -p fmc --no-default-features -- -D warnings
+	$(SUITE_OF) "lints (fmc without plots)" $(CARGO) clippy --release -p fmc --no-default-features --features statics -- -D warnings
+	$(SUITE_OF) "build of the tests" $(CARGO) test --workspace --release $(TESTS) --no-run
+	$(AS_SUITES) $(CARGO) test --workspace --release $(TESTS)
+	$(SUITE_OF) "examples in the docs" $(CARGO) test --workspace --release --doc
 	$(MAKE) hosts BUILD_FMC=
 	$(MAKE) python
+	@.ci/suites
+
+RELEASE_STEPS ?= test compat peers-test peers agree sanitizers mutants
+
+release:
+	.ci/release $(RELEASE_STEPS)
+
+# What is not installed leaves its reason for the log, and fails: nothing counts as passed that was not run.
+LEFT_OUT = { echo "$(1)" | tee $(TARGET)/left-out-$@ >&2; exit 1; }
+
+# The address and the thread sanitizer are of the nightly compiler, which also has to build the standard library for the second.
+sanitizers:
+	@rustup run nightly rustc --version >/dev/null 2>&1 || $(call LEFT_OUT,no nightly toolchain)
+	RUSTFLAGS=-Zsanitizer=address rustup run nightly $(CARGO) test -p fmc-contact --lib --tests --target $(TRIPLE) \
+	  --target-dir $(TARGET)/sanitizers
+	RUSTFLAGS=-Zsanitizer=thread rustup run nightly $(CARGO) test -Zbuild-std -p fmc-contact --lib --tests --target $(TRIPLE) \
+	  --target-dir $(TARGET)/sanitizers
+
+MUTANTS ?= --file 'src/overlap/**'
+
+mutants:
+	@$(CARGO) mutants --version >/dev/null 2>&1 || $(call LEFT_OUT,cargo-mutants is not installed)
+	$(CARGO) mutants --package fmc-contact --output $(TARGET) --profile release $(MUTANTS)
 
 # Programs that the tests call, with the Debian package that has each.
-TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake chromium:chromium
+CHECK_TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake
+TOOLS = $(CHECK_TOOLS) chromium:chromium
 
-tools:
+check-tools: TOOLS = $(CHECK_TOOLS)
+check-tools tools:
 	@missing=; for tool in $(TOOLS); do command -v $${tool%%:*} >/dev/null || missing="$$missing $${tool##*:}"; done; \
 	if [ -n "$$missing" ]; then \
 	  echo "installing$$missing"; \
@@ -52,21 +99,22 @@ python:
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3 python3-venv; }
 	@$(VENV)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV)
 	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
-	$(VENV)/bin/python -m pytest -q bindings/python
+	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q bindings/python
 
 # dolfinx is for the system's own Python, and scikit-fem has to use that one's numpy: a second one beside it would not fit
 # the compiled parts of dolfinx. So the environment sees the system's packages, and nothing is installed that brings numpy.
 SYSTEM_PYTHON ?= /usr/bin/python3
 HOSTS = $(abspath $(TARGET))/hosts
-HOST_PACKAGES = python3-dolfinx python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc
+PAGE_PACKAGES = python3-jinja2 python3-matplotlib
+HOST_PACKAGES = python3-dolfinx python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc $(PAGE_PACKAGES)
 
 # fmc comes first: the build of the Python package strips the library, after which cargo would build everything again.
 # After the tests of the workspace it is there, and BUILD_FMC is empty.
-BUILD_FMC = $(CARGO) build --release -p fmc-contact -p fmc-reference
+BUILD_FMC = $(CARGO) build --release -p fmc-contact -p fmc
 
 host-environment:
 	$(BUILD_FMC)
-	@{ $(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip' && mpicc --version && pkg-config PETSc; } >/dev/null 2>&1 \
+	@{ $(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip, jinja2, matplotlib' && mpicc --version && pkg-config PETSc; } >/dev/null 2>&1 \
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $(HOST_PACKAGES); }
 	@$(HOSTS)/bin/python -m pip --version >/dev/null 2>&1 \
 	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
@@ -74,31 +122,33 @@ host-environment:
 	$(MAKE) -C hosts/petsc PREFIX=$(HOSTS) OUT=$(HOSTS)/bin
 	$(HOSTS)/bin/python -m pip install -q pytest
 	$(HOSTS)/bin/python -m pip install -q --no-deps \
-	  scikit-fem ./bindings/python ./hosts/agreement ./hosts/skfem ./hosts/dolfinx
+	  scikit-fem ./bindings/python ./benchmarks/agreement ./hosts/skfem ./hosts/dolfinx
 
-RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibrium FMC_HOSTS=$(CURDIR)/hosts \
-  OMP_NUM_THREADS=1 $(HOSTS)/bin/python
+RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibrium \
+  FMC_DRIVERS=$(CURDIR)/benchmarks/agreement/drivers \
+  OMP_NUM_THREADS=1
 
 hosts: host-environment
-	$(RUN_HOSTS) -m pytest -q hosts/skfem
-	$(RUN_HOSTS) -m pytest -q hosts/dolfinx
-	$(RUN_HOSTS) -m pytest -q hosts/agreement
+	$(RUN_HOSTS) $(SUITE_OF) "scikit-fem" $(HOSTS)/bin/python -m pytest -q hosts/skfem
+	$(RUN_HOSTS) $(SUITE_OF) "FEniCSx" $(HOSTS)/bin/python -m pytest -q hosts/dolfinx
+	$(RUN_HOSTS) $(SUITE_OF) "agreement of the hosts" $(HOSTS)/bin/python -m pytest -q benchmarks/agreement
 
 agree: host-environment
-	$(RUN_HOSTS) -m fmc_agreement out/agree
+	$(RUN_HOSTS) $(HOSTS)/bin/python -m fmc_agreement out/agree
 
 # GetFEM is a package for the system's own Python. Its BLAS is unpacked here for it alone: installed, OpenBLAS would change every
 # other program's.
 PEER_BLAS = $(abspath $(TARGET))/peers
 BLAS_FOLDER = $(PEER_BLAS)/usr/lib/$(shell $(CC) -print-multiarch)/openblas-serial
 RUN_PEERS = FMC=$(abspath $(TARGET))/release/fmc OMP_NUM_THREADS=1 \
-  PYTHONPATH=$(CURDIR)/hosts/peers:$(CURDIR)/hosts/agreement/src LD_LIBRARY_PATH=$(BLAS_FOLDER):$(dir $(BLAS_FOLDER)) \
+  PYTHONPATH=$(CURDIR)/benchmarks/peers:$(CURDIR)/benchmarks/agreement/src LD_LIBRARY_PATH=$(BLAS_FOLDER):$(dir $(BLAS_FOLDER)) \
   $(SYSTEM_PYTHON)
 
 peer-environment:
-	$(CARGO) build --release -p fmc-reference
-	@$(SYSTEM_PYTHON) -c 'import getfem, numpy' 2>/dev/null \
-	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3-getfem python3-scipy; }
+	$(CARGO) build --release -p fmc
+	@$(SYSTEM_PYTHON) -c 'import getfem, jinja2, matplotlib, numpy' 2>/dev/null \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3-getfem python3-scipy \
+	    $(PAGE_PACKAGES); }
 	@test -e $(BLAS_FOLDER)/libblas.so.3 || { mkdir -p $(PEER_BLAS) && cd $(PEER_BLAS) \
 	  && { apt-get download -q libopenblas0-serial || { $(SUDO) apt-get update -q && apt-get download -q libopenblas0-serial; }; } \
 	  && dpkg -x libopenblas0-serial*.deb .; }
@@ -107,7 +157,7 @@ peers: peer-environment
 	$(RUN_PEERS) -m fmc_peers out/peers $(PEERS)
 
 peers-test: peer-environment
-	$(RUN_PEERS) -m unittest discover -v hosts/peers/tests
+	$(RUN_PEERS) -m unittest discover -v benchmarks/peers/tests
 
 SUITE ?= trixie
 
@@ -115,7 +165,7 @@ compat: host-environment
 	$(SUDO) hosts/dolfinx/compat.sh $(abspath $(TARGET))/compat/$(SUITE) $(HOSTS)/lib/libfmc_contact.so $(SUITE)
 
 bench:
-	$(CARGO) bench
+	$(CARGO) bench -p fmc-benchmarks
 
 header:
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header

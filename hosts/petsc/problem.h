@@ -1,4 +1,4 @@
-/* A body of linear elastic triangles on rigid half-spaces, as the table that hosts/agreement writes (plain.py). */
+/* A body of linear elastic triangles on rigid half-spaces, as the table that benchmarks/agreement writes (plain.py). */
 #ifndef PROBLEM_H
 #define PROBLEM_H
 #include <petscsys.h>

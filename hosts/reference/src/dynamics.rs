@@ -21,6 +21,7 @@ mod fingerprint;
 mod sample;
 mod setup;
 mod simulation;
+mod stable_step;
 mod state;
 mod step_limit;
 mod surface_area;

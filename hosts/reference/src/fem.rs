@@ -38,6 +38,7 @@ mod response;
 mod stiffness;
 mod stress;
 mod tangent;
+mod tensor;
 mod triplets;
 
 pub use constraints::Constraints;

@@ -1,19 +1,22 @@
-//! The reference host of fmc-contact: a small finite element code that uses the module through its public API alone.
+//! Elastic bodies in contact, at rest and in motion: a small finite element code over fmc-contact's public API.
 //!
-//! [`fem`] holds bodies of first-order elements (internal force, tangent, mass, stress), [`dynamics`] moves them through
-//! time, [`case`] reads benchmark problems as data, [`run`](mod@run) carries them out and [`study`] compares ways to
-//! solve them. [`mesh`] reads and writes files, [`chart`] draws pictures.
-//! The command `fmc` stands on top.
+//! ```text
+//! statics   dynamics      equilibrium by Newton's method; explicit leapfrog
+//!    |   \     |
+//! sparse    fem           factors of sparse symmetric matrices; bodies of first-order cells
+//! ```
+//!
+//! [`fem::Part`] is one body: a [`Mesh`] of one cell type and its material. A [`fem::Model`] holds the bodies of a problem
+//! under one numbering of nodes, and gives their force, stiffness, mass and stress. [`statics`] finds where they rest,
+//! [`dynamics`] moves them through time; both take the contact's options and the rigid obstacles as fmc-contact has them.
+//! Everything is SI, two dimensions are plane strain per metre of thickness, and the same input gives the same bits with
+//! any number of threads.
+//!
+//! `examples/disc_at_rest.rs` and `examples/bar_impact.rs` are complete programs.
 
-pub mod case;
-pub mod chart;
 pub mod dynamics;
 pub mod fem;
-pub mod mesh;
-pub mod rotation;
-pub mod run;
+pub mod sparse;
 pub mod statics;
-pub mod study;
-mod viridis;
 
-pub use viridis::viridis;
+pub use fmc_shapes::Mesh;

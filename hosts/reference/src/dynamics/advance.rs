@@ -1,7 +1,7 @@
 //! The leapfrog scheme, step by step.
 
 use super::error::DynamicsError;
-use super::evaluation::{Structure, Touch};
+use super::evaluation::{Structure, Touch, sum};
 use super::sample::Sample;
 use super::simulation::Simulation;
 use std::time::Instant;
@@ -110,8 +110,4 @@ impl<const D: usize> Simulation<D> {
         };
         std::array::from_fn(|axis| momentum(axis) / self.part_mass(part))
     }
-}
-
-pub(super) fn sum<const D: usize>(a: &[[f64; D]], b: &[[f64; D]]) -> Vec<[f64; D]> {
-    a.iter().zip(b).map(|(a, b)| std::array::from_fn(|axis| a[axis] + b[axis])).collect()
 }

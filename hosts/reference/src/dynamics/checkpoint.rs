@@ -12,9 +12,10 @@
 //! All little endian. The acceleration is not kept: it is a function of the displacement.
 
 use super::error::CheckpointError;
-use super::fingerprint::Fnv;
 use super::state::State;
+use fnv::FnvHasher;
 use std::fs::File;
+use std::hash::Hasher;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -103,9 +104,9 @@ impl<const D: usize> Checkpoint<D> {
 }
 
 fn checksum(bytes: &[u8]) -> u64 {
-    let mut hash = Fnv::new();
-    hash.bytes(bytes);
-    hash.0
+    let mut hash = FnvHasher::default();
+    hash.write(bytes);
+    hash.finish()
 }
 
 fn damaged<E>(_: E) -> CheckpointError {

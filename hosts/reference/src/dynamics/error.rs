@@ -1,6 +1,6 @@
 //! Why a simulation cannot start or go on.
 
-use super::StepLimit;
+use super::step_limit::StepLimit;
 use std::fmt;
 
 /// What stops a simulation. After an error of a step the simulation is as it was before that step.

@@ -81,3 +81,8 @@ impl<const D: usize> Actors<'_, D> {
 pub(super) fn placed<const D: usize>(coords: &[[f64; D]], displacement: &[[f64; D]]) -> Vec<[f64; D]> {
     coords.iter().zip(displacement).map(|(x, u)| std::array::from_fn(|axis| x[axis] + u[axis])).collect()
 }
+
+/// Sum of two nodal vectors.
+pub(super) fn sum<const D: usize>(a: &[[f64; D]], b: &[[f64; D]]) -> Vec<[f64; D]> {
+    a.iter().zip(b).map(|(a, b)| std::array::from_fn(|axis| a[axis] + b[axis])).collect()
+}

@@ -2,26 +2,18 @@
 
 use super::Setup;
 use fmc_contact::{Options, Shape};
+use fnv::FnvHasher;
 use std::fmt::Write;
+use std::hash::Hasher;
 
-/// FNV-1a, 64 bits: short, and the same on every machine. It guards against mistakes, not against malice.
-pub(super) struct Fnv(pub(super) u64);
+/// FNV-1a, 64 bits: the same on every machine and with every compiler, as a file needs it that outlives the program. It guards
+/// against mistakes, not against malice.
+#[derive(Default)]
+struct Fingerprint(FnvHasher);
 
-impl Fnv {
-    pub(super) fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-
-    pub(super) fn bytes(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-    }
-}
-
-impl Write for Fnv {
+impl Write for Fingerprint {
     fn write_str(&mut self, text: &str) -> std::fmt::Result {
-        self.bytes(text.as_bytes());
+        self.0.write(text.as_bytes());
         Ok(())
     }
 }
@@ -31,7 +23,7 @@ impl Write for Fnv {
 ///
 /// It hashes the text that `Debug` writes: shortest decimal numbers that read back as the same bits.
 pub(super) fn fingerprint<const D: usize>(setup: &Setup<D>) -> u64 {
-    let mut hash = Fnv::new();
+    let mut hash = Fingerprint::default();
     let contact = Options { threads: 1, ..setup.contact };
     let polytopes: Vec<_> = (setup.obstacles.iter())
         .filter_map(|o| if let Shape::Polytope { points, facets } = &o.shape { Some((points, facets)) } else { None })
@@ -44,5 +36,5 @@ pub(super) fn fingerprint<const D: usize>(setup: &Setup<D>) -> u64 {
         written = written.and(write!(hash, "{text:?}"));
     }
     debug_assert!(written.is_ok(), "a hash takes any text");
-    hash.0
+    hash.0.finish()
 }

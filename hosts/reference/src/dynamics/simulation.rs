@@ -1,13 +1,13 @@
 //! Bodies in motion.
 
-use super::advance::sum;
 use super::checkpoint::Checkpoint;
 use super::error::{CheckpointError, DynamicsError};
-use super::evaluation::{Actors, Structure, Touch, placed};
+use super::evaluation::{Actors, Structure, Touch, placed, sum};
 use super::fingerprint::fingerprint;
 use super::setup::{Setup, Step};
+use super::stable_step::Stiffness;
 use super::state::State;
-use super::step_limit::{StepLimit, Stiffness};
+use super::step_limit::StepLimit;
 use crate::fem::Model;
 use fmc_contact::{Contact, ContactForces};
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Determinants and cofactors of 2 × 2 and 3 × 3 tensors, without loops over signs.
 
-use super::response::{Tensor, from_fn};
+use super::tensor::{Tensor, from_fn};
 
 /// Cofactor C = ∂(det F)/∂F = det F · F⁻ᵀ.
 #[inline(always)]

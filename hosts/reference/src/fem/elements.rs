@@ -2,7 +2,7 @@
 
 use super::cofactor::cofactor;
 use super::quadrature::gauss_points;
-use super::response::{Tensor, from_fn};
+use super::tensor::{Tensor, from_fn};
 use super::{Error, Material, Part};
 use fmc_contact::CellType;
 

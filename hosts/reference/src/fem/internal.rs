@@ -3,7 +3,8 @@
 use super::Model;
 use super::assembly::assemble;
 use super::elements::{Cell, Elements};
-use super::response::{Response, Tensor};
+use super::response::Response;
+use super::tensor::Tensor;
 use rayon::ThreadPool;
 
 impl<const D: usize> Model<D> {

@@ -1,7 +1,7 @@
 //! Hooke's law.
 
 use super::Material;
-use super::response::{Tensor, from_fn};
+use super::tensor::{Tensor, from_fn};
 
 /// W = λ/2 (tr ε)² + μ ε:ε with ε = (H + Hᵀ)/2.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +24,6 @@ impl LinearElastic {
             let spherical = if i == j { self.lame * trace } else { 0.0 };
             spherical + self.shear * (h[i][j] + h[j][i])
         });
-        (stress, 0.5 * super::response::contract(&stress, h))
+        (stress, 0.5 * super::tensor::contract(&stress, h))
     }
 }

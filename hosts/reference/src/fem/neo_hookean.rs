@@ -11,7 +11,7 @@
 use super::Material;
 use super::cofactor::{cofactor, cofactor_derivative, dilation};
 use super::cube_root::inverse_cube_root;
-use super::response::{Tensor, contract, from_fn};
+use super::tensor::{Tensor, contract, from_fn};
 
 /// W = G/2 (J^(−2/3) I₁ − 3) + K/2 (J − 1)².
 #[derive(Clone, Copy, Debug)]

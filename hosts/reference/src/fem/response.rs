@@ -2,10 +2,8 @@
 
 use super::linear_elastic::LinearElastic;
 use super::neo_hookean::NeoHookean;
+use super::tensor::{Tensor, from_fn};
 use super::{Law, Material};
-
-/// Second-order tensor by rows.
-pub(super) type Tensor<const D: usize> = [[f64; D]; D];
 
 /// Material with the constants of its law; all methods take H = ∂u/∂X, in 2D that of plane strain.
 #[derive(Clone, Copy, Debug)]
@@ -65,27 +63,10 @@ impl Response {
     }
 }
 
-/// Square array by its indices.
-#[inline(always)]
-pub(super) fn from_fn<T, const D: usize>(entry: impl Fn(usize, usize) -> T) -> [[T; D]; D] {
-    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
-}
-
-/// Double contraction a : b.
-#[inline(always)]
-pub(super) fn contract<const D: usize>(a: &Tensor<D>, b: &Tensor<D>) -> f64 {
-    let mut sum = 0.0;
-    for i in 0..D {
-        for j in 0..D {
-            sum += a[i][j] * b[i][j];
-        }
-    }
-    sum
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fem::tensor::contract;
     use fmc_shapes::{Splitmix, random_rotation};
 
     const G: f64 = 50.0 / 1.3;

@@ -1,7 +1,8 @@
 //! Stiffness of single elements.
 
 use super::elements::Elements;
-use super::response::{Response, Tensor, from_fn};
+use super::response::Response;
+use super::tensor::{Tensor, from_fn};
 
 impl<const D: usize> Elements<D> {
     /// Stiffness of one cell at `displacement` of the model's nodes, by rows of node · D + axis, exactly symmetric:

@@ -1,7 +1,8 @@
 //! Cauchy stress.
 
 use super::Model;
-use super::response::{Response, Tensor, from_fn};
+use super::response::Response;
+use super::tensor::{Tensor, from_fn};
 
 /// Cauchy stress as xx, yy, zz, xy, yz, zx, in Pa, tension positive; in plane strain with its zz.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -5,8 +5,7 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Tangent;
 use super::line_search::{FLAT, GAIN, shortened};
-use super::stiffness::Entries;
-use fmc_sparse::Lower;
+use crate::sparse::{Entries, Lower};
 
 /// Equations on which contact acts, at most: the systems of the iterations have no more, but are dense.
 const MOST_KEPT: usize = 1500;

@@ -2,12 +2,11 @@
 
 use super::balance::Balance;
 use super::error::StaticsError;
-use super::newton::NewtonSettings;
+use super::newton_settings::NewtonSettings;
 use super::problem::Problem;
-use super::stiffness::Entries;
 use crate::fem::{Constraints, Model};
+use crate::sparse::{Entries, Factorisation, Lower};
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
-use fmc_sparse::{Factorisation, Lower};
 use std::sync::Arc;
 use std::time::Instant;
 

@@ -4,30 +4,9 @@ use super::balance::Balance;
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
+use super::newton_settings::NewtonSettings;
 use fmc_contact::{EnergyLaw, FiberProfile};
 use std::ops::ControlFlow;
-
-/// How Newton's method is led.
-///
-/// The energy of the fiber law is not convex where lines meet inclined flanks, and the full tangent may lead astray far
-/// from the solution. So the matrix is semidefinite in its contact part until the residual is below `full_below`, and
-/// full then, in the iterations of the contact alone as in those of everything at once, which are made where the former
-/// cannot be; back for one step if a full one does not halve the residual, or if the full matrix is not positive definite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NewtonSettings {
-    /// Residual by the forces at which a state counts as balanced.
-    pub tolerance: f64,
-    /// Iterations of one load step, at most.
-    pub most_iterations: usize,
-    /// Residual by the forces below which the full tangent is used.
-    pub full_below: f64,
-}
-
-impl Default for NewtonSettings {
-    fn default() -> Self {
-        Self { tolerance: 1e-10, most_iterations: 60, full_below: 0.1 }
-    }
-}
 
 /// What a solver is watched by; it may break off.
 pub(super) type Watch<'a> = &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>;

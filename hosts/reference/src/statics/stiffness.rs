@@ -4,12 +4,9 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Tangent;
 use crate::fem::Law;
+use crate::sparse::{Entries, Lower};
 use fmc_contact::contact::TangentPart;
-use fmc_sparse::Lower;
 use std::sync::Arc;
-
-/// Row, column and value on the equations, row ≥ column.
-pub(super) type Entries = Vec<(usize, usize, f64)>;
 
 impl<const D: usize> Equilibrium<D> {
     /// Stiffness of the bodies at a displacement. That of linear materials is computed once.

@@ -2,7 +2,7 @@
 
 use crate::scene::{exact, run, tip_on_block};
 use fmc_contact::{EnergyLaw, Estimator, FiberOptions, Options, Resolution};
-use fmc_reference::dynamics::{Sample, Setup, Simulation, Step};
+use fmc_solid::dynamics::{Sample, Setup, Simulation, Step};
 
 const K: f64 = 1e6;
 const STEP: f64 = 1.2e-3;

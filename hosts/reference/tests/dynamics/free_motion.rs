@@ -2,9 +2,9 @@
 
 use crate::scene::{exact, material, part, run};
 use fmc_contact::CellType;
-use fmc_reference::dynamics::{Sample, Setup, Simulation, Step};
-use fmc_reference::fem::{Law, Model};
 use fmc_shapes::{cuboid_tet4, rectangle_quad4};
+use fmc_solid::dynamics::{Sample, Setup, Simulation, Step};
+use fmc_solid::fem::{Law, Model};
 
 fn block(law: Law) -> Model<3> {
     let mesh = cuboid_tet4([0.0; 3], [1.0, 2.0, 3.0], [2, 2, 3]);

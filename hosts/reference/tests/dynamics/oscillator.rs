@@ -2,9 +2,9 @@
 
 use crate::scene::{exact, material, part};
 use fmc_contact::CellType;
-use fmc_reference::dynamics::{DynamicsError, Setup, Simulation, Step};
-use fmc_reference::fem::{Constraints, Law, Model};
 use fmc_shapes::rectangle_quad4;
+use fmc_solid::dynamics::{DynamicsError, Setup, Simulation, Step};
+use fmc_solid::fem::{Constraints, Law, Model};
 
 /// One linear elastic cell, ν = 0, held at its left, its right side moving along x only, at velocity 1 from rest: a
 /// spring of stiffness E (unit height and length) and the mass ρ/2.

@@ -2,9 +2,9 @@
 
 use crate::scene::{exact, material, part, tip_on_block};
 use fmc_contact::CellType;
-use fmc_reference::dynamics::{DynamicsError, Setup, Simulation, Step};
-use fmc_reference::fem::{Law, Model};
 use fmc_shapes::rectangle_quad4;
+use fmc_solid::dynamics::{DynamicsError, Setup, Simulation, Step};
+use fmc_solid::fem::{Law, Model};
 
 fn refusal(setup: Setup<2>) -> DynamicsError {
     Simulation::start(setup).err().expect("not refused")

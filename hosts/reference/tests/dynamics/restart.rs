@@ -2,7 +2,7 @@
 
 use crate::scene::{exact, run, tip_on_block};
 use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, Options};
-use fmc_reference::dynamics::{CheckpointError, DynamicsError, Sample, Setup, Simulation, Step};
+use fmc_solid::dynamics::{CheckpointError, DynamicsError, Sample, Setup, Simulation, Step};
 use std::path::PathBuf;
 
 const STEP: Step = Step::Fixed(1.2e-3);

@@ -1,9 +1,9 @@
 //! Small bodies in motion.
 
 use fmc_contact::{CellType, EnergyLaw, Estimator, Options};
-use fmc_reference::dynamics::{Sample, Setup, Simulation, Step};
-use fmc_reference::fem::{Law, Material, Model, Part};
 use fmc_shapes::{Mesh, rectangle_quad4};
+use fmc_solid::dynamics::{Sample, Setup, Simulation, Step};
+use fmc_solid::fem::{Law, Material, Model, Part};
 
 /// E = 1000, ρ = 1.
 pub(crate) fn material(law: Law, poisson: f64) -> Material {

@@ -2,9 +2,9 @@
 
 use crate::scene::{exact, material, part, run, tip_on_block};
 use fmc_contact::{CellType, EnergyLaw};
-use fmc_reference::dynamics::{DynamicsError, Setup, Simulation, Step};
-use fmc_reference::fem::{Constraints, Law, Model};
 use fmc_shapes::rectangle_quad4;
+use fmc_solid::dynamics::{DynamicsError, Setup, Simulation, Step};
+use fmc_solid::fem::{Constraints, Law, Model};
 
 /// Two unit cells, the upper one 0.1 deep in the lower one, each moving as one along y only: lower held, upper of mass 1.
 /// Material so soft that the contact decides.

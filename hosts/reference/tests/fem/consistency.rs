@@ -2,8 +2,8 @@
 
 use crate::{distorted_2d, distorted_3d, homogeneous, largest, models, part, random_field};
 use fmc_contact::CellType;
-use fmc_reference::fem::{Law, Model};
 use fmc_shapes::{cuboid_hex8, cuboid_tet4, random_rotation, rectangle_quad4};
+use fmc_solid::fem::{Law, Model};
 
 fn moved<const D: usize>(u: &[[f64; D]], du: &[[f64; D]], step: f64) -> Vec<[f64; D]> {
     u.iter().zip(du).map(|(u, du)| std::array::from_fn(|i| u[i] + step * du[i])).collect()
@@ -44,7 +44,7 @@ fn force_and_stiffness_are_derivatives<const D: usize>(models: Vec<Model<D>>) {
         // Symmetric to the last bit, entry against transposed entry of the same cell.
         let mut other = tangent.clone();
         std::mem::swap(&mut other.rows, &mut other.columns);
-        let sorted = |triplets: &fmc_reference::fem::Triplets| {
+        let sorted = |triplets: &fmc_solid::fem::Triplets| {
             let mut entries: Vec<_> = triplets.iter().map(|(i, j, value)| (i, j, value.to_bits())).collect();
             entries.sort_unstable();
             entries
@@ -94,7 +94,7 @@ fn internal_forces_balance() {
 }
 
 /// Several blocks of cells, several parts, one to three threads.
-fn threads_change_no_bit<const D: usize>(parts: Vec<fmc_reference::fem::Part<D>>) {
+fn threads_change_no_bit<const D: usize>(parts: Vec<fmc_solid::fem::Part<D>>) {
     let results = [1, 2, 3].map(|threads| {
         let model = Model::new(parts.clone()).unwrap().with_threads(threads).unwrap();
         let mut u = random_field::<D>(model.node_count(), 0.002, 1);

@@ -2,8 +2,8 @@
 
 use crate::{distorted_2d, distorted_3d, material, models, part, random_field};
 use fmc_contact::CellType;
-use fmc_reference::fem::{Law, Material, Model, Part};
 use fmc_shapes::{Mesh, cuboid_hex8, rectangle_quad4, regular_polygon, star_quad4};
+use fmc_solid::fem::{Law, Material, Model, Part};
 use nalgebra::DMatrix;
 
 fn frequencies<const D: usize>(model: &Model<D>, displacement: &[[f64; D]]) -> [f64; 2] {

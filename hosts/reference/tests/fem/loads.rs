@@ -2,8 +2,8 @@
 
 use crate::{distorted_2d, distorted_3d, models, part};
 use fmc_contact::CellType;
-use fmc_reference::fem::{Law, Model};
 use fmc_shapes::{cuboid_hex8, cuboid_tet4, rectangle_quad4};
+use fmc_solid::fem::{Law, Model};
 
 fn masses_add_up<const D: usize>(models: Vec<Model<D>>) {
     for model in models {

@@ -8,8 +8,8 @@ mod refusals;
 mod stress;
 
 use fmc_contact::CellType;
-use fmc_reference::fem::{Law, Material, Model, Part};
 use fmc_shapes::{Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
+use fmc_solid::fem::{Law, Material, Model, Part};
 
 const LAWS: [Law; 2] = [Law::LinearElastic, Law::NeoHookean];
 

@@ -1,7 +1,7 @@
 //! A linear displacement field is met exactly, however distorted the cells.
 
 use crate::{distorted_2d, distorted_3d, homogeneous, largest, material, models};
-use fmc_reference::fem::{Law, Model};
+use fmc_solid::fem::{Law, Model};
 
 /// First Piola–Kirchhoff stress of a stretch and shear in the plane, written out by hand, F_zz = 1 in all cases:
 /// F = [[s, g], [0, 1]] has J = s, cof F = [[1, 0], [−g, s]] and cof_zz = s.

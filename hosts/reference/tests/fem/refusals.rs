@@ -2,8 +2,8 @@
 
 use crate::part;
 use fmc_contact::CellType;
-use fmc_reference::fem::{Error, Law, Model, Part};
 use fmc_shapes::rectangle_quad4;
+use fmc_solid::fem::{Error, Law, Model, Part};
 
 fn square() -> Part<2> {
     part(CellType::Quad4, rectangle_quad4([0.0; 2], [1.0; 2], [2, 2]), Law::NeoHookean)

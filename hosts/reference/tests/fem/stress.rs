@@ -2,8 +2,8 @@
 
 use crate::{LAWS, homogeneous, material, part};
 use fmc_contact::CellType;
-use fmc_reference::fem::{Law, Model, Stress};
 use fmc_shapes::{Mesh, cuboid_hex8, rectangle_quad4};
+use fmc_solid::fem::{Law, Model, Stress};
 
 /// Stretch s along x, nothing else moves. Hooke: σ_xx − σ_zz = 2μ (s − 1). Neo-Hookean: σ = (a F Fᵀ + b J I)/J, so
 /// σ_xx − σ_zz = G s^(−5/3) (s² − 1). In both σ_yy = σ_zz, and the difference is von Mises' stress.

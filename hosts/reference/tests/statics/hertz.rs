@@ -2,8 +2,8 @@
 
 use crate::scene::{HALF_WIDTH, PEAK, exact, hertz, hertz_of, lines, recorder, solved};
 use fmc_contact::{EnergyLaw, FiberProfile, Options};
-use fmc_reference::fem::Law;
-use fmc_reference::statics::{Equilibrium, FixedPoint, Iteration, Problem, nodal_pressures};
+use fmc_solid::fem::Law;
+use fmc_solid::statics::{Equilibrium, FixedPoint, Iteration, Problem, nodal_pressures};
 use std::ops::ControlFlow;
 
 /// 1000 E per length: a penetration of 5e-5 at the peak pressure.
@@ -88,7 +88,7 @@ fn the_linear_law_is_made_sharp() {
 fn load_steps_lead_to_the_same_place() {
     let (at, _) = solved(hertz(4.0, exact(LAW)));
     let mut by_steps = Equilibrium::new(hertz(4.0, exact(LAW))).unwrap();
-    let path = fmc_reference::statics::Path { steps: 4, ..Default::default() };
+    let path = fmc_solid::statics::Path { steps: 4, ..Default::default() };
     by_steps.follow(path, &mut |_: &Iteration| ControlFlow::Continue(())).unwrap();
     let worst = (at.displacement().iter().flatten().zip(by_steps.displacement().iter().flatten()))
         .map(|(a, b)| (a - b).abs())

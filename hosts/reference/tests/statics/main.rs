@@ -2,8 +2,6 @@
 
 mod scene;
 
-mod fibers;
 mod hertz;
-mod indentation;
 mod patch;
 mod refusals;

@@ -2,9 +2,9 @@
 
 use crate::scene::{exact, lines, part, solved};
 use fmc_contact::{CellType, EnergyLaw, Estimator, FiberProfile, Options};
-use fmc_reference::fem::{Constraints, Model};
-use fmc_reference::statics::Problem;
 use fmc_shapes::{Diagonals, Mesh, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
+use fmc_solid::fem::{Constraints, Model};
+use fmc_solid::statics::Problem;
 
 const PRESSURE: f64 = 1.0;
 

@@ -2,8 +2,8 @@
 
 use crate::scene::{exact, hertz};
 use fmc_contact::{EnergyLaw, FiberProfile};
-use fmc_reference::fem::Constraints;
-use fmc_reference::statics::{Equilibrium, Iteration, Problem, StaticsError};
+use fmc_solid::fem::Constraints;
+use fmc_solid::statics::{Equilibrium, Iteration, Problem, StaticsError};
 use std::ops::ControlFlow;
 
 fn failure(problem: Problem<2>, most_iterations: usize) -> (StaticsError, Equilibrium<2>) {

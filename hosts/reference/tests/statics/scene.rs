@@ -1,9 +1,9 @@
 //! Problems with an answer.
 
 use fmc_contact::{CellType, EnergyLaw, Estimator, FiberOptions, Obstacle, Options, Pose, Resolution, Shape};
-use fmc_reference::fem::{Constraints, Law, Material, Model, Part};
-use fmc_reference::statics::{Equilibrium, Iteration, Problem};
 use fmc_shapes::{Mesh, graded_half_disc_tri3};
+use fmc_solid::fem::{Constraints, Law, Material, Model, Part};
+use fmc_solid::statics::{Equilibrium, Iteration, Problem};
 use std::ops::ControlFlow;
 
 pub(crate) fn material(young: f64) -> Material {

@@ -1,0 +1,115 @@
+"""Which cases run in which hosts."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from . import figures, outcome, plain
+from .problem import Problem
+
+DRIVERS = Path(__file__).parents[2] / "drivers"
+"""The folder of the drivers in the checkout; ``FMC_DRIVERS`` where this package is installed elsewhere."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A case, what is changed in it, and the hosts beside the reference that run it: name and number of ranks."""
+
+    name: str
+    variant: str | None = None
+    changes: tuple[str, ...] = ()
+    tolerance: float = 1e-8
+    """How far displacements may be apart, by the largest."""
+    hosts: tuple[tuple[str, int], ...] = (("skfem", 1), ("dolfinx", 1))
+    snes: bool = False
+    """Whether dolfinx solves it by PETSc's SNES, as its adapter offers, instead of the solver that the hosts share."""
+
+    @property
+    def title(self) -> str:
+        words = [self.name, *([self.variant] if self.variant else []), *self.changes]
+        return ", ".join(words)
+
+
+# With the stiffness of the case file the star's impact multiplies what differs by 1e11: a change of Young's modulus
+# in its thirteenth digit moves nodes of one and the same host by 1.5 %. Softer contact does not, and needs longer to
+# let go.
+CASES = (
+    Case(
+        "hertz",
+        hosts=(("skfem", 1), *[("dolfinx", n) for n in (1, 2, 3, 4)], *[("petsc", n) for n in (1, 2, 4)]),
+        snes=True,
+    ),
+    Case("hertz3d"),
+    Case("patch3d"),
+    Case("patch3d", "tet4"),
+    Case("wedge"),
+    # Its contact normal is the mean over sampled lines. The reference host's last turns swing between two sets of them, each
+    # with its equilibrium; the Python hosts come to rest on a third. With facets of 0.04 all agree to 1e-12.
+    Case("cone", tolerance=1e-3),
+    Case("punch"),
+    Case("ironing"),
+    Case("bar", tolerance=1e-6),
+    Case("star", "smooth", ("contact.stiffness=1e9", "time.end=9e-3"), tolerance=1e-6),
+)
+
+
+def label(host: str, ranks: int) -> str:
+    """Name of a host's files."""
+    return host if ranks == 1 else f"{host}-np{ranks}"
+
+
+def run(host: str, ranks: int, case: Case, problem: Problem, folder: Path) -> float:
+    """Runs a case in a host, which writes its outcome; returns the seconds of the whole program."""
+    begin = time.perf_counter()
+    if host == "petsc":
+        _petsc(ranks, problem, folder)
+        return time.perf_counter() - begin
+    command = [sys.executable, str(drivers() / host / "run_case.py"), case.name, "--out", str(folder)]
+    command += ["--variant", case.variant] if case.variant else []
+    for change in case.changes:
+        command += ["--override", change]
+    if host == "dolfinx":
+        command = [*mpirun(ranks), *command, "--host", label(host, ranks), *(["--snes"] if case.snes else [])]
+    _call(command)
+    return time.perf_counter() - begin
+
+
+def mpirun(ranks: int) -> list[str]:
+    """A program on several ranks; it ends after ten minutes, whatever its ranks wait for."""
+    return ["timeout", "600", "mpirun", "--oversubscribe", "-n", str(ranks)]
+
+
+def drivers() -> Path:
+    """Where the drivers are, a folder for each host."""
+    return Path(os.environ.get("FMC_DRIVERS", DRIVERS))
+
+
+def _petsc(ranks: int, problem: Problem, folder: Path) -> None:
+    table, solution = folder / "problem.txt", folder / f"petsc-np{ranks}.txt"
+    plain.write(problem, table)
+    program = os.environ.get("FMC_PETSC", "equilibrium")
+    _call([*mpirun(ranks), program, str(table), str(solution)])
+    with open(solution) as file:
+        iterations, seconds, contact_seconds = map(float, file.readline().split())
+        rows = np.loadtxt(file)
+    displacement, force = rows[:, :2], rows[:, 2:]
+    found, curve = figures.hertz(problem, force)
+    found["penetration_max"] = -float(np.minimum((problem.coords + displacement)[:, 1], 0.0).min())
+    outcome.write(
+        folder, label("petsc", ranks), problem, found, displacement, force, curve, int(iterations), seconds,
+        contact_seconds, ranks=ranks,
+    )  # fmt: skip
+
+
+def _call(command: list[str]) -> None:
+    more = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMP_NUM_THREADS": "1"}
+    done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, **more})
+    if done.returncode != 0:
+        raise RuntimeError(f"{' '.join(command)}\n{done.stdout}\n{done.stderr}")

@@ -1,0 +1,46 @@
+"""scikit-fem against the reference host, node for node. ``FMC`` names its command; ``make hosts`` sets it."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+if "FMC" not in os.environ:
+    pytest.skip("the environment variable FMC does not name the command fmc", allow_module_level=True)
+
+from fmc_agreement import outcome, reference
+
+DRIVER = Path(__file__).parents[1] / "drivers" / "skfem" / "run_case.py"
+TIGHT = "load_steps.tolerance=1e-12"
+
+
+@pytest.mark.parametrize(
+    "case, variant, changes",
+    [
+        ("hertz", None, (TIGHT, "bodies.disc.mesh.finest=0.1134")),
+        ("patch2d", None, ()),
+        ("patch3d", None, ()),
+        ("patch3d", "tet4", ()),
+        ("bar", None, ()),
+        ("bar3d", None, ("time.end=0.2",)),
+        ("star", "smooth", ("contact.stiffness=1e9", "time.end=1e-3")),
+    ],
+)
+def test_displacement_and_force_are_those_of_the_reference_host(tmp_path, case, variant, changes):
+    problem = reference.run(tmp_path, case, variant, changes)
+    command = [sys.executable, str(DRIVER), case, "--out", str(tmp_path)]
+    command += ["--variant", variant] if variant else []
+    for change in changes:
+        command += ["--override", change]
+    run = subprocess.run(command, capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout + run.stderr
+    (_, ours), (_, theirs) = outcome.read(tmp_path, "skfem"), outcome.read(tmp_path, "reference")
+    assert np.abs(theirs["displacement"]).max() > 0.0
+    # Newton stops below 1e-10 of the forces, as a rule far below; motions add up rounding over their steps.
+    for key in ("displacement", "force"):
+        scale = np.abs(theirs[key]).max()
+        assert np.abs(ours[key] - theirs[key]).max() <= 1e-8 * scale
+    assert problem.coords.shape == ours["displacement"].shape

@@ -1,0 +1,18 @@
+//! The cases that are part of the program.
+
+/// Name and text of every case in `benchmarks/cases/`.
+pub const CASES: [(&str, &str); 13] = [
+    ("bar", include_str!("../../cases/bar.toml")),
+    ("bar3d", include_str!("../../cases/bar3d.toml")),
+    ("blocks3d", include_str!("../../cases/blocks3d.toml")),
+    ("cone", include_str!("../../cases/cone.toml")),
+    ("diamond", include_str!("../../cases/diamond.toml")),
+    ("hertz", include_str!("../../cases/hertz.toml")),
+    ("hertz3d", include_str!("../../cases/hertz3d.toml")),
+    ("ironing", include_str!("../../cases/ironing.toml")),
+    ("patch2d", include_str!("../../cases/patch2d.toml")),
+    ("patch3d", include_str!("../../cases/patch3d.toml")),
+    ("punch", include_str!("../../cases/punch.toml")),
+    ("star", include_str!("../../cases/star.toml")),
+    ("wedge", include_str!("../../cases/wedge.toml")),
+];

@@ -1,8 +1,0 @@
-//! Commands about cases.
-
-mod interrupt;
-pub(crate) mod list;
-pub(crate) mod mesh;
-pub(crate) mod report;
-pub(crate) mod run;
-pub(crate) mod study;

@@ -1,0 +1,10 @@
+//! Commands about cases.
+
+mod interrupt;
+pub(crate) mod list;
+pub(crate) mod mesh;
+#[cfg(feature = "plots")]
+pub(crate) mod report;
+pub(crate) mod run;
+pub(crate) mod study;
+pub(crate) mod verify;

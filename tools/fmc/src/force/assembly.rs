@@ -1,0 +1,88 @@
+//! Several meshes as one.
+
+use anyhow::{Result, ensure};
+use fmc_contact::{Bodies, CellBlock, CellType, Error, Surface};
+use fmc_mesh_io::{Kind, Mesh};
+
+/// The meshes of all files, one behind the other: nodes, and cells, are numbered through from 0.
+pub(super) struct Assembly<const D: usize> {
+    pub(super) meshes: Vec<Mesh>,
+    pub(super) kind: Kind,
+    pub(super) coords: Vec<[f64; D]>,
+    /// First node of every mesh.
+    pub(super) node_starts: Vec<u32>,
+    /// Blocks of all meshes, with nodes numbered through.
+    blocks: Vec<(CellType, Vec<u32>)>,
+}
+
+/// Triangles of a quadrilateral facet: cut along the diagonal from its first node.
+const HALVES: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+
+impl<const D: usize> Assembly<D> {
+    pub(super) fn new(meshes: Vec<Mesh>, kind: Kind) -> Result<Self> {
+        let node_count: usize = meshes.iter().map(|mesh| mesh.points.len()).sum();
+        ensure!(u32::try_from(node_count).is_ok(), "{node_count} nodes are more than 32 bits can number");
+        let mut assembly =
+            Self { meshes: Vec::new(), kind, coords: Vec::new(), node_starts: Vec::new(), blocks: Vec::new() };
+        for mesh in meshes {
+            let start = assembly.coords.len() as u32;
+            assembly.node_starts.push(start);
+            assembly.coords.extend(mesh.points.iter().map(|x| -> [f64; D] { std::array::from_fn(|axis| x[axis]) }));
+            for block in &mesh.blocks {
+                assembly.blocks.push((block.cell_type, block.conn.iter().map(|node| node + start).collect()));
+            }
+            assembly.meshes.push(mesh);
+        }
+        Ok(assembly)
+    }
+
+    /// Number of cells.
+    pub(super) fn cell_count(&self) -> usize {
+        self.meshes.iter().map(Mesh::cell_count).sum()
+    }
+
+    /// Cells as type and nodes, in their order.
+    pub(super) fn cells(&self) -> impl Iterator<Item = (CellType, &[u32])> {
+        self.blocks
+            .iter()
+            .flat_map(|(cell_type, conn)| conn.chunks_exact(cell_type.node_count()).map(|nodes| (*cell_type, nodes)))
+    }
+
+    /// Boundary of bodies told by an id per cell, or connected ones.
+    pub(super) fn surface(&self, ids: Option<&[i64]>) -> Result<Surface<D>, Error> {
+        if self.kind == Kind::Surface {
+            let facets: Vec<([u32; D], usize)> = self.facets().collect();
+            let ids: Option<Vec<i64>> = ids.map(|ids| facets.iter().map(|(_, cell)| ids[*cell]).collect());
+            let facets: Vec<[u32; D]> = facets.into_iter().map(|(nodes, _)| nodes).collect();
+            return Surface::from_facets(&self.coords, &facets, ids.as_deref().map_or(Bodies::Connected, Bodies::Ids));
+        }
+        let blocks: Vec<CellBlock> =
+            self.blocks.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
+        Surface::from_cells(&self.coords, &blocks, ids.map_or(Bodies::Connected, Bodies::Ids))
+    }
+
+    /// Cells of a surface as triangles, each with the cell that it belongs to.
+    pub(super) fn facets(&self) -> impl Iterator<Item = ([u32; D], usize)> {
+        self.cells().enumerate().flat_map(|(cell, (cell_type, nodes))| {
+            let pieces = if cell_type == CellType::Quad4 { &HALVES[..] } else { &HALVES[..1] };
+            pieces.iter().map(move |piece| (std::array::from_fn(|k| nodes[piece[k]]), cell))
+        })
+    }
+
+    /// Mesh that a cell belongs to, and its number in the file.
+    pub(super) fn cell_origin(&self, mut cell: usize) -> (usize, u64) {
+        for (mesh, contents) in self.meshes.iter().enumerate() {
+            match contents.cells().nth(cell) {
+                Some((_, _, tag, _)) => return (mesh, tag),
+                None => cell -= contents.cell_count(),
+            }
+        }
+        unreachable!("cells come from meshes")
+    }
+
+    /// Mesh that a node belongs to, and its number in the file.
+    pub(super) fn node_origin(&self, node: usize) -> (usize, u64) {
+        let mesh = self.node_starts.partition_point(|&start| start as usize <= node) - 1;
+        (mesh, self.meshes[mesh].node_tags[node - self.node_starts[mesh] as usize])
+    }
+}

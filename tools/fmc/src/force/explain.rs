@@ -1,0 +1,60 @@
+//! Errors of the module in the numbers of the files.
+
+use super::assembly::Assembly;
+use fmc_contact::Error;
+use fmc_mesh_io::Kind;
+
+/// The sentence for an error about the assembled mesh, with its files and the numbers that they give nodes and cells.
+/// `names` are those of the bodies, as far as known.
+pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, names: &[String]) -> anyhow::Error {
+    // Facets of a surface that was given directly are pieces of cells; all other numbers are those of cells.
+    let cell = |number: usize| {
+        let facet = || assembly.facets().nth(number).map(|(_, cell)| cell);
+        let cell = if assembly.kind == Kind::Surface { facet().unwrap_or(0) } else { number };
+        let (mesh, tag) = assembly.cell_origin(cell);
+        (assembly.meshes[mesh].file.as_str(), tag)
+    };
+    let node = |number: usize| assembly.node_origin(number).1;
+    let between = |nodes: &[usize; 2]| match nodes.map(node) {
+        [a, b] if a == b => format!("node {a}"),
+        [a, b] => format!("the edge of nodes {a} and {b}"),
+    };
+    let sentence = match error {
+        Error::NonFiniteCoordinate { node: n, axis } => {
+            let file = &assembly.meshes[assembly.node_origin(*n).0].file;
+            format!("{file}: coordinate {} of node {} is not finite", ["x", "y", "z"][*axis], node(*n))
+        }
+        Error::RepeatedNode { cell: c, node: n } => {
+            format!("{}: cell {} names node {} twice", cell(*c).0, cell(*c).1, node(*n))
+        }
+        Error::InvertedCell { cell: c } => {
+            format!("{}: cell {} is turned inside out, as a whole or at a corner", cell(*c).0, cell(*c).1)
+        }
+        Error::ZeroMeasure { cell: c } => {
+            format!("{}: cell {} has no {}", cell(*c).0, cell(*c).1, if D == 2 { "area" } else { "area or volume" })
+        }
+        Error::OpenSurface { facet, nodes } => format!(
+            "{}: its triangles are neither flat (a 2D mesh has one z for all nodes) nor a closed surface: cell {} has \
+             no neighbour at {}",
+            cell(*facet).0,
+            cell(*facet).1,
+            between(nodes)
+        ),
+        Error::NonManifold { facet, nodes } => {
+            format!("{}: cell {} is the third to meet at {}", cell(*facet).0, cell(*facet).1, between(nodes))
+        }
+        Error::InconsistentOrientation { facet, nodes } => format!(
+            "{}: cell {} and its neighbour at {} disagree about which side is out",
+            cell(*facet).0,
+            cell(*facet).1,
+            between(nodes)
+        ),
+        Error::InvertedSurface { body } => {
+            let name = usize::try_from(*body).ok().and_then(|body| names.get(body));
+            let name = name.unwrap_or(&assembly.meshes[0].file);
+            format!("{name}: its facets point inwards; turn their orientation around")
+        }
+        other => other.to_string(),
+    };
+    anyhow::Error::msg(sentence)
+}
