@@ -13,11 +13,17 @@ targets=${*:-c_calls gmsh vtu case}
 host=$(rustc -vV | sed -n 's/^host: //p')
 out=${CARGO_TARGET_DIR:-target}
 
+# What the targets asked for need.
+features() {
+  case " $targets " in *" gmsh "* | *" vtu "*) printf 'meshes ' ;; esac
+  case " $targets " in *" case "*) printf 'cases ' ;; esac
+}
+
 CARGO_TARGET_DIR=$out RUSTFLAGS="-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 \
   -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table \
   -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=1 -Clinker=${CC:-cc}" \
   ${CARGO:-cargo} build --release --target "$host" $(for t in $targets; do printf -- '--bin %s ' "$t"; done) \
-  $([ "$targets" = c_calls ] && printf -- --no-default-features)
+  --no-default-features --features "$(features)"
 
 count=$(set -- $targets; echo $#)
 failed=
@@ -27,7 +33,7 @@ for target in $targets; do
   log=$found/log
   # What is found is kept beside the build; the seeds are read, never written. A quarter of a gigabyte and 20 s are far
   # beyond what an input of this size needs.
-  if "$out/$host/release/$target" -max_total_time=$((seconds / count)) -timeout=20 -rss_limit_mb=1024 -max_len=4096 \
+  if "$out/$host/release/$target" -max_total_time=$((seconds / count)) -timeout=20 -rss_limit_mb=1024 -max_len=16384 \
     -seed="${FUZZ_SEED:-1}" -print_final_stats=1 -artifact_prefix="$found/defects/" \
     "$found/corpus" "corpus/$target" >"$log" 2>&1
   then

@@ -8,6 +8,14 @@ pub mod mesh;
 pub mod number;
 pub mod program;
 
+/// Case documents.
+#[cfg(feature = "cases")]
+pub use fmc_reference::case;
+
+/// Readers of mesh files.
+#[cfg(feature = "meshes")]
+pub use fmc_reference::mesh as mesh_io;
+
 /// For a target that reads files: `bytes` as a file of this name in memory, whose path goes to `read`.
 pub fn as_file<T>(name: &str, bytes: &[u8], read: impl FnOnce(&std::path::Path) -> T) -> T {
     let path = std::path::Path::new("/dev/shm").join(format!("fmc-fuzz-{}-{name}", std::process::id()));

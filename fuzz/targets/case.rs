@@ -1,7 +1,7 @@
 //! Case files of any content, with changes from the command line: a case that is checked, or an error that names the place.
 #![no_main]
 
-use fmc_reference::case::Document;
+use fmc_fuzz::case::Document;
 use std::path::Path;
 
 libfuzzer_sys::fuzz_target!(|text: &str| {

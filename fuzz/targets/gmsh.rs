@@ -1,7 +1,7 @@
 //! Gmsh files of any content: a mesh with valid indices, or an error.
 #![no_main]
 
-use fmc_reference::mesh::Mesh;
+use fmc_fuzz::mesh_io::Mesh;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let mut file = b"$".to_vec();

@@ -1,7 +1,7 @@
 //! VTU files of any content: a mesh with valid indices, or an error; and the arrays of a result.
 #![no_main]
 
-use fmc_reference::mesh::{Mesh, read_fibers, read_floats};
+use fmc_fuzz::mesh_io::{Mesh, read_fibers, read_floats};
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let mut file = b"<".to_vec();
