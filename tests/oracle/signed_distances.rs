@@ -118,6 +118,18 @@ fn timid_distances_find_the_same_crossings() {
     assert!(distance(&timid.forces, &bold.forces) < 1e-4 * norm(&bold.forces));
 }
 
+/// One that stands nearly still costs more evaluations than there are rounds.
+#[test]
+#[ignore = "lines whose crossings are not found in 4000 rounds are dropped without a warning"]
+fn distances_that_stand_still_are_found_or_reported() {
+    let scene = Scene::of(&[&random_polygon(9, 1.0, 0.5, 1)]);
+    let pose = Pose::at([0.4, -0.5]);
+    let bold = with_differences(|x: &[f64; 2]| length(x) - 0.6);
+    let still = with_differences(|x: &[f64; 2]| 1e-5 * (length(x) - 0.6));
+    let [bold, still] = [bold, still].map(|shape| against(&scene, &shape, pose, consistent_lines(1e-3, 1)));
+    assert!((still.volume / bold.volume - 1.0).abs() < 1e-3 || !still.warnings.is_empty(), "{}", still.volume);
+}
+
 /// Bodies that no closed form describes: two balls melted into one, and a ball with another cut out of it.
 #[test]
 fn unions_and_differences_of_distances() {
