@@ -118,6 +118,26 @@ fn timid_distances_find_the_same_crossings() {
     assert!(distance(&timid.forces, &bold.forces) < 1e-4 * norm(&bold.forces));
 }
 
+/// Where no line grazes, lines end where those of the shape do, up to rounding.
+#[test]
+fn crossings_are_closed_to_rounding() {
+    let scene = Scene::of(&[&random_polygon(9, 1.0, 0.5, 1)]);
+    // A ball so large that its rim runs through the body like a plane.
+    let (radius, pose) = (20.0, Pose::at([14.0, 14.3]));
+    let distances = Shape::SignedDistance(Arc::new(move |x: &[f64; 2]| {
+        let length = length(x);
+        (length - radius, x.map(|x| x / length))
+    }));
+    for seed in 0..4 {
+        let [closed, marched] = [Shape::Ball { radius }, distances.clone()]
+            .map(|s| against(&scene, &s, pose, consistent_lines(0.01, seed)));
+        assert!(closed.volume > 0.1);
+        // Coordinates of 20 are rounded to 2⁻⁴⁹, on some hundred lines.
+        assert!((marched.volume / closed.volume - 1.0).abs() < 1e-12, "{:e}", marched.volume / closed.volume - 1.0);
+        assert!(distance(&marched.forces, &closed.forces) < 1e-11 * norm(&closed.forces));
+    }
+}
+
 /// One that stands nearly still costs more evaluations than there are rounds.
 #[test]
 #[ignore = "lines whose crossings are not found in 4000 rounds are dropped without a warning"]
