@@ -1,8 +1,9 @@
 //! Whatever is given: an answer with finite numbers or an error, and never a panic.
 
+use fmc_contact::contact::TangentPart;
 use fmc_contact::{
-    Bodies, CellBlock, CellType, Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, LineWeights,
-    Obstacle, Options, Pose, Resolution, Shape, Surface,
+    Bodies, CellBlock, CellType, Contact, ContactForces, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern,
+    FiberProfile, LineWeights, Obstacle, Options, Pose, Resolution, Shape, Surface,
 };
 use proptest::prelude::*;
 use proptest::test_runner::Config;
@@ -65,21 +66,47 @@ fn run<const D: usize>(
     let mut contact = Contact::new(surface, options)?;
     // A bad obstacle is refused, and the contact goes on without it.
     let _ = contact.add_obstacle(obstacle);
-    let result = contact.evaluate(coords)?;
-    assert!(result.forces.iter().flatten().all(|f| f.is_finite()), "{result:?}");
-    assert!(result.volume.is_finite() && result.volume >= 0.0, "{result:?}");
+    let finite = |result: &ContactForces<D>| {
+        assert!(result.forces.iter().flatten().all(|f| f.is_finite()), "{result:?}");
+        assert!(result.volume.is_finite() && result.volume >= 0.0, "{result:?}");
+        assert!(result.energy.is_finite() && result.energy >= 0.0, "{result:?}");
+    };
+    finite(&contact.evaluate(coords)?);
+    // Entries may leave the range; what is asked for is an answer, and places that exist.
+    for part in [TangentPart::Full, TangentPart::Semidefinite] {
+        if let Ok(tangent) = contact.tangent(coords, part) {
+            let node_count = coords.len() + contact.obstacle_count();
+            assert!(tangent.blocks.iter().all(|b| (b.row.max(b.col) as usize) < node_count));
+        }
+    }
+    // Found patches are kept, and other coordinates measured along them.
+    let directions = contact.keep_patches(coords)?;
+    assert!(directions == 0 || contact.options().law.is_fiber());
+    finite(&contact.evaluate(coords)?);
+    let moved: Vec<[f64; D]> = coords.iter().map(|x| x.map(|x| x * 1.01)).collect();
+    finite(&contact.evaluate(&moved)?);
     Ok(())
 }
 
+/// Two laws out of three are local, each with an estimator that may refuse it.
+fn law() -> impl Strategy<Value = EnergyLaw> {
+    (0..3usize, number(), number()).prop_map(|(kind, k, x)| {
+        let k = if k > 1e6 { k } else { 1.0 + k.abs() };
+        match kind {
+            0 => EnergyLaw::Volume { k, m: 1.0 + x.abs() },
+            1 => EnergyLaw::fiber(k),
+            _ => EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon: x.abs() } },
+        }
+    })
+}
+
 fn options() -> impl Strategy<Value = Options> {
-    (estimator(), number(), number(), any::<bool>(), any::<bool>()).prop_map(
-        |(estimator, k, m, self_contact, check_cells)| Options {
-            estimator,
-            self_contact,
-            check_cells,
-            ..Options::new(EnergyLaw::Volume { k: if k > 1e6 { k } else { 1.0 + k.abs() }, m: 1.0 + m.abs() })
-        },
-    )
+    (law(), estimator(), any::<bool>(), any::<bool>()).prop_map(|(law, estimator, self_contact, check_cells)| Options {
+        estimator,
+        self_contact,
+        check_cells,
+        ..Options::new(law)
+    })
 }
 
 /// A few cells on a few nodes: some share nodes or faces, some are inverted, some overlap.

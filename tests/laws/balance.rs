@@ -2,6 +2,7 @@
 //! corrected so that theirs does not either.
 
 use crate::pairs::{plane_scene, solid_scene};
+use crate::scene::table::{by_laws, laws};
 use crate::scene::{Scene, cross, exact, fibers, isotropic, lines, size_sum};
 use fmc_contact::{
     Contact, ContactForces, Estimator, FiberOptions, LineWeights, Obstacle, Options, Pose, Resolution, Shape,
@@ -18,14 +19,9 @@ fn estimators(size: f64) -> Vec<Options> {
         resolution: Resolution::Spacing(0.04 * size),
         ..FiberOptions::default()
     };
-    vec![
-        exact(),
-        fibers(FiberOptions::default()),
-        lines(0.05 * size, 3),
-        lines(0.31 * size, 4),
-        fibers(consistent),
-        isotropic(0.2 * size, 3_000, 5),
-    ]
+    let sampled = [fibers(FiberOptions::default()), lines(0.05 * size, 3), lines(0.31 * size, 4)];
+    let by_all = by_laws(sampled, &laws(size));
+    by_all.into_iter().chain([exact(), fibers(consistent), isotropic(0.2 * size, 3_000, 5)]).collect()
 }
 
 /// Nodes, bodies and obstacles: every sum there is.

@@ -2,6 +2,7 @@
 //! and no correction. For whatever exponent of the law.
 
 use crate::pairs::{plane_scene, solid_scene};
+use crate::scene::energy_gradient::Differences;
 use crate::scene::{Scene, consistent_lines};
 use fmc_contact::{EnergyLaw, Options};
 use fmc_shapes::{Diagonals, cuboid_hex8, rectangle_tri3};
@@ -13,27 +14,9 @@ use fmc_shapes::{Diagonals, cuboid_hex8, rectangle_tri3};
 const STEPS: [f64; 2] = [1e-6, 2e-7];
 
 fn force_is_energy_gradient<const D: usize>(scene: &Scene<D>, options: Options, size: f64) {
-    let contact = scene.contact(options);
-    let at = contact.evaluate(&scene.coords).unwrap();
-    let largest = at.forces.iter().flatten().fold(0.0, |m: f64, f| m.max(f.abs()));
-    assert!(largest > 0.0);
-    for node in 0..scene.coords.len() {
-        if at.forces[node] == [0.0; D] && node % 7 != 0 {
-            continue;
-        }
-        for axis in 0..D {
-            let energy = |step: f64| {
-                let mut coords = scene.coords.clone();
-                coords[node][axis] += step;
-                contact.evaluate(&coords).unwrap().energy
-            };
-            let slope = |h: f64| (energy(h * size) - energy(-h * size)) / (2.0 * h * size);
-            let force = at.forces[node][axis];
-            // 1e-6 of the largest force is the project's requirement.
-            let matches = STEPS.iter().any(|&h| (force + slope(h)).abs() < 1e-6 * largest);
-            assert!(matches, "node {node}, axis {axis}: {force} against {}", -slope(STEPS[0]));
-        }
-    }
+    // 1e-6 of the largest force is the project's requirement.
+    let differences = Differences { steps: &STEPS.map(|h| h * size), tolerance: 1e-6, loaded: 1, others: 7 };
+    differences.check(&scene.contact(options), &scene.coords);
 }
 
 fn with_law(options: Options, k: f64, m: f64) -> Options {

@@ -1,5 +1,6 @@
 //! Bodies that share their nodes at a seam, like two materials of one mesh, do not push each other.
 
+use crate::scene::table::{by_laws, laws};
 use crate::scene::{Scene, exact, fibers, isotropic, lines};
 use fmc_contact::{ContactForces, FiberOptions, Options};
 use fmc_shapes::{Diagonals, Mesh, cuboid_hex8, cuboid_tet4, random_rotation, rectangle_quad4, rectangle_tri3};
@@ -38,7 +39,9 @@ fn plane_materials_do_not_push_each_other() {
             let scene = divided(&mesh, |[x, y]| (x - 0.5).abs() + (y - 0.4).abs() < 0.33);
             let r = random_rotation::<2>(seed);
             let turn = |x: [f64; 2]| r.map(|row| row[0] * x[0] + row[1] * x[1] + 0.3);
-            estimators().into_iter().for_each(|options| no_force(&scene.clone().mapped(turn).evaluate(options)));
+            by_laws(estimators(), &laws(1.0))
+                .into_iter()
+                .for_each(|options| no_force(&scene.clone().mapped(turn).evaluate(options)));
         }
     }
 }
@@ -53,7 +56,9 @@ fn solid_materials_do_not_push_each_other() {
             let scene = divided(&mesh, |[x, y, z]| (x - 0.4).abs() + (y - 0.5).abs() + (z - 0.2).abs() < 0.5);
             let r = random_rotation::<3>(seed);
             let turn = |x: [f64; 3]| r.map(|row| row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + 0.3);
-            estimators().into_iter().for_each(|options| no_force(&scene.clone().mapped(turn).evaluate(options)));
+            by_laws(estimators(), &laws(1.0))
+                .into_iter()
+                .for_each(|options| no_force(&scene.clone().mapped(turn).evaluate(options)));
         }
     }
 }

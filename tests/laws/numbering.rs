@@ -1,8 +1,9 @@
 //! Numbers are names: other numbers of nodes, cells, corners and bodies give the same overlap.
 
 use crate::pairs::{plane_pair, plane_scene, solid_scene};
-use crate::scene::{Scene, distance, exact, fibers, isotropic, lines, norm};
-use fmc_contact::{CellType, ContactForces, FiberOptions, Options};
+use crate::scene::table::{is_one_patch, is_quadrature, table};
+use crate::scene::{Scene, distance, exact, norm};
+use fmc_contact::{CellType, ContactForces, Estimator, Options};
 use fmc_shapes::{Splitmix, cuboid_hex8, rectangle_quad4};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -11,15 +12,30 @@ fn config() -> Config {
     Config { cases: 16, failure_persistence: None, rng_seed: RngSeed::Fixed(2), ..Config::default() }
 }
 
-fn estimators() -> Vec<Options> {
-    vec![exact(), fibers(FiberOptions::default()), lines(0.04, 3), isotropic(0.3, 2_000, 4)]
+/// The table, but for what depends on the triangles into which pieces fall.
+fn options() -> impl Iterator<Item = Options> {
+    table(1.0).into_iter().filter(|options| !is_quadrature(options))
 }
 
 /// Sums run in another order; everything else is the same. A segment's start on a rim may be rounded otherwise.
-fn same<const D: usize>(found: &ContactForces<D>, expected: &ContactForces<D>) {
-    assert!((found.volume / expected.volume - 1.0).abs() < 1e-12, "{} against {}", found.volume, expected.volume);
+fn same<const D: usize>(found: &ContactForces<D>, expected: &ContactForces<D>, options: Options) {
+    assert!(
+        (found.volume / expected.volume - 1.0).abs() < 1e-12,
+        "{options:?}: {} for {}",
+        found.volume,
+        expected.volume
+    );
+    assert!(
+        (found.energy / expected.energy - 1.0).abs() < 1e-12,
+        "{options:?}: {} for {}",
+        found.energy,
+        expected.energy
+    );
     assert!(distance(&found.forces, &expected.forces) < 1e-11 * norm(&expected.forces));
-    assert_eq!(found.crossing_count, expected.crossing_count);
+    // Points of a quadrature are as many as there are triangles.
+    if !(options.law.is_fiber() && options.estimator == Estimator::Exact) {
+        assert_eq!(found.crossing_count, expected.crossing_count);
+    }
 }
 
 /// A random order of 0 … n − 1 (Fisher and Yates).
@@ -46,18 +62,18 @@ fn renumbered<const D: usize>(scene: &Scene<D>, random: &mut Splitmix) -> (Scene
     (other, place)
 }
 
-fn numbers_do_not_matter<const D: usize>(scene: &Scene<D>, seed: u64) {
+fn numbers_do_not_matter<const D: usize>(scene: &Scene<D>, seed: u64, options: impl Iterator<Item = Options>) {
     let (other, place) = renumbered(scene, &mut Splitmix::new(seed));
-    for options in estimators() {
+    for options in options {
         let expected = scene.evaluate(options);
         let mut found = other.evaluate(options);
         found.forces = place.iter().map(|&to| found.forces[to]).collect();
-        same(&found, &expected);
+        same(&found, &expected, options);
     }
 }
 
 /// Simplices with two nodes exchanged at random: they are turned by what they are connected to, not by their sign.
-fn orientation_does_not_matter<const D: usize>(scene: &Scene<D>, seed: u64) {
+fn orientation_does_not_matter<const D: usize>(scene: &Scene<D>, seed: u64, options: impl Iterator<Item = Options>) {
     let mut random = Splitmix::new(seed);
     let mut other = scene.clone();
     for cell in other.blocks.iter_mut().flat_map(|b| b.1.chunks_exact_mut(D + 1)) {
@@ -66,9 +82,42 @@ fn orientation_does_not_matter<const D: usize>(scene: &Scene<D>, seed: u64) {
             cell.swap(i, j);
         }
     }
-    for options in estimators() {
-        same(&other.evaluate(options), &scene.evaluate(options));
+    for options in options {
+        same(&other.evaluate(options), &scene.evaluate(options), options);
     }
+}
+
+/// Under local laws where there is one patch. Says how many were tried.
+fn local_laws_do_not_see_numbers<const D: usize>(scene: impl Fn(u64) -> Scene<D>, seeds: u64) -> usize {
+    let mut tried = 0;
+    for seed in 0..seeds {
+        let scene = scene(seed);
+        let local = || options().filter(|o| o.law.is_fiber() && is_one_patch(&scene, *o));
+        tried += local().count();
+        numbers_do_not_matter(&scene, seed, local());
+        orientation_does_not_matter(&scene, seed, local());
+    }
+    tried
+}
+
+#[test]
+fn numbers_do_not_matter_under_local_laws() {
+    assert!(local_laws_do_not_see_numbers(plane_scene, 16) >= 20);
+    assert!(local_laws_do_not_see_numbers(solid_scene, 6) >= 8);
+}
+
+#[test]
+#[ignore = "facets as near to one patch as to another go to the one with the lower number"]
+fn numbers_do_not_matter_between_patches() {
+    for seed in 0..16 {
+        let local = || options().filter(|o| o.law.is_fiber());
+        numbers_do_not_matter(&plane_scene(seed), seed, local());
+        numbers_do_not_matter(&solid_scene(seed), seed, local());
+    }
+}
+
+fn of_volume() -> impl Iterator<Item = Options> {
+    options().filter(|options| !options.law.is_fiber())
 }
 
 proptest! {
@@ -76,22 +125,22 @@ proptest! {
 
     #[test]
     fn numbers_of_nodes_and_cells_do_not_matter_in_2d(seed in 0u64..1 << 40) {
-        numbers_do_not_matter(&plane_scene(seed), seed);
+        numbers_do_not_matter(&plane_scene(seed), seed, of_volume());
     }
 
     #[test]
     fn numbers_of_nodes_and_cells_do_not_matter_in_3d(seed in 0u64..1 << 40) {
-        numbers_do_not_matter(&solid_scene(seed), seed);
+        numbers_do_not_matter(&solid_scene(seed), seed, of_volume());
     }
 
     #[test]
     fn orientation_of_triangles_does_not_matter(seed in 0u64..1 << 40) {
-        orientation_does_not_matter(&plane_scene(seed), seed);
+        orientation_does_not_matter(&plane_scene(seed), seed, of_volume());
     }
 
     #[test]
     fn orientation_of_tetrahedra_does_not_matter(seed in 0u64..1 << 40) {
-        orientation_does_not_matter(&solid_scene(seed), seed);
+        orientation_does_not_matter(&solid_scene(seed), seed, of_volume());
     }
 
     /// Ids may be any numbers; resultants come in their order.
@@ -115,7 +164,9 @@ fn first_corner_of_a_cell_does_not_matter() {
     for (cell, conn) in other.blocks.iter_mut().flat_map(|b| b.1.chunks_exact_mut(4)).enumerate() {
         conn.rotate_left(cell % 4);
     }
-    estimators().into_iter().for_each(|options| same(&other.evaluate(options), &scene.evaluate(options)));
+    for options in options().filter(|options| is_one_patch(&scene, *options)) {
+        same(&other.evaluate(options), &scene.evaluate(options), options);
+    }
 
     let hexahedra = cuboid_hex8([0.0; 3], [1.0; 3], [2; 3]).jittered(0.2, 1, |_| true);
     let b = hexahedra.clone().rotated([1.0, 0.2, 0.3], 0.4).translated([0.6, 0.5, 0.4]);
@@ -133,7 +184,9 @@ fn first_corner_of_a_cell_does_not_matter() {
             });
         }
     }
-    estimators().into_iter().for_each(|options| same(&other.evaluate(options), &scene.evaluate(options)));
+    for options in options().filter(|options| is_one_patch(&scene, *options)) {
+        same(&other.evaluate(options), &scene.evaluate(options), options);
+    }
 }
 
 /// Nodes that no cell names change nothing, wherever they are.
@@ -142,7 +195,7 @@ fn unused_nodes_do_not_matter() {
     let scene = plane_scene(3);
     let mut other = scene.clone();
     other.coords.extend([[f64::NAN; 2], [1e300, -1e300]]);
-    for options in estimators() {
+    for options in table(1.0) {
         let (found, expected) = (other.evaluate(options), scene.evaluate(options));
         assert_eq!(found.forces[..scene.coords.len()], expected.forces[..]);
         assert_eq!(found.forces[scene.coords.len()..], [[0.0; 2]; 2]);

@@ -2,20 +2,16 @@
 //! again, and with the bodies in either order.
 
 use crate::pairs::{plane_pair, plane_scene, solid_pair, solid_scene};
-use crate::scene::{Scene, consistent_lines, exact, fibers, isotropic, lines};
+use crate::scene::table::{by_laws, is_quadrature, laws};
+use crate::scene::{Scene, consistent_lines, distance, exact, fibers, isotropic, lines, norm};
 use fmc_contact::{Bodies, CellBlock, ContactForces, FiberOptions, Obstacle, Options, Pose, Shape, contact_force};
 use fmc_shapes::{Mesh, icosphere};
 
 /// The second is so fine that lines are worked off in several pieces; so are 20 000 segments.
 fn estimators<const D: usize>() -> Vec<Options> {
     let (fine, coarse) = if D == 2 { (1e-4, 1e-2) } else { (8e-3, 5e-2) };
-    vec![
-        exact(),
-        lines(fine, 1),
-        fibers(FiberOptions::default()),
-        consistent_lines(coarse, 2),
-        isotropic(0.3, 20_000, 3),
-    ]
+    let by_all = [exact(), lines(fine, 1), fibers(FiberOptions::default()), isotropic(0.3, 20_000, 3)];
+    by_laws(by_all, &laws(1.0)).into_iter().chain([consistent_lines(coarse, 2)]).collect()
 }
 
 /// A debug print tells every bit of every number, and 0 from −0.
@@ -86,7 +82,10 @@ fn memory_does_not_matter_in_3d() {
     memory_does_not_matter(&scene, &scene.clone().mapped(|[x, y, z]| [x + 0.1 * y, 1.1 * y - 3.0, z + 0.2 * x]));
 }
 
-fn order_of_bodies_does_not_matter<const D: usize>([a, b]: [Mesh<D>; 2]) {
+fn order_of_bodies_does_not_matter<const D: usize>(
+    [a, b]: [Mesh<D>; 2],
+    check: impl Fn(&ContactForces<D>, &ContactForces<D>, Options),
+) {
     let scene = Scene::of(&[&a, &b]);
     // Other ids on the same nodes; other places in the node array; both.
     let relabelled = Scene::new().with(&a, 1).with(&b, 0);
@@ -105,19 +104,42 @@ fn order_of_bodies_does_not_matter<const D: usize>([a, b]: [Mesh<D>; 2]) {
                 other.bodies.swap(0, 1);
                 (other.bodies[0].id, other.bodies[1].id) = (0, 1);
             }
-            same(&other, &found);
+            check(&other, &found, options);
         }
     }
 }
 
+/// To the bit for the volume law; local laws add up in the order of the sides.
+fn same_or_rounded<const D: usize>(other: &ContactForces<D>, found: &ContactForces<D>, options: Options) {
+    if !options.law.is_fiber() {
+        return same(other, found);
+    }
+    // Sums of hundreds of terms of either sign, of which those near folds are larger than their sum; and points of a
+    // quadrature, where pieces fall into other triangles.
+    let (of_energy, of_forces) = if is_quadrature(&options) { (1e-4, 1e-2) } else { (1e-12, 1e-11) };
+    assert!((other.energy / found.energy - 1.0).abs() < of_energy, "{options:?}: {} {}", other.energy, found.energy);
+    let off = distance(&other.forces, &found.forces) / norm(&found.forces);
+    assert!(off < of_forces, "{options:?}: {off:e}");
+    let bodies = |x: &ContactForces<D>| x.bodies.iter().map(|b| b.force).collect::<Vec<_>>();
+    assert!(distance(&bodies(other), &bodies(found)) < of_forces * norm(&found.forces), "{options:?}");
+}
+
+#[test]
+#[ignore = "local laws add up in the order of the sides: swapped bodies change the last digits"]
+fn order_of_bodies_changes_no_bit_under_local_laws() {
+    (0..5).for_each(|seed| order_of_bodies_does_not_matter(plane_pair(seed), |x, y, _| same(x, y)));
+    (0..3).for_each(|seed| order_of_bodies_does_not_matter(solid_pair(seed), |x, y, _| same(x, y)));
+}
+
 #[test]
 fn order_of_bodies_does_not_matter_in_2d() {
-    (0..5).for_each(|seed| order_of_bodies_does_not_matter(plane_pair(seed)));
+    (0..5).for_each(|seed| order_of_bodies_does_not_matter(plane_pair(seed), same_or_rounded));
 }
 
 #[test]
 fn order_of_bodies_does_not_matter_in_3d() {
-    (0..3).for_each(|seed| order_of_bodies_does_not_matter(solid_pair(seed)));
+    (0..3).for_each(|seed| order_of_bodies_does_not_matter(solid_pair(seed), same_or_rounded));
     let sphere = icosphere(1.0, 3);
-    order_of_bodies_does_not_matter([sphere.clone(), sphere.rotated([1.0, 1.0, 0.0], 0.3).translated([1.7, 0.3, 0.2])]);
+    let other = sphere.clone().rotated([1.0, 1.0, 0.0], 0.3).translated([1.7, 0.3, 0.2]);
+    order_of_bodies_does_not_matter([sphere, other], same_or_rounded);
 }

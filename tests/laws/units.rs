@@ -1,29 +1,36 @@
 //! The unit of length does not matter: with one that is a power of 2, not a bit changes.
 
 use crate::pairs::{plane_scene, solid_scene};
+use crate::scene::table::{by_laws, laws};
 use crate::scene::{Scene, exact, fibers};
-use fmc_contact::{FiberOptions, FiberPattern, LineWeights, Options};
+use fmc_contact::{EnergyLaw, FiberOptions, FiberPattern, LineWeights, Options};
 
-fn estimators() -> Vec<Options> {
+/// With laws whose lengths are in that unit.
+fn estimators(unit: f64) -> Vec<Options> {
     let consistent = FiberOptions { weights: LineWeights::Consistent, balance: false, ..FiberOptions::default() };
     let isotropic = FiberOptions { pattern: FiberPattern::Isotropic { length: None }, ..FiberOptions::default() };
-    vec![exact(), fibers(FiberOptions::default()), fibers(consistent), fibers(isotropic)]
+    let by_all = by_laws([exact(), fibers(FiberOptions::default()), fibers(isotropic)], &laws(unit));
+    by_all.into_iter().chain([fibers(consistent)]).collect()
 }
 
 fn unit_does_not_matter<const D: usize>(scene: &Scene<D>) {
     for power in [-20, -2, 4, 30] {
         let unit = 2f64.powi(power);
         let scaled = scene.clone().mapped(|x| x.map(|x| x * unit));
-        for options in estimators() {
-            let (found, expected) = (scaled.evaluate(options), scene.evaluate(options));
+        for (options, of_one) in estimators(unit).into_iter().zip(estimators(1.0)) {
+            let (found, expected) = (scaled.evaluate(options), scene.evaluate(of_one));
             let (volume, area) = (unit.powi(D as i32), unit.powi(D as i32 - 1));
+            // The pressure of the quadratic law is k times a length, all others are k.
+            let is_quadratic = options.law == EnergyLaw::fiber(3.0);
+            let pressure = if is_quadratic { unit } else { 1.0 };
+            assert_eq!(found.energy, expected.energy * pressure * volume);
             assert_eq!(found.volume, expected.volume * volume, "{options:?}");
             assert_eq!(found.standard_error, expected.standard_error * volume);
             assert_eq!(found.contact_area, expected.contact_area * area);
             assert_eq!(found.penetration, expected.penetration * unit);
             assert_eq!(found.crossing_count, expected.crossing_count);
             for (f, g) in found.forces.iter().flatten().zip(expected.forces.iter().flatten()) {
-                assert_eq!(*f, g * area);
+                assert_eq!(*f, g * pressure * area);
             }
         }
     }

@@ -14,6 +14,7 @@ mod hollow_bodies;
 mod islands;
 mod polygons;
 mod pose_gradient;
+mod raster;
 mod round_obstacles;
 mod self_overlap;
 mod several_bodies;

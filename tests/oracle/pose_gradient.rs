@@ -1,10 +1,11 @@
 //! What an obstacle feels: the derivative of the overlap by its position, rotation and scale, against central differences
 //! of the same estimate.
 
+use crate::scene::table::{exactly, local_laws, uncorrected};
 use crate::scene::{Scene, consistent_lines, cross, exact};
 use fmc_contact::overlap::PoseGradient;
 use fmc_contact::{Contact, Obstacle, Options, Pose, Shape};
-use fmc_shapes::{Mesh, icosphere, random_polygon, random_polyhedron, random_rotation, regular_polygon};
+use fmc_shapes::{Mesh, disc_tri3, icosphere, random_polygon, random_polyhedron, random_rotation, regular_polygon};
 use std::sync::Arc;
 
 /// Steps of the differences; the shorter one for estimates that have a kink, or the steep rim of a ball, within the longer.
@@ -39,6 +40,8 @@ fn gradient_matches<const D: usize>(body: &Mesh<D>, shape: &Shape<D>, pose: Pose
     let scene = Scene::of(&[body]);
     let mut contact = scene.contact(options);
     contact.add_obstacle(Obstacle { shape: shape.clone(), pose }).unwrap();
+    // Of a local law, along lines that stay.
+    contact.keep_patches(&scene.coords).unwrap();
     let (_, gradient) = volume_and_gradient(&mut contact, &scene.coords, pose);
     let size = gradient.position.norm();
     assert!(size > 0.1, "{shape:?} is met");
@@ -62,6 +65,9 @@ fn gradient_matches<const D: usize>(body: &Mesh<D>, shape: &Shape<D>, pose: Pose
     }
     check("scale", gradient.scale, &|h| pose.scaled(pose.scale + h));
 
+    if options.law.is_fiber() {
+        return;
+    }
     // Forces and moments of an evaluation are these derivatives, times −k.
     let contact_forces = contact_at(&mut contact, &scene, pose);
     for axis in 0..D {
@@ -74,6 +80,114 @@ fn contact_at<const D: usize>(contact: &mut Contact<D>, scene: &Scene<D>, pose: 
     contact.set_pose(0, pose).unwrap();
     let found = contact.evaluate(&scene.coords).unwrap();
     (found.obstacles[0].force, found.obstacles[0].moment)
+}
+
+/// Force and moment on an obstacle against the energy at other poses, under laws whose pressure varies over the contact; and
+/// the measure along their lines against its own derivative, by the scale too. Whether there is one patch, as it takes:
+/// at an edge between two, the energy has a step.
+fn local_laws_match<const D: usize>(
+    body: &Mesh<D>,
+    shape: &Shape<D>,
+    pose: Pose<D>,
+    options: Options,
+    tolerance: f64,
+) -> bool {
+    let scene = Scene::of(&[body]);
+    let mut contact = scene.contact(options);
+    contact.add_obstacle(Obstacle { shape: shape.clone(), pose }).unwrap();
+    if contact.keep_patches(&scene.coords).unwrap() != 1 {
+        return false;
+    }
+    let (force, moment) = contact_at(&mut contact, &scene, pose);
+    let size = force.iter().map(|f| f * f).sum::<f64>().sqrt();
+    let mut check = |what: &str, found: f64, moved: &dyn Fn(f64) -> Pose<D>| {
+        let mut slope = |h: f64| {
+            let mut at = |h: f64| {
+                contact.set_pose(0, moved(h)).unwrap();
+                contact.evaluate(&scene.coords).unwrap().energy
+            };
+            (at(h) - at(-h)) / (2.0 * h)
+        };
+        let matches = STEPS.iter().any(|&h| (found + slope(h)).abs() < tolerance * size);
+        assert!(matches, "{shape:?} under {options:?} by {what}: {found} against {}", -slope(STEPS[0]));
+    };
+    for axis in 0..D {
+        check("position", force[axis], &|h| {
+            let mut moved = pose;
+            moved.position[axis] += h;
+            moved
+        });
+    }
+    for axis in if D == 2 { 2..3 } else { 0..3 } {
+        check("rotation", moment[axis], &|h| turned(&pose, axis, h));
+    }
+    gradient_matches(body, shape, pose, options, tolerance);
+    true
+}
+
+/// Blunt bodies a little way in each other, so that there is one patch.
+#[test]
+fn local_laws_by_every_shape_in_2d() {
+    let (radius, half_height) = (0.6, 0.5);
+    let polygon = regular_polygon(7, 0.7);
+    let distance = |x: &[f64; 2]| {
+        let length = x[0].hypot(x[1]);
+        (length - 0.6, [x[0] / length, x[1] / length])
+    };
+    let flat = [
+        Shape::Cuboid { half_extents: [0.5, 0.7] },
+        Shape::Polytope { facets: polygon.facets(), points: polygon.coords },
+    ];
+    let round = [
+        Shape::HalfSpace,
+        Shape::Ball { radius },
+        Shape::Cylinder { radius, half_height },
+        Shape::Cone { radius, half_height },
+        Shape::Capsule { radius, half_height },
+        Shape::SignedDistance(Arc::new(distance)),
+    ];
+    let mut tried = 0;
+    let [quadratic, linear] = local_laws(1.0);
+    for law in [quadratic, linear] {
+        // What is no polynomial is integrated by points, whose sum has another slope.
+        let exact = if law == quadratic { flat.as_slice() } else { &[] };
+        for (shape, options) in exact
+            .iter()
+            .map(|s| (s, exactly(law)))
+            .chain(flat.iter().chain(&round).map(|s| (s, uncorrected(law, 0.01, 4))))
+        {
+            tried += usize::from(local_laws_match(&disc_tri3(1.0, 15), shape, shallow_pose(), options, 1e-5));
+        }
+    }
+    assert!(tried >= 10, "only {tried} of 18 have one patch");
+}
+
+#[test]
+fn local_laws_by_every_shape_in_3d() {
+    let (radius, half_height) = (0.6, 0.5);
+    let sphere = icosphere(0.7, 1);
+    let flat = [
+        Shape::Cuboid { half_extents: [0.5, 0.7, 0.6] },
+        Shape::Polytope { facets: sphere.facets(), points: sphere.coords },
+    ];
+    let round = [Shape::HalfSpace, Shape::Ball { radius }, Shape::Capsule { radius, half_height }];
+    let body = random_polyhedron(1, 1.0, 0.15, 1, 3);
+    let mut tried = 0;
+    let [quadratic, linear] = local_laws(1.0);
+    for (shape, options) in flat
+        .iter()
+        .map(|s| (s, exactly(quadratic)))
+        .chain(flat.iter().chain(&round).map(|s| (s, uncorrected(linear, 0.03, 4))))
+    {
+        tried += usize::from(local_laws_match(&body, shape, shallow_pose(), options, 1e-5));
+    }
+    assert!(tried >= 5, "only {tried} of 7 have one patch");
+}
+
+/// With its centre this far from a body of radius 1.
+fn shallow_pose<const D: usize>() -> Pose<D> {
+    let away: [f64; 3] = [0.9, -0.9, 0.4];
+    Pose { position: std::array::from_fn(|i| away[i]), rotation: random_rotation(5), scale: 0.9 }
 }
 
 fn plane_pose() -> Pose<2> {

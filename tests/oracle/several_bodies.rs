@@ -1,15 +1,16 @@
 //! Three bodies and more: overlaps are counted pair by pair.
 
+use crate::scene::table::{by_laws, laws};
 use crate::scene::{Scene, distance, exact, lines, norm};
 use fmc_contact::overlap::Partner;
 use fmc_shapes::{Diagonals, Mesh, ball_tet4, cuboid_tet4, disc_tri3, rectangle_quad4, rectangle_tri3};
 
 /// What all pairs have is what every two bodies have without the others.
 fn pairs_add_up<const D: usize>(meshes: &[Mesh<D>], spacing: f64) {
-    for options in [exact(), lines(spacing, 1)] {
+    for options in by_laws([exact(), lines(spacing, 1)], &laws(1.0)) {
         let all = Scene::of(&meshes.iter().collect::<Vec<_>>());
         let whole = all.evaluate(options);
-        let (mut volume, mut forces) = (0.0, vec![[0.0; D]; all.coords.len()]);
+        let (mut volume, mut energy, mut forces) = (0.0, 0.0, vec![[0.0; D]; all.coords.len()]);
         let mut pairs = whole.pairs.iter();
         for i in 0..meshes.len() {
             for j in i + 1..meshes.len() {
@@ -21,6 +22,7 @@ fn pairs_add_up<const D: usize>(meshes: &[Mesh<D>], spacing: f64) {
                 assert_eq!((found.a, found.b), (Partner::Body(i), Partner::Body(j)));
                 assert_eq!(found.volume, pair.volume);
                 volume += pair.volume;
+                energy += pair.energy;
                 for (node, force) in all.nodes_of(i).chain(all.nodes_of(j)).zip(&pair.forces) {
                     (0..D).for_each(|axis| forces[node][axis] += force[axis]);
                 }
@@ -28,7 +30,7 @@ fn pairs_add_up<const D: usize>(meshes: &[Mesh<D>], spacing: f64) {
         }
         assert!(pairs.next().is_none());
         // Sums of a few numbers.
-        assert!((whole.volume / volume - 1.0).abs() < 1e-14);
+        assert!((whole.volume / volume - 1.0).abs() < 1e-14 && (whole.energy / energy - 1.0).abs() < 1e-14);
         assert!(distance(&whole.forces, &forces) < 1e-14 * norm(&forces));
     }
 }

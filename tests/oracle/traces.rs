@@ -70,3 +70,47 @@ fn segments_have_their_length() {
     assert!(traces.iter().all(|t| (length(&t.start, &t.end) - 0.37).abs() < 1e-14));
     assert!(traces.iter().flat_map(|t| t.crossings.iter().map(|x| length(&t.start, x))).all(|s| s <= 0.37 + 1e-14));
 }
+
+/// Where the first line of either family in 2D passes the origin, in spacings and modulo 1.
+fn shifts(scene: &Scene<2>, seed: u64) -> [f64; 2] {
+    let spacing = 0.1;
+    let traces = scene.contact(consistent_lines(spacing, seed)).trace(&scene.coords).unwrap();
+    let mut found: Vec<([f64; 2], f64)> = Vec::new();
+    for trace in &traces {
+        let e: [f64; 2] = std::array::from_fn(|i| trace.end[i] - trace.start[i]);
+        let n = [-e[1], e[0]].map(|x| x / length(&trace.start, &trace.end));
+        // One direction for a family, whichever way its lines are told.
+        let n = if n[0] + 0.1 * n[1] > 0.0 { n } else { n.map(|x| -x) };
+        if found.iter().all(|(m, _)| (m[0] * n[0] + m[1] * n[1]).abs() < 0.5) {
+            found.push((n, ((n[0] * trace.start[0] + n[1] * trace.start[1]) / spacing).rem_euclid(1.0)));
+        }
+    }
+    found.sort_by(|p, q| p.0[0].total_cmp(&q.0[0]));
+    [found[0].1, found[1].1]
+}
+
+/// Every seed and every family has a shift of its own, anywhere in a spacing: means, squares and products are those of
+/// independent uniform numbers.
+#[test]
+fn lattices_are_shifted_at_random() {
+    let scene = Scene::of(&[&random_polygon(9, 1.0, 0.5, 1), &random_polygon(9, 1.0, 0.5, 2)]);
+    let count = 2_000;
+    let [mut mean, mut square, mut product] = [[0.0; 2], [0.0; 2], [0.0; 2]];
+    let mut before = [0.5; 2];
+    for seed in 0..count {
+        let shift = shifts(&scene, seed);
+        for family in 0..2 {
+            mean[family] += (shift[family] - 0.5) / count as f64;
+            square[family] += ((shift[family] - 0.5).powi(2) - 1.0 / 12.0) / count as f64;
+        }
+        // Of the two families, and of neighbouring seeds.
+        product[0] += (shift[0] - 0.5) * (shift[1] - 0.5) / count as f64;
+        product[1] += (shift[0] - 0.5) * (before[0] - 0.5) / count as f64;
+        before = shift;
+    }
+    // Four standard errors: √(1/12), √(1/180) and 1/12, over √count.
+    let root = (count as f64).sqrt();
+    assert!(mean.iter().all(|m| m.abs() < 4.0 * 0.2887 / root), "{mean:?}");
+    assert!(square.iter().all(|s| s.abs() < 4.0 * 0.0745 / root), "{square:?}");
+    assert!(product.iter().all(|p| p.abs() < 4.0 / 12.0 / root), "{product:?}");
+}

@@ -3,6 +3,9 @@
 //! Shared by the test binaries, none of which needs all of it.
 #![allow(dead_code)]
 
+pub(crate) mod energy_gradient;
+pub(crate) mod table;
+
 use fmc_contact::{
     Bodies, CellBlock, CellType, Contact, ContactForces, EnergyLaw, Estimator, FiberOptions, FiberPattern, LineWeights,
     Options, Resolution, Surface,

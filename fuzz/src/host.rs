@@ -1,0 +1,637 @@
+//! A host that makes the calls of a program, and does not believe what it is told.
+//!
+//! After every call: a status that exists and is no panic; outputs untouched where it is an error; finite numbers where it
+//! is none, the same bits when asked again, and nothing written beside the entries asked for.
+
+use crate::guarded::Guarded;
+use crate::interface::*;
+use crate::mesh::Mesh;
+use crate::number::Number;
+use crate::program::{Call, Fault, Hole, Layout, MOST_CALLS, Options, Pose, Program, Shape};
+use std::ffi::{CStr, CString, c_char, c_void};
+use std::ptr::{null, null_mut};
+
+/// What outputs hold before a call: no number that a library writes.
+const CANARY: u64 = 0x7ff8_dead_beef_cafe;
+
+/// The statuses that exist, but for a panic.
+fn checked(status: fmc_status) -> fmc_status {
+    if status == PANIC {
+        // SAFETY: a text that is valid until the next failure.
+        panic!("{}", unsafe { CStr::from_ptr(fmc_last_error()) }.to_string_lossy());
+    }
+    assert!((OK..PANIC).contains(&status), "status {status}");
+    status
+}
+
+/// NULL in the place of pointer number `which` if the hole is there; holes are rare.
+fn unless<T>(hole: Hole, which: u8, pointer: *mut T) -> *mut T {
+    if hole == which + 1 { null_mut() } else { pointer }
+}
+
+/// Numbers of a host, laid out as it likes, with canaries in the gaps.
+struct Array {
+    memory: Guarded<f64>,
+    view: fmc_view,
+    places: Vec<usize>,
+}
+
+impl Array {
+    fn new(rows: &[f64], dim: usize, layout: Layout) -> Self {
+        let n = rows.len() / dim;
+        let (node_stride, axis_stride, first, len) = match layout {
+            Layout::Rows => (dim as isize, 1, 0, n * dim),
+            Layout::Padded => (dim as isize + 1, 1, 0, (n * (dim + 1)).saturating_sub(1)),
+            Layout::Columns => (1, n as isize, 0, n * dim),
+            Layout::Reversed => (-(dim as isize), 1, n.saturating_sub(1) * dim, n * dim),
+            Layout::Repeated => (0, 1, 0, dim),
+        };
+        let place = |node: usize, axis: usize| {
+            (first as isize + node as isize * node_stride + axis as isize * axis_stride) as usize
+        };
+        let places: Vec<usize> = (0..n).flat_map(|node| (0..dim).map(move |axis| place(node, axis))).collect();
+        let mut values = vec![f64::from_bits(CANARY); len];
+        places.iter().zip(rows).for_each(|(&place, &x)| values[place] = x);
+        let memory = Guarded::new(&values);
+        let data = if n == 0 { memory.ptr() } else { memory.ptr().wrapping_add(first) };
+        Self { view: fmc_view { data, node_count: n, node_stride, axis_stride }, memory, places }
+    }
+
+    /// The bits of everything.
+    fn bits(&self) -> Vec<u64> {
+        self.memory.values().into_iter().map(f64::to_bits).collect()
+    }
+
+    /// The numbers, in rows; whatever lies between them must be as it was.
+    fn rows(&self) -> Vec<f64> {
+        let values = self.memory.values();
+        let asked: std::collections::BTreeSet<usize> = self.places.iter().copied().collect();
+        assert!((0..values.len()).all(|n| asked.contains(&n) || values[n].to_bits() == CANARY), "padding is written");
+        self.places.iter().map(|&place| values[place]).collect()
+    }
+}
+
+/// What a callback needs; it outlives the context.
+struct Distance {
+    dim: usize,
+    radius: f64,
+    fault: Fault,
+    context: *mut fmc_context,
+}
+
+/// # Safety
+/// As the header says of the callback; `user` is a [`Distance`].
+unsafe extern "C" fn distance(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32 {
+    // SAFETY: the library hands on the pointer, and rooms for n points.
+    unsafe {
+        let this = &*user.cast::<Distance>();
+        match this.fault {
+            Fault::Returns(status) if status != 0 => return status,
+            Fault::WritesNothing => return 0,
+            Fault::CallsBack => {
+                let status = fmc_context_evaluate(this.context, null(), null(), 0, null_mut());
+                assert!(this.context.is_null() || status == BUSY, "status {status} from inside a callback");
+            }
+            _ => {}
+        }
+        for point in 0..n {
+            let x = std::slice::from_raw_parts(x.add(point * this.dim), this.dim);
+            let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let steep = if this.fault == Fault::Steep { 1e3 } else { 1.0 };
+            *phi.add(point) = if this.fault == Fault::WritesNan { f64::NAN } else { steep * (length - this.radius) };
+            for (axis, x) in x.iter().enumerate() {
+                *grad.add(point * this.dim + axis) = if this.fault == Fault::NoGradient { 0.0 } else { *x };
+            }
+        }
+        0
+    }
+}
+
+/// # Safety
+/// As the header says of the callback; `user` is the context, or NULL.
+unsafe extern "C" fn log(user: *mut c_void, level: i32, text: *const c_char) {
+    // SAFETY: the text is valid during the call, and the context lives.
+    unsafe {
+        assert!(level == 1 && !CStr::from_ptr(text).to_bytes().is_empty());
+        let mut count = 0usize;
+        checked(fmc_context_counts(user.cast(), &raw mut count, null_mut(), null_mut()));
+    }
+}
+
+/// Options as the library takes them, for bodies that are ordinary or not: fibers that can be counted in a moment.
+fn options(from: &Options, is_ordinary: bool) -> fmc_options {
+    let mut options = std::mem::MaybeUninit::<fmc_options>::zeroed();
+    // SAFETY: zeros are a value of every field.
+    let mut options = unsafe {
+        if from.is_raw != 7 {
+            assert_eq!(fmc_options_init(options.as_mut_ptr()), OK);
+        }
+        options.assume_init()
+    };
+    options.stiffness = from.stiffness.0;
+    options.exponent = from.exponent.map_or(options.exponent, |x| x.0);
+    options.epsilon = from.epsilon.map_or(0.0, |x| x.0);
+    options.fiber_length = from.fiber_length.map_or(0.0, |x| x.0);
+    options.seed = from.seed;
+    let choice = |which: u32| i32::from((from.choices >> (2 * which)) & 3) - 1;
+    // No value at all is one of the four; the default, being the first, is two of them.
+    let choices = [0, 1, 2, 3, 4, 5, 6].map(|which| if choice(which) < 0 { None } else { Some(choice(which)) });
+    let fields = [
+        &mut options.law,
+        &mut options.estimator,
+        &mut options.pattern,
+        &mut options.weights,
+        &mut options.balance,
+        &mut options.self_contact,
+        &mut options.check_cells,
+    ];
+    for (field, choice) in fields.into_iter().zip(choices) {
+        *field = choice.unwrap_or(*field);
+    }
+    options.index_base = i32::from(from.index_base);
+    options.threads = if from.is_threaded { 2 } else { 1 };
+    options.fiber_count = u64::from(from.fiber_count.unwrap_or(100)) * 4;
+    match from.spacing {
+        Some(spacing) if is_ordinary => {
+            options.fiber_count = 0;
+            // In space as many lines again lie behind those of the plane.
+            options.spacing = if spacing.0.abs() < 0.2 { 0.2 } else { spacing.0 };
+        }
+        Some(spacing) if !spacing.0.is_finite() || spacing.0 < 0.0 => options.spacing = spacing.0,
+        _ => {}
+    }
+    options
+}
+
+fn pose(from: &Pose, dim: usize) -> fmc_pose {
+    let mut pose = fmc_pose { position: [0.0; 3], rotation: [0.0; 9], scale: 1.0 };
+    let (position, axis) = (from.position.map(|x| x.0), from.axis.map(|x| x.0));
+    // SAFETY: `dim` entries of three are read.
+    unsafe {
+        assert_eq!(fmc_pose_init(&raw mut pose), OK);
+        let before = pose;
+        if checked(fmc_pose_along(dim as i32, position.as_ptr(), axis.as_ptr(), &raw mut pose)) != OK {
+            assert_eq!(pose, before);
+            pose.position = position;
+        }
+    }
+    if let Some(rotation) = from.rotation {
+        pose.rotation = rotation.map(|x| x.0);
+    }
+    pose.scale = from.scale.map_or(1.0, |x| x.0);
+    pose
+}
+
+/// The host's state.
+struct Host {
+    context: *mut fmc_context,
+    mesh: Mesh,
+    options: fmc_options,
+    // Boxes, as the library keeps their addresses.
+    #[allow(clippy::vec_box)]
+    distances: Vec<Box<Distance>>,
+    /// A callback may change its mind from call to call only if it is wrong.
+    is_steady: bool,
+}
+
+/// Runs a program from the first call to the last.
+pub fn run(program: &Program) {
+    let options = options(&program.options, program.mesh.is_ordinary());
+    let Some(context) = create(&program.mesh, program.is_wide, &options) else { return };
+    let mut host = Host { context, mesh: program.mesh.clone(), options, distances: Vec::new(), is_steady: true };
+    for call in program.calls.iter().take(MOST_CALLS) {
+        host.make(call);
+    }
+    // SAFETY: the context is the host's own; the second time it is NULL.
+    unsafe {
+        assert_eq!(fmc_context_free(&raw mut host.context), OK);
+        assert!(host.context.is_null());
+        assert_eq!(fmc_context_free(&raw mut host.context), OK);
+    }
+}
+
+fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Option<*mut fmc_context> {
+    let coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
+    let mut context = null_mut();
+    let base = i64::from(options.index_base);
+    let conn: Vec<Vec<i64>> =
+        mesh.blocks.iter().map(|(_, conn)| conn.iter().map(|node| node + base).collect()).collect();
+    let size = |cell_type: i32| [3, 4, 4, 8][[5, 9, 10, 12].iter().position(|t| *t == cell_type).unwrap_or(0)];
+    // SAFETY: arrays as long as they are said to be, alive during the call.
+    let status = unsafe {
+        if is_wide {
+            let conn: Vec<Guarded<i64>> = conn.iter().map(|conn| Guarded::new(conn)).collect();
+            let ids = mesh.ids.as_ref().map(|ids| Guarded::new(ids));
+            let blocks: Vec<fmc_cell_block_i64> = (mesh.blocks.iter().zip(&conn))
+                .map(|((cell_type, nodes), conn)| fmc_cell_block_i64 {
+                    cell_type: *cell_type,
+                    conn: conn.ptr(),
+                    cell_count: nodes.len() / size(*cell_type),
+                })
+                .collect();
+            let ids = ids.as_ref().map_or(null(), |ids| ids.ptr().cast_const());
+            let dim = mesh.dim as i32;
+            fmc_context_new_from_cells_i64(dim, &coords.view, blocks.as_ptr(), blocks.len(), ids, options, &mut context)
+        } else {
+            let narrow = |values: &[i64]| Guarded::new(&values.iter().map(|&v| v as i32).collect::<Vec<_>>());
+            let conn: Vec<Guarded<i32>> = conn.iter().map(|conn| narrow(conn)).collect();
+            let ids = mesh.ids.as_ref().map(|ids| narrow(ids));
+            let blocks: Vec<fmc_cell_block> = (mesh.blocks.iter().zip(&conn))
+                .map(|((cell_type, nodes), conn)| fmc_cell_block {
+                    cell_type: *cell_type,
+                    conn: conn.ptr(),
+                    cell_count: nodes.len() / size(*cell_type),
+                })
+                .collect();
+            let ids = ids.as_ref().map_or(null(), |ids| ids.ptr().cast_const());
+            let dim = mesh.dim as i32;
+            fmc_context_new_from_cells(dim, &coords.view, blocks.as_ptr(), blocks.len(), ids, options, &mut context)
+        }
+    };
+    assert_eq!(checked(status) == OK, !context.is_null());
+    (status == OK).then_some(context)
+}
+
+impl Host {
+    fn make(&mut self, call: &Call) {
+        match call {
+            Call::Evaluate { read, write, add, hole } => self.evaluate(*read, *write, *add, *hole),
+            Call::Tangent { read, flags, hole } => self.tangent(*read, *flags, *hole),
+            Call::KeepPatches { forget, hole } => self.keep_patches(*forget, *hole),
+            Call::SetOptions(from) => self.set_options(&options(from, self.mesh.is_ordinary())),
+            Call::SetByName { key, value } => self.set_by_name(*key, value),
+            Call::AddObstacle { shape, pose: place, hole } => {
+                let place = place.as_ref().map(|place| pose(place, self.mesh.dim));
+                self.add(shape, place, *hole);
+            }
+            Call::SetPose { obstacle, pose: place } => {
+                let place = pose(place, self.mesh.dim);
+                // SAFETY: the host's own context and pose.
+                checked(unsafe { fmc_context_set_pose(self.context, *obstacle as usize % 4, &place) });
+            }
+            Call::Move { node, axis, to } => {
+                let place = *node as usize % self.mesh.node_count() * self.mesh.dim + *axis as usize % self.mesh.dim;
+                // Lines are few while all is ordinary, or counted.
+                if to.is_ordinary() || self.options.spacing == 0.0 {
+                    self.mesh.coords[place] = to.0;
+                }
+            }
+            Call::Getters { index, hole } => self.getters(*index as usize % 5, *hole),
+            Call::SetLog { calls_back } => {
+                let callback: fmc_log_callback = if *calls_back { Some(log) } else { None };
+                // SAFETY: the callback asks the context that calls it.
+                checked(unsafe { fmc_context_set_log(self.context, callback, self.context.cast()) });
+            }
+            Call::Stateless { hole } => self.stateless(*hole),
+            Call::FromFacets { facets, is_wide } => self.from_facets(facets, *is_wide),
+            Call::Suggest { dim, values } => suggest(i32::from(*dim % 5), values.map(|x| x.0)),
+            Call::Texts { status, feature } => texts(*status, feature),
+        }
+    }
+
+    fn evaluate(&mut self, read: Layout, write: Layout, add: bool, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
+        let before = vec![if add { 0.0 } else { f64::from_bits(CANARY) }; self.mesh.coords.len()];
+        let nothing = fmc_result { fiber_count: 77, ..no_result() };
+        let once = || {
+            let forces = Array::new(&before, self.mesh.dim, write);
+            let (untouched, mut result) = (forces.bits(), nothing);
+            let (coords_view, forces_view) = (coords.view, forces.view);
+            // SAFETY: views of arrays that are as long as they say, alive during the call.
+            let status = checked(unsafe {
+                fmc_context_evaluate(
+                    self.context,
+                    unless(hole, 0, (&raw const coords_view).cast_mut()),
+                    unless(hole, 1, (&raw const forces_view).cast_mut()),
+                    u32::from(add),
+                    unless(hole, 2, &raw mut result),
+                )
+            });
+            if status != OK {
+                assert!(forces.bits() == untouched && result == nothing, "an error writes outputs");
+                return (status, Vec::new(), result);
+            }
+            if hole != 2 {
+                assert!(!matches!(write, Layout::Repeated) || self.mesh.node_count() < 2, "forces fall on one another");
+                assert!(forces.rows().iter().all(|f| f.is_finite()), "{:?}", forces.rows());
+            }
+            if hole != 3 {
+                let numbers = [result.volume, result.energy, result.contact_area, result.penetration];
+                assert!(numbers.iter().all(|x| x.is_finite() && *x >= 0.0), "{result:?}");
+                assert!(result.volume_standard_error >= 0.0 && result.struct_size == size_of::<fmc_result>());
+            }
+            (status, forces.bits(), result)
+        };
+        let found = once();
+        if self.is_steady {
+            assert_eq!(format!("{found:?}"), format!("{:?}", once()), "asked twice");
+        }
+    }
+
+    fn tangent(&mut self, read: Layout, flags: u8, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
+        let (mut entry_count, mut rank_one_count) = (77usize, 77usize);
+        let view = coords.view;
+        // SAFETY: as in `evaluate`; entries go where there is room for so many.
+        unsafe {
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let entries = unless(hole, 1, &raw mut entry_count);
+            let flags = u32::from(flags % 3);
+            let status = checked(fmc_context_tangent(self.context, coords, flags, entries, &raw mut rank_one_count));
+            if status != OK {
+                assert_eq!((entry_count, rank_one_count), (77, 77));
+                return;
+            }
+            if hole == 2 {
+                return;
+            }
+            let rows = Guarded::new(&vec![-1; entry_count]);
+            let cols = Guarded::new(&vec![-1; entry_count]);
+            let values = Guarded::new(&vec![f64::from_bits(CANARY); entry_count]);
+            assert_eq!(
+                checked(fmc_context_tangent_entries(self.context, rows.ptr(), cols.ptr(), values.ptr(), entry_count)),
+                OK
+            );
+            // Whether they are finite is not asked: entries of bodies of any shape may leave the range.
+            assert!(rows.values().iter().chain(&cols.values()).all(|&at| at >= 0));
+            assert!(values.values().iter().all(|v| v.to_bits() != CANARY));
+            if entry_count > 0 {
+                let few = entry_count - 1;
+                let status = fmc_context_tangent_entries(self.context, rows.ptr(), cols.ptr(), values.ptr(), few);
+                assert_ne!(checked(status), OK, "room for too few");
+            }
+            let length = self.mesh.coords.len();
+            let x = Guarded::new(&vec![1.0; length]);
+            assert_eq!(checked(fmc_context_tangent_product(self.context, x.ptr(), x.ptr(), length)), OK);
+            let mut factor = 0.0;
+            for index in 0..=rank_one_count {
+                let status = fmc_context_tangent_rank_one(self.context, index, &raw mut factor, x.ptr(), length);
+                assert!(checked(status) != OK || index < rank_one_count);
+            }
+        }
+    }
+
+    fn keep_patches(&mut self, forget: bool, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let (view, mut count) = (coords.view, 77usize);
+        // SAFETY: as in `evaluate`.
+        unsafe {
+            let coords = if forget { null() } else { &raw const view };
+            let status = fmc_context_keep_patches(self.context, coords, unless(hole, 0, &raw mut count));
+            assert!(checked(status) == OK || count == 77);
+        }
+    }
+
+    fn set_options(&mut self, options: &fmc_options) {
+        // SAFETY: the host's own context and options.
+        if checked(unsafe { fmc_context_set_options(self.context, options) }) == OK {
+            self.options = *options;
+        }
+    }
+
+    fn set_by_name(&mut self, key: u8, value: &[u8; 6]) {
+        const KEYS: [&CStr; 18] = [
+            c"stiffness",
+            c"exponent",
+            c"epsilon",
+            c"spacing",
+            c"fiber_length",
+            c"fiber_count",
+            c"seed",
+            c"law",
+            c"estimator",
+            c"pattern",
+            c"weights",
+            c"balance",
+            c"self_contact",
+            c"check_cells",
+            c"threads",
+            c"index_base",
+            c" law ",
+            c"no option",
+        ];
+        const VALUES: [&CStr; 8] = [c"1", c"0", c"2.5d6", c"exact", c"fibers", c"fiber", c"volume", c"consistent"];
+        let end = value.iter().position(|b| *b == 0).unwrap_or(6);
+        let own = CString::new(&value[..end]).expect("no zero within");
+        let value = if value[0] < 64 { VALUES[value[0] as usize % 8] } else { &own };
+        let mut options = self.options;
+        // SAFETY: a struct of the header's size, and texts that end in zero.
+        let status =
+            checked(unsafe { fmc_options_set(&raw mut options, KEYS[key as usize % 18].as_ptr(), value.as_ptr()) });
+        // Fine lines and many threads are a matter of time, not of soundness.
+        if status == OK && (1..=2).contains(&options.threads) && options.fiber_count <= 1_000 {
+            let is_fine = options.spacing > 0.0 && (options.spacing < 0.2 || !self.mesh.is_ordinary());
+            let is_automatic = options.spacing == 0.0 && options.fiber_count == 0;
+            if !is_fine && !is_automatic {
+                self.set_options(&options);
+            }
+        }
+    }
+
+    fn add(&mut self, shape: &Shape, place: Option<fmc_pose>, hole: Hole) {
+        let (context, mut obstacle) = (self.context, 77usize);
+        let place = place.as_ref().map_or(null(), |place| &raw const *place);
+        let index = unless(hole, 0, &raw mut obstacle);
+        let base = i64::from(self.options.index_base);
+        // SAFETY: `dim` entries of three are read; arrays are as long as they say.
+        let status = checked(unsafe {
+            match shape {
+                Shape::HalfSpace => fmc_context_add_half_space(context, place, index),
+                Shape::Ball(radius) => fmc_context_add_ball(context, radius.0, place, index),
+                Shape::Cuboid(half) => {
+                    let half = Guarded::new(&half.map(|x| x.0)[..self.mesh.dim]);
+                    fmc_context_add_cuboid(context, unless(hole, 1, half.ptr()), place, index)
+                }
+                Shape::Cylinder(radius, half) => fmc_context_add_cylinder(context, radius.0, half.0, place, index),
+                Shape::Cone(radius, half) => fmc_context_add_cone(context, radius.0, half.0, place, index),
+                Shape::Capsule(radius, half) => fmc_context_add_capsule(context, radius.0, half.0, place, index),
+                Shape::Polytope { corners, facets, is_wide } => {
+                    let dim = self.mesh.dim;
+                    let points: Vec<f64> =
+                        corners.iter().take(dim + 1).flat_map(|x| x[..dim].iter().map(|x| x.0)).collect();
+                    let points = Array::new(&points, dim, Layout::Rows);
+                    let simplex: &[i64] =
+                        if dim == 2 { &[0, 1, 1, 2, 2, 0] } else { &[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3] };
+                    let facets: Vec<i64> = match facets.len() {
+                        0..3 => simplex.iter().map(|node| node + base).collect(),
+                        _ => facets.iter().map(|f| i64::from(f % 8) - 1).collect(),
+                    };
+                    let count = facets.len() / dim;
+                    if *is_wide {
+                        let facets = Guarded::new(&facets[..count * dim]);
+                        fmc_context_add_polytope_i64(context, &points.view, facets.ptr(), count, place, index)
+                    } else {
+                        let facets: Vec<i32> = facets[..count * dim].iter().map(|&f| f as i32).collect();
+                        let facets = Guarded::new(&facets);
+                        fmc_context_add_polytope(context, &points.view, facets.ptr(), count, place, index)
+                    }
+                }
+                Shape::SignedDistance { radius, fault } => {
+                    let radius = if radius.0.is_finite() { radius.0.abs().min(2.0) } else { 1.0 };
+                    let own = Box::new(Distance { dim: self.mesh.dim, radius, fault: *fault, context });
+                    let user = (&raw const *own).cast_mut().cast();
+                    self.distances.push(own);
+                    fmc_context_add_signed_distance(context, Some(distance), user, place, index)
+                }
+            }
+        });
+        assert!(status == OK || obstacle == 77, "an error writes outputs");
+    }
+
+    fn getters(&self, index: usize, hole: Hole) {
+        let mut resultant = fmc_resultant { id: 77, force: [0.5; 3], moment: [0.5; 3], node_count: 77 };
+        let untouched = resultant;
+        let mut pair = std::mem::MaybeUninit::<fmc_pair>::zeroed();
+        let (mut code, mut text) = (0, null());
+        let mut counts = [0usize; 3];
+        // SAFETY: outputs that may be written.
+        unsafe {
+            let status = checked(fmc_context_body(self.context, index, unless(hole, 0, &raw mut resultant)));
+            assert!(status == OK || resultant == untouched);
+            let mut resultant = untouched;
+            let status = checked(fmc_context_obstacle(self.context, index, unless(hole, 1, &raw mut resultant)));
+            assert!(status == OK || resultant == untouched);
+            let status = checked(fmc_context_pair(self.context, index, unless(hole, 2, pair.as_mut_ptr())));
+            let pair = pair.assume_init();
+            assert!(if status == OK { pair.struct_size == size_of::<fmc_pair>() } else { pair.struct_size == 0 });
+            if checked(fmc_context_warning(self.context, index, &raw mut code, unless(hole, 3, &raw mut text))) == OK
+                && hole != 4
+            {
+                assert!((1..=3).contains(&code) && !CStr::from_ptr(text).to_bytes().is_empty());
+            }
+            let [nodes, facets, bodies] = &mut counts;
+            assert_eq!(checked(fmc_context_counts(self.context, nodes, facets, unless(hole, 4, bodies))), OK);
+            assert_eq!(counts[0], self.mesh.node_count());
+            CStr::from_ptr(fmc_context_error(unless(hole, 5, self.context))).to_str().expect("UTF-8");
+        }
+    }
+
+    fn stateless(&self, hole: Hole) {
+        let Some((cell_type, conn)) = self.mesh.blocks.first() else { return };
+        let size = if *cell_type == 12 {
+            8
+        } else if *cell_type == 5 {
+            3
+        } else {
+            4
+        };
+        let wide = Guarded::new(&conn.iter().map(|n| n + i64::from(self.options.index_base)).collect::<Vec<_>>());
+        let narrow = Guarded::new(&wide.values().iter().map(|&n| n as i32).collect::<Vec<_>>());
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let canaries = vec![f64::from_bits(CANARY); self.mesh.coords.len()];
+        let (dim, n, cells) = (self.mesh.dim as i32, self.mesh.node_count(), conn.len() / size);
+        let call = |is_wide: bool| {
+            let (forces, mut volume) = (Guarded::new(&canaries), -1.0);
+            // SAFETY: arrays as long as they are said to be.
+            let status = unsafe {
+                let (x, o) = (unless(hole, 0, coords.memory.ptr()), &raw const self.options);
+                let (f, v) = (unless(hole, 1, forces.ptr()), unless(hole, 2, &raw mut volume));
+                if is_wide {
+                    fmc_contact_force_i64(dim, x, n, *cell_type, wide.ptr(), cells, null(), o, f, v)
+                } else {
+                    fmc_contact_force(dim, x, n, *cell_type, narrow.ptr(), cells, null(), o, f, v)
+                }
+            };
+            let bits: Vec<u64> = forces.values().into_iter().map(f64::to_bits).collect();
+            if checked(status) != OK {
+                assert!(bits.iter().all(|b| *b == CANARY) && volume == -1.0, "an error writes outputs");
+            }
+            (status, bits, volume.to_bits())
+        };
+        assert_eq!(call(false), call(true));
+    }
+
+    /// A context of its own, from facets of any kind on the nodes that are there.
+    fn from_facets(&self, facets: &[u8], is_wide: bool) {
+        let n = self.mesh.node_count() as i64 + 1;
+        let facets: Vec<i64> = facets.iter().take(24).map(|f| i64::from(*f) % n).collect();
+        let count = facets.len() / self.mesh.dim;
+        let facets = &facets[..count * self.mesh.dim];
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let (dim, mut context) = (self.mesh.dim as i32, null_mut());
+        // SAFETY: arrays as long as they are said to be; the context is given back.
+        unsafe {
+            let status = checked(if is_wide {
+                let facets = Guarded::new(facets);
+                let ids = null();
+                fmc_context_new_from_facets_i64(
+                    dim,
+                    &coords.view,
+                    facets.ptr(),
+                    count,
+                    ids,
+                    &raw const self.options,
+                    &raw mut context,
+                )
+            } else {
+                let facets = Guarded::new(&facets.iter().map(|&f| f as i32).collect::<Vec<_>>());
+                let ids = null();
+                fmc_context_new_from_facets(
+                    dim,
+                    &coords.view,
+                    facets.ptr(),
+                    count,
+                    ids,
+                    &raw const self.options,
+                    &raw mut context,
+                )
+            });
+            assert_eq!(status == OK, !context.is_null());
+            assert_eq!(fmc_context_free(&raw mut context), OK);
+        }
+    }
+}
+
+fn no_result() -> fmc_result {
+    fmc_result {
+        struct_size: 77,
+        volume: -1.0,
+        volume_standard_error: -1.0,
+        energy: -1.0,
+        contact_area: -1.0,
+        penetration: -1.0,
+        fiber_count: 77,
+        crossing_count: 77,
+        facet_count: 77,
+        pair_count: 77,
+        body_count: 77,
+        obstacle_count: 77,
+        warning_count: 77,
+        reserved: [77; 8],
+    }
+}
+
+fn suggest(dim: i32, [a, b, c]: [f64; 3]) {
+    let check = |call: &dyn Fn(*mut f64) -> fmc_status| {
+        let mut found = -1.0;
+        let status = checked(call(&raw mut found));
+        // A product of numbers in range may leave it.
+        assert!(if status == OK { found > 0.0 || found == 0.0 || found.is_infinite() } else { found == -1.0 });
+    };
+    // SAFETY: the output may be written.
+    unsafe {
+        check(&|found| fmc_suggest_fiber_stiffness(a, b, found));
+        check(&|found| fmc_suggest_stiffness_from_modulus(dim, a, b, c, found));
+        check(&|found| fmc_suggest_stiffness_from_pressure(dim, a, b, c, found));
+    }
+}
+
+fn texts(status: i32, feature: &[u8; 5]) {
+    let end = feature.iter().position(|b| *b == 0).unwrap_or(5);
+    let feature = CString::new(&feature[..end]).expect("no zero within");
+    // SAFETY: texts that end in zero, theirs and ours.
+    unsafe {
+        assert!((0..=1).contains(&fmc_has_feature(feature.as_ptr())) && fmc_has_feature(null()) == 0);
+        assert!(CStr::from_ptr(fmc_status_name(status)).to_bytes().starts_with(b"FMC_"));
+        assert!(!CStr::from_ptr(fmc_version()).to_bytes().is_empty());
+        assert!(fmc_abi_version() > 0);
+        assert!(CStr::from_ptr(fmc_last_error()).to_str().is_ok());
+    }
+}
+
+/// Numbers that a test of this file may want.
+impl From<f64> for Number {
+    fn from(x: f64) -> Self {
+        Number(x)
+    }
+}

@@ -1,0 +1,377 @@
+//! `include/fmc_contact.h`, written down for Rust: the functions that the fuzz target calls, and their structs.
+//!
+//! A test holds the names against the header, both ways.
+// The header documents them.
+#![allow(missing_docs, non_camel_case_types)]
+
+use std::ffi::{c_char, c_void};
+
+/// The library with its C entry points, so that the linker takes it in.
+pub use fmc_contact as library;
+
+/// `fmc_status`; its values are checked by range.
+pub type fmc_status = i32;
+/// `FMC_OK`.
+pub const OK: fmc_status = 0;
+/// `FMC_ERROR_BUSY`.
+pub const BUSY: fmc_status = 28;
+/// `FMC_ERROR_PANIC`: a defect, always.
+pub const PANIC: fmc_status = 30;
+
+/// Opaque.
+#[repr(C)]
+pub struct fmc_context {
+    _private: [u8; 0],
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_options {
+    pub struct_size: usize,
+    pub stiffness: f64,
+    pub exponent: f64,
+    pub spacing: f64,
+    pub fiber_length: f64,
+    pub fiber_count: u64,
+    pub seed: u64,
+    pub law: i32,
+    pub estimator: i32,
+    pub pattern: i32,
+    pub weights: i32,
+    pub balance: i32,
+    pub self_contact: i32,
+    pub check_cells: i32,
+    pub threads: i32,
+    pub index_base: i32,
+    pub reserved_flags: i32,
+    pub epsilon: f64,
+    pub reserved: [u64; 15],
+}
+
+/// As in the header, for coordinates and forces alike.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_view {
+    pub data: *mut f64,
+    pub node_count: usize,
+    pub node_stride: isize,
+    pub axis_stride: isize,
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_cell_block {
+    pub cell_type: i32,
+    pub conn: *const i32,
+    pub cell_count: usize,
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_cell_block_i64 {
+    pub cell_type: i32,
+    pub conn: *const i64,
+    pub cell_count: usize,
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_result {
+    pub struct_size: usize,
+    pub volume: f64,
+    pub volume_standard_error: f64,
+    pub energy: f64,
+    pub contact_area: f64,
+    pub penetration: f64,
+    pub fiber_count: usize,
+    pub crossing_count: usize,
+    pub facet_count: usize,
+    pub pair_count: usize,
+    pub body_count: usize,
+    pub obstacle_count: usize,
+    pub warning_count: usize,
+    pub reserved: [u64; 8],
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_resultant {
+    pub id: i64,
+    pub force: [f64; 3],
+    pub moment: [f64; 3],
+    pub node_count: usize,
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_pair {
+    pub struct_size: usize,
+    pub a_kind: i32,
+    pub b_kind: i32,
+    pub a: usize,
+    pub b: usize,
+    pub volume: f64,
+    pub volume_standard_error: f64,
+    pub energy: f64,
+    pub pressure: f64,
+    pub contact_area: f64,
+    pub penetration: f64,
+    pub spacing: f64,
+    pub reserved: [u64; 8],
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_pose {
+    pub position: [f64; 3],
+    pub rotation: [f64; 9],
+    pub scale: f64,
+}
+
+/// As in the header.
+pub type fmc_log_callback = Option<unsafe extern "C" fn(*mut c_void, i32, *const c_char)>;
+/// As in the header.
+pub type fmc_signed_distance = Option<unsafe extern "C" fn(*mut c_void, usize, *const f64, *mut f64, *mut f64) -> i32>;
+
+unsafe extern "C" {
+    pub fn fmc_version() -> *const c_char;
+    pub fn fmc_abi_version() -> i32;
+    pub fn fmc_has_feature(name: *const c_char) -> i32;
+    pub fn fmc_status_name(status: i32) -> *const c_char;
+    pub fn fmc_last_error() -> *const c_char;
+    pub fn fmc_options_init(options: *mut fmc_options) -> fmc_status;
+    pub fn fmc_options_set(options: *mut fmc_options, key: *const c_char, value: *const c_char) -> fmc_status;
+    pub fn fmc_contact_force(
+        dim: i32,
+        coords: *const f64,
+        node_count: usize,
+        cell_type: i32,
+        conn: *const i32,
+        cell_count: usize,
+        body_ids: *const i32,
+        options: *const fmc_options,
+        forces: *mut f64,
+        volume: *mut f64,
+    ) -> fmc_status;
+    pub fn fmc_contact_force_i64(
+        dim: i32,
+        coords: *const f64,
+        node_count: usize,
+        cell_type: i32,
+        conn: *const i64,
+        cell_count: usize,
+        body_ids: *const i64,
+        options: *const fmc_options,
+        forces: *mut f64,
+        volume: *mut f64,
+    ) -> fmc_status;
+    pub fn fmc_context_new_from_cells(
+        dim: i32,
+        coords: *const fmc_view,
+        blocks: *const fmc_cell_block,
+        block_count: usize,
+        body_ids: *const i32,
+        options: *const fmc_options,
+        context: *mut *mut fmc_context,
+    ) -> fmc_status;
+    pub fn fmc_context_new_from_cells_i64(
+        dim: i32,
+        coords: *const fmc_view,
+        blocks: *const fmc_cell_block_i64,
+        block_count: usize,
+        body_ids: *const i64,
+        options: *const fmc_options,
+        context: *mut *mut fmc_context,
+    ) -> fmc_status;
+    pub fn fmc_context_new_from_facets(
+        dim: i32,
+        coords: *const fmc_view,
+        facets: *const i32,
+        facet_count: usize,
+        body_ids: *const i32,
+        options: *const fmc_options,
+        context: *mut *mut fmc_context,
+    ) -> fmc_status;
+    pub fn fmc_context_new_from_facets_i64(
+        dim: i32,
+        coords: *const fmc_view,
+        facets: *const i64,
+        facet_count: usize,
+        body_ids: *const i64,
+        options: *const fmc_options,
+        context: *mut *mut fmc_context,
+    ) -> fmc_status;
+    pub fn fmc_context_free(context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status;
+    pub fn fmc_context_set_log(context: *mut fmc_context, callback: fmc_log_callback, user: *mut c_void) -> fmc_status;
+    pub fn fmc_context_counts(
+        context: *const fmc_context,
+        node_count: *mut usize,
+        facet_count: *mut usize,
+        body_count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_evaluate(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        forces: *const fmc_view,
+        flags: u32,
+        result: *mut fmc_result,
+    ) -> fmc_status;
+    pub fn fmc_context_error(context: *const fmc_context) -> *const c_char;
+    pub fn fmc_context_keep_patches(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        direction_count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_tangent(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        flags: u32,
+        entry_count: *mut usize,
+        rank_one_count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_tangent_entries(
+        context: *const fmc_context,
+        rows: *mut i32,
+        cols: *mut i32,
+        values: *mut f64,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_tangent_product(
+        context: *const fmc_context,
+        x: *const f64,
+        y: *mut f64,
+        length: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_tangent_rank_one(
+        context: *const fmc_context,
+        index: usize,
+        factor: *mut f64,
+        vector: *mut f64,
+        length: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_body(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
+    pub fn fmc_context_obstacle(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
+    pub fn fmc_context_pair(context: *const fmc_context, index: usize, pair: *mut fmc_pair) -> fmc_status;
+    pub fn fmc_context_warning(
+        context: *const fmc_context,
+        index: usize,
+        code: *mut i32,
+        text: *mut *const c_char,
+    ) -> fmc_status;
+    pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_pose_along(dim: i32, position: *const f64, axis: *const f64, pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_context_add_half_space(
+        context: *mut fmc_context,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_ball(
+        context: *mut fmc_context,
+        radius: f64,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_cuboid(
+        context: *mut fmc_context,
+        half_extents: *const f64,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_cylinder(
+        context: *mut fmc_context,
+        radius: f64,
+        half_height: f64,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_cone(
+        context: *mut fmc_context,
+        radius: f64,
+        half_height: f64,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_capsule(
+        context: *mut fmc_context,
+        radius: f64,
+        half_height: f64,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_polytope(
+        context: *mut fmc_context,
+        points: *const fmc_view,
+        facets: *const i32,
+        facet_count: usize,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_polytope_i64(
+        context: *mut fmc_context,
+        points: *const fmc_view,
+        facets: *const i64,
+        facet_count: usize,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_signed_distance(
+        context: *mut fmc_context,
+        callback: fmc_signed_distance,
+        user: *mut c_void,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_set_pose(context: *mut fmc_context, obstacle: usize, pose: *const fmc_pose) -> fmc_status;
+    pub fn fmc_suggest_fiber_stiffness(pressure: f64, penetration: f64, stiffness: *mut f64) -> fmc_status;
+    pub fn fmc_suggest_stiffness_from_modulus(
+        dim: i32,
+        exponent: f64,
+        modulus: f64,
+        facet_size: f64,
+        stiffness: *mut f64,
+    ) -> fmc_status;
+    pub fn fmc_suggest_stiffness_from_pressure(
+        dim: i32,
+        exponent: f64,
+        pressure: f64,
+        overlap: f64,
+        stiffness: *mut f64,
+    ) -> fmc_status;
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    /// Names before an opening bracket on lines that declare a function.
+    fn functions<'a>(text: &'a str, declares: impl Fn(&str) -> bool) -> BTreeSet<&'a str> {
+        let lines = text.lines().filter(|line| declares(line));
+        let names = lines.filter_map(|line| {
+            let head = &line[..line.find('(')?];
+            Some(&head[head.rfind("fmc_")?..])
+        });
+        names.collect()
+    }
+
+    #[test]
+    fn every_function_of_the_header_is_fuzzed() {
+        let header = functions(include_str!("../../include/fmc_contact.h"), |line| {
+            !line.starts_with(' ')
+                && !line.starts_with("//")
+                && line.contains(" fmc_") | line.contains("*fmc_")
+                && !line.starts_with("typedef")
+                && line.contains('(')
+        });
+        let ours = functions(include_str!("interface.rs"), |line| line.starts_with("    pub fn fmc_"));
+        assert!(ours.len() > 30);
+        assert_eq!(ours, header);
+    }
+}

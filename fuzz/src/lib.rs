@@ -1,0 +1,26 @@
+//! What the fuzz targets share: the C interface as a host in Rust sees it, host arrays that end where memory ends, and
+//! programs of calls made from arbitrary bytes.
+
+pub mod guarded;
+pub mod host;
+pub mod interface;
+pub mod mesh;
+pub mod number;
+pub mod program;
+
+/// Case documents.
+#[cfg(feature = "cases")]
+pub use fmc_reference::case;
+
+/// Readers of mesh files.
+#[cfg(feature = "meshes")]
+pub use fmc_reference::mesh as mesh_io;
+
+/// For a target that reads files: `bytes` as a file of this name in memory, whose path goes to `read`.
+pub fn as_file<T>(name: &str, bytes: &[u8], read: impl FnOnce(&std::path::Path) -> T) -> T {
+    let path = std::path::Path::new("/dev/shm").join(format!("fmc-fuzz-{}-{name}", std::process::id()));
+    std::fs::write(&path, bytes).expect("room for a small file in memory");
+    let result = read(&path);
+    let _ = std::fs::remove_file(&path);
+    result
+}
