@@ -1,6 +1,8 @@
 //! Cells, boundary facets, crossings of lines with them, and obstacles. No randomness here.
 
 pub(crate) mod aabb;
+#[cfg(test)]
+mod against_parry;
 mod cell;
 pub(crate) mod cells;
 mod chord;
@@ -9,11 +11,13 @@ pub(crate) mod components;
 pub(crate) mod crossing;
 mod distance;
 pub(crate) mod facet;
+mod height_field;
 mod inside;
 mod inverted;
 mod march;
 mod obstacle;
 mod pose;
+pub(crate) mod shapes;
 mod surface;
 pub(crate) mod tree;
 
@@ -21,6 +25,7 @@ pub use cell::{Bodies, CellBlock, CellType};
 pub(crate) use chord::chord;
 pub(crate) use distance::distance_bound;
 pub(crate) use facet::moment;
+pub use height_field::HeightField;
 pub(crate) use inside::{cover_count, cover_counts};
 pub(crate) use march::{Passage, Stretch, march};
 pub use obstacle::{Obstacle, Shape, SignedDistance};

@@ -73,7 +73,7 @@ impl<const D: usize> Contact<D> {
                     Some((facets, views)) => {
                         Opponent::Facets(FacetSide::new(facets, 0..views.points.len() as u32, views))
                     }
-                    None => Opponent::Implicit(ImplicitSide { obstacle, shape: &rigid.obstacle.shape, pose }),
+                    None => Opponent::Implicit(ImplicitSide { obstacle, shape: rigid.implicit(), pose }),
                 };
                 results.extend(measure([Partner::Body(i), Partner::Obstacle(obstacle)], a, opponent, Some(pose))?);
             }

@@ -1,6 +1,7 @@
 //! Obstacles in the form in which the estimators take them.
 
 use crate::Error;
+use crate::geometry::shapes::{self, Part};
 use crate::geometry::{Bodies, Obstacle, Pose, Shape, Surface, Vector};
 
 /// An obstacle whose values have been checked.
@@ -8,6 +9,8 @@ pub(crate) struct Rigid<const D: usize> {
     pub(crate) obstacle: Obstacle<D>,
     /// Facets of a polytope, and of a cuboid for the exact estimator, in the shape's frame.
     facets: Option<(Surface<D>, Vec<Vector<D>>)>,
+    /// What stands for a compound.
+    distance: Option<Shape<D>>,
 }
 
 impl<const D: usize> Rigid<D> {
@@ -17,6 +20,7 @@ impl<const D: usize> Rigid<D> {
         let positive = |name, value: f64| {
             if value.is_finite() && value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
         };
+        let mut distance = None;
         let facets = match &obstacle.shape {
             Shape::HalfSpace | Shape::SignedDistance(_) => None,
             Shape::Ball { radius } => {
@@ -36,8 +40,33 @@ impl<const D: usize> Rigid<D> {
                 Some(closed(&points, &facets)?)
             }
             Shape::Polytope { points, facets } => Some(closed(points, facets)?),
+            Shape::ConvexHull { points } => {
+                let (points, facets) = shapes::convex_hull(points)?;
+                Some(closed(&points, &facets)?)
+            }
+            Shape::HeightField(field) => {
+                let (points, facets) = field.solid()?;
+                Some(closed(&points, &facets)?)
+            }
+            Shape::Compound { parts } => {
+                // What holds for an obstacle holds for a part.
+                let parts = parts.iter().map(|part| Self::new(part.clone(), index)).collect::<Result<Vec<_>, _>>()?;
+                distance = Some(shapes::compound(parts.iter().map(Self::part).collect())?);
+                None
+            }
         };
-        Ok(Self { obstacle, facets })
+        Ok(Self { obstacle, facets, distance })
+    }
+
+    /// The obstacle as a part of a compound.
+    fn part(&self) -> Part<'_, D> {
+        let facets = self.facets.as_ref().map(|(surface, points)| (points.as_slice(), surface.facets.as_slice()));
+        Part { shape: self.implicit(), facets, pose: self.obstacle.pose }
+    }
+
+    /// The shape as the estimators see it where it has no facets.
+    pub(crate) fn implicit(&self) -> &Shape<D> {
+        self.distance.as_ref().unwrap_or(&self.obstacle.shape)
     }
 
     /// Facets and placed corners, where the estimator is to see this obstacle as facets.

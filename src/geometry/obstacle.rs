@@ -1,6 +1,6 @@
 //! Rigid partners: a shape, or a signed distance function, with a pose.
 
-use super::Pose;
+use super::{HeightField, Pose};
 use std::sync::Arc;
 
 /// A body given by its signed distance: negative inside, positive outside, in a frame of its own.
@@ -74,6 +74,22 @@ pub enum Shape<const D: usize> {
         /// Edges or triangles, as numbers of corners.
         facets: Vec<[u32; D]>,
     },
+    /// Convex hull of points, which both estimators meet as a polytope. Feature `shapes`.
+    ConvexHull {
+        /// Points; those inside the hull are of no effect.
+        points: Vec<[f64; D]>,
+    },
+    /// The solid below a height field, which both estimators meet as a polytope.
+    HeightField(HeightField),
+    /// Union of shapes, each with a pose in the frame of the compound; fibers only. Feature `shapes`.
+    ///
+    /// Its signed distance is the least of its parts': exact outside, and inside one part alone. Where parts overlap, the
+    /// true depth is at least as large as that of the deepest part, which is what counts: a point near the seam of two
+    /// parts is taken to be as deep as in either of them.
+    Compound {
+        /// Its parts, which may overlap; signed distances and compounds may be among them.
+        parts: Vec<Obstacle<D>>,
+    },
     /// Signed distance function; fibers only.
     SignedDistance(Arc<dyn SignedDistance<D>>),
 }
@@ -94,6 +110,9 @@ impl<const D: usize> std::fmt::Debug for Shape<D> {
             Shape::Polytope { points, facets } => {
                 write!(f, "Polytope {{ {} points, {} facets }}", points.len(), facets.len())
             }
+            Shape::ConvexHull { points } => write!(f, "ConvexHull {{ {} points }}", points.len()),
+            Shape::HeightField(field) => write!(f, "{field:?}"),
+            Shape::Compound { parts } => write!(f, "Compound {{ {parts:?} }}"),
             Shape::SignedDistance(_) => write!(f, "SignedDistance"),
         }
     }

@@ -59,6 +59,21 @@ impl<const D: usize> Tree<D> {
         aabb
     }
 
+    /// Takes over boxes that have moved. Children come after their parents, so that one pass from the last node to the first
+    /// finds those of the children done.
+    #[allow(dead_code)] // Measured beside parry's in benches/trees.rs.
+    pub(crate) fn refit(&mut self, boxes: &[Aabb<D>]) {
+        for node in (0..self.nodes.len()).rev() {
+            let Node { start, end, right, .. } = self.nodes[node];
+            self.nodes[node].aabb = if right == 0 {
+                let items = &self.items[start as usize..end as usize];
+                items.iter().fold(Aabb::empty(), |a, &i| a.union(&boxes[i as usize]))
+            } else {
+                self.nodes[node + 1].aabb.union(&self.nodes[right as usize].aabb)
+            };
+        }
+    }
+
     /// Visits every item that lies in a leaf whose box, and those of all nodes above it, `accept`s.
     pub(crate) fn visit(&self, accept: impl Fn(&Aabb<D>) -> bool, mut item: impl FnMut(u32)) {
         let mut stack = Vec::with_capacity(64);
