@@ -63,7 +63,7 @@ mod tests {
         // Of the first words of the vectors above: 0xd6405f89_2fef003e and 0xa1a5091f_e8b85b7f.
         let shift = |word: u64| (word >> 11) as f64 / 2f64.powi(53);
         assert_eq!(uniforms(0, 0, 0), [shift(0xd640_5f89_2fef_003e), shift(0xa1a5_091f_e8b8_5b7f)]);
-        assert_eq!(uniforms(0, 0, 0), [0.0, 0.0]);
+        assert_eq!(uniforms(0, 0, 0), [0.836_919_756_882_647_2, 0.631_424_494_066_523_1]);
     }
 
     #[test]
