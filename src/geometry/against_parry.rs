@@ -33,7 +33,7 @@ fn theirs(x: &Vector<3>) -> parry3d_f64::math::Vector {
 fn scattered() -> impl Iterator<Item = (Vector<3>, Vector<3>)> {
     (1..400).map(|n| {
         let f = |k: f64| (n as f64 * k).sin();
-        (Vector::<3>::new(f(1.3), f(2.7), f(3.9)) * 1.5, Vector::<3>::new(f(5.1), f(7.7), f(9.2)).normalize())
+        (Vector::<3>::new(f(1.3), f(2.7), f(3.9)) * 0.8, Vector::<3>::new(f(5.1), f(7.7), f(9.2)).normalize())
     })
 }
 
@@ -86,6 +86,6 @@ fn bounds_have_the_sign_of_parrys_distance_and_are_no_larger() {
             assert!(bound > 0.0 || (bound - distance).abs() < 1e-14, "{shape:?} at {x}: {bound}, not {distance}");
             inside += usize::from(bound < 0.0);
         }
-        assert!(inside > 20 && inside < 390, "{shape:?}: {inside}");
+        assert!(inside > 10 && inside < 390, "{shape:?}: {inside}");
     }
 }
