@@ -103,6 +103,14 @@ typedef enum {
   FMC_ERROR_OVERFLOW = 29,
   // A panic was caught: a defect of this library. The text says what and where.
   FMC_ERROR_PANIC = 30,
+  // The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
+  FMC_ERROR_DEGENERATE_HULL = 31,
+  // A height field has fewer than two points along an axis.
+  FMC_ERROR_TOO_FEW_HEIGHTS = 32,
+  // A height is NaN or infinite.
+  FMC_ERROR_NON_FINITE_HEIGHT = 33,
+  // A compound has no parts.
+  FMC_ERROR_EMPTY_COMPOUND = 34,
 } fmc_status;
 
 // Contact energy.
@@ -159,6 +167,26 @@ typedef enum {
   // An obstacle.
   FMC_PARTNER_OBSTACLE = 1,
 } fmc_partner;
+
+// Shape of a part of a compound.
+typedef enum {
+  // As `fmc_context_add_half_space`.
+  FMC_SHAPE_HALF_SPACE = 0,
+  // As `fmc_context_add_ball`: `radius`.
+  FMC_SHAPE_BALL = 1,
+  // As `fmc_context_add_cuboid`: `half_extents`.
+  FMC_SHAPE_CUBOID = 2,
+  // As `fmc_context_add_cylinder`: `radius`, `half_height`.
+  FMC_SHAPE_CYLINDER = 3,
+  // As `fmc_context_add_cone`: `radius`, `half_height`.
+  FMC_SHAPE_CONE = 4,
+  // As `fmc_context_add_capsule`: `radius`, `half_height`.
+  FMC_SHAPE_CAPSULE = 5,
+  // As `fmc_context_add_polytope`: `points`, `facets`, `facet_count`.
+  FMC_SHAPE_POLYTOPE = 6,
+  // As `fmc_context_add_convex_hull`: `points`.
+  FMC_SHAPE_CONVEX_HULL = 7,
+} fmc_shape;
 
 // Kind of a warning.
 typedef enum {
@@ -373,6 +401,26 @@ typedef struct {
   double scale;
 } fmc_pose;
 
+// A part of a compound. Set it by `fmc_part_init`, then the entries that its shape reads.
+typedef struct {
+  // A value of `fmc_shape`.
+  int32_t shape;
+  // Number of facets.
+  size_t facet_count;
+  // Radius.
+  double radius;
+  // Half of the height.
+  double half_height;
+  // Halves of the sides, of which the first `dim` are read.
+  double half_extents[3];
+  // Corners.
+  const fmc_coords *points;
+  // Numbers of corners, (facet_count, dim).
+  const int32_t *facets;
+  // Where the part stands in the frame of the compound.
+  fmc_pose pose;
+} fmc_part;
+
 // Signed distance of a body in the obstacle's own frame, for `n` points at once.
 //
 // Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, growing no faster than distance does.
@@ -395,7 +443,7 @@ const char *fmc_version(void);
 int32_t fmc_abi_version(void);
 
 // 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles",
-// "self_contact", "signed_distance", "tangent", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
+// "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
 int32_t fmc_has_feature(const char *name);
 
 // Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for a number that is none.
@@ -657,6 +705,11 @@ fmc_status fmc_pose_init(fmc_pose *pose);
 // any, on different structs.
 fmc_status fmc_pose_along(int32_t dim, const double *position, const double *axis, fmc_pose *pose);
 
+// Sets a part to a half-space at the origin of the compound, with nothing else given.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_part_init(fmc_part *part);
+
 // Adds a half-space: all points of its frame whose last coordinate is at most 0. `fmc_pose_along` places it by a point
 // and its outward normal.
 //
@@ -721,6 +774,46 @@ fmc_status fmc_context_add_polytope_i64(fmc_context *context,
                                         size_t facet_count,
                                         const fmc_pose *pose,
                                         size_t *obstacle);
+
+// Adds the convex hull of points, which are copied; those inside it are of no effect. It is met as a polytope.
+//
+// Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`,
+// `FMC_ERROR_UNSUPPORTED` where the library has not the feature "shapes". Threads: one call at a time on a context.
+fmc_status fmc_context_add_convex_hull(fmc_context *context,
+                                       const fmc_coords *points,
+                                       const fmc_pose *pose,
+                                       size_t *obstacle);
+
+// Adds the solid below a height field, which is copied. It is met as a polytope.
+//
+// The grid is centred on the origin of its frame and lies across the last axis, along which heights are measured:
+// `counts` are the `dim` - 1 numbers of points along its axes, `lengths` as many lengths, and `heights` the heights,
+// those along the last axis of the grid following one another. In 3D every cell is cut along the diagonal from its corner
+// of least x and y. The solid ends in a flat bottom, `thickness` below the lowest height, and in vertical walls.
+//
+// Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`,
+// `FMC_ERROR_NOT_POSITIVE`. Threads: one call at a time on a context.
+fmc_status fmc_context_add_height_field(fmc_context *context,
+                                        const size_t *counts,
+                                        const double *lengths,
+                                        const double *heights,
+                                        double thickness,
+                                        const fmc_pose *pose,
+                                        size_t *obstacle);
+
+// Adds a union of shapes, which may overlap; all is copied. Only the estimator `fibers` can meet such a body.
+//
+// Its signed distance is the least of its parts': exact outside, and inside one part alone; where parts overlap, a point
+// is as deep as in the part in which it is deepest.
+//
+// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_UNKNOWN_OPTION` for a number that is no
+// `fmc_shape`; `FMC_ERROR_UNSUPPORTED` where the library has not the feature "shapes". Threads: one call at a time on a
+// context.
+fmc_status fmc_context_add_compound(fmc_context *context,
+                                    const fmc_part *parts,
+                                    size_t part_count,
+                                    const fmc_pose *pose,
+                                    size_t *obstacle);
 
 // Adds a body given by its signed distance; `user` is handed to the callback, and both must outlive the context. They
 // are used on whichever thread evaluates it. Only the estimator `fibers` can meet such a body.

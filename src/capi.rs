@@ -25,6 +25,7 @@ mod obstacle;
 mod option_keys;
 mod option_values;
 mod options;
+mod part;
 mod patches;
 mod pointer;
 mod pose;

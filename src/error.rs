@@ -105,6 +105,25 @@ pub enum Error {
         /// Number of obstacles.
         count: usize,
     },
+    /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
+    DegenerateHull {
+        /// Number of points.
+        point_count: usize,
+    },
+    /// A height field has fewer than two points along an axis.
+    TooFewHeights {
+        /// Axis.
+        axis: usize,
+        /// Number of points along it.
+        count: usize,
+    },
+    /// A height is NaN or infinite.
+    NonFiniteHeight {
+        /// Its place in the array.
+        point: usize,
+    },
+    /// A compound has no parts.
+    EmptyCompound,
     /// The estimator cannot do this (exact overlap with a curved or signed-distance obstacle).
     Unsupported {
         /// What was asked.
@@ -179,6 +198,14 @@ impl fmt::Display for Error {
             Error::ObstacleOutOfRange { obstacle, count } => {
                 write!(f, "there is no obstacle {obstacle}, only {count}")
             }
+            Error::DegenerateHull { point_count } => {
+                write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")
+            }
+            Error::TooFewHeights { axis, count } => {
+                write!(f, "the height field has {count} points along axis {axis}, and at least 2 are needed")
+            }
+            Error::NonFiniteHeight { point } => write!(f, "height {point} is not finite"),
+            Error::EmptyCompound => write!(f, "the compound has no parts"),
             Error::Unsupported { what } => write!(f, "not supported: {what}"),
             Error::SignedDistance { obstacle, point } => {
                 write!(

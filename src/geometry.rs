@@ -1,6 +1,8 @@
 //! Cells, boundary facets, crossings of lines with them, and obstacles. No randomness here.
 
 pub(crate) mod aabb;
+#[cfg(test)]
+mod against_parry;
 mod cell;
 pub(crate) mod cells;
 mod chord;
@@ -12,6 +14,7 @@ pub(crate) mod crossing;
 mod distance;
 pub(crate) mod facet;
 pub(crate) mod facet_slopes;
+mod height_field;
 pub(crate) mod inside;
 pub(crate) mod inverted;
 mod march;
@@ -19,6 +22,7 @@ mod obstacle;
 pub(crate) mod plane;
 mod pose;
 pub(crate) mod quadrature;
+pub(crate) mod shapes;
 mod surface;
 pub(crate) mod tree;
 
@@ -26,6 +30,7 @@ pub use cell::{Bodies, CellBlock, CellType};
 pub(crate) use chord::chord;
 pub(crate) use distance::distance_bound;
 pub(crate) use facet::moment;
+pub use height_field::HeightField;
 pub(crate) use march::{Intersection, SearchInterval, march};
 pub use obstacle::{Obstacle, Shape, SignedDistance};
 pub use pose::Pose;

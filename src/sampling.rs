@@ -1,9 +1,9 @@
 //! Where the fibers lie: each is a pure function of (seed, family or stream, index).
 
-mod counter;
 mod family;
 mod pattern;
 mod segment;
+mod stream;
 
 pub(crate) use family::Family;
 pub use pattern::FiberPattern;

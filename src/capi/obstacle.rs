@@ -3,6 +3,7 @@
 use super::boundary::entry;
 use super::context::{fmc_context, write};
 use super::failure::Failure;
+use super::part::fmc_part;
 use super::pointer::{Output, optional, reference};
 use super::pose::fmc_pose;
 use super::shape::{Facets, ShapeOf};
@@ -162,6 +163,64 @@ pub unsafe extern "C" fn fmc_context_add_polytope_i64(
             Ok(ShapeOf::Polytope { points, facets: Facets::Wide(facets), facet_count })
         })
     }
+}
+
+/// Adds the convex hull of points, which are copied; those inside it are of no effect. It is met as a polytope.
+///
+/// Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`,
+/// `FMC_ERROR_UNSUPPORTED` where the library has not the feature "shapes". Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_convex_hull(
+    context: *mut fmc_context,
+    points: *const fmc_coords,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, the points, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::ConvexHull { points: *reference("points", points)? })) }
+}
+
+/// Adds the solid below a height field, which is copied. It is met as a polytope.
+///
+/// The grid is centred on the origin of its frame and lies across the last axis, along which heights are measured:
+/// `counts` are the `dim` - 1 numbers of points along its axes, `lengths` as many lengths, and `heights` the heights,
+/// those along the last axis of the grid following one another. In 3D every cell is cut along the diagonal from its corner
+/// of least x and y. The solid ends in a flat bottom, `thickness` below the lowest height, and in vertical walls.
+///
+/// Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`,
+/// `FMC_ERROR_NOT_POSITIVE`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_height_field(
+    context: *mut fmc_context,
+    counts: *const usize,
+    lengths: *const f64,
+    heights: *const f64,
+    thickness: f64,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, the arrays, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::HeightField { counts, lengths, heights, thickness })) }
+}
+
+/// Adds a union of shapes, which may overlap; all is copied. Only the estimator `fibers` can meet such a body.
+///
+/// Its signed distance is the least of its parts': exact outside, and inside one part alone; where parts overlap, a point
+/// is as deep as in the part in which it is deepest.
+///
+/// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_UNKNOWN_OPTION` for a number that is no
+/// `fmc_shape`; `FMC_ERROR_UNSUPPORTED` where the library has not the feature "shapes". Threads: one call at a time on a
+/// context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_add_compound(
+    context: *mut fmc_context,
+    parts: *const fmc_part,
+    part_count: usize,
+    pose: *const fmc_pose,
+    obstacle: *mut usize,
+) -> fmc_status {
+    // SAFETY: the host passes a context, the parts, a pose or NULL, and an output or NULL.
+    unsafe { add(context, pose, obstacle, || Ok(ShapeOf::Compound { parts, part_count })) }
 }
 
 /// Adds a body given by its signed distance; `user` is handed to the callback, and both must outlive the context. They

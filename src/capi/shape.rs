@@ -2,10 +2,11 @@
 
 use super::failure::Failure;
 use super::mesh::{Numbering, rows};
+use super::part::fmc_part;
 use super::pointer::slice;
 use super::signed_distance::Callback;
 use super::view::fmc_coords;
-use crate::Shape;
+use crate::{HeightField, Obstacle, Shape};
 use std::sync::Arc;
 
 /// A shape as the host gives it, before its dimension is known.
@@ -17,6 +18,9 @@ pub(super) enum ShapeOf {
     Cone { radius: f64, half_height: f64 },
     Capsule { radius: f64, half_height: f64 },
     Polytope { points: fmc_coords, facets: Facets, facet_count: usize },
+    ConvexHull { points: fmc_coords },
+    HeightField { counts: *const usize, lengths: *const f64, heights: *const f64, thickness: f64 },
+    Compound { parts: *const fmc_part, part_count: usize },
     SignedDistance(Callback),
 }
 
@@ -30,7 +34,8 @@ impl ShapeOf {
     /// The shape in D dimensions.
     ///
     /// # Safety
-    /// The host guarantees D half extents, the points, and D numbers per facet.
+    /// The host guarantees D half extents, the points, D numbers per facet, the height field's arrays, and the parts with
+    /// theirs.
     pub(super) unsafe fn in_dimension<const D: usize>(self, index_base: i32) -> Result<Shape<D>, Failure> {
         Ok(match self {
             ShapeOf::HalfSpace => Shape::HalfSpace,
@@ -55,6 +60,31 @@ impl ShapeOf {
                     (points, facets)
                 };
                 Shape::Polytope { points, facets: rows(&facets) }
+            }
+            ShapeOf::ConvexHull { points } => {
+                let mut scratch = Vec::new();
+                // SAFETY: passed on to the caller.
+                let points = unsafe { points.rows("points", &mut scratch) }?;
+                Shape::ConvexHull { points: points.to_vec() }
+            }
+            ShapeOf::HeightField { counts, lengths, heights, thickness } => {
+                // SAFETY: passed on to the caller.
+                let (counts, lengths, heights) = unsafe {
+                    let counts = slice("counts", counts, D - 1, 1)?;
+                    let count = counts.iter().try_fold(1usize, |all, &count| all.checked_mul(count));
+                    let heights = slice("heights", heights, count.unwrap_or(usize::MAX), 1)?;
+                    (counts.to_vec(), slice("lengths", lengths, D - 1, 1)?.to_vec(), heights.to_vec())
+                };
+                Shape::HeightField(HeightField { counts, lengths, heights, thickness })
+            }
+            ShapeOf::Compound { parts, part_count } => {
+                // SAFETY: passed on to the caller.
+                let parts = unsafe { slice("parts", parts, part_count, 1) }?;
+                // SAFETY: passed on to the caller.
+                let part = |part: &fmc_part| unsafe {
+                    Ok(Obstacle { shape: part.shape()?.in_dimension(index_base)?, pose: part.pose.to_pose() })
+                };
+                Shape::Compound { parts: parts.iter().map(part).collect::<Result<_, Failure>>()? }
             }
             ShapeOf::SignedDistance(callback) => Shape::SignedDistance(Arc::new(callback)),
         })

@@ -72,6 +72,14 @@ pub enum fmc_status {
     FMC_ERROR_OVERFLOW = 29,
     /// A panic was caught: a defect of this library. The text says what and where.
     FMC_ERROR_PANIC = 30,
+    /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
+    FMC_ERROR_DEGENERATE_HULL = 31,
+    /// A height field has fewer than two points along an axis.
+    FMC_ERROR_TOO_FEW_HEIGHTS = 32,
+    /// A height is NaN or infinite.
+    FMC_ERROR_NON_FINITE_HEIGHT = 33,
+    /// A compound has no parts.
+    FMC_ERROR_EMPTY_COMPOUND = 34,
 }
 
 use fmc_status::*;
@@ -109,6 +117,10 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_BUSY, c"FMC_ERROR_BUSY"),
     (FMC_ERROR_OVERFLOW, c"FMC_ERROR_OVERFLOW"),
     (FMC_ERROR_PANIC, c"FMC_ERROR_PANIC"),
+    (FMC_ERROR_DEGENERATE_HULL, c"FMC_ERROR_DEGENERATE_HULL"),
+    (FMC_ERROR_TOO_FEW_HEIGHTS, c"FMC_ERROR_TOO_FEW_HEIGHTS"),
+    (FMC_ERROR_NON_FINITE_HEIGHT, c"FMC_ERROR_NON_FINITE_HEIGHT"),
+    (FMC_ERROR_EMPTY_COMPOUND, c"FMC_ERROR_EMPTY_COMPOUND"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -129,6 +141,10 @@ impl From<&Error> for fmc_status {
             Error::NotPositive { .. } => FMC_ERROR_NOT_POSITIVE,
             Error::BadPose { .. } => FMC_ERROR_BAD_POSE,
             Error::ObstacleOutOfRange { .. } => FMC_ERROR_OBSTACLE_OUT_OF_RANGE,
+            Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
+            Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
+            Error::NonFiniteHeight { .. } => FMC_ERROR_NON_FINITE_HEIGHT,
+            Error::EmptyCompound => FMC_ERROR_EMPTY_COMPOUND,
             Error::Unsupported { .. } => FMC_ERROR_UNSUPPORTED,
             Error::SignedDistance { .. } => FMC_ERROR_SIGNED_DISTANCE,
             Error::TooManyFibers { .. } => FMC_ERROR_TOO_MANY_FIBERS,
@@ -156,7 +172,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_PANIC);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_EMPTY_COMPOUND);
     }
 
     #[test]
@@ -178,6 +194,10 @@ mod tests {
             Error::NotPositive { name: "k", value: 0.0 },
             Error::BadPose { obstacle: 0 },
             Error::ObstacleOutOfRange { obstacle: 0, count: 0 },
+            Error::DegenerateHull { point_count: 3 },
+            Error::TooFewHeights { axis: 0, count: 1 },
+            Error::NonFiniteHeight { point: 0 },
+            Error::EmptyCompound,
             Error::Unsupported { what: "this" },
             Error::SignedDistance { obstacle: 0, point: 0 },
             Error::TooManyFibers { needed: 2.0, limit: 1.0 },

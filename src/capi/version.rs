@@ -19,6 +19,8 @@ const FEATURES: &[&str] = &[
     "isotropic",
     "obstacles",
     "self_contact",
+    #[cfg(feature = "shapes")]
+    "shapes",
     "signed_distance",
     "threads",
 ];
@@ -41,7 +43,7 @@ pub extern "C" fn fmc_abi_version() -> i32 {
 }
 
 /// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles",
-/// "self_contact", "signed_distance", "tangent", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
+/// "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_has_feature(name: *const c_char) -> i32 {
     quietly(0, || {

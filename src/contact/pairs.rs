@@ -35,7 +35,7 @@ impl<const D: usize> Contact<D> {
 
     fn is_marched(&self, partners: &[Partner; 2]) -> bool {
         match partners[1] {
-            Partner::Obstacle(o) => matches!(self.obstacles[o].obstacle.shape, Shape::SignedDistance(_)),
+            Partner::Obstacle(o) => matches!(self.obstacles[o].implicit(), Shape::SignedDistance(_)),
             Partner::Body(_) => false,
         }
     }
@@ -86,7 +86,7 @@ impl<const D: usize> Contact<D> {
             (Partner::Obstacle(obstacle), Some(pose)) => match &placed[obstacle] {
                 Some(placed) => Counterpart::Facets(self.obstacles[obstacle].side(placed)),
                 None => {
-                    let shape = &self.obstacles[obstacle].obstacle.shape;
+                    let shape = self.obstacles[obstacle].implicit();
                     Counterpart::Implicit(ImplicitSide { obstacle, shape, pose })
                 }
             },

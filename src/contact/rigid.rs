@@ -4,6 +4,7 @@ use crate::Error;
 use crate::configuration::{FacetSide, FacetTree};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::plane::Plane;
+use crate::geometry::shapes::{self, Part};
 use crate::geometry::{Bodies, Obstacle, Pose, Shape, Surface, Vector};
 
 /// Facets of an obstacle where it stands.
@@ -18,6 +19,8 @@ pub(crate) struct Rigid<const D: usize> {
     pub(crate) obstacle: Obstacle<D>,
     /// Facets of a polytope, and of a cuboid for the exact estimator, in the shape's frame.
     facets: Option<(Surface<D>, Vec<Vector<D>>)>,
+    /// What stands for a compound.
+    distance: Option<Shape<D>>,
 }
 
 impl<const D: usize> Rigid<D> {
@@ -27,6 +30,7 @@ impl<const D: usize> Rigid<D> {
         let positive = |name, value: f64| {
             if value.is_finite() && value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
         };
+        let mut distance = None;
         let facets = match &obstacle.shape {
             Shape::HalfSpace | Shape::SignedDistance(_) => None,
             Shape::Ball { radius } => {
@@ -46,8 +50,33 @@ impl<const D: usize> Rigid<D> {
                 Some(closed(&points, &facets)?)
             }
             Shape::Polytope { points, facets } => Some(closed(points, facets)?),
+            Shape::ConvexHull { points } => {
+                let (points, facets) = shapes::convex_hull(points)?;
+                Some(closed(&points, &facets)?)
+            }
+            Shape::HeightField(field) => {
+                let (points, facets) = field.solid()?;
+                Some(closed(&points, &facets)?)
+            }
+            Shape::Compound { parts } => {
+                // What holds for an obstacle holds for a part.
+                let parts = parts.iter().map(|part| Self::new(part.clone(), index)).collect::<Result<Vec<_>, _>>()?;
+                distance = Some(shapes::compound(parts.iter().map(Self::part).collect())?);
+                None
+            }
         };
-        Ok(Self { obstacle, facets })
+        Ok(Self { obstacle, facets, distance })
+    }
+
+    /// The obstacle as a part of a compound.
+    fn part(&self) -> Part<'_, D> {
+        let facets = self.facets.as_ref().map(|(surface, points)| (points.as_slice(), surface.facets.as_slice()));
+        Part { shape: self.implicit(), facets, pose: self.obstacle.pose }
+    }
+
+    /// The shape as the estimators see it where it has no facets.
+    pub(crate) fn implicit(&self) -> &Shape<D> {
+        self.distance.as_ref().unwrap_or(&self.obstacle.shape)
     }
 
     /// Brings the facets of this obstacle, where the estimator is to see it so, to where it stands.

@@ -14,7 +14,7 @@ pub(crate) type Chord<const D: usize> = Option<[Hit<D>; 2]>;
 
 /// SearchInterval of the line `o + t d` inside a shape in its own frame; `d` has unit length.
 ///
-/// `Polytope` and `SignedDistance` have no chord here: they are handled as a surface and by marching.
+/// What is made of facets, and what has a signed distance only, has no chord here: it is met as a surface or by marching.
 pub(crate) fn chord<const D: usize>(shape: &Shape<D>, o: &Vector<D>, d: &Vector<D>) -> Chord<D> {
     match *shape {
         Shape::HalfSpace => slab(o, d, D - 1, f64::NEG_INFINITY, 0.0),
@@ -37,7 +37,11 @@ pub(crate) fn chord<const D: usize>(shape: &Shape<D>, o: &Vector<D>, d: &Vector<
                 .reduce(hull)
                 .flatten()
         }
-        Shape::Polytope { .. } | Shape::SignedDistance(_) => None,
+        Shape::Polytope { .. }
+        | Shape::ConvexHull { .. }
+        | Shape::HeightField(_)
+        | Shape::Compound { .. }
+        | Shape::SignedDistance(_) => None,
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Shape, Vector};
 
 /// A distance of a point from a shape, in the shape's own frame: negative inside, never more than the true one, and not
-/// steeper. Without a bound, −∞: `Polytope` and `SignedDistance` have distances of their own.
+/// steeper. Without a bound, −∞: what is made of facets, and what has a signed distance only.
 pub(crate) fn distance_bound<const D: usize>(shape: &Shape<D>, x: &Vector<D>) -> f64 {
     let height = x[D - 1];
     let radial = (0..D - 1).map(|i| x[i] * x[i]).sum::<f64>().sqrt();
@@ -22,7 +22,11 @@ pub(crate) fn distance_bound<const D: usize>(shape: &Shape<D>, x: &Vector<D>) ->
             lateral.max(beyond(half_height))
         }
         Shape::Capsule { radius, half_height } => radial.hypot(beyond(half_height).max(0.0)) - radius,
-        Shape::Polytope { .. } | Shape::SignedDistance(_) => f64::NEG_INFINITY,
+        Shape::Polytope { .. }
+        | Shape::ConvexHull { .. }
+        | Shape::HeightField(_)
+        | Shape::Compound { .. }
+        | Shape::SignedDistance(_) => f64::NEG_INFINITY,
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rigid partners: a shape, or a signed distance function, with a pose.
 
-use super::{Pose, Vector};
+use super::{HeightField, Pose, Vector};
 use std::sync::Arc;
 
 /// A body given by its signed distance: negative inside, positive outside, in a frame of its own.
@@ -74,6 +74,22 @@ pub enum Shape<const D: usize> {
         /// Edges or triangles, as numbers of corners.
         facets: Vec<[u32; D]>,
     },
+    /// Convex hull of points, which both estimators meet as a polytope. Feature `shapes`.
+    ConvexHull {
+        /// Points; those inside the hull are of no effect.
+        points: Vec<[f64; D]>,
+    },
+    /// The solid below a height field, which both estimators meet as a polytope.
+    HeightField(HeightField),
+    /// Union of shapes, each with a pose in the frame of the compound; fibers only. Feature `shapes`.
+    ///
+    /// Its signed distance is the least of its parts': exact outside, and inside one part alone. Where parts overlap, the
+    /// true depth is at least as large as that of the deepest part, which is what counts: a point near the seam of two
+    /// parts is taken to be as deep as in either of them.
+    Compound {
+        /// Its parts, which may overlap; signed distances and compounds may be among them.
+        parts: Vec<Obstacle<D>>,
+    },
     /// Signed distance function; fibers only.
     SignedDistance(Arc<dyn SignedDistance<D>>),
 }
@@ -82,14 +98,16 @@ impl<const D: usize> Shape<D> {
     /// Radius of a ball about the shape's origin that holds it; `None` where it is unbounded or unknown.
     pub(crate) fn bounding_radius(&self) -> Option<f64> {
         match self {
-            Shape::HalfSpace | Shape::SignedDistance(_) => None,
+            Shape::HalfSpace | Shape::SignedDistance(_) | Shape::HeightField(_) | Shape::Compound { .. } => None,
             Shape::Ball { radius } => Some(*radius),
             Shape::Cuboid { half_extents } => Some(Vector::from(*half_extents).norm()),
             Shape::Cylinder { radius, half_height } | Shape::Cone { radius, half_height } => {
                 Some(radius.hypot(*half_height))
             }
             Shape::Capsule { radius, half_height } => Some(radius + half_height),
-            Shape::Polytope { points, .. } => Some(points.iter().map(|x| Vector::from(*x).norm()).fold(0.0, f64::max)),
+            Shape::Polytope { points, .. } | Shape::ConvexHull { points } => {
+                Some(points.iter().map(|x| Vector::from(*x).norm()).fold(0.0, f64::max))
+            }
         }
     }
 }
@@ -110,6 +128,9 @@ impl<const D: usize> std::fmt::Debug for Shape<D> {
             Shape::Polytope { points, facets } => {
                 write!(f, "Polytope {{ {} points, {} facets }}", points.len(), facets.len())
             }
+            Shape::ConvexHull { points } => write!(f, "ConvexHull {{ {} points }}", points.len()),
+            Shape::HeightField(field) => write!(f, "{field:?}"),
+            Shape::Compound { parts } => write!(f, "Compound {{ {parts:?} }}"),
             Shape::SignedDistance(_) => write!(f, "SignedDistance"),
         }
     }

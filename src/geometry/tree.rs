@@ -8,6 +8,11 @@ const LEAF: usize = 8;
 
 /// Binary tree over boxes. Items are sorted along a curve that fills space (their centres' Morton codes), and every node
 /// takes one half of its parent's.
+///
+/// Why not parry's `Bvh` (0.31, `enhanced-determinism`): on the 163 840 facets of two spheres, one run of benches/trees.rs on
+/// a busy machine, it takes 6.0 (binned) or 7.8 (PLOC) times as long to build, 12 times to refit with new leaves, 1.3 times for
+/// queries by a box, and 0.2 times for the pairs of two trees: 47, 1.4, 0.31 and 0.87 ms here. A refit comes with every new
+/// coordinate, so that refit and pairs together take 2.2 ms against 16.2 ms.
 pub(crate) struct Tree<const D: usize> {
     nodes: Vec<Node<D>>,
     items: Vec<u32>,

@@ -1,6 +1,6 @@
 //! Families of parallel lines.
 
-use super::counter::uniform;
+use super::stream::uniforms;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::{Projected, Window};
@@ -36,7 +36,7 @@ impl<const D: usize> Family<D> {
                     let (s, c) = (1.0 + TILT).sin_cos();
                     (axes[0], axes[1]) = (axes[0] * c + axes[1] * s, axes[1] * c - axes[0] * s);
                 }
-                Self { axes, shift: [0, 1].map(|axis| uniform(seed, k as u64, axis)) }
+                Self { axes, shift: uniforms(seed, k as u64, 0) }
             })
             .collect()
     }
@@ -62,7 +62,7 @@ impl<const D: usize> Family<D> {
             (axes[0], axes[1]) = (p * c + q * s, q * c - p * s);
         }
         axes[D - 1] = d;
-        Self { axes, shift: [0, 1].map(|axis| uniform(seed, OF_PATCHES + stream, axis)) }
+        Self { axes, shift: uniforms(seed, OF_PATCHES + stream, 0) }
     }
 
     /// Direction of the lines.

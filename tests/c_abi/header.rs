@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 18] = [
+const SOURCES: [&str; 19] = [
     "version",
     "status",
     "failure",
@@ -20,6 +20,7 @@ const SOURCES: [&str; 18] = [
     "evaluation",
     "getters",
     "pose",
+    "part",
     "obstacle",
     "signed_distance",
     "stiffness",

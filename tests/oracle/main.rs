@@ -7,6 +7,7 @@ mod halfspaces;
 mod membership;
 
 mod boxes;
+mod built_shapes;
 mod cell_types;
 mod differences;
 mod flat_obstacles;

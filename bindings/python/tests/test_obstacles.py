@@ -2,8 +2,15 @@
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, Pose
-from fmc_contact.errors import SignedDistanceError, UnsupportedError
+from fmc_contact import Contact, Part, Pose
+from fmc_contact.errors import (
+    DegenerateHullError,
+    EmptyCompoundError,
+    NonFiniteHeightError,
+    SignedDistanceError,
+    TooFewHeightsError,
+    UnsupportedError,
+)
 from scenes import K
 
 SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
@@ -170,3 +177,43 @@ def test_points_of_a_signed_distance_may_be_kept():
     contact.add_signed_distance(remember, (0, 0.25))
     contact.evaluate(SQUARE)
     assert kept and all(points.flags.owndata and np.isfinite(points).all() for points in kept)
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_hulls_and_flat_height_fields_are_boxes(dim):
+    """A box 2 wide and 1 high whose top reaches 0.2 into the body."""
+    corners = np.stack(np.meshgrid(*[(-1, 1)] * (dim - 1), (-1, 0), indexing="ij"), -1).reshape(-1, dim)
+    for estimator in ("exact", "fibers"):
+        for add in (
+            lambda contact: contact.add_convex_hull(corners, centre(dim, 0.2)),
+            lambda contact: contact.add_height_field(np.zeros((3, 4)[: dim - 1]), (2,) * (dim - 1), 1, centre(dim, 0.2)),
+        ):
+            contact = body(dim, estimator=estimator)
+            add(contact)
+            result = contact.evaluate(SQUARE if dim == 2 else CUBE)
+            assert result.volume == pytest.approx(0.2, rel=1e-12 if estimator == "exact" else 0.05)
+
+
+def test_a_compound_is_the_union_of_its_parts():
+    parts = [Part("ball", (x, 0, 0), radius=0.25) for x in (-0.1, 0.1)]
+    contact = body(3)
+    contact.add_compound(parts, centre(3, 0.5))
+    height = 0.25 - 0.1
+    lens = 2 * np.pi * height**2 * (3 * 0.25 - height) / 3
+    union = 2 * 4 / 3 * np.pi * 0.25**3 - lens
+    assert contact.evaluate(CUBE).volume == pytest.approx(union, rel=0.01)
+
+
+def test_what_cannot_be_built_says_why():
+    contact = body(3)
+    with pytest.raises(DegenerateHullError):
+        contact.add_convex_hull(np.c_[SQUARE, np.zeros(4)])
+    with pytest.raises(TooFewHeightsError):
+        contact.add_height_field(np.zeros((3, 1)), (1, 1), 1)
+    with pytest.raises(NonFiniteHeightError):
+        contact.add_height_field([[0, np.nan], [0, 0]], (1, 1), 1)
+    with pytest.raises(EmptyCompoundError):
+        contact.add_compound([])
+    with pytest.raises(ValueError, match="no shape 'torus'"):
+        Part("torus")
+    assert contact.obstacle_count == 0

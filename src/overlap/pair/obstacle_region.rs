@@ -30,8 +30,10 @@ pub(crate) fn region<const D: usize>(side: &ImplicitSide<D>, within: &Aabb<D>) -
             half.fill(radius);
             half[D - 1] = half_height + radius;
         }
-        // Obstacles with facets come as such.
-        Shape::Polytope { .. } => return Ok(None),
+        // Obstacles with facets come as such, and compounds as signed distances.
+        Shape::Polytope { .. } | Shape::ConvexHull { .. } | Shape::HeightField(_) | Shape::Compound { .. } => {
+            return Ok(None);
+        }
     }
     let mut reach = Vector::<D>::zeros();
     for axis in 0..D {

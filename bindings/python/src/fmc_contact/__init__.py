@@ -13,6 +13,7 @@ from ._library import library as _shared
 from .contact import Contact
 from .errors import FmcError
 from .options import Options
+from .part import Part
 from .pose import Pose
 from .result import ContactWarning, Pair, Result, Resultant
 from .stateless import contact_force
@@ -33,6 +34,7 @@ __all__ = [
     "FmcError",
     "Options",
     "Pair",
+    "Part",
     "Pose",
     "RankOne",
     "Result",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import Structure, c_double, c_int32, c_int64, c_size_t, c_ssize_t, c_uint64, c_void_p
+from ctypes import POINTER, Structure, c_double, c_int32, c_int64, c_size_t, c_ssize_t, c_uint64, c_void_p
 
 ABI_VERSION = 1
 """``FMC_ABI_VERSION`` of the header that these tables were written from."""
@@ -129,3 +129,16 @@ class fmc_pair(Structure):
 
 class fmc_pose(Structure):
     _fields_ = [("position", c_double * 3), ("rotation", c_double * 9), ("scale", c_double)]
+
+
+class fmc_part(Structure):
+    _fields_ = [
+        ("shape", c_int32),
+        ("facet_count", c_size_t),
+        ("radius", c_double),
+        ("half_height", c_double),
+        ("half_extents", c_double * 3),
+        ("points", POINTER(fmc_coords)),
+        ("facets", POINTER(c_int32)),
+        ("pose", fmc_pose),
+    ]

@@ -220,6 +220,30 @@ class PanicError(FmcError, RuntimeError):
     status = 30
 
 
+class DegenerateHullError(FmcError, ValueError):
+    """The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding."""
+
+    status = 31
+
+
+class TooFewHeightsError(FmcError, ValueError):
+    """A height field has fewer than two points along an axis."""
+
+    status = 32
+
+
+class NonFiniteHeightError(FmcError, ValueError):
+    """A height is NaN or infinite."""
+
+    status = 33
+
+
+class EmptyCompoundError(FmcError, ValueError):
+    """A compound has no parts."""
+
+    status = 34
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

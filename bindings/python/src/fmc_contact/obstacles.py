@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import addressof, byref, c_double, c_size_t
-from typing import Callable, Tuple
+from typing import Callable, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +12,8 @@ from ._arrays import coords_view, indices, vector
 from ._handle import Handle
 from ._library import library
 from ._signatures import SIGNED_DISTANCE
+from ._structs import fmc_part
+from .part import Part
 from .pose import Placement, Pose, pose_struct
 
 SignedDistance = Callable[[np.ndarray], Tuple[ArrayLike, ArrayLike]]
@@ -80,6 +82,42 @@ class Obstacles:
         wide = conn.dtype == np.int64
         function = library.fmc_context_add_polytope_i64 if wide else library.fmc_context_add_polytope
         return self._add(function, byref(corners.struct), conn, len(conn), pose=pose)
+
+    def add_convex_hull(self, points: ArrayLike, pose: Placement = None) -> int:
+        """Adds the convex hull of ``points``, laid out as coordinates; both estimators can meet it.
+
+        Errors: ``DegenerateHullError`` for points in one plane (2D: on one line); ``UnsupportedError`` where the library
+        has not the feature "shapes".
+        """
+        corners = coords_view(points, self.dim, "points")
+        return self._add(library.fmc_context_add_convex_hull, byref(corners.struct), pose=pose)
+
+    def add_height_field(
+        self, heights: ArrayLike, lengths: ArrayLike, thickness: float, pose: Placement = None
+    ) -> int:
+        """Adds the solid below a height field; both estimators can meet it.
+
+        ``heights``, (n,) in 2D and (nx, ny) in 3D, stand on a grid of ``lengths``, (dim - 1,), centred on the origin, and
+        are measured along the last axis. The solid ends in a flat bottom, ``thickness`` below the lowest height. Errors:
+        ``TooFewHeightsError``, ``NonFiniteHeightError``, ``NotPositiveError``.
+        """
+        heights = np.ascontiguousarray(heights, np.float64)
+        if heights.ndim != self.dim - 1:
+            raise ValueError(f"heights has {heights.ndim} axes, not {self.dim - 1}")
+        counts = (c_size_t * heights.ndim)(*heights.shape)
+        lengths = vector(lengths, self.dim - 1, "lengths")
+        function = library.fmc_context_add_height_field
+        return self._add(function, counts, lengths, heights.ravel(), float(thickness), pose=pose)
+
+    def add_compound(self, parts: Sequence[Part], pose: Placement = None) -> int:
+        """Adds a union of shapes, which may overlap; only the estimator ``fibers`` can meet it.
+
+        Its signed distance is the least of its parts'. Errors: those of the shapes; ``EmptyCompoundError``;
+        ``UnsupportedError`` where the library has not the feature "shapes".
+        """
+        kept: list = []
+        structs = (fmc_part * len(parts))(*(part._struct(self.dim, kept) for part in parts))
+        return self._add(library.fmc_context_add_compound, structs, len(parts), pose=pose)
 
     def add_signed_distance(self, function: SignedDistance, pose: Placement = None) -> int:
         """Adds a body given by its signed distance; only the estimator ``fibers`` can meet it.

@@ -1,0 +1,61 @@
+"""Parts of a compound: shapes, each with a pose in the frame of the compound."""
+
+from __future__ import annotations
+
+from ctypes import POINTER, byref, c_int32, cast, pointer
+from typing import Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import coords_view, vector
+from ._library import check, library
+from ._structs import fmc_part
+from .pose import Placement, pose_struct
+
+SHAPES = ("half_space", "ball", "cuboid", "cylinder", "cone", "capsule", "polytope", "convex_hull")
+"""Names of ``fmc_shape``, in the order of its values."""
+
+
+class Part:
+    """A shape and where it stands in a compound.
+
+    ``shape`` is one of ``SHAPES``; the sizes are those of the method ``add_`` of the same name: ``radius``,
+    ``half_height``, ``half_extents``, ``points``, ``facets``.
+    """
+
+    def __init__(
+        self,
+        shape: str,
+        pose: Placement = None,
+        *,
+        radius: float = 0.0,
+        half_height: float = 0.0,
+        half_extents: Optional[ArrayLike] = None,
+        points: Optional[ArrayLike] = None,
+        facets: Optional[ArrayLike] = None,
+    ):
+        if shape not in SHAPES:
+            raise ValueError(f"no shape '{shape}' of a part; there are {', '.join(SHAPES)}")
+        self.shape, self.pose = shape, pose
+        self.radius, self.half_height, self.half_extents = float(radius), float(half_height), half_extents
+        self.points, self.facets = points, facets
+
+    def _struct(self, dim: int, kept: list) -> fmc_part:
+        """The part for the library; arrays that it points to are put into ``kept``."""
+        struct = fmc_part()
+        check(library.fmc_part_init(byref(struct)))
+        struct.shape = SHAPES.index(self.shape)
+        struct.radius, struct.half_height = self.radius, self.half_height
+        struct.pose = pose_struct(self.pose, dim)
+        if self.half_extents is not None:
+            struct.half_extents[:dim] = vector(self.half_extents, dim, "half_extents").tolist()
+        if self.points is not None:
+            corners = coords_view(self.points, dim, "points")
+            kept.append(corners)
+            struct.points = pointer(corners.struct)
+        if self.facets is not None:
+            facets = np.ascontiguousarray(self.facets, np.int32).reshape(-1, dim)
+            kept.append(facets)
+            struct.facets, struct.facet_count = cast(facets.ctypes.data, POINTER(c_int32)), len(facets)
+        return struct

@@ -1,0 +1,39 @@
+//! Shapes that are built by parry (feature `shapes`): convex hulls become facets, compounds signed distances.
+
+#[cfg(feature = "shapes")]
+mod compound;
+#[cfg(feature = "shapes")]
+mod convex_hull;
+#[cfg(feature = "shapes")]
+mod nearest;
+
+#[cfg(feature = "shapes")]
+pub(crate) use {compound::compound, convex_hull::convex_hull};
+
+/// A part of a compound: its shape where it has no facets, its facets else, and where it stands.
+pub(crate) struct Part<'a, const D: usize> {
+    pub(crate) shape: &'a super::Shape<D>,
+    pub(crate) facets: Option<(&'a [super::Vector<D>], &'a [[u32; D]])>,
+    pub(crate) pose: super::Pose<D>,
+}
+
+#[cfg(not(feature = "shapes"))]
+mod without {
+    use super::Part;
+    use crate::Error;
+    use crate::geometry::{Shape, height_field::Faceted};
+
+    const WHAT: Error =
+        Error::Unsupported { what: "convex hulls and compounds: this library is built without 'shapes'" };
+
+    pub(crate) fn convex_hull<const D: usize>(_: &[[f64; D]]) -> Result<Faceted<D>, Error> {
+        Err(WHAT)
+    }
+
+    pub(crate) fn compound<const D: usize>(_: Vec<Part<D>>) -> Result<Shape<D>, Error> {
+        Err(WHAT)
+    }
+}
+
+#[cfg(not(feature = "shapes"))]
+pub(crate) use without::{compound, convex_hull};
