@@ -17,9 +17,12 @@
 mod boundary;
 mod context;
 mod creation;
+mod dimension;
 mod evaluation;
 mod failure;
 mod getters;
+mod kept_tangent;
+mod last_error;
 mod mesh;
 mod obstacle;
 mod option_keys;

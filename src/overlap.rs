@@ -3,6 +3,7 @@
 //! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches) ·
 //! `exact` and `fibers` (the estimators, which do not know each other).
 
+mod by_options;
 pub(crate) mod estimator;
 pub(crate) mod exact;
 pub(crate) mod fibers;
@@ -10,8 +11,9 @@ pub(crate) mod pair;
 pub(crate) mod patches;
 pub(crate) mod points;
 
-pub(crate) use estimator::{OverlapEstimator, estimator};
-pub use fibers::trace::FiberTrace;
+pub(crate) use by_options::estimator;
+pub(crate) use estimator::OverlapEstimator;
+pub use pair::fiber_trace::FiberTrace;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
 pub use pair::overlap::{Overlap, PoseGradient};
 pub use pair::partner::Partner;

@@ -1,10 +1,45 @@
 //! The drawing of the house: imports point one way, `unsafe` stays in the C layer, and no file grows past two concepts.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Floors from the ground up; a file may import from its own floor and from those before it.
-const FLOORS: [&str; 6] = ["error", "geometry", "sampling", "overlap", "contact", "capi"];
+/// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
+/// stands for all that lies below it and has no line of its own.
+const ROOMS: [&str; 25] = [
+    "error",
+    "dimension",
+    "geometry",
+    "sampling",
+    "configuration",
+    "overlap/pair/partner",
+    "overlap/pair/surface_point",
+    "overlap/pair/warning",
+    "overlap/pair/options",
+    "overlap/pair/overlap",
+    "overlap/pair",
+    "overlap/patches",
+    "overlap/points",
+    "overlap/estimator",
+    "overlap/exact/clipping",
+    "overlap/exact/projection",
+    "overlap/exact",
+    "overlap/fibers",
+    "overlap",
+    "contact/laws/energy_law",
+    "contact/tangent",
+    "contact/momentum_correction",
+    "contact/laws",
+    "contact",
+    "capi",
+];
+
+/// The two estimators, which do not know each other.
+const ESTIMATORS: [&str; 2] = ["overlap/exact", "overlap/fibers"];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
@@ -16,55 +51,135 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
             files.push(path);
         }
     }
+    files.sort();
     files
 }
 
-fn floor_of(file: &Path) -> Option<usize> {
-    let inside = file.strip_prefix(concat!(env!("CARGO_MANIFEST_DIR"), "/src")).expect("a source");
-    let first = inside.components().next()?.as_os_str().to_str()?.trim_end_matches(".rs").to_owned();
-    FLOORS.iter().position(|f| *f == first)
+/// Path of a module within src, without the ending.
+fn module(file: &Path) -> String {
+    let inside = file.strip_prefix(root()).expect("a source").with_extension("");
+    inside.to_string_lossy().replace('\\', "/")
 }
 
-/// Names that follow `crate::`, also in grouped imports: `use crate::{Error, geometry::Vector}`.
-fn imported(text: &str) -> Vec<String> {
-    let mut names = Vec::new();
-    for (at, _) in text.match_indices("crate::") {
-        let rest = &text[at + "crate::".len()..];
-        let end =
-            if rest.starts_with('{') { rest.find('}') } else { rest.find([':', ';', ',', ' ', '(', '<', '\n', ')']) };
-        let group = &rest[..end.unwrap_or(rest.len())];
-        names.extend(group.trim_start_matches('{').split(',').map(|n| n.trim().split(':').next().unwrap_or("").into()));
+/// All modules that a file imports, as paths within src: what stands behind `crate::` and `super::`, also in grouped
+/// imports, as far as it names files.
+fn imported(module: &str, text: &str, modules: &BTreeSet<String>) -> BTreeSet<String> {
+    let text: String =
+        text.split("#[cfg(test)]").next().unwrap_or("").lines().filter(|l| !l.trim_start().starts_with("//")).collect();
+    let mut found = BTreeSet::new();
+    for (marker, base) in [("crate::", String::new()), ("super::", parent(module))] {
+        for (at, _) in text.match_indices(marker) {
+            let rest = &text[at + marker.len()..];
+            for path in paths(rest) {
+                let mut path = if base.is_empty() { path } else { format!("{base}/{path}") };
+                while !path.is_empty() && !modules.contains(&path) {
+                    path = parent(&path);
+                }
+                if !path.is_empty() && path != module {
+                    found.insert(path);
+                }
+            }
+        }
     }
-    names
+    found
+}
+
+fn parent(module: &str) -> String {
+    module.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_owned())
+}
+
+/// The paths that begin here: one, or those of a group.
+fn paths(text: &str) -> Vec<String> {
+    let end = text.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':')).unwrap_or(text.len());
+    let stem = text[..end].trim_end_matches(':').replace("::", "/");
+    let Some(group) = text[end..].strip_prefix('{') else { return vec![stem] };
+    let group = &group[..group.find('}').unwrap_or(group.len())];
+    group
+        .split(',')
+        .map(|item| {
+            let item = item.trim().replace("::", "/");
+            if stem.is_empty() { item } else { format!("{stem}/{item}") }
+        })
+        .collect()
+}
+
+fn room(module: &str) -> Option<usize> {
+    let inside = |room: &&&str| module == **room || module.starts_with(&format!("{room}/"));
+    let longest = ROOMS.iter().filter(inside).max_by_key(|room| room.len())?;
+    ROOMS.iter().position(|room| room == longest)
+}
+
+/// Imports of every module.
+fn imports() -> BTreeMap<String, BTreeSet<String>> {
+    let files = sources(&root());
+    let modules: BTreeSet<String> = files.iter().map(|file| module(file)).collect();
+    let of = |file: &PathBuf| {
+        let text = fs::read_to_string(file).expect("a source");
+        (module(file), imported(&module(file), &text, &modules))
+    };
+    files.iter().map(of).collect()
 }
 
 #[test]
-fn imports_point_down_the_floors() {
-    for file in sources(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src"))) {
-        let Some(floor) = floor_of(&file) else { continue };
-        let text = fs::read_to_string(&file).expect("a source");
-        for name in imported(&text) {
-            if let Some(from) = FLOORS.iter().position(|f| *f == name) {
-                assert!(from <= floor, "{} imports from {name}, which stands above it", file.display());
+fn imports_point_down_the_rooms() {
+    let mut seen = 0;
+    for (module, imported) in imports() {
+        let Some(here) = room(&module) else { continue };
+        // The file of a folder holds its explanation and its re-exports.
+        let is_folder = root().join(&module).is_dir();
+        for other in imported.iter().filter(|other| !(is_folder && other.starts_with(&format!("{module}/")))) {
+            let Some(there) = room(other) else { continue };
+            seen += 1;
+            assert!(there <= here, "{module} imports from {other}, which stands above it");
+        }
+    }
+    assert!(seen > 200, "only {seen} imports were found");
+}
+
+#[test]
+fn the_two_estimators_do_not_know_each_other() {
+    for (module, imported) in imports() {
+        for [this, other] in [ESTIMATORS, [ESTIMATORS[1], ESTIMATORS[0]]] {
+            let knows = |import: &&String| import.starts_with(other);
+            if module.starts_with(this) {
+                assert!(!imported.iter().any(|import| knows(&import)), "{module} knows {other}");
             }
         }
     }
 }
 
 #[test]
-fn the_two_estimators_do_not_know_each_other() {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/overlap"));
-    let knows = |file: &str, other: &str| {
-        let text = fs::read_to_string(folder.join(file)).expect("an estimator");
-        text.contains(&format!("super::{other}"))
-    };
-    assert!(!knows("exact.rs", "fibers") && !knows("fibers.rs", "exact"));
+fn no_imports_run_in_a_circle() {
+    let imports = imports();
+    let is_folder = |module: &str| root().join(module).is_dir();
+    // Folders' own files only pass names on.
+    let mut left: BTreeMap<&String, BTreeSet<&String>> = imports
+        .iter()
+        .filter(|(module, _)| !is_folder(module) && !module.ends_with("/tests"))
+        .map(|(module, imported)| (module, imported.iter().filter(|other| !is_folder(other)).collect()))
+        .collect();
+    loop {
+        let done: Vec<&String> =
+            left.iter().filter(|(_, on)| on.iter().all(|other| !left.contains_key(other))).map(|(m, _)| *m).collect();
+        if done.is_empty() {
+            break;
+        }
+        done.iter().for_each(|module| drop(left.remove(*module)));
+    }
+    let circle: Vec<String> = left
+        .iter()
+        .map(|(module, on)| {
+            let on: Vec<&str> = on.iter().filter(|other| left.contains_key(*other)).map(|o| o.as_str()).collect();
+            format!("{module} -> {}", on.join(", "))
+        })
+        .collect();
+    assert!(circle.is_empty(), "imports run in a circle among:\n{}", circle.join("\n"));
 }
 
 #[test]
 fn only_the_c_layer_is_unsafe() {
     for folder in
-        ["src", "crates/shapes/src", "crates/mesh-io/src", "hosts/reference/src", "benchmarks/src", "tools/fmc/src"]
+        ["src", "hosts/reference/src", "crates/shapes/src", "crates/mesh-io/src", "benchmarks/src", "tools/fmc/src"]
     {
         for file in sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)) {
             let text = fs::read_to_string(&file).expect("a source");
@@ -80,7 +195,7 @@ fn only_the_c_layer_is_unsafe() {
 
 #[test]
 fn files_hold_one_concept() {
-    for file in sources(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src"))) {
+    for file in sources(&root()) {
         let lines = fs::read_to_string(&file).expect("a source").lines().count();
         assert!(lines <= 400, "{} has {lines} lines: two concepts are inside", file.display());
     }

@@ -96,7 +96,7 @@ pub(super) fn quietly<T>(otherwise: T, body: impl FnOnce() -> T) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::capi::failure::fmc_last_error;
+    use crate::capi::last_error::fmc_last_error;
     use std::ffi::CStr;
 
     fn last_error() -> String {

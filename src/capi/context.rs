@@ -2,13 +2,14 @@
 
 use super::boundary::{entry, guarded, quietly};
 use super::evaluation::{Evaluation, fmc_result};
-use super::failure::{Failure, c_text, fmc_last_error};
+use super::failure::{Failure, c_text};
+use super::kept_tangent::Kept;
+use super::last_error::fmc_last_error;
 use super::options::fmc_options;
 use super::pointer::{Output, optional, reference};
 use super::session::Session;
 use super::status::fmc_status;
 use super::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_UNKNOWN_OPTION};
-use super::tangent::Kept;
 use super::view::{fmc_coords, fmc_forces};
 use std::ffi::{CString, c_char, c_void};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};

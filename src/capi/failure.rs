@@ -1,6 +1,5 @@
 //! Why a call failed: a status and a sentence, kept for the thread.
 
-use super::boundary::quietly;
 use super::status::fmc_status;
 use crate::Error;
 use std::cell::RefCell;
@@ -70,13 +69,9 @@ pub(super) fn remember(text: &str) {
     let _ = LAST_ERROR.try_with(|last| *last.borrow_mut() = c_text(text));
 }
 
-/// Text of the last call that failed on this thread, "" if none did; never NULL. It names the offending indices.
-///
-/// For what has no context: failed creation, `fmc_contact_force`, options. The text is valid until the next call fails
-/// on this thread; successful calls leave it alone. Threads: each has its own.
-#[unsafe(no_mangle)]
-pub extern "C" fn fmc_last_error() -> *const c_char {
-    quietly(c"".as_ptr(), || LAST_ERROR.try_with(|last| last.borrow().as_ptr()).unwrap_or(c"".as_ptr()))
+/// What was kept last; "" before. Valid until the next call fails on this thread.
+pub(super) fn last_text() -> *const c_char {
+    LAST_ERROR.try_with(|last| last.borrow().as_ptr()).unwrap_or(c"".as_ptr())
 }
 
 #[cfg(test)]

@@ -1,12 +1,9 @@
 //! Parts of a compound.
 
 use super::boundary::entry;
-use super::failure::Failure;
-use super::pointer::{Output, reference};
+use super::pointer::Output;
 use super::pose::fmc_pose;
-use super::shape::{Facets, ShapeOf};
 use super::status::fmc_status;
-use super::status::fmc_status::FMC_ERROR_UNKNOWN_OPTION;
 use super::view::fmc_coords;
 
 /// Shape of a part of a compound.
@@ -31,8 +28,6 @@ pub enum fmc_shape {
     FMC_SHAPE_CONVEX_HULL = 7,
 }
 
-use fmc_shape::*;
-
 /// A part of a compound. Set it by `fmc_part_init`, then the entries that its shape reads.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -55,38 +50,6 @@ pub struct fmc_part {
     pub pose: fmc_pose,
 }
 
-impl fmc_part {
-    /// The shape that the part names.
-    ///
-    /// # Safety
-    /// The host guarantees the view of the points.
-    pub(super) unsafe fn shape(&self) -> Result<ShapeOf, Failure> {
-        let &fmc_part { radius, half_height, facet_count, .. } = self;
-        // SAFETY: passed on to the caller.
-        let points = || unsafe { reference("points", self.points) }.copied();
-        let is = |shape: fmc_shape| self.shape == shape as i32;
-        Ok(if is(FMC_SHAPE_HALF_SPACE) {
-            ShapeOf::HalfSpace
-        } else if is(FMC_SHAPE_BALL) {
-            ShapeOf::Ball { radius }
-        } else if is(FMC_SHAPE_CUBOID) {
-            ShapeOf::Cuboid { half_extents: self.half_extents.as_ptr() }
-        } else if is(FMC_SHAPE_CYLINDER) {
-            ShapeOf::Cylinder { radius, half_height }
-        } else if is(FMC_SHAPE_CONE) {
-            ShapeOf::Cone { radius, half_height }
-        } else if is(FMC_SHAPE_CAPSULE) {
-            ShapeOf::Capsule { radius, half_height }
-        } else if is(FMC_SHAPE_POLYTOPE) {
-            ShapeOf::Polytope { points: points()?, facets: Facets::Narrow(self.facets), facet_count }
-        } else if is(FMC_SHAPE_CONVEX_HULL) {
-            ShapeOf::ConvexHull { points: points()? }
-        } else {
-            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("{} is no value of fmc_shape", self.shape)));
-        })
-    }
-}
-
 /// Sets a part to a half-space at the origin of the compound, with nothing else given.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
@@ -95,7 +58,7 @@ pub unsafe extern "C" fn fmc_part_init(part: *mut fmc_part) -> fmc_status {
     entry(|| {
         let output = Output::required("part", part)?;
         let empty = fmc_part {
-            shape: FMC_SHAPE_HALF_SPACE as i32,
+            shape: fmc_shape::FMC_SHAPE_HALF_SPACE as i32,
             facet_count: 0,
             radius: 0.0,
             half_height: 0.0,

@@ -93,7 +93,7 @@ pub unsafe extern "C" fn fmc_pose_along(
 ) -> fmc_status {
     entry(|| {
         let output = Output::required("pose", pose)?;
-        let dim = super::session::checked_dimension(dim)?;
+        let dim = super::dimension::checked_dimension(dim)?;
         // SAFETY: the host passes `dim` numbers each.
         let (position, axis) = unsafe { (slice("position", position, dim, 1)?, slice("axis", axis, dim, 1)?) };
         let rotation = rotation_to(dim, axis)

@@ -2,21 +2,12 @@
 
 use super::evaluation::Evaluation;
 use super::failure::Failure;
+use super::kept_tangent::Kept;
 use super::pose::fmc_pose;
 use super::shape::ShapeOf;
-use super::status::fmc_status::FMC_ERROR_DIMENSION;
-use super::tangent::Kept;
 use super::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::TangentPart;
 use crate::{Contact, Obstacle, Options, Pose, Surface};
-
-/// 2 or 3.
-pub(super) fn checked_dimension(dim: i32) -> Result<usize, Failure> {
-    match dim {
-        2 | 3 => Ok(dim as usize),
-        _ => Err(Failure::new(FMC_ERROR_DIMENSION, format!("the dimension is {dim}, not 2 or 3"))),
-    }
-}
 
 /// Number of nodes, facets and bodies.
 pub(super) struct Counts {

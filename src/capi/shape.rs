@@ -3,8 +3,10 @@
 use super::failure::Failure;
 use super::mesh::{Numbering, rows};
 use super::part::fmc_part;
-use super::pointer::slice;
+use super::part::fmc_shape::{self, *};
+use super::pointer::{reference, slice};
 use super::signed_distance::Callback;
+use super::status::fmc_status::FMC_ERROR_UNKNOWN_OPTION;
 use super::view::fmc_coords;
 use crate::{HeightField, Obstacle, Shape};
 use std::sync::Arc;
@@ -82,11 +84,41 @@ impl ShapeOf {
                 let parts = unsafe { slice("parts", parts, part_count, 1) }?;
                 // SAFETY: passed on to the caller.
                 let part = |part: &fmc_part| unsafe {
-                    Ok(Obstacle { shape: part.shape()?.in_dimension(index_base)?, pose: part.pose.to_pose() })
+                    Ok(Obstacle { shape: shape_of(part)?.in_dimension(index_base)?, pose: part.pose.to_pose() })
                 };
                 Shape::Compound { parts: parts.iter().map(part).collect::<Result<_, Failure>>()? }
             }
             ShapeOf::SignedDistance(callback) => Shape::SignedDistance(Arc::new(callback)),
         })
     }
+}
+
+/// The shape that the part names.
+///
+/// # Safety
+/// The host guarantees the view of the points.
+unsafe fn shape_of(part: &fmc_part) -> Result<ShapeOf, Failure> {
+    let &fmc_part { radius, half_height, facet_count, .. } = part;
+    // SAFETY: passed on to the caller.
+    let points = || unsafe { reference("points", part.points) }.copied();
+    let is = |shape: fmc_shape| part.shape == shape as i32;
+    Ok(if is(FMC_SHAPE_HALF_SPACE) {
+        ShapeOf::HalfSpace
+    } else if is(FMC_SHAPE_BALL) {
+        ShapeOf::Ball { radius }
+    } else if is(FMC_SHAPE_CUBOID) {
+        ShapeOf::Cuboid { half_extents: part.half_extents.as_ptr() }
+    } else if is(FMC_SHAPE_CYLINDER) {
+        ShapeOf::Cylinder { radius, half_height }
+    } else if is(FMC_SHAPE_CONE) {
+        ShapeOf::Cone { radius, half_height }
+    } else if is(FMC_SHAPE_CAPSULE) {
+        ShapeOf::Capsule { radius, half_height }
+    } else if is(FMC_SHAPE_POLYTOPE) {
+        ShapeOf::Polytope { points: points()?, facets: Facets::Narrow(part.facets), facet_count }
+    } else if is(FMC_SHAPE_CONVEX_HULL) {
+        ShapeOf::ConvexHull { points: points()? }
+    } else {
+        return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("{} is no value of fmc_shape", part.shape)));
+    })
 }

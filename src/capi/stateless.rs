@@ -2,11 +2,11 @@
 
 use super::boundary::entry;
 use super::creation::session_of_cells;
+use super::dimension::checked_dimension;
 use super::failure::Failure;
 use super::mesh::{Block, fmc_cell_block, fmc_cell_block_i64};
 use super::options::fmc_options;
 use super::pointer::{Output, check, reference};
-use super::session::checked_dimension;
 use super::status::fmc_status;
 use super::view::{fmc_coords, fmc_forces};
 

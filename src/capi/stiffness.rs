@@ -1,9 +1,9 @@
 //! Where a stiffness comes from when the user has none.
 
 use super::boundary::entry;
+use super::dimension::checked_dimension;
 use super::failure::Failure;
 use super::pointer::Output;
-use super::session::checked_dimension;
 use super::status::fmc_status;
 use crate::contact::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 

@@ -2,7 +2,7 @@
 
 use super::Contact;
 use super::forces::ContactForces;
-use super::laws::PairLaw;
+use super::laws::{self, PairLaw};
 use super::options::Options;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
@@ -109,10 +109,10 @@ pub(super) fn estimator<const D: usize>(options: &Options) -> Result<Box<dyn Ove
 /// The law that the options name.
 pub(super) fn pair_law<const D: usize>(options: &Options) -> Result<Box<dyn PairLaw<D>>, Error> {
     fn in_plane(options: &Options) -> Box<dyn PairLaw<2>> {
-        options.law.pair_law()
+        laws::pair_law(&options.law)
     }
     fn in_space(options: &Options) -> Box<dyn PairLaw<3>> {
-        options.law.pair_law()
+        laws::pair_law(&options.law)
     }
     if D == 2 { recast(in_plane(options)) } else { recast(in_space(options)) }
 }

@@ -1,11 +1,15 @@
 //! Contact laws: from the overlap of a pair, or from its contact points, to its energy.
 
-mod energy_law;
+mod by_options;
+#[cfg(test)]
+mod constant_pressure;
+pub(super) mod energy_law;
 mod fiber_law;
 mod pair_energy;
 mod pair_law;
 mod volume_law;
 
+pub(super) use by_options::pair_law;
 pub use energy_law::{EnergyLaw, FiberProfile};
 pub(super) use pair_energy::PairEnergy;
 pub(super) use pair_law::{FoundPatches, Measured, PairLaw};

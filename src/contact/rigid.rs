@@ -103,7 +103,7 @@ impl<const D: usize> Rigid<D> {
     /// The obstacle as a side of a pair.
     pub(crate) fn side<'a>(&'a self, placed: &'a Placed<D>) -> FacetSide<'a, D> {
         let facets: &[[u32; D]] = self.facets.as_ref().map_or(&[], |(surface, _)| &surface.facets);
-        FacetSide { facets, points: &placed.points, tree: &placed.tree, aabb: placed.tree.aabb(), is_upright: false }
+        FacetSide { facets, points: &placed.points, tree: &placed.tree, aabb: placed.tree.aabb(), is_upright: true }
     }
 
     /// Whether it may reach into a box, as far as boxes tell.

@@ -1,6 +1,6 @@
 //! Second derivative of the contact energy.
 
-use super::EnergyLaw;
+use super::laws::energy_law::EnergyLaw;
 use crate::overlap::{Block, ContactPoints, Overlap, Pair, merged};
 
 /// Which part of the second derivative.

@@ -1,9 +1,6 @@
 //! What every estimator can be asked for a pair of bodies.
 
-use super::exact::ExactEstimator;
-use super::fibers::FiberEstimator;
-use super::fibers::trace::FiberTrace;
-use super::pair::options::Estimator;
+use super::pair::fiber_trace::FiberTrace;
 use super::pair::overlap::Overlap;
 use super::pair::sides::Pair;
 use super::patches::partition::Patches;
@@ -12,7 +9,7 @@ use super::points::block_sum::Block;
 use super::points::contact_points::ContactPoints;
 use crate::Error;
 
-/// Measures the overlap of a pair. A new estimator is a type of this kind and its line in [`estimator`].
+/// Measures the overlap of a pair. A new estimator is a type of this kind and its line in `by_options.rs`.
 pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
     /// Volume and its gradient, or `None` where the sides are apart.
     fn overlap(&self, pair: &Pair<D>) -> Result<Option<Overlap<D>>, Error>;
@@ -44,12 +41,4 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
 
     /// Whether obstacles with flat sides are to come as facets where they need not.
     fn prefers_facets(&self) -> bool;
-}
-
-/// The estimator that the options name.
-pub(crate) fn estimator<const D: usize>(options: &Estimator) -> Box<dyn OverlapEstimator<D>> {
-    match options {
-        Estimator::Fibers(options) => Box::new(FiberEstimator::new(*options)),
-        Estimator::Exact => Box::new(ExactEstimator),
-    }
 }

@@ -1,6 +1,7 @@
 //! Two sides, where they can overlap, and what is known of their overlap.
 
 pub(crate) mod assembly;
+pub(crate) mod fiber_trace;
 pub(crate) mod obstacle_region;
 pub(crate) mod options;
 pub(crate) mod overlap;

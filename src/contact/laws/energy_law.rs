@@ -1,8 +1,5 @@
 //! Contact energy.
 
-use super::PairLaw;
-use super::fiber_law::FiberLaw;
-use super::volume_law::VolumeLaw;
 use crate::Error;
 
 /// Contact energy w of one overlapping pair; nodal forces are −∂w/∂x.
@@ -91,14 +88,6 @@ impl EnergyLaw {
                 let r = x.hypot(epsilon);
                 k * (epsilon / r) * (epsilon / r) / r
             }
-        }
-    }
-
-    /// The law as pairs of bodies follow it.
-    pub(crate) fn pair_law<const D: usize>(self) -> Box<dyn PairLaw<D>> {
-        match self {
-            EnergyLaw::Volume { .. } => Box::new(VolumeLaw(self)),
-            EnergyLaw::Fiber { .. } => Box::new(FiberLaw(self)),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Energy of one pair and its gradient, whichever law it follows.
 
-use super::EnergyLaw;
+use super::energy_law::EnergyLaw;
 use crate::contact::momentum_correction::correct;
 use crate::geometry::Vector;
 use crate::overlap::{ContactPoints, Overlap, Pair, PoseGradient};

@@ -1,6 +1,6 @@
 //! What every contact law can be asked for a pair of bodies.
 
-use super::PairEnergy;
+use super::pair_energy::PairEnergy;
 use crate::Error;
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::overlap::{ContactPoints, Overlap, OverlapEstimator, Pair, Partner, Patches, Reach, find_patches};
@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 
 /// Energy of a pair and its derivatives. A new law is a type of this kind, and its line in
-/// [`EnergyLaw`](super::EnergyLaw).
+/// `by_options.rs`.
 pub(crate) trait PairLaw<const D: usize>: Send + Sync {
     /// Energy and its gradient, or `None` where there is nothing to say.
     fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error>;

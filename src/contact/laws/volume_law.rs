@@ -1,6 +1,8 @@
 //! w = w(V): one traction for the whole pair.
 
-use super::{EnergyLaw, Measured, PairEnergy, PairLaw};
+use super::energy_law::EnergyLaw;
+use super::pair_energy::PairEnergy;
+use super::pair_law::{Measured, PairLaw};
 use crate::Error;
 use crate::contact::momentum_correction::correct;
 use crate::contact::tangent::{Tangent, TangentPart};

@@ -3,7 +3,7 @@
 use super::clipping::volume::ExactPair;
 use crate::Error;
 use crate::overlap::estimator::OverlapEstimator;
-use crate::overlap::fibers::trace::FiberTrace;
+use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::patches::partition::Patches;

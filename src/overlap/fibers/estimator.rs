@@ -1,9 +1,9 @@
 //! Sampling by fibers as an estimator.
 
 use super::layout::FiberPair;
-use super::trace::FiberTrace;
 use crate::Error;
 use crate::overlap::estimator::OverlapEstimator;
+use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::options::FiberOptions;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;

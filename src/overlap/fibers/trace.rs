@@ -3,17 +3,7 @@
 use super::layout::FiberPair;
 use super::sweep::sweep;
 use crate::Error;
-
-/// A fiber, to look at: where it runs and where it crosses.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FiberTrace<const D: usize> {
-    /// Start of the piece shown.
-    pub start: [f64; D],
-    /// End of the piece shown.
-    pub end: [f64; D],
-    /// Points at which spans begin and end.
-    pub crossings: Vec<[f64; D]>,
-}
+use crate::overlap::pair::fiber_trace::FiberTrace;
 
 impl<const D: usize> FiberPair<'_, D> {
     /// The fibers that cross the overlap.

@@ -62,6 +62,15 @@ impl<'a, const D: usize> Pair<'a, D> {
         }
     }
 
+    /// Two pieces of work, on two threads if there are some.
+    pub(crate) fn both<T: Send, U: Send>(
+        &self,
+        first: impl FnOnce() -> T + Send,
+        second: impl FnOnce() -> U + Send,
+    ) -> (T, U) {
+        if self.parallel { rayon::join(first, second) } else { (first(), second()) }
+    }
+
     /// Whether the body is measured against itself.
     pub(crate) fn is_own(&self) -> bool {
         matches!(self.counterpart, Counterpart::Itself)

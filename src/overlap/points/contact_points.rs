@@ -84,10 +84,10 @@ impl<const D: usize> ContactPoints<D> {
     pub(crate) fn gradient_and_overlap(
         &self,
         pair: &Pair<D>,
-        value: impl Fn(f64) -> f64,
-        slope: impl Fn(f64) -> f64,
+        value: impl Fn(f64) -> f64 + Sync,
+        slope: impl Fn(f64) -> f64 + Sync,
     ) -> (PointGradient<D>, Overlap<D>) {
-        (self.gradient(pair, value, slope), self.overlap(pair))
+        pair.both(|| self.gradient(pair, &value, &slope), || self.overlap(pair))
     }
 
     /// Gradient of Σ ω ψ(L), given ψ and ψ'.

@@ -6,6 +6,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::tree::Tree;
 use crate::overlap::pair::region::Region;
+use crate::overlap::pair::sides::Pair;
 
 /// The facets of two sides in their common region, and how they stand to the other side.
 pub(crate) struct NearFacets<const D: usize> {
@@ -31,10 +32,11 @@ pub(crate) struct Facets<const D: usize> {
 impl<const D: usize> NearFacets<D> {
     /// Facets keep clear of each other if their boxes do or if one lies on one side of the plane of the other, by more
     /// than rounding. Other facets may keep clear too: that costs time, and nothing else.
-    pub(crate) fn new(a: &FacetSide<D>, b: &FacetSide<D>, region: Region<D>) -> Self {
+    pub(crate) fn new(pair: &Pair<D>, b: &FacetSide<D>, region: Region<D>) -> Self {
         let tolerance = region.aabb.rounding();
         let [of_a, of_b] = region.facets;
-        let mut sides = [Facets::new(a, of_a, tolerance), Facets::new(b, of_b, tolerance)];
+        let (of_a, of_b) = pair.both(|| Facets::new(&pair.a, of_a, tolerance), || Facets::new(b, of_b, tolerance));
+        let mut sides = [of_a, of_b];
         let [a, b] = &mut sides;
         a.tree.visit_pairs(&b.tree, [&a.boxes, &b.boxes], |f, g| {
             let (f, g) = (f as usize, g as usize);

@@ -68,12 +68,14 @@ impl<const D: usize> ExactPair<'_, D> {
             Counterpart::Facets(b) => {
                 let Some(region) = common_region(a, b) else { return Ok(None) };
                 let aabb = region.aabb;
-                let clearance = NearFacets::new(a, b, region);
+                let clearance = NearFacets::new(self.pair, b, region);
                 let tolerance = clearance.tolerance;
                 let [of_a, of_b] = &clearance.sides;
-                // One side after the other, so that a swap of the bodies swaps two numbers and no more.
-                let shares_a = self.shares(a, of_a, 1, b, of_b, &aabb, tolerance);
-                let shares_b = self.shares(b, of_b, 0, a, of_a, &aabb, tolerance);
+                // One side by itself, then the other, so that a swap of the bodies swaps two numbers and no more.
+                let (shares_a, shares_b) = self.pair.both(
+                    || self.shares(a, of_a, 1, b, of_b, &aabb, tolerance),
+                    || self.shares(b, of_b, 0, a, of_a, &aabb, tolerance),
+                );
                 Ok(Some(Found { sides: vec![(a, shares_a, None), (b, shares_b, pose)], region: aabb, plane: None }))
             }
             Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {

@@ -1,22 +1,21 @@
-//! ContactPoints of the fiber law integrated exactly: quadrature on the common pieces of facets projected along a patch's
-//! direction.
+//! Contact points of the fiber law integrated exactly: quadrature on the common pieces of facets projected along a patch's
+//! direction (segment-based mortar integration of a penalty on the gap).
 //!
 //! Across the lines of one direction, an entered facet e and a facet x through which lines leave share a convex piece (an
 //! interval in 2D, a polygon in 3D). On it L = t_x − t_e is linear, and so are the barycentric coordinates of both. The
 //! piece is cut where L = 0; Gauss points of degree 3 (2D) and 2 (3D; 4 where patches blend) then integrate
 //! ψ'(L) N_a of the quadratic ψ exactly, and any smooth ψ to their order. What a third facet hides of a piece is cut out of it.
 
-use super::projected_facets::{ProjectedFacet, Projection};
+use super::edges::Edge;
+use super::projected_facets::{ProjectedFacet, Projection, end};
 use crate::Error;
-use crate::geometry::convex_piece::{cut, whole};
+use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_vector;
 use crate::geometry::facet_slopes::across;
 use crate::geometry::plane::Plane;
 use crate::geometry::quadrature::{for_each_gauss_point, mean};
 use crate::geometry::{Shape, Vector};
 use crate::overlap::exact::clipping::volume::ExactPair;
-use crate::overlap::exact::projection::edges::Edge;
-use crate::overlap::exact::projection::projected_facets::end;
 use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide};
 use crate::overlap::pair::surface_point::SurfacePoint;
@@ -25,61 +24,101 @@ use crate::overlap::points::contact_point::ContactPoint;
 use crate::overlap::points::contact_points::ContactPoints;
 use crate::overlap::points::edge_terms::GapKink;
 use crate::sampling::Family;
+use rayon::prelude::*;
 
-/// A facet whose shadow is a smaller part of it is seen edge-on: its barycentric coordinates are lost in rounding, and no
-/// line of any measure crosses it.
+/// A facet whose projection is a smaller part of it is seen edge-on: its barycentric coordinates are lost in rounding, and
+/// no line of any measure crosses it.
 const EDGE_ON: f64 = 1e-9;
 
+/// Facets, edges or curves that a thread takes at once.
+const CHUNK: usize = 32;
+
 impl<const D: usize> ExactPair<'_, D> {
-    /// All spans along the directions of `patches`, and, if asked for, the creases that their tangent needs.
-    pub(crate) fn contact_points(&self, patches: &Patches<D>, kinks: bool) -> Result<Option<ContactPoints<D>>, Error> {
+    /// All contact points along the directions of `patches`, and, if asked for, the kinks of the gap that their tangent
+    /// needs.
+    pub(crate) fn contact_points(
+        &self,
+        patches: &Patches<D>,
+        derivative: bool,
+    ) -> Result<Option<ContactPoints<D>>, Error> {
+        let plane = match &self.pair.counterpart {
+            Counterpart::Itself | Counterpart::Facets(_) => None,
+            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Some(Plane::of(pose)),
+            Counterpart::Implicit(_) => {
+                let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as \
+                            a polygon or triangle mesh";
+                return Err(Error::Unsupported { what });
+            }
+        };
         let mut points = ContactPoints { patches: patches.clone(), ..ContactPoints::default() };
         let fine = patches.are_blended();
-        let Some(Region { aabb, facets }) = self.pair.region()? else { return Ok(None) };
+        let Some(Region { aabb, mut facets }) = self.pair.region()? else { return Ok(None) };
         let rounding = aabb.rounding();
+        // Where a body may be inside out, all that lines meet beyond the region tells how often they were inside before.
+        if let Counterpart::Facets(b) = &self.pair.counterpart
+            && !(self.pair.a.is_upright && b.is_upright)
+        {
+            let common = self.pair.a.aabb.intersection(&b.aabb);
+            let common = common.inflated(common.rounding());
+            facets = [self.pair.a.facets_in(&common), b.facets_in(&common)];
+        }
         for (direction, d) in patches.directions.iter().enumerate() {
             let family = Family::along(*d, 0, 0);
-            let mut add = |mut span: ContactPoint<D>| {
-                span.weight *= patches.part(direction, &span.ends).value;
-                span.direction = direction as u32;
-                if span.weight > 0.0 && span.length > 0.0 {
-                    points.points.push(span);
-                }
+            let weighted = |point: &mut ContactPoint<D>| {
+                point.weight *= patches.part(direction, &point.ends).value;
+                point.direction = direction as u32;
             };
-            let plane = match &self.pair.counterpart {
-                Counterpart::Itself | Counterpart::Facets(_) => None,
-                Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Some(Plane::of(pose)),
-                Counterpart::Implicit(_) => {
-                    let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as \
-                                a polygon or triangle mesh";
-                    return Err(Error::Unsupported { what });
-                }
+            let keep = |mut point: ContactPoint<D>| {
+                weighted(&mut point);
+                (point.weight > 0.0 && point.length > 0.0).then_some(point)
             };
             let mut seen = self.seen(&family, false, &facets[0], plane.as_ref(), rounding);
             seen.extend(self.seen(&family, true, &facets[1], None, rounding));
             let seen = Projection::new(seen);
             if let Some(plane) = &plane {
-                self.points_on_plane(&seen, &family, plane, fine, &mut add);
+                self.points_on_plane(&seen, &family, plane, fine, |point| points.points.extend(keep(point)));
             }
-            self.points_between(&seen, fine, &mut add);
-            let edges = self.edge_sides(&seen);
-            self.visit_silhouettes(&seen, &edges, &family, plane.as_ref(), |mut silhouette| {
-                for span in &mut silhouette.spans {
-                    span.weight *= patches.part(direction, &span.ends).value;
-                    span.direction = direction as u32;
-                }
-                points.silhouettes.push(silhouette);
+            let between = self.in_order(seen.facets.len(), |entered, scratch, found| {
+                self.points_between(&seen, entered, fine, scratch, |point| found.extend(keep(point)));
             });
-            if kinks {
-                let count = |mut kink: GapKink<D>, ends: &[SurfacePoint<D>; 2], edge: Option<&Edge<D>>| {
+            points.points.extend(between);
+            let edges = self.edge_sides(&seen);
+            let mut silhouettes = self.silhouettes(&seen, &edges, &family, plane.as_ref());
+            silhouettes.iter_mut().flat_map(|silhouette| &mut silhouette.spans).for_each(weighted);
+            points.silhouettes.extend(silhouettes);
+            if derivative {
+                let finish = |mut kink: GapKink<D>, ends: &[SurfacePoint<D>; 2], edge: Option<&Edge<D>>| {
                     kink.factor *= patches.part(direction, ends).value;
                     kink.blend = edge.map_or(0.0, |edge| self.jump_of_part(patches, direction, ends, edge));
-                    points.kinks.push(kink);
+                    kink
                 };
-                self.visit_kinks(&seen, &edges, &family, plane.as_ref(), count);
+                points.kinks.extend(self.kinks(&seen, &edges, &family, plane.as_ref(), finish));
             }
         }
         Ok(Some(points))
+    }
+
+    /// What `work` finds for each of so many items, in their order.
+    pub(crate) fn in_order<T: Send>(
+        &self,
+        count: usize,
+        work: impl Fn(usize, &mut Scratch<D>, &mut Vec<T>) + Sync,
+    ) -> Vec<T> {
+        let of_chunk = |start: usize| {
+            let (mut scratch, mut found) = (Scratch::default(), Vec::new());
+            for item in start..(start + CHUNK).min(count) {
+                work(item, &mut scratch, &mut found);
+            }
+            found
+        };
+        if self.pair.parallel {
+            let chunks: Vec<Vec<T>> = (0..count.div_ceil(CHUNK)).into_par_iter().map(|c| of_chunk(c * CHUNK)).collect();
+            chunks.into_iter().flatten().collect()
+        } else {
+            let (mut scratch, mut found) = (Scratch::default(), Vec::new());
+            (0..count).for_each(|item| work(item, &mut scratch, &mut found));
+            found
+        }
     }
 
     /// Jump, across an edge at the first end of a span, of the slope of the part that counts for a direction.
@@ -120,39 +159,53 @@ impl<const D: usize> ExactPair<'_, D> {
         facets.iter().copied().filter_map(see).collect()
     }
 
-    fn points_between(&self, seen: &Projection<D>, fine: bool, add: &mut impl FnMut(ContactPoint<D>)) {
-        for (entered, e) in seen.facets.iter().enumerate().filter(|(_, s)| !s.leaves) {
-            for left in seen.near(&seen.boxes[entered]) {
-                let x = &seen.facets[left as usize];
-                if !x.leaves {
+    /// Points on the lines that enter through one facet and leave through any.
+    fn points_between(
+        &self,
+        seen: &Projection<D>,
+        entered: usize,
+        fine: bool,
+        scratch: &mut Scratch<D>,
+        mut add: impl FnMut(ContactPoint<D>),
+    ) {
+        let e = &seen.facets[entered];
+        if e.leaves {
+            return;
+        }
+        let Scratch { near, between, piece } = scratch;
+        seen.find_near(&seen.boxes[entered], near);
+        let [first, _] = seen.range(entered as u32);
+        for &left in near.iter() {
+            let x = &seen.facets[left as usize];
+            if !x.leaves || seen.range(left)[1] <= first {
+                continue;
+            }
+            let at_corners: [[f64; D]; D] = e.corners.map(|c| x.barycentric(&c));
+            let lengths: [f64; D] = std::array::from_fn(|c| x.t(&at_corners[c]) - e.corners[c][2]);
+            if (0..D).any(|a| at_corners.iter().all(|w| w[a] <= 0.0)) || lengths.iter().all(|l| *l <= 0.0) {
+                continue;
+            }
+            piece.reset();
+            let cuts = (0..D).map(|a| at_corners.map(|w| -w[a])).chain([lengths.map(|l| -l)]);
+            // Every cut is made, so that what is left is what the last one leaves.
+            if !cuts.fold(true, |left, at_corners| left && piece.cut(&at_corners)) {
+                continue;
+            }
+            for (piece, share) in seen.visible(piece.corners(), [entered as u32, left], &lengths, between) {
+                if !self.is_inside_both(seen, e, x, &e.place(&mean(&piece))) {
                     continue;
                 }
-                let mut piece = whole::<D>();
-                let at_corners: [[f64; D]; D] = e.corners.map(|c| x.barycentric(&c));
-                for a in 0..D {
-                    piece = cut(&piece, &at_corners.map(|w| -w[a]));
-                }
-                let lengths: [f64; D] = std::array::from_fn(|c| x.t(&at_corners[c]) - e.corners[c][2]);
-                piece = cut(&piece, &lengths.map(|l| -l));
-                if piece.len() < D {
-                    continue;
-                }
-                for (piece, share) in seen.visible(piece, [entered as u32, left], &lengths) {
-                    if !self.is_inside_both(seen, e, x, &e.place(&mean(&piece))) {
-                        continue;
-                    }
-                    for_each_gauss_point(&piece, fine, |w, part| {
-                        let weights = x.barycentric(&e.place(w));
-                        let across = share * part * e.projected_area();
-                        add(ContactPoint {
-                            weight: across,
-                            across,
-                            length: (0..D).map(|a| w[a] * lengths[a]).sum(),
-                            direction: 0,
-                            ends: [end(e, *w), end(x, weights)],
-                        });
+                for_each_gauss_point(&piece, fine, |w, part| {
+                    let weights = x.barycentric(&e.place(w));
+                    let across = share * part * e.projected_area();
+                    add(ContactPoint {
+                        weight: across,
+                        across,
+                        length: (0..D).map(|a| w[a] * lengths[a]).sum(),
+                        direction: 0,
+                        ends: [end(e, *w), end(x, weights)],
                     });
-                }
+                });
             }
         }
     }
@@ -163,18 +216,19 @@ impl<const D: usize> ExactPair<'_, D> {
         family: &Family<D>,
         plane: &Plane<D>,
         fine: bool,
-        add: &mut impl FnMut(ContactPoint<D>),
+        mut add: impl FnMut(ContactPoint<D>),
     ) {
         let slope = plane.normal.dot(family.direction());
+        let (mut piece, mut near) = (Piece::default(), Vec::new());
         for (index, s) in seen.facets.iter().enumerate().filter(|(_, s)| s.leaves != (slope > 0.0)) {
             let corners = self.pair.a.corners(s.facet as usize);
             // From the facet along the line to the plane; on the body's side of it the length is positive.
             let lengths = corners.map(|x| -plane.height(&x) / slope.abs());
-            let piece = cut(&whole::<D>(), &lengths.map(|l| -l));
-            if piece.len() < D {
+            piece.reset();
+            if !piece.cut(&lengths.map(|l| -l)) {
                 continue;
             }
-            for (piece, share) in seen.visible(piece, [index as u32; 2], &lengths) {
+            for (piece, share) in seen.visible(piece.corners(), [index as u32; 2], &lengths, &mut near) {
                 for_each_gauss_point(&piece, fine, |w, part| {
                     let length = (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
                     let along = if s.leaves { -length } else { length };
@@ -188,4 +242,12 @@ impl<const D: usize> ExactPair<'_, D> {
             }
         }
     }
+}
+
+/// Memory that serves one facet after the other.
+#[derive(Default)]
+pub(crate) struct Scratch<const D: usize> {
+    near: Vec<u32>,
+    between: Vec<u32>,
+    piece: Piece<D>,
 }

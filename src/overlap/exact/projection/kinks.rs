@@ -95,20 +95,23 @@ impl<const D: usize> KinkCurve<D> {
 }
 
 impl<const D: usize> ExactPair<'_, D> {
-    /// Calls `visit` for every crease seen along `family`, with ends of the spans there.
-    pub(crate) fn visit_kinks(
+    /// Every kink seen along `family`; `finish` is given each with the ends of the lines there, and the edge it is on.
+    pub(crate) fn kinks(
         &self,
         seen: &Projection<D>,
         edges: &[EdgeSide],
         family: &Family<D>,
         plane: Option<&Plane<D>>,
-        mut visit: impl FnMut(GapKink<D>, &[SurfacePoint<D>; 2], Option<&Edge<D>>),
-    ) {
+        finish: impl Fn(GapKink<D>, &[SurfacePoint<D>; 2], Option<&Edge<D>>) -> GapKink<D> + Sync,
+    ) -> Vec<GapKink<D>> {
         let mut curves = self.edges(seen, edges, family);
-        self.meetings(seen, family, plane, &mut curves);
+        curves.extend(self.in_order(seen.facets.len(), |facet, _, found| {
+            self.meetings(seen, facet, family, plane, found);
+        }));
         let slope_of_plane = plane.map_or(0.0, |plane| plane.normal.dot(family.direction()));
-        for curve in curves {
-            let Some(&first) = curve.facets.first() else { continue };
+        self.in_order(curves.len(), |index, _, found| {
+            let curve = &curves[index];
+            let Some(&first) = curve.facets.first() else { return };
             let f = &seen.facets[first as usize];
             let mut add = |interval: [f64; 2], depth: &dyn Fn(f64) -> f64, other: Option<u32>| {
                 let but: Vec<u32> = curve.facets.iter().copied().chain(other).collect();
@@ -132,7 +135,7 @@ impl<const D: usize> ExactPair<'_, D> {
                         let place = curve.at(s);
                         let none = SurfacePoint::Point { point: Vector::zeros(), normal: Vector::zeros() };
                         let ends = [end(f, f.barycentric(&place)), x.map_or(none, |x| end(x, x.barycentric(&place)))];
-                        visit(kink, &ends, curve.edge.as_ref());
+                        found.push(finish(kink, &ends, curve.edge.as_ref()));
                     }
                 }
             };
@@ -161,7 +164,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 let Some(interval) = curve.clipped(bounds) else { continue };
                 add(interval, &depth, Some(other));
             }
-        }
+        })
     }
 
     /// The point of space that is seen at `place`.
@@ -204,55 +207,63 @@ impl<const D: usize> ExactPair<'_, D> {
     fn meetings(
         &self,
         seen: &Projection<D>,
+        index: usize,
         family: &Family<D>,
         plane: Option<&Plane<D>>,
         curves: &mut Vec<KinkCurve<D>>,
     ) {
         let d = family.direction();
-        for (index, f) in seen.facets.iter().enumerate() {
-            let corners = self.pair.side(f.of_b).corners(f.facet as usize);
-            let Some((m, _)) = slopes(&corners, d) else { continue };
-            let mut meet = |piece: Vec<[f64; D]>, heights: [f64; D], other: &Other<D>| {
-                let zeros = zeros(&piece, &heights);
-                let Some((first, last)) = zeros.first().zip(zeros.last()) else { return };
-                let apart = (m - other.m).norm();
-                let ends = [first, last].map(|w| f.place(w));
-                if apart == 0.0 || (D > 2 && distance(&ends) == 0.0) {
-                    return;
-                }
-                let vertices = self.pair.side(f.of_b).facets[f.facet as usize];
-                let mut gradient: Vec<(Anchor, [Vector<D>; 2])> = (0..D)
-                    .map(|a| (Anchor::Vertex { of_b: f.of_b, vertex: vertices[a] }, [m * first[a], m * last[a]]))
-                    .collect();
-                for (anchor, weight) in &other.anchors {
-                    gradient.push((*anchor, ends.map(|place| -other.m * weight(&place))));
-                }
-                let facets = [index as u32].into_iter().chain(other.facet).collect();
-                let factor = -1.0 / apart;
-                curves.push(KinkCurve { ends, leaves: f.leaves, facets, factor, gradient, edge: None });
-            };
-            if let Some(plane) = plane.filter(|plane| f.leaves == (plane.normal.dot(d) > 0.0)) {
-                let slope = plane.normal.dot(d);
-                let anchors: Vec<(Anchor, Weight)> = vec![(Anchor::Obstacle, Box::new(|_| 1.0))];
-                let other = Other { facet: None, m: plane.normal / slope, anchors };
-                meet(whole::<D>(), corners.map(|x| plane.height(&x) / slope), &other);
+        let f = &seen.facets[index];
+        let corners = self.pair.side(f.of_b).corners(f.facet as usize);
+        let Some((m, _)) = slopes(&corners, d) else { return };
+        let mut meet = |piece: Vec<[f64; D]>, heights: [f64; D], other: &Other<D>| {
+            let zeros = zeros(&piece, &heights);
+            let Some((first, last)) = zeros.first().zip(zeros.last()) else { return };
+            let apart = (m - other.m).norm();
+            let ends = [first, last].map(|w| f.place(w));
+            if apart == 0.0 || (D > 2 && distance(&ends) == 0.0) {
+                return;
             }
-            for near in seen.near(&seen.boxes[index]) {
-                let g = &seen.facets[near as usize];
-                if g.leaves != f.leaves || !g.of_b || f.of_b {
-                    continue;
-                }
-                let side = self.pair.side(g.of_b);
-                let Some((m, _)) = slopes(&side.corners(g.facet as usize), d) else { continue };
-                let at_corners: [[f64; D]; D] = f.corners.map(|c| g.barycentric(&c));
-                let piece = (0..D).fold(whole::<D>(), |piece, a| cut(&piece, &at_corners.map(|w| -w[a])));
-                let heights = std::array::from_fn(|c| f.corners[c][2] - g.t(&at_corners[c]));
-                let anchors = (0..D).map(|a| {
-                    let anchor = Anchor::Vertex { of_b: g.of_b, vertex: side.facets[g.facet as usize][a] };
-                    (anchor, Box::new(move |place: &[f64; 3]| g.barycentric(place)[a]) as Weight)
-                });
-                meet(piece, heights, &Other { facet: Some(near), m, anchors: anchors.collect() });
+            let vertices = self.pair.side(f.of_b).facets[f.facet as usize];
+            let mut gradient: Vec<(Anchor, [Vector<D>; 2])> = (0..D)
+                .map(|a| (Anchor::Vertex { of_b: f.of_b, vertex: vertices[a] }, [m * first[a], m * last[a]]))
+                .collect();
+            for (anchor, weight) in &other.anchors {
+                gradient.push((*anchor, ends.map(|place| -other.m * weight(&place))));
             }
+            let facets = [index as u32].into_iter().chain(other.facet).collect();
+            let factor = -1.0 / apart;
+            curves.push(KinkCurve { ends, leaves: f.leaves, facets, factor, gradient, edge: None });
+        };
+        if let Some(plane) = plane.filter(|plane| f.leaves == (plane.normal.dot(d) > 0.0)) {
+            let slope = plane.normal.dot(d);
+            let anchors: Vec<(Anchor, Weight)> = vec![(Anchor::Obstacle, Box::new(|_| 1.0))];
+            let other = Other { facet: None, m: plane.normal / slope, anchors };
+            meet(whole::<D>(), corners.map(|x| plane.height(&x) / slope), &other);
+        }
+        if f.of_b {
+            return;
+        }
+        let [low, high] = seen.range(index as u32);
+        for near in seen.near(&seen.boxes[index]) {
+            let g = &seen.facets[near as usize];
+            let [least, largest] = seen.range(near);
+            if g.leaves != f.leaves || !g.of_b || least > high || largest < low {
+                continue;
+            }
+            let side = self.pair.side(g.of_b);
+            let Some((m, _)) = slopes(&side.corners(g.facet as usize), d) else { continue };
+            let at_corners: [[f64; D]; D] = f.corners.map(|c| g.barycentric(&c));
+            if (0..D).any(|a| at_corners.iter().all(|w| w[a] <= 0.0)) {
+                continue;
+            }
+            let piece = (0..D).fold(whole::<D>(), |piece, a| cut(&piece, &at_corners.map(|w| -w[a])));
+            let heights = std::array::from_fn(|c| f.corners[c][2] - g.t(&at_corners[c]));
+            let anchors = (0..D).map(|a| {
+                let anchor = Anchor::Vertex { of_b: g.of_b, vertex: side.facets[g.facet as usize][a] };
+                (anchor, Box::new(move |place: &[f64; 3]| g.barycentric(place)[a]) as Weight)
+            });
+            meet(piece, heights, &Other { facet: Some(near), m, anchors: anchors.collect() });
         }
     }
 }

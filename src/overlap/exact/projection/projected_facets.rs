@@ -100,10 +100,28 @@ impl<const D: usize> Projection<D> {
     /// Facets whose shadow's box meets a box across the lines, ascending.
     pub(crate) fn near(&self, query: &Aabb<D>) -> Vec<u32> {
         let mut found = Vec::new();
-        self.tree.visit(|b| b.meets(query), |i| found.push(i));
-        found.retain(|&i| self.boxes[i as usize].meets(query));
-        found.sort_unstable();
+        self.find_near(query, &mut found);
         found
+    }
+
+    /// The same, into memory that is used again.
+    pub(crate) fn find_near(&self, query: &Aabb<D>, found: &mut Vec<u32>) {
+        found.clear();
+        self.tree.visit(
+            |b| b.meets(query),
+            |i| {
+                if self.boxes[i as usize].meets(query) {
+                    found.push(i);
+                }
+            },
+        );
+        found.sort_unstable();
+    }
+
+    /// Least and largest place of a facet along the lines.
+    pub(crate) fn range(&self, facet: u32) -> [f64; 2] {
+        let corners = &self.facets[facet as usize].corners;
+        corners.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], c| [low.min(c[2]), high.max(c[2])])
     }
 
     /// The parts of a piece of the first of two facets whose lines meet no other facet on their way to the second, over
@@ -111,26 +129,51 @@ impl<const D: usize> Projection<D> {
     ///
     /// A facet of the other side that coincides with either of the two, as the walls of two bodies in a plane of symmetry,
     /// shares the lines evenly: which of them comes first is rounding, and each would hide the other, or neither.
-    pub(crate) fn visible(&self, piece: Corners<D>, between: [u32; 2], lengths: &[f64; D]) -> Vec<(Corners<D>, f64)> {
+    pub(crate) fn visible(
+        &self,
+        piece: &[[f64; D]],
+        between: [u32; 2],
+        lengths: &[f64; D],
+        near: &mut Vec<u32>,
+    ) -> Vec<(Corners<D>, f64)> {
         let [first, second] = between.map(|index| &self.facets[index as usize]);
-        let projected_area = Aabb::of(&piece.iter().map(|w| flat::<D>(&first.place(w))).collect::<Vec<_>>());
-        let mut visible = vec![(piece, 1.0)];
-        for other in self.near(&projected_area).into_iter().filter(|other| !between.contains(other)) {
+        let sign = if first.leaves { -1.0 } else { 1.0 };
+        let (mut shadow, mut low, mut high) = (Aabb::empty(), f64::INFINITY, f64::NEG_INFINITY);
+        for w in piece {
+            let place = first.place(w);
+            let flat = flat(&place);
+            shadow = shadow.union(&Aabb { min: flat, max: flat });
+            let far = place[2] + sign * (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
+            (low, high) = (low.min(place[2]).min(far), high.max(place[2]).max(far));
+        }
+        self.find_near(&shadow, near);
+        let mut visible = vec![(piece.to_vec(), 1.0)];
+        for &other in near.iter().filter(|other| !between.contains(other)) {
+            // Before or behind all that lies between the two.
+            let [least, largest] = self.range(other);
+            if largest < low - self.tolerance || least > high + self.tolerance {
+                continue;
+            }
             let h = &self.facets[other as usize];
             let at_corners: [[f64; D]; D] = first.corners.map(|c| h.barycentric(&c));
             // Where the line meets it, between the ends: all of these are positive.
-            let mut bounds: Vec<[f64; D]> = (0..D).map(|a| at_corners.map(|w| w[a])).collect();
-            let shares = first.coincides(h, self.tolerance) || second.coincides(h, self.tolerance);
-            if !shares {
-                let ahead: [f64; D] = std::array::from_fn(|c| {
-                    let ahead = h.t(&at_corners[c]) - first.corners[c][2];
-                    if first.leaves { -ahead } else { ahead }
-                });
-                bounds.push(ahead);
-                bounds.push(std::array::from_fn(|c| lengths[c] - ahead[c]));
+            let mut bounds = [[0.0; D]; MOST_BOUNDS];
+            for (a, bound) in bounds.iter_mut().enumerate().take(D) {
+                *bound = at_corners.map(|w| w[a]);
             }
+            if visible.iter().all(|(piece, _)| is_clear(piece, &bounds[..D])) {
+                continue;
+            }
+            let shares = first.coincides(h, self.tolerance) || second.coincides(h, self.tolerance);
+            let mut count = D;
+            if !shares {
+                bounds[D] = std::array::from_fn(|c| sign * (h.t(&at_corners[c]) - first.corners[c][2]));
+                bounds[D + 1] = std::array::from_fn(|c| lengths[c] - bounds[D][c]);
+                count += 2;
+            }
+            let bounds = &bounds[..count];
             let divided = visible.into_iter().flat_map(|(piece, share)| {
-                let (inside, rest) = divide(piece, &bounds);
+                let (inside, rest) = divide(piece, bounds);
                 let shared = inside.filter(|_| shares).map(|inside| (inside, 0.5 * share));
                 rest.into_iter().map(move |piece| (piece, share)).chain(shared)
             });
@@ -140,9 +183,21 @@ impl<const D: usize> Projection<D> {
     }
 }
 
+/// Bounds of the part of a piece that a facet hides: its own edges, and the two ends of the lines.
+const MOST_BOUNDS: usize = 5;
+
+/// Whether some linear function, given at the facet's corners, is positive nowhere on a piece.
+fn is_clear<const D: usize>(piece: &[[f64; D]], bounds: &[[f64; D]]) -> bool {
+    let value = |w: &[f64; D], bound: &[f64; D]| (0..D).map(|a| w[a] * bound[a]).sum::<f64>();
+    bounds.iter().any(|bound| piece.iter().all(|w| value(w, bound) <= 0.0))
+}
+
 /// The part of a convex piece on which all of some linear functions, given at the facet's corners, are positive, and the
 /// rest.
 fn divide<const D: usize>(piece: Corners<D>, positive: &[[f64; D]]) -> (Option<Corners<D>>, Vec<Corners<D>>) {
+    if is_clear(&piece, positive) {
+        return (None, vec![piece]);
+    }
     let (mut rest, mut inside) = (Vec::new(), piece.clone());
     for bound in positive {
         let outside = cut(&inside, bound);

@@ -58,16 +58,17 @@ enum Bound<'a, const D: usize> {
 }
 
 impl<const D: usize> ExactPair<'_, D> {
-    /// Calls `visit` for every point of the quadrature along the edges of notches inside the overlap.
-    pub(crate) fn visit_silhouettes(
+    /// Every point of the quadrature along the silhouette edges inside the overlap.
+    pub(crate) fn silhouettes(
         &self,
         seen: &Projection<D>,
         edges: &[EdgeSide],
         family: &Family<D>,
         plane: Option<&Plane<D>>,
-        mut visit: impl FnMut(SilhouettePoint<D>),
-    ) {
-        for edge_seen in self.silhouette_edges(seen, edges, family) {
+    ) -> Vec<SilhouettePoint<D>> {
+        let concave = self.silhouette_edges(seen, edges, family);
+        self.in_order(concave.len(), |index, _, found| {
+            let edge_seen = &concave[index];
             let projected_area = Aabb::of(&edge_seen.ends.map(|place| flat::<D>(&place)));
             let near: Vec<&ProjectedFacet<D>> = seen
                 .near(&projected_area)
@@ -75,17 +76,17 @@ impl<const D: usize> ExactPair<'_, D> {
                 .filter(|other| !edge_seen.facets.contains(other))
                 .map(|other| &seen.facets[other as usize])
                 .collect();
-            let breaks = breaks(&edge_seen, &near);
+            let breaks = breaks(edge_seen, &near);
             let length = if D == 2 { 1.0 } else { distance(&edge_seen.ends) };
             for pair in breaks.windows(2).filter(|pair| pair[1] - pair[0] > LEAST) {
                 let (from, to) = (pair[0], pair[1]);
                 let points: &[(f64, f64)] = if D == 2 { &[(0.0, 1.0)] } else { &ON_CURVE };
                 for &(place, part) in points {
                     let s = 0.5 * (from + to) + place * (to - from);
-                    let Some(spans) = self.parted(seen, family, plane, &edge_seen, &near, s) else { continue };
+                    let Some(spans) = self.parted(seen, family, plane, edge_seen, &near, s) else { continue };
                     let [p, q] = edge_seen.anchors;
                     let share = part * (to - from);
-                    visit(SilhouettePoint {
+                    found.push(SilhouettePoint {
                         weights: if D == 2 { vec![(p, 1.0)] } else { vec![(p, 1.0 - s), (q, s)] },
                         across: edge_seen.nu * (share * length),
                         axes: [family.across([1.0, 0.0]), family.across([0.0, 1.0])],
@@ -94,7 +95,7 @@ impl<const D: usize> ExactPair<'_, D> {
                     });
                 }
             }
-        }
+        })
     }
 
     /// Edges between a facet through which lines leave and, farther along on the same side, one through which they enter.
