@@ -94,7 +94,8 @@ impl<const D: usize> Contact<D> {
         };
         let (surface, coords, parallel) = (&self.surface, configuration.coords(), self.pool.is_some());
         let pair = Pair { partners, a, counterpart, pose, surface, coords, parallel };
-        let kept = self.kept.iter().find(|(kept, _)| *kept == partners).map(|(_, patches)| patches);
+        // They were kept in the order of the pairs.
+        let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
         work(&Measured { pair: &pair, estimator: &*self.estimator, kept, found })
     }
 }

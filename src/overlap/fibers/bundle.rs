@@ -6,13 +6,21 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::{Projected, Window};
 use crate::sampling::{Family, Segment};
 use std::ops::Range;
+use std::sync::Mutex;
 
 /// A piece of a pattern.
 pub(crate) enum Bundle<'a, const D: usize> {
     /// Some lines of a family, as far as the region reaches along them; facets of each side.
     Lines { family: &'a Family<D>, index: usize, spacing: f64, window: Window, reach: [f64; 2], facets: [FacetList; 2] },
     /// Some isotropic segments.
-    Segments { seed: u64, range: Range<u64>, region: &'a Aabb<D>, length: f64 },
+    Segments {
+        seed: u64,
+        range: Range<u64>,
+        region: &'a Aabb<D>,
+        length: f64,
+        /// The segment that was sampled last: what is asked of one segment is asked in a row.
+        last: Mutex<Option<(u64, Segment<D>)>>,
+    },
 }
 
 /// Facets of one side that the lines of a bundle may cross.
@@ -53,8 +61,8 @@ impl<const D: usize> Bundle<'_, D> {
                 let (i, j) = self.grid_point(fiber);
                 (family.origin(i, j, *spacing), *family.direction())
             }
-            Bundle::Segments { seed, region, .. } => {
-                let segment = Segment::sample(*seed, fiber, region);
+            Bundle::Segments { seed, region, last, .. } => {
+                let segment = sampled(*seed, fiber, region, last);
                 (segment.origin, *segment.direction())
             }
         }
@@ -78,8 +86,8 @@ impl<const D: usize> Bundle<'_, D> {
                 let per_length = 1.0 / spacing;
                 side.corners(facet).map(|x| family.on_grid(&family.view(&x), per_length))
             }
-            Bundle::Segments { seed, region, .. } => {
-                let segment = Segment::sample(*seed, fiber, region);
+            Bundle::Segments { seed, region, last, .. } => {
+                let segment = sampled(*seed, fiber, region, last);
                 side.corners(facet).map(|x| segment.view(&x))
             }
         }
@@ -90,6 +98,24 @@ impl<const D: usize> Bundle<'_, D> {
         match self {
             Bundle::Lines { reach, .. } => *reach,
             Bundle::Segments { length, .. } => [0.0, *length],
+        }
+    }
+}
+
+/// A segment, sampled anew only if it is another than the last.
+fn sampled<const D: usize>(
+    seed: u64,
+    fiber: u64,
+    region: &Aabb<D>,
+    last: &Mutex<Option<(u64, Segment<D>)>>,
+) -> Segment<D> {
+    let mut last = last.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    match *last {
+        Some((number, segment)) if number == fiber => segment,
+        _ => {
+            let segment = Segment::sample(seed, fiber, region);
+            *last = Some((fiber, segment));
+            segment
         }
     }
 }

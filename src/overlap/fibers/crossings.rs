@@ -92,7 +92,7 @@ impl<const D: usize> Bundle<'_, D> {
     }
 
     fn gather_segments(&self, a: &FacetSide<D>, counterpart: &Counterpart<D>) -> BundleEvents {
-        let Bundle::Segments { seed, range, region, length } = self else { return BundleEvents::default() };
+        let Bundle::Segments { seed, range, region, length, .. } = self else { return BundleEvents::default() };
         let b = if let Counterpart::Facets(b) = counterpart { Some(b) } else { None };
         let mut gathered = BundleEvents::default();
         for fiber in range.clone() {

@@ -10,6 +10,7 @@ use crate::overlap::pair::options::FiberOptions;
 use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::{Counterpart, Pair};
 use crate::sampling::{Family, FiberPattern};
+use std::sync::Mutex;
 
 /// Lines of a bundle. Large enough that the loop over facets is small beside the crossings, small enough that the
 /// counters stay in the cache and that several threads share the work.
@@ -155,7 +156,7 @@ fn segment_bundles<'a, const D: usize>(seed: u64, count: u64, region: &'a Aabb<D
         .step_by(SEGMENTS_PER_BUNDLE as usize)
         .map(|start| {
             let range = start..(start + SEGMENTS_PER_BUNDLE).min(count);
-            Bundle::Segments { seed, range, region, length }
+            Bundle::Segments { seed, range, region, length, last: Mutex::new(None) }
         })
         .collect()
 }
