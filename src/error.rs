@@ -86,7 +86,7 @@ pub enum Error {
     },
     /// There is nothing to compute with: no cells and no facets.
     Empty,
-    /// A parameter that must be positive and finite is not (`k`, `m ≥ 1`, `spacing`, a radius, …).
+    /// A parameter that must be positive and finite is not (`stiffness`, `exponent` ≥ 1, `spacing`, a radius, …).
     NotPositive {
         /// Name of the parameter.
         name: &'static str,

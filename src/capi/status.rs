@@ -191,7 +191,7 @@ mod tests {
             Error::InconsistentOrientation { facet: 0, nodes },
             Error::InvertedSurface { body: 0 },
             Error::Empty,
-            Error::NotPositive { name: "k", value: 0.0 },
+            Error::NotPositive { name: "stiffness", value: 0.0 },
             Error::BadPose { obstacle: 0 },
             Error::ObstacleOutOfRange { obstacle: 0, count: 0 },
             Error::DegenerateHull { point_count: 3 },

@@ -42,11 +42,11 @@ impl Options {
             }
             match fibers.resolution {
                 Resolution::Auto => {}
-                Resolution::Count(count) => positive("fibers", count as f64)?,
+                Resolution::Count(count) => positive("fiber_count", count as f64)?,
                 Resolution::Spacing(spacing) => positive("spacing", spacing)?,
             }
             if let FiberPattern::Isotropic { length: Some(length) } = fibers.pattern {
-                positive("length", length)?;
+                positive("fiber_length", length)?;
             }
         }
         Ok(())

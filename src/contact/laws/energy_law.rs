@@ -107,7 +107,8 @@ impl EnergyLaw {
         matches!(self, EnergyLaw::Fiber { .. })
     }
 
-    /// Whether k is positive and finite, m finite and at least 1, ε positive and finite.
+    /// Checks that k is positive and finite, m finite and at least 1, ε positive and finite. An error names the option as
+    /// the user sets it, `stiffness` for k and `exponent` for m.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let positive = |name, value: f64, least: f64| {
             if value.is_finite() && value > 0.0 && value >= least {
@@ -117,10 +118,10 @@ impl EnergyLaw {
             }
         };
         match *self {
-            EnergyLaw::Volume { k, m } => positive("k", k, 0.0).and(positive("m", m, 1.0)),
-            EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } => positive("k", k, 0.0),
+            EnergyLaw::Volume { k, m } => positive("stiffness", k, 0.0).and(positive("exponent", m, 1.0)),
+            EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } => positive("stiffness", k, 0.0),
             EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } => {
-                positive("k", k, 0.0).and(positive("epsilon", epsilon, 0.0))
+                positive("stiffness", k, 0.0).and(positive("epsilon", epsilon, 0.0))
             }
         }
     }
