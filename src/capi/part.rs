@@ -33,7 +33,7 @@ pub enum fmc_shape {
 
 use fmc_shape::*;
 
-/// A part of a compound. Set it by `fmc_part_init`, then the entries that its shape reads.
+/// A part of a compound. Initialise it by `fmc_part_init`, then set the fields that its shape uses.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_part {
@@ -51,7 +51,7 @@ pub struct fmc_part {
     pub points: *const fmc_coords,
     /// Numbers of corners, (facet_count, dim).
     pub facets: *const i32,
-    /// Where the part stands in the frame of the compound.
+    /// Pose of the part in the frame of the compound.
     pub pose: fmc_pose,
 }
 
@@ -87,7 +87,7 @@ impl fmc_part {
     }
 }
 
-/// Sets a part to a half-space at the origin of the compound, with nothing else given.
+/// Sets a part to a half-space at the origin of the compound, with sizes 0 and pointers NULL.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]
