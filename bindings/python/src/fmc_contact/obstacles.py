@@ -97,8 +97,8 @@ class Obstacles:
     ) -> int:
         """Adds the solid below a height field; both estimators support it.
 
-        ``heights``, (n,) in 2D and (nx, ny) in 3D, are measured along the last axis on a grid of ``lengths``, (dim - 1,),
-        centred on the origin. The solid has a flat bottom, ``thickness`` below the lowest height, and vertical walls.
+        ``heights``, (n,) in 2D and (nx, ny) in 3D, are measured along the last axis on a grid of ``lengths``,
+        (dim - 1,), centred on the origin. The solid has a flat bottom, ``thickness`` below the lowest height, and vertical walls.
         Errors: ``TooFewHeightsError``, ``NonFiniteHeightError``, ``NotPositiveError``.
         """
         heights = np.ascontiguousarray(heights, np.float64)
