@@ -33,7 +33,7 @@ pub enum fmc_shape {
 
 use fmc_shape::*;
 
-/// A part of a compound. Initialise it by `fmc_part_init`, then set the fields that its shape uses.
+/// A part of a compound. Set it by `fmc_part_init`, then the entries that its shape reads.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_part {
@@ -87,7 +87,7 @@ impl fmc_part {
     }
 }
 
-/// Sets a part to a half-space at the origin of the compound, with sizes 0 and pointers NULL.
+/// Sets a part to a half-space at the origin of the compound, with nothing else given.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]

@@ -56,8 +56,9 @@ impl Kept {
     }
 }
 
-/// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
-/// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_entries`.
+/// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces: to be added
+/// to the host's stiffness matrix. It is kept in the context until the next call, to be fetched by
+/// `fmc_context_tangent_entries`.
 ///
 /// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 /// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
