@@ -15,7 +15,7 @@ pub(crate) struct FacetSide<'a, const D: usize> {
     pub(crate) tree: &'a FacetTree<D>,
     /// Box of all its vertices.
     pub(crate) aabb: Aabb<D>,
-    /// Whether all its cells are known to have positive volume: its winding number is then nowhere negative.
+    /// Whether all its cells are known to have positive volume: it then covers no place less than zero times.
     pub(crate) is_upright: bool,
 }
 
