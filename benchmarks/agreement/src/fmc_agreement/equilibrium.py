@@ -113,7 +113,7 @@ class Equilibrium:
         norm = float(np.linalg.norm(residual.ravel()[self.free]))
         scale = max(float(np.linalg.norm(force)) for force in (inside, touch.forces, self.load))
         if not np.isfinite(strain) or not np.isfinite(norm):
-            raise NoEquilibrium("a cell is turned inside out")
+            raise NoEquilibrium("a cell is inverted")
         magnitude = strain + abs(touch.energy) + abs(work)
         return Balance(residual, norm, norm / (scale or 1.0), strain + touch.energy - work, magnitude, touch)
 

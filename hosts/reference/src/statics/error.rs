@@ -94,7 +94,7 @@ impl fmt::Display for StaticsError {
             Self::Unstable { load } => write!(f, "the bodies are not stable at load {load:.4}: they buckle"),
             Self::Inverted { load, cell } => {
                 let cell = cell.map_or("a cell".into(), |cell| format!("cell {cell}"));
-                write!(f, "{cell} is turned inside out at load {load:.4}")
+                write!(f, "{cell} is inverted at load {load:.4}")
             }
             Self::Contact(error) => write!(f, "{error}"),
             Self::Length { expected, found } => {
