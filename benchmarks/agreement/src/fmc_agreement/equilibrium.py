@@ -26,7 +26,7 @@ GAIN = 1e-4
 """Part of what the slope promises that a step must gain."""
 
 FLAT = 1e-12
-"""Part of the energies that a change must exceed to be told from rounding."""
+"""Part of the energies that a change must exceed to be distinguished from rounding."""
 
 
 class NoEquilibrium(RuntimeError):
@@ -105,7 +105,7 @@ class Equilibrium:
             self.contact_seconds += time.process_time() - clock
 
     def balance(self, u: np.ndarray) -> Balance:
-        """Forces and energy. Errors: ``NoEquilibrium`` where a cell is turned inside out."""
+        """Forces and energy. Errors: ``NoEquilibrium`` where a cell is inverted."""
         touch = self.timed(self.touching.evaluate, u)
         inside, strain = self.elastic.internal(u)
         work = float((self.load * u).sum())

@@ -50,7 +50,7 @@ pub enum StaticsError {
         /// Part of the full load.
         load: f64,
     },
-    /// A cell has been turned inside out, at every length of the step.
+    /// A cell has been inverted, at every length of the step.
     Inverted {
         /// Part of the full load.
         load: f64,
