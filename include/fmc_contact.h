@@ -8,9 +8,9 @@
  *     fputs(fmc_last_error(), stderr);
  *
  * Conventions. Every function that can fail returns a status, 0 for success; outputs are written only on success, and
- * after an error a context is as it was before the call. Arrays belong to the host and are not kept. A length of zero
- * makes its pointer irrelevant. Forces push bodies apart. The library never prints, exits or unwinds. Memory that a
- * pointer stands for must not be changed by another thread during the call.
+ * after an error a context is as it was before the call. Arrays belong to the host and are not kept. Where a length is
+ * zero, its pointer is not read. Forces push bodies apart. The library never prints, exits or unwinds. Another thread
+ * must not change memory passed to a call while it runs.
  *
  * Generated from the Rust sources; do not edit.
  */
@@ -33,10 +33,10 @@
 // Level of a log message: something the user should know about a result that is an answer all the same.
 #define FMC_LOG_WARNING 1
 
-// Flag of `fmc_context_tangent`: without the part that can be negative, for use far from a solution.
+// Flag of `fmc_context_tangent`: without the terms that can be indefinite, for use far from a solution.
 #define FMC_SEMIDEFINITE 1
 
-// What a call came to. 0 is success; every cause of failure has a code of its own, and the text that names the
+// Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
 // offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
 //
 // After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
@@ -51,7 +51,7 @@ typedef enum {
   FMC_ERROR_LENGTH = 3,
   // The host's array is shorter than what is to be written into it.
   FMC_ERROR_BUFFER_TOO_SMALL = 4,
-  // Strides under which entries of an output fall on one another, or that cannot be addressed.
+  // Strides for which entries of an output share memory, or that cannot be addressed.
   FMC_ERROR_STRIDE = 5,
   // A dimension other than 2 and 3, or a cell type of another dimension than the coordinates.
   FMC_ERROR_DIMENSION = 6,
@@ -63,15 +63,15 @@ typedef enum {
   FMC_ERROR_NON_FINITE_COORDINATE = 9,
   // A cell or facet names one node twice.
   FMC_ERROR_REPEATED_NODE = 10,
-  // A cell is turned inside out.
+  // A cell is inverted.
   FMC_ERROR_INVERTED_CELL = 11,
   // A cell or facet has no length, area or volume.
   FMC_ERROR_ZERO_MEASURE = 12,
-  // A surface given by facets has a border.
+  // A surface given by facets is not closed.
   FMC_ERROR_OPEN_SURFACE = 13,
   // More than two facets meet at an edge (2D: at a node), or more than two cells at a face.
   FMC_ERROR_NON_MANIFOLD = 14,
-  // Two neighbouring facets disagree about which side is out.
+  // Two neighbouring facets have opposite orientations.
   FMC_ERROR_INCONSISTENT_ORIENTATION = 15,
   // The facets of a body point inwards.
   FMC_ERROR_INVERTED_SURFACE = 16,
@@ -89,7 +89,7 @@ typedef enum {
   FMC_ERROR_OBSTACLE_OUT_OF_RANGE = 22,
   // No body, pair or warning of this index in the last evaluation, or no evaluation yet.
   FMC_ERROR_INDEX_OUT_OF_RANGE = 23,
-  // The estimator cannot do this.
+  // The estimator, or this build of the library, does not support this.
   FMC_ERROR_UNSUPPORTED = 24,
   // A signed-distance callback failed, or left a value that is not finite.
   FMC_ERROR_SIGNED_DISTANCE = 25,
@@ -118,12 +118,12 @@ typedef enum {
   // w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
   FMC_LAW_VOLUME = 0,
   // w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
-  // `epsilon`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with it,
-  // psi = k (sqrt(L^2 + epsilon^2) - epsilon), and k is a pressure as for "volume" with exponent 1. Key value "fiber".
+  // `epsilon`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with it, psi = k
+  // (sqrt(L^2 + epsilon^2) - epsilon), and k is a pressure as for "volume" with exponent 1. Key value "fiber".
   FMC_LAW_FIBER = 1,
 } fmc_law;
 
-// How overlap is measured.
+// How the overlap is measured.
 typedef enum {
   // Sampled by fibers: any shape and any obstacle, with a standard error. Key value "fibers".
   FMC_ESTIMATOR_FIBERS = 0,
@@ -142,7 +142,7 @@ typedef enum {
 
 // How line families are combined.
 typedef enum {
-  // Least noise, but the force is not the gradient of one number. Key value "balance".
+  // Least noise, but the force is not the gradient of an energy. Key value "balance".
   FMC_WEIGHTS_BALANCE = 0,
   // The force is the exact gradient of the estimated energy. Key value "consistent".
   FMC_WEIGHTS_CONSISTENT = 1,
@@ -192,7 +192,7 @@ typedef enum {
 typedef enum {
   // The fibers are further apart than the facets in contact are wide: nodal forces are noisy.
   FMC_WARNING_COARSE_FIBERS = 1,
-  // Only a few fibers met the overlap: it is thinner or smaller than they resolve.
+  // Only a few fibers cross the overlap: it is thinner or smaller than their spacing.
   FMC_WARNING_UNRESOLVED_OVERLAP = 2,
   // One body lies inside the other and is not pushed out.
   FMC_WARNING_SWALLOWED_BODY = 3,
@@ -200,30 +200,31 @@ typedef enum {
 
 // Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
 //
-// Contexts share nothing, so different ones may be used by different threads at once. One context may wander between
-// threads. Calls on it that collide, from two threads or from inside a callback, are told `FMC_ERROR_BUSY`.
+// Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
+// thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
 typedef struct fmc_context fmc_context;
 
 // Options of an evaluation. `fmc_options_init` sets all of them; only `stiffness` has no default.
 //
-// The struct keeps its size while options are added: they take the place of reserved fields, and old hosts keep
-// working. Every option can also be set by its name here, through `fmc_options_set`.
+// New options take the place of reserved fields; the size of the struct does not change, and compiled hosts keep
+// working. Every option can also be set by the name of its field, through `fmc_options_set`.
 typedef struct {
-  // Set by `fmc_options_init`; tells an initialised struct from another.
+  // Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // k > 0, no default. For the law "fiber" a pressure per length (Pa/m): the pressure is k times the penetration; see
-  // `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
-  // pressure; in general energy / (length^dim)^m. See `fmc_suggest_stiffness_from_modulus`.
+  // k > 0, no default. For the law "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
+  // see `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
+  // and must exceed the peak contact pressure; in general energy / (length^dim)^m; see
+  // `fmc_suggest_stiffness_from_modulus`.
   double stiffness;
-  // m >= 1 of the law "volume", and only of that. Default 1.
+  // m >= 1, for the law "volume" only. Default 1.
   double exponent;
-  // Distance between neighbouring lines; 0, the default: found from the facets in contact.
+  // Distance between neighbouring lines; 0, the default: chosen from the size of the facets in contact.
   double spacing;
   // Length of an isotropic fiber; 0, the default: the mean size of the facets in contact.
   double fiber_length;
-  // About so many fibers per pair; 0, the default: found from the facets in contact. Not together with `spacing`.
+  // Approximate number of fibers per pair; 0, the default: chosen from the facets in contact. Excludes `spacing`.
   uint64_t fiber_count;
-  // Another seed is another random shift of the same pattern. Default 0.
+  // Seed of the random shift of the pattern. Default 0.
   uint64_t seed;
   // A value of `fmc_law`. Default `FMC_LAW_FIBER`.
   int32_t law;
@@ -233,9 +234,10 @@ typedef struct {
   int32_t pattern;
   // A value of `fmc_weights`. Default `FMC_WEIGHTS_BALANCE`.
   int32_t weights;
-  // 1, the default: the smallest change of the nodal forces that makes their sum and moment vanish. 0: none.
+  // 1, the default: momentum correction, the smallest change of the nodal forces that makes their sum and moment
+  // vanish. 0: none.
   int32_t balance;
-  // 1: also the overlap of each body with itself. Default 0.
+  // 1: self-contact, the overlap of each body with itself, is evaluated too. Default 0.
   int32_t self_contact;
   // 1, the default: the orientation of every cell is checked at every evaluation. 0: it is not.
   int32_t check_cells;
@@ -246,10 +248,10 @@ typedef struct {
   int32_t index_base;
   // Zero.
   int32_t reserved_flags;
-  // Length over which the pressure of the law "fiber" grows to k; 0, the default: the quadratic law. Only with
-  // `FMC_LAW_FIBER`.
+  // Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
+  // with `FMC_LAW_FIBER`.
   double epsilon;
-  // Zero. What later versions add stands here.
+  // Zero. Room for options of later versions.
   uint64_t reserved[15];
 } fmc_options;
 
@@ -300,11 +302,11 @@ typedef struct {
 // throw, or jump out.
 typedef void (*fmc_log_callback)(void *user, int32_t level, const char *text);
 
-// Where nodal forces go; laid out as `fmc_coords`. Padding between the entries is not written.
+// Array that receives nodal forces; laid out as `fmc_coords`. Padding between the entries is not written.
 typedef struct {
   // First component of the first node.
   double *data;
-  // Room for so many nodes, at least as many as the mesh has; if 0, `data` may be NULL.
+  // Number of nodes that it has room for, at least that of the mesh; if 0, `data` may be NULL.
   size_t node_count;
   // From one node to the next.
   ptrdiff_t node_stride;
@@ -312,10 +314,10 @@ typedef struct {
   ptrdiff_t axis_stride;
 } fmc_forces;
 
-// What an evaluation says beside the forces. Units follow from the coordinates and the stiffness: with m and Pa,
+// Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,
 // volumes are m^3 (2D: m^2), areas m^2 (m), energies J (J/m) and forces N (N/m).
 //
-// The struct keeps its size while fields are added in place of reserved ones.
+// New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
@@ -377,23 +379,23 @@ typedef struct {
   double volume_standard_error;
   // Energy.
   double energy;
-  // Traction dw/dV.
+  // Contact pressure: dw/dV for the law "volume", the mean of psi'(L) over the contact for the law "fiber".
   double pressure;
   // Area of contact (2D: length).
   double contact_area;
   // Extent of the overlap along its mean normal.
   double penetration;
-  // Spacing of the fibers; 0 for `exact`. Given back as the option `spacing`, it keeps the pattern.
+  // Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
   double spacing;
   // Zero.
   uint64_t reserved[8];
 } fmc_pair;
 
-// Position, rotation and scale of an obstacle: a point X of the shape stands at position + scale rotation X.
+// Position, rotation and scale of an obstacle: a point X of the shape is at position + scale rotation X.
 //
 // In 2D the first two entries of the position and the upper left two by two of the rotation are read.
 typedef struct {
-  // Where the shape's origin stands.
+  // Position of the shape's origin.
   double position[3];
   // Rotation matrix, 3 by 3, row after row; orthonormal with determinant +1 to 1e-8.
   double rotation[9];
@@ -417,13 +419,13 @@ typedef struct {
   const fmc_coords *points;
   // Numbers of corners, (facet_count, dim).
   const int32_t *facets;
-  // Where the part stands in the frame of the compound.
+  // Pose of the part in the frame of the compound.
   fmc_pose pose;
 } fmc_part;
 
 // Signed distance of a body in the obstacle's own frame, for `n` points at once.
 //
-// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, growing no faster than distance does.
+// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
 // Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
 // unwritten counts as not finite. `user` is the pointer given with the callback.
 //
@@ -439,14 +441,15 @@ extern "C" {
 // Version of the library, such as "0.1.0". The text is constant and never freed. Threads: any.
 const char *fmc_version(void);
 
-// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header that it was built with. Threads: any.
+// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header it was built with. Threads: any.
 int32_t fmc_abi_version(void);
 
-// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles",
-// "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
+// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic",
+// "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent", "threads". 0 for
+// unknown names and for NULL. Threads: any.
 int32_t fmc_has_feature(const char *name);
 
-// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for a number that is none.
+// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for any other number.
 //
 // The text is constant and never freed. Threads: any.
 const char *fmc_status_name(int32_t status);
@@ -465,9 +468,9 @@ fmc_status fmc_options_init(fmc_options *options);
 // Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
 // ("balance", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
 //
-// The key "test_panic" panics inside the library, so that a host can check that this comes to it as a status.
+// The key "test_panic" panics inside the library, so that a host can check that a panic is returned as a status.
 //
-// Errors: `FMC_ERROR_UNKNOWN_OPTION` for a key or value that is none; ranges are checked where the options are used.
+// Errors: `FMC_ERROR_UNKNOWN_OPTION` for an unknown key or value; ranges are checked where the options are used.
 // Threads: any, on different structs.
 fmc_status fmc_options_set(fmc_options *options, const char *key, const char *value);
 
@@ -475,13 +478,13 @@ fmc_status fmc_options_set(fmc_options *options, const char *key, const char *va
 //
 // `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `cell_type` is a value of
 // `fmc_cell_type`; `conn`, (cell_count, nodes per cell), are node numbers counted from the option `index_base`;
-// `body_ids`, (cell_count), may be NULL: bodies are what hangs together by faces. `options` must have been initialised
-// and have `stiffness` set.
+// `body_ids`, (cell_count), may be NULL: bodies are the connected components by faces. `options` must have been
+// initialised and have `stiffness` set.
 //
-// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be NULL,
-// the overlap volume (2D: area), summed over the pairs. Both are written only on success. The answer is that of a
-// context, bit for bit; a context spares the search for facets when the mesh is evaluated again, takes mixed meshes,
-// strides and obstacles, and tells more.
+// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be
+// NULL, the overlap volume (2D: area), summed over the pairs. Both are written only on success. The result is that of
+// a context, bit for bit; a context finds the boundary facets once for many evaluations, accepts mixed meshes, strides
+// and obstacles, and reports forces per body, pairs and warnings.
 //
 // Errors: those of `fmc_context_new_from_cells` and `fmc_context_evaluate`; the text, with the offending indices, is
 // given by `fmc_last_error`. Threads: any, also at once.
@@ -510,12 +513,12 @@ fmc_status fmc_contact_force_i64(int32_t dim,
 
 // Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
 //
-// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces come back for as many.
-// Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, say which body
-// a cell belongs to; NULL: bodies are what hangs together by faces. Everything is read during the call and not kept
-// (topology is copied). `options`, with `stiffness` set, must have been initialised.
+// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of
+// them. Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, say which
+// body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and
+// not kept (topology is copied). `options`, with `stiffness` set, must have been initialised.
 //
-// `context` receives the new context, which must be given back to `fmc_context_free`.
+// `context` receives the new context, to be freed by `fmc_context_free`.
 //
 // Errors, all with the offending indices in `fmc_last_error`: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`,
 // `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
@@ -543,8 +546,8 @@ fmc_status fmc_context_new_from_cells_i64(int32_t dim,
 //
 // `facets`, (facet_count, dim), are node numbers counted from the option `index_base`: in 2D the body lies left of an
 // edge, in 3D a triangle runs counter-clockwise seen from outside. `body_ids`, one for every facet, may be NULL:
-// bodies are what hangs together by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
-// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`.
+// bodies are the connected components by nodes. Otherwise as `fmc_context_new_from_cells`; also
+// `FMC_ERROR_OPEN_SURFACE`, `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`.
 fmc_status fmc_context_new_from_facets(int32_t dim,
                                        const fmc_coords *coords,
                                        const int32_t *facets,
@@ -562,20 +565,20 @@ fmc_status fmc_context_new_from_facets_i64(int32_t dim,
                                            const fmc_options *options,
                                            fmc_context **context);
 
-// Ends a context and sets the host's pointer to NULL. A NULL pointer, or a pointer to NULL, is left as it is.
+// Frees a context and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
 //
-// Errors: none. Threads: no other call on the context may be running, nor come after.
+// Errors: none. Threads: no other call on the context may be running or follow.
 fmc_status fmc_context_free(fmc_context **context);
 
-// Replaces the options. They count from the next evaluation; the last one stays as it is.
+// Replaces the options. They apply from the next evaluation on; results of the last one are kept.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`, `FMC_ERROR_STRUCT_SIZE`,
 // `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_options(fmc_context *context, const fmc_options *options);
 
-// Sets where messages go; NULL, as at the beginning: nowhere. The library never prints.
+// Sets the callback that receives messages; NULL, the default: none. The library never prints.
 //
-// The callback and `user` must outlive the context, or be replaced before they end. They are used on whichever thread
+// The callback and `user` must outlive the context, or be replaced before they end. They are called on the thread that
 // evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_log(fmc_context *context, fmc_log_callback callback, void *user);
 
@@ -587,12 +590,12 @@ fmc_status fmc_context_counts(const fmc_context *context, size_t *node_count, si
 
 // Contact forces at `coords`, the current coordinates of all nodes of the mesh.
 //
-// `forces`, which may be NULL, says where the nodal forces go, in the order of the nodes: the negative derivative of the
-// contact energy, which pushes bodies apart. They overwrite what is there, or are added to it with the flag `FMC_ADD`.
-// Nodes that touch nothing get 0. `result`, which may be NULL too, receives the overlap volume and what belongs to it;
-// forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
+// `forces`, which may be NULL, receives the nodal forces in the order of the nodes: the negative derivative of the
+// contact energy, which pushes bodies apart. They overwrite the array, or are added to it with the flag `FMC_ADD`.
+// Nodes that are not in contact get 0. `result`, which may be NULL too, receives the overlap volume and the other
+// totals; forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
 //
-// Both are written only when all has gone well. The arrays may overlap one another. Units are those of `fmc_result`.
+// Both are written only on success. The arrays may overlap one another. Units are those of `fmc_result`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
@@ -613,10 +616,10 @@ fmc_status fmc_context_evaluate(fmc_context *context,
 const char *fmc_context_error(const fmc_context *context);
 
 // Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
-// evaluations to come: a solver's forces are then the gradient of one energy. `coords` NULL: forgets what was kept, and
-// patches are found at every evaluation again, as at the beginning.
+// later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
+// are found at every evaluation again, which is the default.
 //
-// Call it at the start of a load step. Pairs of bodies that do not overlap at `coords` are not kept; theirs are found at
+// Call it at the start of a load step. Patches of pairs that do not overlap at `coords` are not kept, but found at
 // every evaluation. `direction_count`, which may be NULL, receives the number of directions kept: 0 with other laws.
 //
 // Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
@@ -629,23 +632,24 @@ fmc_status fmc_context_keep_patches(fmc_context *context,
 // `fmc_context_tangent_entries`.
 //
 // Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
-// is node `node_count + o`: a host that drives an obstacle by its load has its stiffness there, others leave out rows
-// and columns beyond theirs. `entry_count` receives the number of entries, which do not repeat a place;
-// `rank_one_count` that of parts of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be NULL.
+// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
+// beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
+// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be
+// NULL.
 //
-// With the law "fiber", patches kept and `balance` 0 it is the derivative of the forces of `fmc_context_evaluate`; the
-// correction of the balance, which is small, is not differentiated. `flags`: 0 or `FMC_SEMIDEFINITE`.
+// With the law "fiber", kept patches and `balance` 0 it is the derivative of the forces of `fmc_context_evaluate`; the
+// momentum correction (`balance` 1), which is small, is not differentiated. `flags`: 0 or `FMC_SEMIDEFINITE`.
 //
-// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator that has none. Threads: one call
-// at a time on a context.
+// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
+// call at a time on a context.
 fmc_status fmc_context_tangent(fmc_context *context,
                                const fmc_coords *coords,
                                uint32_t flags,
                                size_t *entry_count,
                                size_t *rank_one_count);
 
-// Writes the entries of the tangent to the host's arrays, which have room for `capacity` each: entry i is `values[i]` at
-// row `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
+// Writes the entries of the tangent to the host's arrays, each with room for `capacity`: entry i is `values[i]` at row
+// `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 // context, as long as no call changes it.
@@ -655,14 +659,14 @@ fmc_status fmc_context_tangent_entries(const fmc_context *context,
                                        double *values,
                                        size_t capacity);
 
-// Product of the tangent, parts of rank one included, with `x`: `length` numbers, `dim` for every node, and for every
-// obstacle after them if it is as long. `y` may be `x`.
+// Product of the tangent, terms of rank one included, with `x`: `length` numbers, `dim` for every node, then, if
+// `length` includes them, for every obstacle. `y` may be `x`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for fewer than `dim` times the number of nodes,
 // `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_tangent_product(const fmc_context *context, const double *x, double *y, size_t length);
 
-// A part of rank one of the tangent, factor · g gᵀ: writes the factor, and g to `vector`, which has room for `length`
+// A term of rank one of the tangent, factor · g gᵀ: writes the factor, and g to `vector`, with room for `length`
 // numbers laid out as in `fmc_context_tangent_product`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUSY`. Threads:
@@ -691,17 +695,17 @@ fmc_status fmc_context_pair(const fmc_context *context, size_t index, fmc_pair *
 // evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
 fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t *code, const char **text);
 
-// Sets a pose to the origin, unturned and unscaled.
+// Sets a pose to the origin, without rotation and with scale 1.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_pose_init(fmc_pose *pose);
 
-// Sets a pose to `position`, unscaled, with the shape's last axis (y in 2D, z in 3D) along `axis`.
+// Sets a pose to `position`, with scale 1 and the shape's last axis (y in 2D, z in 3D) along `axis`.
 //
 // That is the outward normal of a half-space and the axis of cylinder, cone and capsule. `position` and `axis` have
 // `dim` entries; `axis` need not have unit length.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_BAD_POSE` for an axis of no direction. Threads:
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_BAD_POSE` for an axis of length 0. Threads:
 // any, on different structs.
 fmc_status fmc_pose_along(int32_t dim, const double *position, const double *axis, fmc_pose *pose);
 
@@ -710,11 +714,11 @@ fmc_status fmc_pose_along(int32_t dim, const double *position, const double *axi
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_part_init(fmc_part *part);
 
-// Adds a half-space: all points of its frame whose last coordinate is at most 0. `fmc_pose_along` places it by a point
-// and its outward normal.
+// Adds a half-space: all points of its frame whose last coordinate is at most 0. `fmc_pose_along` places it by a
+// point and its outward normal.
 //
-// An obstacle meets every body of the mesh, but no other obstacle. `pose` may be NULL for the origin; `obstacle`, which
-// may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
+// Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
+// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_add_half_space(fmc_context *context, const fmc_pose *pose, size_t *obstacle);
@@ -775,21 +779,22 @@ fmc_status fmc_context_add_polytope_i64(fmc_context *context,
                                         const fmc_pose *pose,
                                         size_t *obstacle);
 
-// Adds the convex hull of points, which are copied; those inside it are of no effect. It is met as a polytope.
+// Adds the convex hull of points, which are copied; points inside it have no effect. The obstacle is a polytope.
 //
 // Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`,
-// `FMC_ERROR_UNSUPPORTED` where the library has not the feature "shapes". Threads: one call at a time on a context.
+// `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "shapes". Threads: one call at a time on a context.
 fmc_status fmc_context_add_convex_hull(fmc_context *context,
                                        const fmc_coords *points,
                                        const fmc_pose *pose,
                                        size_t *obstacle);
 
-// Adds the solid below a height field, which is copied. It is met as a polytope.
+// Adds the solid below a height field, which is copied. The obstacle is a polytope.
 //
-// The grid is centred on the origin of its frame and lies across the last axis, along which heights are measured:
-// `counts` are the `dim` - 1 numbers of points along its axes, `lengths` as many lengths, and `heights` the heights,
-// those along the last axis of the grid following one another. In 3D every cell is cut along the diagonal from its corner
-// of least x and y. The solid ends in a flat bottom, `thickness` below the lowest height, and in vertical walls.
+// The grid is centred on the origin of its frame, perpendicular to the last axis, along which heights are measured:
+// `counts` are the `dim` - 1 numbers of points along its axes, `lengths` its lengths along them, and `heights` the
+// heights, with the index along the grid's last axis running fastest. In 3D every cell is split along the diagonal
+// from its corner of least x and y. The solid has a flat bottom, `thickness` below the lowest height, and vertical
+// walls.
 //
 // Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`,
 // `FMC_ERROR_NOT_POSITIVE`. Threads: one call at a time on a context.
@@ -801,22 +806,22 @@ fmc_status fmc_context_add_height_field(fmc_context *context,
                                         const fmc_pose *pose,
                                         size_t *obstacle);
 
-// Adds a union of shapes, which may overlap; all is copied. Only the estimator `fibers` can meet such a body.
+// Adds a union of shapes, which may overlap; everything is copied. Only the estimator `fibers` supports it.
 //
-// Its signed distance is the least of its parts': exact outside, and inside one part alone; where parts overlap, a point
-// is as deep as in the part in which it is deepest.
+// Its signed distance is the least of those of its parts: exact outside, and inside a single part; where parts
+// overlap, the depth of a point is its largest depth in any part.
 //
-// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_UNKNOWN_OPTION` for a number that is no
-// `fmc_shape`; `FMC_ERROR_UNSUPPORTED` where the library has not the feature "shapes". Threads: one call at a time on a
-// context.
+// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_UNKNOWN_OPTION` for a number that
+// is not a value of `fmc_shape`; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "shapes". Threads: one call
+// at a time on a context.
 fmc_status fmc_context_add_compound(fmc_context *context,
                                     const fmc_part *parts,
                                     size_t part_count,
                                     const fmc_pose *pose,
                                     size_t *obstacle);
 
-// Adds a body given by its signed distance; `user` is handed to the callback, and both must outlive the context. They
-// are used on whichever thread evaluates it. Only the estimator `fibers` can meet such a body.
+// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context. They
+// are used on the thread that evaluates it. Only the estimator `fibers` supports it.
 //
 // Errors: those of `fmc_context_add_half_space`. Threads: one call at a time on a context.
 fmc_status fmc_context_add_signed_distance(fmc_context *context,
@@ -825,23 +830,23 @@ fmc_status fmc_context_add_signed_distance(fmc_context *context,
                                            const fmc_pose *pose,
                                            size_t *obstacle);
 
-// Moves an obstacle. The last evaluation stays as it is.
+// Moves an obstacle. Results of the last evaluation are kept.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads:
-// one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`.
+// Threads: one call at a time on a context.
 fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc_pose *pose);
 
 // Stiffness k of the quadratic law "fiber" (Pa/length) from the largest contact pressure expected (Pa) and the
-// penetration that may be accepted when it is reached (length): their ratio. From a modulus E and facets of size h, take
-// E and h / 10.
+// acceptable penetration at that pressure (length): their ratio. From a modulus E and facets of size h, take E and h /
+// 10.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
 fmc_status fmc_suggest_fiber_stiffness(double pressure,
                                        double penetration,
                                        double *stiffness);
 
-// Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact (length):
-// an overlap a tenth of a facet deep over a patch one facet wide is resisted by the traction E. `exponent` is m.
+// Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact
+// (length): an overlap a tenth of a facet deep over a patch one facet wide gives the traction E. `exponent` is m.
 //
 // Units of k: Pa / (length^dim)^(m - 1); for m = 1 a pressure, in 2D and in 3D.
 //
@@ -852,8 +857,8 @@ fmc_status fmc_suggest_stiffness_from_modulus(int32_t dim,
                                               double facet_size,
                                               double *stiffness);
 
-// Stiffness k of w = k V^m from the largest contact pressure expected (Pa) and the overlap of one pair that may be
-// accepted when it is reached (length^dim; not used for m = 1): 1.2 times what resists that pressure. `exponent` is m.
+// Stiffness k of w = k V^m from the largest contact pressure expected (Pa) and the acceptable overlap of one pair at
+// that pressure (length^dim; not used for m = 1): 1.2 times the stiffness that gives this pressure. `exponent` is m.
 //
 // Otherwise as `fmc_suggest_stiffness_from_modulus`.
 fmc_status fmc_suggest_stiffness_from_pressure(int32_t dim,

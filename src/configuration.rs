@@ -1,7 +1,7 @@
 //! The bodies of a mesh at given coordinates: where their facets are, to be found by place, and what was checked.
 //!
-//! Topology of the search trees outlives an evaluation, boxes are refitted. No result depends on what was kept: whatever
-//! a tree finds is put into ascending order before it is used.
+//! Topology of the search trees outlives an evaluation, boxes are refitted. No result depends on what was kept:
+//! whatever a tree finds is put into ascending order before it is used.
 
 mod bodies;
 mod cell_check;

@@ -1,8 +1,8 @@
 //! Work that is compiled in this crate once for the plane and once for space.
 //!
-//! The public interface is generic over the dimension D. Were the kernels generic up to there, every crate that calls them
-//! would compile them again. So the public functions hand over to functions of a fixed dimension, and results come back
-//! as what they are: for D = 2, a value of dimension 2 has the very type that is asked for.
+//! The public interface is generic over the dimension D. Were the kernels generic up to there, every crate that calls
+//! them would compile them again. So the public functions hand over to functions of a fixed dimension, and results come
+//! back as what they are: for D = 2, a value of dimension 2 has the very type that is asked for.
 
 use crate::Error;
 use std::any::Any;

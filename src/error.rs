@@ -2,11 +2,12 @@
 
 use std::fmt;
 
-/// Why an answer could not be found. After any error, the object that was called is as it was before the call.
+/// Cause of a failure. After any error, the object that was called is as it was before the call.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
-    /// An array's length is not what the counts say (`coords`, `body_ids`, a `conn` not divisible by the cell's node count).
+    /// An array's length does not match the counts (`coords`, `body_ids`, a `conn` not divisible by the cell's node
+    /// count).
     Length {
         /// Name of the array.
         array: &'static str,
@@ -47,7 +48,7 @@ pub enum Error {
         /// Node named twice.
         node: usize,
     },
-    /// A cell is turned inside out: its orientation is opposite to that of the cells it is connected to, or,
+    /// A cell is inverted: its orientation is opposite to that of the cells it is connected to, or,
     /// for `Quad4` and `Hex8`, the Jacobian is negative at a corner while it is positive at another.
     InvertedCell {
         /// Cell.
@@ -58,9 +59,9 @@ pub enum Error {
         /// Cell or facet.
         cell: usize,
     },
-    /// A surface given by facets has a border: an edge (3D) or node (2D) that belongs to one facet only.
+    /// A surface given by facets is not closed: an edge (3D) or node (2D) that belongs to one facet only.
     OpenSurface {
-        /// Facet that has the border.
+        /// Facet with that edge or node.
         facet: usize,
         /// The nodes of the border edge (2D: the node, twice).
         nodes: [usize; 2],
@@ -72,7 +73,7 @@ pub enum Error {
         /// Nodes of the edge (2D: the node, twice), or two nodes of the face.
         nodes: [usize; 2],
     },
-    /// Two neighbouring facets, or cells of a body that cannot be oriented, disagree about which side is out.
+    /// Two neighbouring facets, or cells of a body that cannot be oriented, have opposite orientations.
     InconsistentOrientation {
         /// Facet or cell found second.
         facet: usize,
@@ -86,7 +87,7 @@ pub enum Error {
     },
     /// There is nothing to compute with: no cells and no facets.
     Empty,
-    /// A parameter that must be positive and finite is not (`k`, `m ≥ 1`, `spacing`, a radius, …).
+    /// A parameter that must be positive and finite is not (`stiffness`, `exponent` ≥ 1, `spacing`, a radius, …).
     NotPositive {
         /// Name of the parameter.
         name: &'static str,
@@ -124,9 +125,9 @@ pub enum Error {
     },
     /// A compound has no parts.
     EmptyCompound,
-    /// The estimator cannot do this (exact overlap with a curved or signed-distance obstacle).
+    /// The estimator, or this build, does not support this (exact overlap with a curved or signed-distance obstacle).
     Unsupported {
-        /// What was asked.
+        /// What is not supported.
         what: &'static str,
     },
     /// A signed-distance function failed, or returned a value that is not finite.

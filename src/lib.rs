@@ -1,13 +1,14 @@
 //! Contact mechanics as a plug-in for any finite element code.
 //!
-//! The module is given node coordinates and connectivity and returns nodal contact forces, overlap volumes and what
-//! belongs to them. It has no master and slave, no pair search and no projection: lines ("fibers") are sent through the
-//! bodies, the stretches inside two bodies at once measure their overlap, and the derivative of that measure is the
-//! contact force (Fiber Monte Carlo, Wang, Xu and Xue, "Solving contact problems using Fiber Monte Carlo").
+//! The module takes node coordinates and connectivity and returns nodal contact forces, overlap volumes and energies.
+//! There is no master and slave, and meshes need not match: lines ("fibers") are laid through the bodies, their parts
+//! inside two bodies at once measure the overlap, and the derivative of that measure is the contact force (Fiber Monte
+//! Carlo, Wang, Xu and Xue, "Solving contact problems using Fiber Monte Carlo").
 //!
-//! The floors of the house, each of which imports only from those after it:
-//! [`contact`] (energy law, forces) · [`overlap`] (volume and contact points, sampled or exact) ·
-//! `configuration` (the bodies at given coordinates) · [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) · [`Error`].
+//! The layers of the code, each of which imports only from those after it:
+//! [`contact`] (energy law, forces) · [`overlap`] (volume and contact points, sampled or exact) · `configuration` (the
+//! bodies at given coordinates) · [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) ·
+//! [`Error`]. `ARCHITECTURE.md` has the drawing, the way of a coordinate and a glossary.
 //!
 //! Same input, same bits, for any number of threads: there is no clock, no global state and no arrival order anywhere.
 

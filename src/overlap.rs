@@ -1,7 +1,7 @@
 //! Overlap of two bodies, by two estimators that return the same types.
 //!
-//! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches) ·
-//! `exact` and `fibers` (the estimators, which do not know each other).
+//! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches)
+//! · `exact` and `fibers` (the estimators, which do not know each other).
 
 mod by_options;
 pub(crate) mod estimator;

@@ -117,12 +117,12 @@ static void stateless(void) {
   const double not_positive[] = {0, -1, NAN, INFINITY};
   for (int k = 0; k < 4; k++) {
     p = o, p.stiffness = not_positive[k];
-    EXPECT(FMC_ERROR_NOT_POSITIVE, "'k'", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
+    EXPECT(FMC_ERROR_NOT_POSITIVE, "'stiffness'", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
     p = o, p.exponent = not_positive[k];
-    EXPECT(FMC_ERROR_NOT_POSITIVE, "'m'", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
+    EXPECT(FMC_ERROR_NOT_POSITIVE, "'exponent'", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   }
   p = o, p.exponent = 0.5;
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "'m' is 0.5", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.threads = 0;
   EXPECT(FMC_ERROR_NOT_POSITIVE, "'threads' is 0", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.estimator = FMC_ESTIMATOR_FIBERS, p.spacing = -1;
@@ -270,7 +270,7 @@ static void contexts(void) {
 
   /* Options. */
   o.stiffness = -1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'k' is -1", fmc_context_set_options(context, &o));
+  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'stiffness' is -1", fmc_context_set_options(context, &o));
   EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'options'", fmc_context_set_options(context, NULL));
 
   /* Obstacles: none of these may stay behind. */
@@ -350,7 +350,7 @@ static void stiffness(void) {
   EXPECT(FMC_ERROR_DIMENSION, "dimension is 0", fmc_suggest_stiffness_from_modulus(0, 1, 1e6, 0.1, &k));
   EXPECT(FMC_ERROR_NOT_POSITIVE, "'modulus' is -1", fmc_suggest_stiffness_from_modulus(2, 1, -1, 0.1, &k));
   EXPECT(FMC_ERROR_NOT_POSITIVE, "'facet_size' is 0", fmc_suggest_stiffness_from_modulus(2, 1, 1e6, 0, &k));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "'m' is 0.5", fmc_suggest_stiffness_from_pressure(2, 0.5, 1e6, 1, &k));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", fmc_suggest_stiffness_from_pressure(2, 0.5, 1e6, 1, &k));
   EXPECT(FMC_ERROR_NOT_POSITIVE, "'overlap' is 0", fmc_suggest_stiffness_from_pressure(3, 2, 1e6, 0, &k));
   EXPECT_TRUE(k == 42);
   EXPECT_OK(fmc_suggest_stiffness_from_pressure(2, 1, 1e6, 0, &k));

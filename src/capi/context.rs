@@ -28,8 +28,8 @@ pub type fmc_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, level
 
 /// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
 ///
-/// Contexts share nothing, so different ones may be used by different threads at once. One context may wander between
-/// threads. Calls on it that collide, from two threads or from inside a callback, are told `FMC_ERROR_BUSY`.
+/// Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
+/// thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
 pub struct fmc_context {
     state: RwLock<State>,
 }
@@ -114,7 +114,7 @@ pub(super) unsafe fn write<T>(
     outcome
 }
 
-/// Replaces the options. They count from the next evaluation; the last one stays as it is.
+/// Replaces the options. They apply from the next evaluation on; results of the last one are kept.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`, `FMC_ERROR_STRUCT_SIZE`,
 /// `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
@@ -133,9 +133,9 @@ pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, opti
     })
 }
 
-/// Sets where messages go; NULL, as at the beginning: nowhere. The library never prints.
+/// Sets the callback that receives messages; NULL, the default: none. The library never prints.
 ///
-/// The callback and `user` must outlive the context, or be replaced before they end. They are used on whichever thread
+/// The callback and `user` must outlive the context, or be replaced before they end. They are called on the thread that
 /// evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_log(
@@ -183,12 +183,12 @@ pub unsafe extern "C" fn fmc_context_counts(
 
 /// Contact forces at `coords`, the current coordinates of all nodes of the mesh.
 ///
-/// `forces`, which may be NULL, says where the nodal forces go, in the order of the nodes: the negative derivative of the
-/// contact energy, which pushes bodies apart. They overwrite what is there, or are added to it with the flag `FMC_ADD`.
-/// Nodes that touch nothing get 0. `result`, which may be NULL too, receives the overlap volume and what belongs to it;
-/// forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
+/// `forces`, which may be NULL, receives the nodal forces in the order of the nodes: the negative derivative of the
+/// contact energy, which pushes bodies apart. They overwrite the array, or are added to it with the flag `FMC_ADD`.
+/// Nodes that are not in contact get 0. `result`, which may be NULL too, receives the overlap volume and the other
+/// totals; forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
 ///
-/// Both are written only when all has gone well. The arrays may overlap one another. Units are those of `fmc_result`.
+/// Both are written only on success. The arrays may overlap one another. Units are those of `fmc_result`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,

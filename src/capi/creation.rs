@@ -74,12 +74,12 @@ unsafe fn session_of_facets<Id: Copy + Into<i64>, const D: usize>(
 
 /// Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
 ///
-/// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces come back for as many.
-/// Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, say which body
-/// a cell belongs to; NULL: bodies are what hangs together by faces. Everything is read during the call and not kept
-/// (topology is copied). `options`, with `stiffness` set, must have been initialised.
+/// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of
+/// them. Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, say which
+/// body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and
+/// not kept (topology is copied). `options`, with `stiffness` set, must have been initialised.
 ///
-/// `context` receives the new context, which must be given back to `fmc_context_free`.
+/// `context` receives the new context, to be freed by `fmc_context_free`.
 ///
 /// Errors, all with the offending indices in `fmc_last_error`: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`,
 /// `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
@@ -143,8 +143,8 @@ unsafe fn new_from_cells<B: Block>(
 ///
 /// `facets`, (facet_count, dim), are node numbers counted from the option `index_base`: in 2D the body lies left of an
 /// edge, in 3D a triangle runs counter-clockwise seen from outside. `body_ids`, one for every facet, may be NULL:
-/// bodies are what hangs together by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
-/// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`.
+/// bodies are the connected components by nodes. Otherwise as `fmc_context_new_from_cells`; also
+/// `FMC_ERROR_OPEN_SURFACE`, `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_new_from_facets(
     dim: i32,
@@ -198,9 +198,9 @@ unsafe fn new_from_facets<Id: Copy + Into<i64>>(
     }
 }
 
-/// Ends a context and sets the host's pointer to NULL. A NULL pointer, or a pointer to NULL, is left as it is.
+/// Frees a context and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
 ///
-/// Errors: none. Threads: no other call on the context may be running, nor come after.
+/// Errors: none. Threads: no other call on the context may be running or follow.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_free(context: *mut *mut fmc_context) -> fmc_status {
     entry(|| {

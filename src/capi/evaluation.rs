@@ -1,4 +1,4 @@
-//! What an evaluation found, as plain structs.
+//! Results of an evaluation, as plain structs.
 
 use super::failure::c_text;
 use crate::Warning;
@@ -6,10 +6,10 @@ use crate::contact::{ContactForces, PairForces, Resultant};
 use crate::overlap::Partner;
 use std::ffi::CString;
 
-/// What an evaluation says beside the forces. Units follow from the coordinates and the stiffness: with m and Pa,
+/// Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,
 /// volumes are m^3 (2D: m^2), areas m^2 (m), energies J (J/m) and forces N (N/m).
 ///
-/// The struct keeps its size while fields are added in place of reserved ones.
+/// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_result {
@@ -86,13 +86,13 @@ pub struct fmc_pair {
     pub volume_standard_error: f64,
     /// Energy.
     pub energy: f64,
-    /// Traction dw/dV.
+    /// Contact pressure: dw/dV for the law "volume", the mean of psi'(L) over the contact for the law "fiber".
     pub pressure: f64,
     /// Area of contact (2D: length).
     pub contact_area: f64,
     /// Extent of the overlap along its mean normal.
     pub penetration: f64,
-    /// Spacing of the fibers; 0 for `exact`. Given back as the option `spacing`, it keeps the pattern.
+    /// Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
     pub spacing: f64,
     /// Zero.
     pub reserved: [u64; 8],
@@ -103,7 +103,7 @@ pub struct fmc_pair {
 pub enum fmc_warning {
     /// The fibers are further apart than the facets in contact are wide: nodal forces are noisy.
     FMC_WARNING_COARSE_FIBERS = 1,
-    /// Only a few fibers met the overlap: it is thinner or smaller than they resolve.
+    /// Only a few fibers cross the overlap: it is thinner or smaller than their spacing.
     FMC_WARNING_UNRESOLVED_OVERLAP = 2,
     /// One body lies inside the other and is not pushed out.
     FMC_WARNING_SWALLOWED_BODY = 3,
@@ -118,7 +118,7 @@ fn warning_code(warning: &Warning) -> i32 {
     code as i32
 }
 
-/// What an evaluation found, beside the forces.
+/// Results of an evaluation other than the forces.
 #[derive(Debug, Default)]
 pub(super) struct Evaluation {
     pub(super) result: fmc_result,

@@ -37,11 +37,11 @@ unsafe fn add(
     })
 }
 
-/// Adds a half-space: all points of its frame whose last coordinate is at most 0. `fmc_pose_along` places it by a point
-/// and its outward normal.
+/// Adds a half-space: all points of its frame whose last coordinate is at most 0. `fmc_pose_along` places it by a
+/// point and its outward normal.
 ///
-/// An obstacle meets every body of the mesh, but no other obstacle. `pose` may be NULL for the origin; `obstacle`, which
-/// may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
+/// Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
+/// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
@@ -165,10 +165,10 @@ pub unsafe extern "C" fn fmc_context_add_polytope_i64(
     }
 }
 
-/// Adds the convex hull of points, which are copied; those inside it are of no effect. It is met as a polytope.
+/// Adds the convex hull of points, which are copied; points inside it have no effect. The obstacle is a polytope.
 ///
 /// Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`,
-/// `FMC_ERROR_UNSUPPORTED` where the library has not the feature "shapes". Threads: one call at a time on a context.
+/// `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "shapes". Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_add_convex_hull(
     context: *mut fmc_context,
@@ -180,12 +180,13 @@ pub unsafe extern "C" fn fmc_context_add_convex_hull(
     unsafe { add(context, pose, obstacle, || Ok(ShapeOf::ConvexHull { points: *reference("points", points)? })) }
 }
 
-/// Adds the solid below a height field, which is copied. It is met as a polytope.
+/// Adds the solid below a height field, which is copied. The obstacle is a polytope.
 ///
-/// The grid is centred on the origin of its frame and lies across the last axis, along which heights are measured:
-/// `counts` are the `dim` - 1 numbers of points along its axes, `lengths` as many lengths, and `heights` the heights,
-/// those along the last axis of the grid following one another. In 3D every cell is cut along the diagonal from its corner
-/// of least x and y. The solid ends in a flat bottom, `thickness` below the lowest height, and in vertical walls.
+/// The grid is centred on the origin of its frame, perpendicular to the last axis, along which heights are measured:
+/// `counts` are the `dim` - 1 numbers of points along its axes, `lengths` its lengths along them, and `heights` the
+/// heights, with the index along the grid's last axis running fastest. In 3D every cell is split along the diagonal
+/// from its corner of least x and y. The solid has a flat bottom, `thickness` below the lowest height, and vertical
+/// walls.
 ///
 /// Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`,
 /// `FMC_ERROR_NOT_POSITIVE`. Threads: one call at a time on a context.
@@ -203,14 +204,14 @@ pub unsafe extern "C" fn fmc_context_add_height_field(
     unsafe { add(context, pose, obstacle, || Ok(ShapeOf::HeightField { counts, lengths, heights, thickness })) }
 }
 
-/// Adds a union of shapes, which may overlap; all is copied. Only the estimator `fibers` can meet such a body.
+/// Adds a union of shapes, which may overlap; everything is copied. Only the estimator `fibers` supports it.
 ///
-/// Its signed distance is the least of its parts': exact outside, and inside one part alone; where parts overlap, a point
-/// is as deep as in the part in which it is deepest.
+/// Its signed distance is the least of those of its parts: exact outside, and inside a single part; where parts
+/// overlap, the depth of a point is its largest depth in any part.
 ///
-/// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_UNKNOWN_OPTION` for a number that is no
-/// `fmc_shape`; `FMC_ERROR_UNSUPPORTED` where the library has not the feature "shapes". Threads: one call at a time on a
-/// context.
+/// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_UNKNOWN_OPTION` for a number that
+/// is not a value of `fmc_shape`; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "shapes". Threads: one call
+/// at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_add_compound(
     context: *mut fmc_context,
@@ -223,8 +224,8 @@ pub unsafe extern "C" fn fmc_context_add_compound(
     unsafe { add(context, pose, obstacle, || Ok(ShapeOf::Compound { parts, part_count })) }
 }
 
-/// Adds a body given by its signed distance; `user` is handed to the callback, and both must outlive the context. They
-/// are used on whichever thread evaluates it. Only the estimator `fibers` can meet such a body.
+/// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context. They
+/// are used on the thread that evaluates it. Only the estimator `fibers` supports it.
 ///
 /// Errors: those of `fmc_context_add_half_space`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
@@ -244,10 +245,10 @@ pub unsafe extern "C" fn fmc_context_add_signed_distance(
     }
 }
 
-/// Moves an obstacle. The last evaluation stays as it is.
+/// Moves an obstacle. Results of the last evaluation are kept.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads:
-/// one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`.
+/// Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_pose(
     context: *mut fmc_context,

@@ -10,9 +10,9 @@ use super::status::fmc_status::FMC_ERROR_UNKNOWN_OPTION;
 use std::ffi::c_char;
 use std::str::FromStr;
 
-/// The keys, for the message about one that is none.
-const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, seed, law, epsilon, estimator, pattern, weights, \
-                    balance, self_contact, check_cells, threads, index_base";
+/// The keys, for the message about an unknown one.
+const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, seed, law, epsilon, estimator, pattern, \
+                    weights, balance, self_contact, check_cells, threads, index_base";
 
 fn unknown_value(key: &str, value: &str, wanted: &str) -> Failure {
     Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{key}' has no value '{value}': {wanted} is wanted"))
@@ -53,7 +53,7 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
         "self_contact" => options.self_contact = choice(&SELF_CONTACT, value)?,
         "check_cells" => options.check_cells = choice(&CHECK_CELLS, value)?,
         "index_base" => options.index_base = choice(&INDEX_BASE, value)?,
-        // Lets a host see, in the library that it ships, that a defect reaches it as a status.
+        // Lets a host check, in the library that it ships, that a panic is returned as a status.
         "test_panic" => panic!("asked for by the option 'test_panic'"),
         _ => return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("no option '{key}'; there are {KEYS}"))),
     }
@@ -63,9 +63,9 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
 /// Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
 /// ("balance", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
 ///
-/// The key "test_panic" panics inside the library, so that a host can check that this comes to it as a status.
+/// The key "test_panic" panics inside the library, so that a host can check that a panic is returned as a status.
 ///
-/// Errors: `FMC_ERROR_UNKNOWN_OPTION` for a key or value that is none; ranges are checked where the options are used.
+/// Errors: `FMC_ERROR_UNKNOWN_OPTION` for an unknown key or value; ranges are checked where the options are used.
 /// Threads: any, on different structs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_options_set(

@@ -10,12 +10,12 @@ pub enum fmc_law {
     /// w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
     FMC_LAW_VOLUME = 0,
     /// w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
-    /// `epsilon`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with it,
-    /// psi = k (sqrt(L^2 + epsilon^2) - epsilon), and k is a pressure as for "volume" with exponent 1. Key value "fiber".
+    /// `epsilon`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with it, psi = k
+    /// (sqrt(L^2 + epsilon^2) - epsilon), and k is a pressure as for "volume" with exponent 1. Key value "fiber".
     FMC_LAW_FIBER = 1,
 }
 
-/// How overlap is measured.
+/// How the overlap is measured.
 #[repr(C)]
 pub enum fmc_estimator {
     /// Sampled by fibers: any shape and any obstacle, with a standard error. Key value "fibers".
@@ -37,7 +37,7 @@ pub enum fmc_pattern {
 /// How line families are combined.
 #[repr(C)]
 pub enum fmc_weights {
-    /// Least noise, but the force is not the gradient of one number. Key value "balance".
+    /// Least noise, but the force is not the gradient of an energy. Key value "balance".
     FMC_WEIGHTS_BALANCE = 0,
     /// The force is the exact gradient of the estimated energy. Key value "consistent".
     FMC_WEIGHTS_CONSISTENT = 1,
@@ -45,26 +45,27 @@ pub enum fmc_weights {
 
 /// Options of an evaluation. `fmc_options_init` sets all of them; only `stiffness` has no default.
 ///
-/// The struct keeps its size while options are added: they take the place of reserved fields, and old hosts keep
-/// working. Every option can also be set by its name here, through `fmc_options_set`.
+/// New options take the place of reserved fields; the size of the struct does not change, and compiled hosts keep
+/// working. Every option can also be set by the name of its field, through `fmc_options_set`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_options {
-    /// Set by `fmc_options_init`; tells an initialised struct from another.
+    /// Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// k > 0, no default. For the law "fiber" a pressure per length (Pa/m): the pressure is k times the penetration; see
-    /// `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and must exceed the peak contact
-    /// pressure; in general energy / (length^dim)^m. See `fmc_suggest_stiffness_from_modulus`.
+    /// k > 0, no default. For the law "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
+    /// see `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
+    /// and must exceed the peak contact pressure; in general energy / (length^dim)^m; see
+    /// `fmc_suggest_stiffness_from_modulus`.
     pub stiffness: f64,
-    /// m >= 1 of the law "volume", and only of that. Default 1.
+    /// m >= 1, for the law "volume" only. Default 1.
     pub exponent: f64,
-    /// Distance between neighbouring lines; 0, the default: found from the facets in contact.
+    /// Distance between neighbouring lines; 0, the default: chosen from the size of the facets in contact.
     pub spacing: f64,
     /// Length of an isotropic fiber; 0, the default: the mean size of the facets in contact.
     pub fiber_length: f64,
-    /// About so many fibers per pair; 0, the default: found from the facets in contact. Not together with `spacing`.
+    /// Approximate number of fibers per pair; 0, the default: chosen from the facets in contact. Excludes `spacing`.
     pub fiber_count: u64,
-    /// Another seed is another random shift of the same pattern. Default 0.
+    /// Seed of the random shift of the pattern. Default 0.
     pub seed: u64,
     /// A value of `fmc_law`. Default `FMC_LAW_FIBER`.
     pub law: i32,
@@ -74,9 +75,10 @@ pub struct fmc_options {
     pub pattern: i32,
     /// A value of `fmc_weights`. Default `FMC_WEIGHTS_BALANCE`.
     pub weights: i32,
-    /// 1, the default: the smallest change of the nodal forces that makes their sum and moment vanish. 0: none.
+    /// 1, the default: momentum correction, the smallest change of the nodal forces that makes their sum and moment
+    /// vanish. 0: none.
     pub balance: i32,
-    /// 1: also the overlap of each body with itself. Default 0.
+    /// 1: self-contact, the overlap of each body with itself, is evaluated too. Default 0.
     pub self_contact: i32,
     /// 1, the default: the orientation of every cell is checked at every evaluation. 0: it is not.
     pub check_cells: i32,
@@ -87,10 +89,10 @@ pub struct fmc_options {
     pub index_base: i32,
     /// Zero.
     pub reserved_flags: i32,
-    /// Length over which the pressure of the law "fiber" grows to k; 0, the default: the quadratic law. Only with
-    /// `FMC_LAW_FIBER`.
+    /// Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
+    /// with `FMC_LAW_FIBER`.
     pub epsilon: f64,
-    /// Zero. What later versions add stands here.
+    /// Zero. Room for options of later versions.
     pub reserved: [u64; 15],
 }
 

@@ -46,7 +46,7 @@ pub struct fmc_part {
     pub points: *const fmc_coords,
     /// Numbers of corners, (facet_count, dim).
     pub facets: *const i32,
-    /// Where the part stands in the frame of the compound.
+    /// Pose of the part in the frame of the compound.
     pub pose: fmc_pose,
 }
 

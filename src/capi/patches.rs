@@ -7,10 +7,10 @@ use super::status::fmc_status;
 use super::view::fmc_coords;
 
 /// Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
-/// evaluations to come: a solver's forces are then the gradient of one energy. `coords` NULL: forgets what was kept, and
-/// patches are found at every evaluation again, as at the beginning.
+/// later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
+/// are found at every evaluation again, which is the default.
 ///
-/// Call it at the start of a load step. Pairs of bodies that do not overlap at `coords` are not kept; theirs are found at
+/// Call it at the start of a load step. Patches of pairs that do not overlap at `coords` are not kept, but found at
 /// every evaluation. `direction_count`, which may be NULL, receives the number of directions kept: 0 with other laws.
 ///
 /// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.

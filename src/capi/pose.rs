@@ -7,13 +7,13 @@ use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_BAD_POSE;
 use crate::Pose;
 
-/// Position, rotation and scale of an obstacle: a point X of the shape stands at position + scale rotation X.
+/// Position, rotation and scale of an obstacle: a point X of the shape is at position + scale rotation X.
 ///
 /// In 2D the first two entries of the position and the upper left two by two of the rotation are read.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_pose {
-    /// Where the shape's origin stands.
+    /// Position of the shape's origin.
     pub position: [f64; 3],
     /// Rotation matrix, 3 by 3, row after row; orthonormal with determinant +1 to 1e-8.
     pub rotation: [f64; 9],
@@ -41,7 +41,8 @@ impl fmc_pose {
 /// The shortest rotation that takes the last of `dim` axes to `axis`, as a 3 by 3 matrix.
 ///
 /// With e the last axis, a = axis/|axis| and c = e·a it is R = I + K + K²/(1 + c), K x = (e × a) × x. That form loses
-/// all digits as c nears −1, so for c < 0 it is applied to −a, after half a turn: diag(1, −1, −1) in 3D, −I in 2D.
+/// all digits as c nears −1, so for c < 0 it is applied to −a, after a rotation by 180°: diag(1, −1, −1) in 3D, −I in
+/// 2D.
 fn rotation_to(dim: usize, axis: &[f64]) -> Option<[[f64; 3]; 3]> {
     let largest = axis.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     if !(largest.is_finite() && largest > 0.0) || axis.iter().any(|x| x.is_nan()) {
@@ -64,7 +65,7 @@ fn rotation_to(dim: usize, axis: &[f64]) -> Option<[[f64; 3]; 3]> {
     Some(r.map(|[i, j, k]| [i, flip * j, flip * k]))
 }
 
-/// Sets a pose to the origin, unturned and unscaled.
+/// Sets a pose to the origin, without rotation and with scale 1.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]
@@ -77,12 +78,12 @@ pub unsafe extern "C" fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status {
     })
 }
 
-/// Sets a pose to `position`, unscaled, with the shape's last axis (y in 2D, z in 3D) along `axis`.
+/// Sets a pose to `position`, with scale 1 and the shape's last axis (y in 2D, z in 3D) along `axis`.
 ///
 /// That is the outward normal of a half-space and the axis of cylinder, cone and capsule. `position` and `axis` have
 /// `dim` entries; `axis` need not have unit length.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_BAD_POSE` for an axis of no direction. Threads:
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_BAD_POSE` for an axis of length 0. Threads:
 /// any, on different structs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_pose_along(

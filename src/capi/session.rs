@@ -16,7 +16,8 @@ pub(super) struct Counts {
     pub(super) bodies: usize,
 }
 
-/// [`Contact`] in either dimension. `Send` and `Sync`, since the header lets a context wander between threads.
+/// [`Contact`] in either dimension. `Send` and `Sync`, since the header allows a context to be used by one thread after
+/// another.
 pub(super) trait Session: Send + Sync {
     fn counts(&self) -> Counts;
     fn set_options(&mut self, options: Options) -> Result<(), Failure>;
@@ -40,7 +41,7 @@ pub(super) trait Session: Send + Sync {
     /// The host guarantees the view.
     unsafe fn tangent(&mut self, coords: &fmc_coords, part: TangentPart, index_base: i32) -> Result<Kept, Failure>;
 
-    /// Evaluates, and writes the forces (if asked for) when all has gone well.
+    /// Evaluates, and writes the forces, if wanted, on success.
     ///
     /// # Safety
     /// The host guarantees both views.

@@ -36,8 +36,8 @@ impl ShapeOf {
     /// The shape in D dimensions.
     ///
     /// # Safety
-    /// The host guarantees D half extents, the points, D numbers per facet, the height field's arrays, and the parts with
-    /// theirs.
+    /// The host guarantees D half extents, the points, D numbers per facet, the height field's arrays, and the parts
+    /// with theirs.
     pub(super) unsafe fn in_dimension<const D: usize>(self, index_base: i32) -> Result<Shape<D>, Failure> {
         Ok(match self {
             ShapeOf::HalfSpace => Shape::HalfSpace,

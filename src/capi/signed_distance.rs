@@ -5,7 +5,7 @@ use std::ffi::c_void;
 
 /// Signed distance of a body in the obstacle's own frame, for `n` points at once.
 ///
-/// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, growing no faster than distance does.
+/// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
 /// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
 /// unwritten counts as not finite. `user` is the pointer given with the callback.
 ///

@@ -14,13 +14,13 @@ use super::view::{fmc_coords, fmc_forces};
 ///
 /// `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `cell_type` is a value of
 /// `fmc_cell_type`; `conn`, (cell_count, nodes per cell), are node numbers counted from the option `index_base`;
-/// `body_ids`, (cell_count), may be NULL: bodies are what hangs together by faces. `options` must have been initialised
-/// and have `stiffness` set.
+/// `body_ids`, (cell_count), may be NULL: bodies are the connected components by faces. `options` must have been
+/// initialised and have `stiffness` set.
 ///
-/// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be NULL,
-/// the overlap volume (2D: area), summed over the pairs. Both are written only on success. The answer is that of a
-/// context, bit for bit; a context spares the search for facets when the mesh is evaluated again, takes mixed meshes,
-/// strides and obstacles, and tells more.
+/// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be
+/// NULL, the overlap volume (2D: area), summed over the pairs. Both are written only on success. The result is that of
+/// a context, bit for bit; a context finds the boundary facets once for many evaluations, accepts mixed meshes, strides
+/// and obstacles, and reports forces per body, pairs and warnings.
 ///
 /// Errors: those of `fmc_context_new_from_cells` and `fmc_context_evaluate`; the text, with the offending indices, is
 /// given by `fmc_last_error`. Threads: any, also at once.

@@ -3,7 +3,7 @@
 use crate::Error;
 use std::ffi::{CStr, c_char};
 
-/// What a call came to. 0 is success; every cause of failure has a code of its own, and the text that names the
+/// Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
 /// offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
 ///
 /// After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
@@ -20,7 +20,7 @@ pub enum fmc_status {
     FMC_ERROR_LENGTH = 3,
     /// The host's array is shorter than what is to be written into it.
     FMC_ERROR_BUFFER_TOO_SMALL = 4,
-    /// Strides under which entries of an output fall on one another, or that cannot be addressed.
+    /// Strides for which entries of an output share memory, or that cannot be addressed.
     FMC_ERROR_STRIDE = 5,
     /// A dimension other than 2 and 3, or a cell type of another dimension than the coordinates.
     FMC_ERROR_DIMENSION = 6,
@@ -32,15 +32,15 @@ pub enum fmc_status {
     FMC_ERROR_NON_FINITE_COORDINATE = 9,
     /// A cell or facet names one node twice.
     FMC_ERROR_REPEATED_NODE = 10,
-    /// A cell is turned inside out.
+    /// A cell is inverted.
     FMC_ERROR_INVERTED_CELL = 11,
     /// A cell or facet has no length, area or volume.
     FMC_ERROR_ZERO_MEASURE = 12,
-    /// A surface given by facets has a border.
+    /// A surface given by facets is not closed.
     FMC_ERROR_OPEN_SURFACE = 13,
     /// More than two facets meet at an edge (2D: at a node), or more than two cells at a face.
     FMC_ERROR_NON_MANIFOLD = 14,
-    /// Two neighbouring facets disagree about which side is out.
+    /// Two neighbouring facets have opposite orientations.
     FMC_ERROR_INCONSISTENT_ORIENTATION = 15,
     /// The facets of a body point inwards.
     FMC_ERROR_INVERTED_SURFACE = 16,
@@ -58,7 +58,7 @@ pub enum fmc_status {
     FMC_ERROR_OBSTACLE_OUT_OF_RANGE = 22,
     /// No body, pair or warning of this index in the last evaluation, or no evaluation yet.
     FMC_ERROR_INDEX_OUT_OF_RANGE = 23,
-    /// The estimator cannot do this.
+    /// The estimator, or this build of the library, does not support this.
     FMC_ERROR_UNSUPPORTED = 24,
     /// A signed-distance callback failed, or left a value that is not finite.
     FMC_ERROR_SIGNED_DISTANCE = 25,
@@ -154,7 +154,7 @@ impl From<&Error> for fmc_status {
     }
 }
 
-/// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for a number that is none.
+/// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for any other number.
 ///
 /// The text is constant and never freed. Threads: any.
 #[unsafe(no_mangle)]
@@ -191,7 +191,7 @@ mod tests {
             Error::InconsistentOrientation { facet: 0, nodes },
             Error::InvertedSurface { body: 0 },
             Error::Empty,
-            Error::NotPositive { name: "k", value: 0.0 },
+            Error::NotPositive { name: "stiffness", value: 0.0 },
             Error::BadPose { obstacle: 0 },
             Error::ObstacleOutOfRange { obstacle: 0, count: 0 },
             Error::DegenerateHull { point_count: 3 },

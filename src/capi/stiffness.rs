@@ -18,8 +18,8 @@ fn suggest(dim: i32, exponent: f64, from: StiffnessFrom, stiffness: *mut f64) ->
 }
 
 /// Stiffness k of the quadratic law "fiber" (Pa/length) from the largest contact pressure expected (Pa) and the
-/// penetration that may be accepted when it is reached (length): their ratio. From a modulus E and facets of size h, take
-/// E and h / 10.
+/// acceptable penetration at that pressure (length): their ratio. From a modulus E and facets of size h, take E and h /
+/// 10.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
 #[unsafe(no_mangle)]
@@ -38,8 +38,8 @@ pub unsafe extern "C" fn fmc_suggest_fiber_stiffness(
     })
 }
 
-/// Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact (length):
-/// an overlap a tenth of a facet deep over a patch one facet wide is resisted by the traction E. `exponent` is m.
+/// Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact
+/// (length): an overlap a tenth of a facet deep over a patch one facet wide gives the traction E. `exponent` is m.
 ///
 /// Units of k: Pa / (length^dim)^(m - 1); for m = 1 a pressure, in 2D and in 3D.
 ///
@@ -55,8 +55,8 @@ pub unsafe extern "C" fn fmc_suggest_stiffness_from_modulus(
     suggest(dim, exponent, StiffnessFrom::Modulus { modulus, facet_size }, stiffness)
 }
 
-/// Stiffness k of w = k V^m from the largest contact pressure expected (Pa) and the overlap of one pair that may be
-/// accepted when it is reached (length^dim; not used for m = 1): 1.2 times what resists that pressure. `exponent` is m.
+/// Stiffness k of w = k V^m from the largest contact pressure expected (Pa) and the acceptable overlap of one pair at
+/// that pressure (length^dim; not used for m = 1): 1.2 times the stiffness that gives this pressure. `exponent` is m.
 ///
 /// Otherwise as `fmc_suggest_stiffness_from_modulus`.
 #[unsafe(no_mangle)]

@@ -11,7 +11,7 @@ use super::status::fmc_status::{
 use super::view::fmc_coords;
 use crate::contact::TangentPart;
 
-/// Flag of `fmc_context_tangent`: without the part that can be negative, for use far from a solution.
+/// Flag of `fmc_context_tangent`: without the terms that can be indefinite, for use far from a solution.
 pub const FMC_SEMIDEFINITE: u32 = 1;
 
 /// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces: to be added
@@ -19,15 +19,16 @@ pub const FMC_SEMIDEFINITE: u32 = 1;
 /// `fmc_context_tangent_entries`.
 ///
 /// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
-/// is node `node_count + o`: a host that drives an obstacle by its load has its stiffness there, others leave out rows
-/// and columns beyond theirs. `entry_count` receives the number of entries, which do not repeat a place;
-/// `rank_one_count` that of parts of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be NULL.
+/// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
+/// beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
+/// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be
+/// NULL.
 ///
-/// With the law "fiber", patches kept and `balance` 0 it is the derivative of the forces of `fmc_context_evaluate`; the
-/// correction of the balance, which is small, is not differentiated. `flags`: 0 or `FMC_SEMIDEFINITE`.
+/// With the law "fiber", kept patches and `balance` 0 it is the derivative of the forces of `fmc_context_evaluate`; the
+/// momentum correction (`balance` 1), which is small, is not differentiated. `flags`: 0 or `FMC_SEMIDEFINITE`.
 ///
-/// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator that has none. Threads: one call
-/// at a time on a context.
+/// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
+/// call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tangent(
     context: *mut fmc_context,
@@ -60,8 +61,8 @@ pub unsafe extern "C" fn fmc_context_tangent(
     })
 }
 
-/// Writes the entries of the tangent to the host's arrays, which have room for `capacity` each: entry i is `values[i]` at
-/// row `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
+/// Writes the entries of the tangent to the host's arrays, each with room for `capacity`: entry i is `values[i]` at row
+/// `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 /// context, as long as no call changes it.
@@ -99,8 +100,8 @@ pub unsafe extern "C" fn fmc_context_tangent_entries(
     })
 }
 
-/// Product of the tangent, parts of rank one included, with `x`: `length` numbers, `dim` for every node, and for every
-/// obstacle after them if it is as long. `y` may be `x`.
+/// Product of the tangent, terms of rank one included, with `x`: `length` numbers, `dim` for every node, then, if
+/// `length` includes them, for every obstacle. `y` may be `x`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for fewer than `dim` times the number of nodes,
 /// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
@@ -131,7 +132,7 @@ pub unsafe extern "C" fn fmc_context_tangent_product(
     })
 }
 
-/// A part of rank one of the tangent, factor · g gᵀ: writes the factor, and g to `vector`, which has room for `length`
+/// A term of rank one of the tangent, factor · g gᵀ: writes the factor, and g to `vector`, with room for `length`
 /// numbers laid out as in `fmc_context_tangent_product`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUSY`. Threads:

@@ -124,7 +124,7 @@ fn a_context_survives_a_panic() {
 }
 
 #[test]
-fn calls_that_collide_are_told_so() {
+fn concurrent_calls_return_busy() {
     let session = Box::new(Brittle { broken: true });
     let context = fmc_context::new(State::new(session, 0));
     let pointer = (&raw const context).cast_mut();

@@ -9,7 +9,7 @@ use std::ffi::{CStr, c_char};
 /// library at run time.
 pub const FMC_ABI_VERSION: i32 = 1;
 
-/// What a host may ask for.
+/// Features by name.
 const FEATURES: &[&str] = &[
     "2d",
     "3d",
@@ -36,14 +36,15 @@ pub extern "C" fn fmc_version() -> *const c_char {
     VERSION.as_ptr()
 }
 
-/// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header that it was built with. Threads: any.
+/// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header it was built with. Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmc_abi_version() -> i32 {
     FMC_ABI_VERSION
 }
 
-/// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic", "obstacles",
-/// "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent", "threads". Unknown names, and NULL, are features that it has not. Threads: any.
+/// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic",
+/// "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent", "threads". 0 for
+/// unknown names and for NULL. Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_has_feature(name: *const c_char) -> i32 {
     quietly(0, || {

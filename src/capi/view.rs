@@ -27,13 +27,13 @@ pub struct fmc_coords {
     pub axis_stride: isize,
 }
 
-/// Where nodal forces go; laid out as `fmc_coords`. Padding between the entries is not written.
+/// Array that receives nodal forces; laid out as `fmc_coords`. Padding between the entries is not written.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_forces {
     /// First component of the first node.
     pub data: *mut f64,
-    /// Room for so many nodes, at least as many as the mesh has; if 0, `data` may be NULL.
+    /// Number of nodes that it has room for, at least that of the mesh; if 0, `data` may be NULL.
     pub node_count: usize,
     /// From one node to the next.
     pub node_stride: isize,
@@ -70,7 +70,7 @@ impl Strides {
         self == Self { node: D as isize, axis: 1 }
     }
 
-    /// Whether no two entries fall on one another: the nodes do not interleave with the axes.
+    /// Whether no two entries share memory: the nodes do not interleave with the axes.
     fn is_injective<const D: usize>(self, node_count: usize) -> bool {
         let (node, axis) = (self.node.unsigned_abs(), self.axis.unsigned_abs());
         axis > 0 && (node_count < 2 || (node > 0 && (node > (D - 1) * axis || axis > (node_count - 1) * node)))

@@ -25,8 +25,8 @@ impl<const D: usize> Configuration<D> {
         Self { coords: Vec::new(), points: Vec::new(), trees: Vec::new(), cell_check: None, is_checked: false }
     }
 
-    /// Brings the bodies of `surface` (always the same) to `coords`; with `check_cells`, checks that no cell is inverted
-    /// there. Nothing is done where they are there already. Returns whether they have moved.
+    /// Brings the bodies of `surface` (always the same) to `coords`; with `check_cells`, checks that no cell is
+    /// inverted there. Nothing is done where they are there already. Returns whether they have moved.
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`].

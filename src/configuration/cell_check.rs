@@ -1,10 +1,10 @@
-//! Whether cells are inverted, told from how far their nodes have moved since they were last looked at.
+//! Whether cells are inverted, decided by how far their nodes have moved since they were last checked.
 //!
-//! A simplex can only turn inside out by way of a position in which its corners lie in one plane, and then each of them has
-//! moved by at least half of the simplex's width, the least distance between two parallel planes with the simplex
-//! between them. In 3D the width is at least 6 V / ℓ², in 2D 2 A / ℓ, with ℓ the longest edge. So a group of cells whose
-//! nodes have all moved less than that, apart from a translation of the whole group, has not changed its orientation.
-//! Only the other groups are looked at cell by cell, and the answer is that of looking at every cell.
+//! A simplex can only turn inside out by way of a position in which its corners lie in one plane, and then each of them
+//! has moved by at least half of the simplex's width, the least distance between two parallel planes with the simplex
+//! between them. In 3D the width is at least 6 V / ℓ², in 2D 2 A / ℓ, with ℓ the longest edge. So a group of cells
+//! whose nodes have all moved less than that, apart from a translation of the whole group, has not changed its
+//! orientation. Only the other groups are checked cell by cell, with the same result as a check of every cell.
 
 use crate::Error;
 use crate::geometry::Vector;
@@ -16,7 +16,7 @@ use rayon::prelude::*;
 /// Part of the width up to which movements are trusted, for rounding in the determinants.
 const TRUSTED: f64 = 0.9;
 
-/// Groups of cells, with the positions in which they were last looked at.
+/// Groups of cells, with the positions in which they were last checked.
 #[derive(Default)]
 pub(crate) struct CellCheck<const D: usize> {
     groups: Vec<Group<D>>,
@@ -27,12 +27,12 @@ struct Group<const D: usize> {
     /// Its nodes, each once, and where they were.
     nodes: Vec<u32>,
     reference: Vec<[f64; D]>,
-    /// Least width of a corner's simplex of any of its cells; 0 before it was ever looked at.
+    /// Least width of a corner's simplex of any of its cells; 0 before the first check.
     width: f64,
 }
 
 impl<const D: usize> CellCheck<D> {
-    /// Nothing has been looked at yet.
+    /// Nothing has been checked yet.
     pub(crate) fn new(cells: &Cells) -> Self {
         let mut groups = Vec::new();
         for range in cells.block_ranges() {
@@ -76,7 +76,7 @@ impl<const D: usize> Group<D> {
         Ok(())
     }
 
-    /// Longest way of a node since then, apart from that of the first.
+    /// Largest displacement of a node since then, relative to that of the first.
     fn moved(&self, coords: &[[f64; D]]) -> f64 {
         let way = |(&node, x): (&u32, &[f64; D])| Vector::<D>::from(coords[node as usize]) - Vector::from(*x);
         let mut ways = self.nodes.iter().zip(&self.reference).map(way);
@@ -116,7 +116,7 @@ mod tests {
     use crate::geometry::{Bodies, CellBlock, CellType, Surface};
     use fmc_shapes::{cuboid_hex8, cuboid_tet4};
 
-    /// Nodes wander until cells turn inside out: the answer is that of looking at every cell, at every step.
+    /// Nodes move at random until cells are inverted: at every step the result is that of a check of every cell.
     #[test]
     fn kept_checks_answer_as_checks_of_every_cell() {
         let meshes = [

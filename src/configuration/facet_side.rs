@@ -50,7 +50,7 @@ impl<const D: usize> FacetSide<'_, D> {
         found
     }
 
-    /// How often the body covers the point `x`: 0 outside, 1 inside, 2 where it folds over itself.
+    /// Winding number of the body about the point `x`: 0 outside, 1 inside, 2 where it is folded over itself.
     ///
     /// Counted along the line through `x` parallel to the last axis. On the boundary it may be either.
     pub(crate) fn winding_number(&self, x: &Vector<D>) -> i32 {
@@ -64,8 +64,8 @@ impl<const D: usize> FacetSide<'_, D> {
         count
     }
 
-    /// The facet that is nearest to a point, the barycentric coordinates of its nearest point, and the distance. Of facets
-    /// that are equally near, the first.
+    /// The facet that is nearest to a point, the barycentric coordinates of its nearest point, and the distance. Of
+    /// facets that are equally near, the first.
     pub(crate) fn nearest(&self, x: &Vector<D>) -> Option<(u32, [f64; D], f64)> {
         let (mut found, mut least) = (None, (f64::INFINITY, u32::MAX));
         self.tree.boxes().visit_nearest(x, |facet| {

@@ -4,11 +4,12 @@ use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::tree::Tree;
 
-/// A tree is built anew once its leaves are this much looser than when it was built: it costs as much as some ten refits,
-/// and queries of a tree twice as loose take about twice the time.
+/// A tree is built anew once its leaves are this much looser than when it was built: it costs as much as some ten
+/// refits, and queries of a tree twice as loose take about twice the time.
 const LOOSE: f64 = 1.5;
 
-/// Tree of boxes over facets. A leaf has some eight facets, which share most of their vertices: its box is made from these.
+/// Tree of boxes over facets. A leaf has some eight facets, which share most of their vertices: its box is made from
+/// these.
 pub(crate) struct FacetTree<const D: usize> {
     tree: Tree<D>,
     /// Different vertices of the facets of leaf l: `offsets[l]..offsets[l + 1]`.

@@ -1,6 +1,6 @@
 //! Whether a body can overlap itself.
 //!
-//! A closed surface none of whose facets meet but in the vertices that they share covers every point once or not at all.
+//! A closed surface whose facets meet only in shared vertices has the winding number 0 or 1 about every point.
 //! So a body can overlap itself only if two of its facets cross, or if it has several closed surfaces, one of which may
 //! have left another.
 

@@ -14,9 +14,9 @@ use std::sync::Mutex;
 
 /// Contact between the bodies of one mesh, and with rigid obstacles.
 ///
-/// It holds topology, obstacles and options, and of the last evaluation what makes the next one faster: search trees, and
-/// what was found at the same coordinates. No result depends on that: two evaluations at the same coordinates give the
-/// same bits, and [`contact_force`] gives the same bits as a `Contact` that is kept.
+/// It holds topology, obstacles and options, and keeps search trees and what was found at the last coordinates for the
+/// next evaluation. No result depends on what is kept: two evaluations at the same coordinates give the same bits, and
+/// [`contact_force`] gives the same bits as a `Contact` that is kept.
 pub struct Contact<const D: usize> {
     pub(super) surface: Surface<D>,
     pub(super) obstacles: Vec<Rigid<D>>,
@@ -71,7 +71,7 @@ impl<const D: usize> Contact<D> {
         Ok(())
     }
 
-    /// Replaces the options. Patches that are kept stay so with another law, and are forgotten with another estimator.
+    /// Replaces the options. Kept patches stay kept with another law, and are released with another estimator.
     ///
     /// # Errors
     /// As [`Self::new`]; the old options then stay in force.
@@ -117,9 +117,9 @@ impl<const D: usize> Contact<D> {
     /// Second derivative of the contact energy at `coords`.
     ///
     /// For the fiber law on kept patches and for the volume law with the exact estimator or consistent weights it is
-    /// the derivative of the forces, with balance off; the correction of the balance, which is small, is not
+    /// the derivative of the forces, with `balance` off; the momentum correction, which is small, is not
     /// differentiated. With balance weights it is that of consistent ones. The exact volume law has no finite tangent
-    /// where facets lie flat on one another.
+    /// where facets coincide.
     ///
     /// # Errors
     /// As [`Self::evaluate`]; [`Error::Unsupported`] for isotropic fibers, and for the exact volume law with a body
@@ -128,7 +128,7 @@ impl<const D: usize> Contact<D> {
         kernels::tangent(self, coords, part)
     }
 
-    /// Overlaps of all pairs at `coords` that overlap, with their gradients, ordered by pair. With the fiber law they
+    /// Overlaps of all overlapping pairs at `coords`, with their gradients, ordered by pair. With the fiber law they
     /// are measured along its lines.
     ///
     /// # Errors

@@ -20,7 +20,7 @@ struct Carrier<const D: usize> {
     of_b: bool,
 }
 
-/// Corrects the gradient of one pair, on nodes at `coords` and on the pose of an obstacle. `of_b` tells the side of every
+/// Corrects the gradient of one pair, on nodes at `coords` and on the pose of an obstacle. `of_b` is the side of every
 /// node. What is balanced up to `tolerance` is left as it is.
 ///
 /// An obstacle takes part as one more node at the point where its resultant acts. A mode that no node resists (turning

@@ -14,7 +14,8 @@ pub struct Options {
     pub estimator: Estimator,
     /// Threads; the result does not depend on them. Default 1, as the host may have threads of its own.
     pub threads: usize,
-    /// Also look for the overlap of each body with itself. Off by default: it sends lines through whole bodies.
+    /// Self-contact: also evaluate the overlap of each body with itself. Off by default: it lays lines through whole
+    /// bodies.
     pub self_contact: bool,
     /// Check the orientation of every cell at every evaluation. On by default; it costs some ns per cell.
     pub check_cells: bool,
@@ -42,11 +43,11 @@ impl Options {
             }
             match fibers.resolution {
                 Resolution::Auto => {}
-                Resolution::Count(count) => positive("fibers", count as f64)?,
+                Resolution::Count(count) => positive("fiber_count", count as f64)?,
                 Resolution::Spacing(spacing) => positive("spacing", spacing)?,
             }
             if let FiberPattern::Isotropic { length: Some(length) } = fibers.pattern {
-                positive("length", length)?;
+                positive("fiber_length", length)?;
             }
         }
         Ok(())

@@ -9,8 +9,8 @@ use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
 use rayon::prelude::*;
 
 impl<const D: usize> Contact<D> {
-    /// Runs through all pairs whose boxes meet, and returns what `work` has to say of them in the order of their
-    /// indices, on the threads of the options.
+    /// Calls `work` for all pairs whose boxes meet, on the threads of the options, and returns its results in the order
+    /// of the pairs.
     pub(super) fn for_each_pair<T: Send>(
         &self,
         coords: &[[f64; D]],

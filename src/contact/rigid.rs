@@ -106,7 +106,7 @@ impl<const D: usize> Rigid<D> {
         FacetSide { facets, points: &placed.points, tree: &placed.tree, aabb: placed.tree.aabb(), is_upright: true }
     }
 
-    /// Whether it may reach into a box, as far as boxes tell.
+    /// Whether its box meets another.
     pub(crate) fn may_meet(&self, placed: Option<&Placed<D>>, aabb: &Aabb<D>) -> bool {
         match (placed, &self.obstacle.shape) {
             (Some(placed), _) => placed.tree.aabb().meets(aabb),

@@ -17,7 +17,7 @@ pub(super) struct State<const D: usize> {
 impl<const D: usize> Contact<D> {
     /// Calls `work` with the bodies at `coords`.
     ///
-    /// Whoever comes first takes what was kept; calls at the same time find nothing and begin anew, with the same result.
+    /// The first call takes what was kept; concurrent calls find nothing kept and start afresh, with the same result.
     pub(super) fn with_state<T>(
         &self,
         coords: &[[f64; D]],

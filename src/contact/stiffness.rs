@@ -1,4 +1,4 @@
-//! Where a stiffness comes from when the user has none.
+//! Suggested values of the stiffness.
 
 use super::EnergyLaw;
 use crate::Error;
@@ -7,16 +7,17 @@ use crate::Error;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StiffnessFrom {
     /// Young's modulus E of the softer body (Pa) and the size h of its facets in contact (length). The stiffness is
-    /// such that an overlap of depth h/10 over a patch one facet wide is resisted by the traction E.
+    /// such that an overlap of depth h/10 over a patch one facet wide gives the traction E.
     Modulus {
         /// Young's modulus, Pa.
         modulus: f64,
         /// Facet size, length.
         facet_size: f64,
     },
-    /// The largest contact pressure expected (Pa) and the overlap that may be accepted when it is reached
-    /// (2D: area, 3D: volume; not used for m = 1; for the fiber law the penetration, a length). The stiffness is 1.2 times what resists that pressure, since with
-    /// m = 1 a lower k than the peak pressure lets the bodies pass through one another.
+    /// The largest contact pressure expected (Pa) and the acceptable overlap at that pressure (2D: area, 3D: volume;
+    /// not used for m = 1; for the fiber law the penetration, a length). For the volume law the stiffness is 1.2 times
+    /// the one that gives this pressure, since with m = 1 a lower k than the peak pressure lets the bodies pass
+    /// through one another.
     PeakPressure {
         /// Pressure, Pa.
         pressure: f64,
@@ -27,7 +28,7 @@ pub enum StiffnessFrom {
 
 /// Stiffness k of the law w = k Vᵐ in `dimension` 2 or 3, with exponent `m`.
 ///
-/// The traction of that law is k m Vᵐ⁻¹, so k = p / (m Vᵐ⁻¹) for a traction p wanted at overlap V. From a modulus,
+/// The traction of that law is k m Vᵐ⁻¹, so k = p / (m Vᵐ⁻¹) for a traction p at overlap V. From a modulus,
 /// p = E and V = (h/10) hᴰ⁻¹. Units: Pa / (length^D)^(m−1); for m = 1 it is a pressure in 2D and in 3D.
 ///
 /// # Errors
@@ -55,8 +56,8 @@ pub fn suggest_stiffness(from: StiffnessFrom, dimension: usize, m: f64) -> Resul
     Ok(if m == 1.0 { pressure } else { pressure / (m * overlap.powf(m - 1.0)) })
 }
 
-/// Stiffness k of the quadratic fiber law, pressure = k × penetration, in Pa/length: E is reached at a tenth of a facet's
-/// size, or the peak pressure at the accepted penetration.
+/// Stiffness k of the quadratic fiber law, pressure = k × penetration, in Pa/length: the pressure is E at a tenth of a
+/// facet's size, or the peak pressure at the accepted penetration.
 ///
 /// # Errors
 /// [`Error::NotPositive`] for a value that is not positive and finite.

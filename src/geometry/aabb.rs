@@ -37,7 +37,7 @@ impl<const D: usize> Aabb<D> {
     }
 
     pub(crate) fn meets(&self, other: &Self) -> bool {
-        // Without branches: which axis tells cannot be foretold, and boxes are compared by the thousand.
+        // Without branches: the axis that decides cannot be predicted, and boxes are compared by the thousand.
         (0..D).fold(true, |meets, i| meets & (self.min[i] <= other.max[i]) & (other.min[i] <= self.max[i]))
     }
 

@@ -10,8 +10,8 @@ impl<S: PointQuery + RayCast> Both for S {}
 const RADIUS: f64 = 0.7;
 const HALF: f64 = 0.6;
 
-/// A shape, the same in parry, and how far apart their ends of chords may be: parry finds those of cylinders and cones by
-/// iteration.
+/// A shape, the same in parry, and how far apart their ends of chords may be: parry finds those of cylinders and cones
+/// by iteration.
 fn shapes() -> [(Shape<3>, Box<dyn Both>, f64); 6] {
     let (radius, half_height) = (RADIUS, HALF);
     [

@@ -178,7 +178,7 @@ impl Cells {
         faces
     }
 
-    /// Which of the two ways round the face runs, as given by the cell: told by the successor of its lowest node.
+    /// Orientation of the face as given by the cell: decided by the successor of its lowest node.
     fn cycle(&self, face: &Face) -> bool {
         let cell = face.cell as usize;
         let nodes = self.nodes(cell);

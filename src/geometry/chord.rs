@@ -1,4 +1,4 @@
-//! The stretch of a line inside a convex rigid shape, in closed form.
+//! The chord of a line in a convex rigid shape, in closed form.
 
 use super::{Shape, Vector};
 
@@ -14,7 +14,8 @@ pub(crate) type Chord<const D: usize> = Option<[Hit<D>; 2]>;
 
 /// SearchInterval of the line `o + t d` inside a shape in its own frame; `d` has unit length.
 ///
-/// What is made of facets, and what has a signed distance only, has no chord here: it is met as a surface or by marching.
+/// What is made of facets, and what has a signed distance only, has no chord here: it is met as a surface or by
+/// marching.
 pub(crate) fn chord<const D: usize>(shape: &Shape<D>, o: &Vector<D>, d: &Vector<D>) -> Chord<D> {
     match *shape {
         Shape::HalfSpace => slab(o, d, D - 1, f64::NEG_INFINITY, 0.0),

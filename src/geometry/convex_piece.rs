@@ -125,8 +125,8 @@ pub(crate) fn place<const D: usize>(facet: &[Vector<D>; D], w: &[f64; D]) -> Vec
     (0..D).fold(Vector::zeros(), |x, a| x + facet[a] * w[a])
 }
 
-/// Cuts the part of a facet below a plane out of it, given the heights of its corners; those up to `tie` are rounding
-/// and count as zero. False if no part lies below.
+/// Cuts the part of a facet below a plane out of it, given the heights of its corners; those up to the tolerance are
+/// rounding and count as zero. False if no part lies below.
 pub(crate) fn clip_below<const D: usize>(heights: &[f64; D], tolerance: f64, piece: &mut Piece<D>) -> bool {
     let heights = heights.map(|s| if s.abs() <= tolerance { 0.0 } else { s });
     if heights.iter().all(|&s| s >= 0.0) {

@@ -1,7 +1,7 @@
 //! How the place where a line crosses a facet depends on the place of the line.
 //!
-//! With m·(x_b − x_c) = 0, m·d = 1, and h_a·(x_b − x_c) = δ_ab − δ_ac, h_a·d = 0: a line moved by s across d crosses m·s
-//! earlier, at barycentric coordinates that are h_a·s larger.
+//! With m·(x_b − x_c) = 0, m·d = 1, and h_a·(x_b − x_c) = δ_ab − δ_ac, h_a·d = 0: a line moved by s across d crosses
+//! m·s earlier, at barycentric coordinates that are h_a·s larger.
 
 use crate::geometry::Vector;
 

@@ -4,9 +4,9 @@ use crate::Error;
 
 /// Heights over a rectangular grid (2D: over a segment), and the solid below them.
 ///
-/// The grid is centred on the origin and lies across the last axis, along which heights are measured. Between the points of
-/// the grid the surface is linear in 2D; in 3D every cell is cut along the diagonal from its corner of least x and y.
-/// The solid ends in a flat bottom, `thickness` below the lowest height, and in vertical walls.
+/// The grid is centred on the origin and lies across the last axis, along which heights are measured. Between the
+/// points of the grid the surface is linear in 2D; in 3D every cell is cut along the diagonal from its corner of least
+/// x and y. The solid ends in a flat bottom, `thickness` below the lowest height, and in vertical walls.
 #[derive(Clone, Debug)]
 pub struct HeightField {
     /// Number of points along each axis of the grid: one number in 2D, two in 3D; each at least 2.

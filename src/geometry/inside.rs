@@ -3,7 +3,8 @@
 use super::Vector;
 use super::crossing::{Projected, Window, for_each_crossing};
 
-/// How often closed, oriented facets cover the point `x`: 0 outside, 1 inside, 2 where the body folds over itself.
+/// Winding number of closed, oriented facets about the point `x`: 0 outside, 1 inside, 2 where the body is folded
+/// over itself.
 ///
 /// Counted along the line through `x` parallel to the last axis. On the boundary it may be either.
 pub(crate) fn winding_number<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>], x: &Vector<D>) -> i32 {

@@ -1,7 +1,7 @@
 //! Whether cells are inverted, or without measure.
 //!
-//! Mostly all is well. So blocks of cells are run through with one test, whether all Jacobian determinants of a cell are
-//! positive, and only the first cell that fails it is looked at closely.
+//! Mostly all is well. So blocks of cells are run through with one test, whether all Jacobian determinants of a cell
+//! are positive, and only the first cell that fails it is looked at closely.
 
 use super::aabb::Aabb;
 use super::cells::Cells;
@@ -24,8 +24,8 @@ impl Cells {
             .map(move |corner| determinant::<D>(&std::array::from_fn(|k| x(corner[k + 1]) - x(corner[0]))))
     }
 
-    /// Checks that none of some cells of one block is inverted or without measure at `coords`; the lowest offending cell is
-    /// named.
+    /// Checks that none of some cells of one block is inverted or without measure at `coords`; the lowest offending
+    /// cell is named.
     pub(crate) fn check_range<const D: usize>(&self, cells: Range<usize>, coords: &[[f64; D]]) -> Result<(), Error> {
         for (cell_type, of_block, conn) in self.blocks() {
             let (start, end) = (cells.start.max(of_block.start), cells.end.min(of_block.end));

@@ -16,7 +16,7 @@ pub(crate) struct SearchInterval<const D: usize> {
     pub(crate) end: f64,
 }
 
-/// Where a stretch passes the boundary: which stretch, where, and whether it leaves the body there.
+/// Where a search interval passes the boundary: which one, where, and whether it leaves the body there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Intersection<const D: usize> {
     pub(crate) stretch: usize,
@@ -24,17 +24,18 @@ pub(crate) struct Intersection<const D: usize> {
     pub(crate) leaves: bool,
 }
 
-/// State of one stretch: it steps until the sign changes, then the bracket is closed.
+/// State of one interval: it steps until the sign changes, then the bracket is closed.
 enum State {
     Step { t: f64, phi: f64, next: f64 },
     Bracket { low: f64, low_phi: f64, high: f64, high_phi: f64, at: f64, resume: f64, resume_phi: f64 },
     Done,
 }
 
-/// All passages of the stretches, by stretch and then along it; a stretch that starts inside has one at −∞.
+/// All intersections, by interval and then along it; an interval that starts inside has one at −∞.
 ///
 /// From t, no boundary lies nearer than |φ|, so a step of |φ| is safe; steps are at least `resolution`, and two
-/// passages closer than that may both be missed. A change of sign is closed to rounding by regula falsi (Illinois).
+/// intersections closer than that may both be missed. A change of sign is closed to rounding by regula falsi
+/// (Illinois).
 ///
 /// Returns the number of the point in its batch where the function failed, or was not finite, or had no gradient where
 /// φ = 0.
@@ -66,7 +67,7 @@ pub(crate) fn march<const D: usize>(
             let mut found = |t: f64, leaves: bool| {
                 intersections.push(Intersection { stretch: s, hit: Hit { t, normal: normals[n] }, leaves });
             };
-            // A value of exactly 0 counts as outside, so that every stretch has a sign everywhere.
+            // A value of exactly 0 counts as outside, so that every interval has a sign everywhere.
             states[s] = match states[s] {
                 State::Step { t: before, phi: before_phi, .. } => {
                     if before.is_nan() && value < 0.0 {
@@ -115,7 +116,7 @@ fn bracket(low: f64, low_phi: f64, high: f64, high_phi: f64, resume: f64, resume
     State::Bracket { low, low_phi, high, high_phi, at, resume, resume_phi }
 }
 
-/// φ and the unit outward normal in space at one point of every active stretch.
+/// φ and the unit outward normal in space at one point of every active interval.
 #[allow(clippy::type_complexity)]
 fn evaluate<const D: usize>(
     function: &dyn SignedDistance<D>,

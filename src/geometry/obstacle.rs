@@ -67,7 +67,8 @@ pub enum Shape<const D: usize> {
         /// Half of the segment's length.
         half_height: f64,
     },
-    /// Closed polygon (2D) or closed triangle mesh (3D), facets oriented outwards as in [`super::Surface::from_facets`].
+    /// Closed polygon (2D) or closed triangle mesh (3D), facets oriented outwards as in
+    /// [`super::Surface::from_facets`].
     Polytope {
         /// Corners.
         points: Vec<[f64; D]>,
@@ -83,9 +84,9 @@ pub enum Shape<const D: usize> {
     HeightField(HeightField),
     /// Union of shapes, each with a pose in the frame of the compound; fibers only. Feature `shapes`.
     ///
-    /// Its signed distance is the least of its parts': exact outside, and inside one part alone. Where parts overlap, the
-    /// true depth is at least as large as that of the deepest part, which is what counts: a point near the seam of two
-    /// parts is taken to be as deep as in either of them.
+    /// Its signed distance is the least of its parts': exact outside, and inside one part alone. Where parts overlap,
+    /// the true depth is at least as large as that of the deepest part, which is what counts: a point near the seam of
+    /// two parts is taken to be as deep as in either of them.
     Compound {
         /// Its parts, which may overlap; signed distances and compounds may be among them.
         parts: Vec<Obstacle<D>>,

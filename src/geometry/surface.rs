@@ -37,8 +37,8 @@ pub struct Surface<const D: usize> {
 impl<const D: usize> Surface<D> {
     /// Boundary of the cells of `blocks`, at node coordinates `coords`, `[node_count, D]`.
     ///
-    /// A face that belongs to one cell, or to two of different bodies, is boundary. Coordinates serve to tell inside
-    /// from outside: each connected group of cells is turned so that its volume is positive.
+    /// A face that belongs to one cell, or to two of different bodies, is boundary. Coordinates serve to distinguish
+    /// inside from outside: each connected group of cells is turned so that its volume is positive.
     ///
     /// # Errors
     /// [`Error::Empty`], [`Error::Dimension`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],

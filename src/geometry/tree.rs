@@ -6,13 +6,13 @@ use super::aabb::Aabb;
 /// Largest number of items in a leaf. Between 2 and 8 the queries take the same time; above, boxes become loose.
 const LEAF: usize = 8;
 
-/// Binary tree over boxes. Items are sorted along a curve that fills space (their centres' Morton codes), and every node
-/// takes one half of its parent's.
+/// Binary tree over boxes. Items are sorted along a curve that fills space (their centres' Morton codes), and every
+/// node takes one half of its parent's.
 ///
-/// Why not parry's `Bvh` (0.31, `enhanced-determinism`): on the 163 840 facets of two spheres, one run of benches/trees.rs on
-/// a busy machine, it takes 6.0 (binned) or 7.8 (PLOC) times as long to build, 12 times to refit with new leaves, 1.3 times for
-/// queries by a box, and 0.2 times for the pairs of two trees: 47, 1.4, 0.31 and 0.87 ms here. A refit comes with every new
-/// coordinate, so that refit and pairs together take 2.2 ms against 16.2 ms.
+/// Why not parry's `Bvh` (0.31, `enhanced-determinism`): on the 163 840 facets of two spheres, one run of
+/// benches/trees.rs on a busy machine, it takes 6.0 (binned) or 7.8 (PLOC) times as long to build, 12 times to refit
+/// with new leaves, 1.3 times for queries by a box, and 0.2 times for the pairs of two trees: 47, 1.4, 0.31 and 0.87 ms
+/// here. A refit comes with every new coordinate, so that refit and pairs together take 2.2 ms against 16.2 ms.
 pub(crate) struct Tree<const D: usize> {
     nodes: Vec<Node<D>>,
     items: Vec<u32>,
@@ -68,7 +68,8 @@ impl<const D: usize> Tree<D> {
     /// Makes the boxes anew after the items have moved, given those around the leaves by their numbers; which item
     /// stands where stays as it is. With `parallel`, on the threads of the pool that calls: the result is the same.
     ///
-    /// Returns the sum of the extents of all leaves, which grows as the items leave the places at which the tree was built.
+    /// Returns the sum of the extents of all leaves, which grows as the items leave the places at which the tree was
+    /// built.
     pub(crate) fn refit(&mut self, leaf_box: &(impl Fn(usize) -> Aabb<D> + Sync), parallel: bool) -> f64 {
         refit(&mut self.nodes, 0, leaf_box, parallel).1
     }
@@ -110,7 +111,8 @@ impl<const D: usize> Tree<D> {
         }
     }
 
-    /// Visits every pair of items, the first of `self`, whose boxes meet; `boxes` are those that the trees were made of.
+    /// Visits every pair of items, the first of `self`, whose boxes meet; `boxes` are those that the trees were made
+    /// of.
     pub(crate) fn visit_pairs(&self, other: &Self, boxes: [&[Aabb<D>]; 2], mut pair: impl FnMut(u32, u32)) {
         let mut stack = Vec::with_capacity(64);
         if !self.nodes.is_empty() && !other.nodes.is_empty() {
@@ -240,7 +242,7 @@ const BITS: u32 = 21;
 fn morton<const D: usize>(x: &Vector<D>) -> u64 {
     let mut code = 0;
     for axis in 0..D {
-        // What lies on the upper rim, or is no number because all centres are one, goes to some end.
+        // Centres on the upper bound, and NaN where all centres coincide, go to one end.
         let mut spread = (x[axis] as u64).min((1 << BITS) - 1);
         // Every step halves the groups of bits and moves them apart, to twice (2D) or three times their places.
         let steps: [(u32, u64); 5] = if D == 2 {

@@ -21,8 +21,8 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
     /// Where the sides touch, for the search for patches; few samples are enough.
     fn samples(&self, pair: &Pair<D>) -> Result<Vec<ContactSample<D>>, Error>;
 
-    /// Contact points along the directions of `patches`, or `None` where the sides are apart. `derivative` asks also for
-    /// what only the second derivative of a local law needs.
+    /// Contact points along the directions of `patches`, or `None` where the sides are apart. `derivative` asks also
+    /// for what only the second derivative of a local law needs.
     fn contact_points(
         &self,
         pair: &Pair<D>,

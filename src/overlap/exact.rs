@@ -1,4 +1,5 @@
-//! The exact estimator: facets of one side clipped by the cells of the other, and facets of both projected along a line.
+//! The exact estimator: facets of one side clipped by the cells of the other, and facets of both projected along a
+//! line.
 //!
 //! `clipping` gives the volume, `projection` the contact points of local laws. Exact for straight-sided cells and
 //! flat-sided obstacles.

@@ -50,8 +50,8 @@ impl<const D: usize> Family<D> {
         if D == 2 {
             (axes[0][0], axes[0][1]) = (d[1], -d[0]);
         } else {
-            // The axis after the one along which the direction runs most: the least of its components would be another after
-            // a small turn, as of a direction near an axis, and all lines would jump.
+            // The axis after the one along which the direction runs most: the least of its components would be another
+            // after a small turn, as of a direction near an axis, and all lines would jump.
             let mut aside = Vector::<D>::zeros();
             aside[(d.iamax() + 1) % D] = 1.0;
             let p = (aside - d * d.dot(&aside)).normalize();
@@ -95,8 +95,8 @@ impl<const D: usize> Family<D> {
         [viewed[0] * per_length - self.shift[0], v, viewed[2]]
     }
 
-    /// Lines that meet `region`, widened a little against rounding, and the least and largest `t` in it; `None` if there
-    /// are more than can be numbered.
+    /// Lines that meet `region`, widened a little against rounding, and the least and largest `t` in it; `None` if
+    /// there are more than can be numbered.
     pub(crate) fn window(&self, region: &Aabb<D>, per_length: f64) -> Option<(Window, [f64; 2])> {
         let center = self.view(&region.center());
         let ends = |middle: f64, width: f64| {

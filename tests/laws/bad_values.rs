@@ -24,15 +24,15 @@ fn options_out_of_range() {
         assert_eq!(contact.options(), &exact());
     };
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        refused(Options::new(EnergyLaw::volume(bad)), "k");
+        refused(Options::new(EnergyLaw::volume(bad)), "stiffness");
         refused(lines(bad, 0), "spacing");
         let pattern = FiberPattern::Isotropic { length: Some(bad) };
-        refused(fibers(FiberOptions { pattern, ..FiberOptions::default() }), "length");
+        refused(fibers(FiberOptions { pattern, ..FiberOptions::default() }), "fiber_length");
     }
     for bad in [0.999, 0.0, f64::NAN, f64::INFINITY] {
-        refused(Options::new(EnergyLaw::Volume { k: 1.0, m: bad }), "m");
+        refused(Options::new(EnergyLaw::Volume { k: 1.0, m: bad }), "exponent");
     }
-    refused(fibers(FiberOptions { resolution: Resolution::Count(0), ..FiberOptions::default() }), "fibers");
+    refused(fibers(FiberOptions { resolution: Resolution::Count(0), ..FiberOptions::default() }), "fiber_count");
     refused(Options { threads: 0, ..exact() }, "threads");
 }
 

@@ -46,14 +46,14 @@ pub struct Contact {
     /// Whether the forces of a sampled overlap are corrected so that their sum and moment vanish.
     #[serde(default = "yes")]
     pub balance: bool,
-    /// Whether the gap to polygons is taken where the surface was and their force acts along y, as closed forms assume; in 2D, of
-    /// an equilibrium.
+    /// Whether the gap to polygons is taken where the surface was and their force acts along y, as closed forms assume;
+    /// in 2D, of an equilibrium.
     #[serde(default)]
     pub linearised: bool,
     /// Whether a body may meet itself.
     #[serde(default)]
     pub self_contact: bool,
-    /// Whether a cell that is turned inside out ends the run.
+    /// Whether an inverted cell ends the run.
     #[serde(default = "yes")]
     pub check_cells: bool,
 }

@@ -16,8 +16,8 @@ use template::{Example as ExampleView, Page, Section as SectionView, SummaryRow,
 /// The picture of the method.
 const FIBERS: &[u8] = include_bytes!("../../../docs/fibers.svg");
 
-/// Writes the page. `records[e][j]` is the record of job `j` of example `e`; `runs` is the folder that holds a folder for
-/// each job.
+/// Writes the page. `records[e][j]` is the record of job `j` of example `e`; `runs` is the folder that holds a folder
+/// for each job.
 ///
 /// # Errors
 /// If a picture cannot be read or the page cannot be written.
@@ -126,7 +126,7 @@ fn data_uri(media_type: &str, bytes: &[u8]) -> String {
     format!("data:{media_type};base64,{}", base64::engine::general_purpose::STANDARD.encode(bytes))
 }
 
-/// The processor, as far as the system tells.
+/// The processor, as far as the system reports it.
 fn machine() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let name = std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| {

@@ -26,7 +26,7 @@ pub struct Record {
     pub counted: String,
     /// Seconds of computing.
     pub seconds: f64,
-    /// Seconds of these in contact, where they can be told apart.
+    /// Seconds of these in contact, where they are measured apart.
     pub contact_seconds: Option<f64>,
     /// Nodes and cells, or cells alone.
     pub size: String,

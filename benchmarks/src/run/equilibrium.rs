@@ -28,7 +28,7 @@ pub struct Solved<const D: usize> {
     pub profile: Option<Profile>,
 }
 
-/// Solves a case of statics in `D` dimensions; `watch` is told of every iteration.
+/// Solves a case of statics in `D` dimensions; `watch` is called after every iteration.
 ///
 /// # Errors
 /// If the case makes no problem, or no equilibrium is found.
@@ -58,7 +58,7 @@ impl<const D: usize> Solved<D> {
     }
 }
 
-/// Solves a case of statics and writes its files. `watch` is told of every iteration and may break off.
+/// Solves a case of statics and writes its files. `watch` is called after every iteration and may stop the solver.
 ///
 /// # Errors
 /// Those of [`solve`], and if a file cannot be written.

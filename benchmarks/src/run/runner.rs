@@ -57,7 +57,7 @@ pub enum Ending {
     },
 }
 
-/// Carries out a case. `watch` is told of every step and may ask to stop.
+/// Carries out a case. `watch` is called after every step and may ask to stop.
 ///
 /// # Errors
 /// If the case makes no model, its step is not stable, a step fails, or a file cannot be written. What was computed

@@ -40,7 +40,7 @@ pub(super) struct Way<const D: usize> {
 }
 
 impl<const D: usize> Way<D> {
-    /// Goes it; `watch` is told of every iteration, `reached` of every equilibrium.
+    /// Goes it; `watch` is called after every iteration, `reached` after every equilibrium.
     ///
     /// # Errors
     /// If the case makes no problem.

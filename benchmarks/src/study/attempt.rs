@@ -51,7 +51,8 @@ pub struct Outcome {
 }
 
 impl Attempt {
-    /// Runs the setup of a case until `step_count`, or until it fails or `watch`, told of every step, breaks it off; then `None`.
+    /// Runs the setup of a case until `step_count`, or until it fails or `watch`, called after every step, stops it;
+    /// then `None`.
     ///
     /// # Errors
     /// If the case cannot be started.

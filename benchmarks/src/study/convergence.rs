@@ -35,8 +35,8 @@ pub struct Refined {
     pub cells: usize,
     /// Crossings of the last evaluation.
     pub crossings: usize,
-    /// Figures with an error: of the mesh against what the case expects, of the fibers against exact overlap. By the value
-    /// that it should have, unless that is 0.
+    /// Figures with an error: of the mesh against what the case expects, of the fibers against exact overlap. By the
+    /// value that it should have, unless that is 0.
     pub errors: Vec<(&'static str, f64)>,
     /// Iterations.
     pub iterations: usize,
@@ -45,7 +45,7 @@ pub struct Refined {
 }
 
 impl Convergence {
-    /// Solves them all; `watch` is told what runs.
+    /// Solves them all; `watch` is called with what runs.
     ///
     /// # Errors
     /// If the case is none of statics, names no distance of fibers, or has no equilibrium.

@@ -39,7 +39,7 @@ pub struct Progress {
 }
 
 impl Impact {
-    /// Makes all attempts, those with w = k V first; `watch` is told of every step and may break the study off. An
+    /// Makes all attempts, those with w = k V first; `watch` is called after every step and may stop the study. An
     /// attempt that fails is a result.
     ///
     /// # Errors

@@ -48,8 +48,8 @@ pub struct Solution {
 const TOLERANCE: f64 = 1e-10;
 
 impl SolverStudy {
-    /// Solves the case by Newton's method under its own loads; then with its loaded nodes held where that has led them, by
-    /// Newton's method and by the loop, which cannot hold a body by contact alone. `watch` is told what runs.
+    /// Solves the case by Newton's method under its own loads; then with its loaded nodes held where that has led them,
+    /// by Newton's method and by the loop, which cannot hold a body by contact alone. `watch` is called with what runs.
     ///
     /// # Errors
     /// If the case is none of statics in 2D with the law `fiber`, or Newton's method fails.

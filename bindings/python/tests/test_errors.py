@@ -94,8 +94,8 @@ def test_bad_surfaces():
 
 def test_bad_values_of_options(squares):
     for error, text, options in [
-        (errors.NotPositiveError, "'k' is -1", {"stiffness": -1}),
-        (errors.NotPositiveError, "'m' is 0.5", {"exponent": 0.5}),
+        (errors.NotPositiveError, "'stiffness' is -1", {"stiffness": -1}),
+        (errors.NotPositiveError, "'exponent' is 0.5", {"exponent": 0.5}),
         (errors.NotPositiveError, "'threads' is 0", {"threads": 0}),
         (errors.NotPositiveError, "'spacing' is -1", {"spacing": -1, "estimator": "fibers"}),
         (errors.UnknownOptionError, "finite number", {"stiffness": np.nan}),

@@ -85,7 +85,7 @@ def test_options_that_are_changed_count_from_then_on(squares):
     contact.set_options(stiffness=2 * K)
     after = contact.evaluate(coords)
     assert same_bits(after.forces, 2 * before.forces) and contact.options["estimator"] == "exact"
-    with pytest.raises(NotPositiveError, match="'k' is -1"):
+    with pytest.raises(NotPositiveError, match="'stiffness' is -1"):
         contact.set_options(stiffness=-1)
     assert contact.options["stiffness"] == 2 * K and same_bits(contact.evaluate(coords).forces, after.forces)
 

@@ -1,6 +1,6 @@
 //! VTK unstructured grids in XML, `.vtu`.
 //!
-//! Read here and not by `vtkio`, which (0.7.0-rc2) refuses appended raw data, what ParaView writes unless told
+//! Read here and not by `vtkio`, which (0.7.0-rc2) refuses appended raw data, what ParaView writes unless asked
 //! otherwise, and ends the program on a file that is cut short.
 
 use super::Mesh;
@@ -103,7 +103,7 @@ fn opened<'a>(document: &'a Document, appended: Option<Appended<'a>>) -> Result<
     Ok((encoding, piece))
 }
 
-/// A number that an element tells.
+/// A number in the text of an element.
 fn size(node: &Node, name: &str) -> Option<usize> {
     node.attribute(name).and_then(|text| text.trim().parse().ok())
 }
@@ -170,7 +170,7 @@ fn split_appended(bytes: &[u8]) -> Result<(String, Option<Appended<'_>>)> {
         Some("base64") => true,
         _ => bail!("the encoding of AppendedData is neither raw nor base64"),
     };
-    // Raw data has no mark at its end, but each array tells its length; in base64 the next tag ends it.
+    // Raw data has no mark at its end, but each array begins with its length; in base64 the next tag ends it.
     let end = if is_base64 { find(b"<", data).unwrap_or(bytes.len()) } else { bytes.len() };
     Ok((utf8(&bytes[..start])? + "</VTKFile>", Some((&bytes[data..end], is_base64))))
 }

@@ -18,9 +18,9 @@ pub enum EnergyLaw {
         /// Exponent, at least 1.
         m: f64,
     },
-    /// w = Σ ω ψ(L) over the lines of a family that runs along the mean contact normal, ω being the measure across them
-    /// for which each stands and L the length of its stretch inside both bodies: the penetration depth. The energy is
-    /// local, and its traction ψ'(L) varies over the patch.
+    /// w = Σ ω ψ(L) over lines along the mean contact normal, with ω the measure across them for which each stands and
+    /// L the length of its part inside both bodies: the penetration depth. The energy is local, and its traction ψ'(L)
+    /// varies over the patch.
     Fiber {
         /// Stiffness, positive: Pa/length for [`FiberProfile::Quadratic`], Pa for [`FiberProfile::Linear`].
         k: f64,
@@ -37,7 +37,7 @@ pub enum FiberProfile {
     Quadratic,
     /// ψ = k (√(L² + ε²) − ε): for ε → 0 the paper's m = 1, pressure k wherever there is overlap; smooth for ε > 0.
     Linear {
-        /// Length ε > 0 over which the pressure grows to k.
+        /// Smoothing length ε > 0, over which the pressure grows to k.
         epsilon: f64,
     },
 }
@@ -96,7 +96,8 @@ impl EnergyLaw {
         matches!(self, EnergyLaw::Fiber { .. })
     }
 
-    /// Whether k is positive and finite, m finite and at least 1, ε positive and finite.
+    /// Checks that k is positive and finite, m finite and at least 1, ε positive and finite. An error names the option
+    /// as the user sets it, `stiffness` for k and `exponent` for m.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let positive = |name, value: f64, least: f64| {
             if value.is_finite() && value > 0.0 && value >= least {
@@ -106,10 +107,10 @@ impl EnergyLaw {
             }
         };
         match *self {
-            EnergyLaw::Volume { k, m } => positive("k", k, 0.0).and(positive("m", m, 1.0)),
-            EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } => positive("k", k, 0.0),
+            EnergyLaw::Volume { k, m } => positive("stiffness", k, 0.0).and(positive("exponent", m, 1.0)),
+            EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } => positive("stiffness", k, 0.0),
             EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } => {
-                positive("k", k, 0.0).and(positive("epsilon", epsilon, 0.0))
+                positive("stiffness", k, 0.0).and(positive("epsilon", epsilon, 0.0))
             }
         }
     }

@@ -10,7 +10,7 @@ use std::sync::Mutex;
 /// Energy of a pair and its derivatives. A new law is a type of this kind, and its line in
 /// `by_options.rs`.
 pub(crate) trait PairLaw<const D: usize>: Send + Sync {
-    /// Energy and its gradient, or `None` where there is nothing to say.
+    /// Energy and its gradient, or `None` where the sides are apart.
     fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error>;
 
     /// Second derivative of the energy; the translation of the pair's obstacle has the number `obstacle_node`.

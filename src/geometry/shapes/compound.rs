@@ -6,9 +6,9 @@ use crate::Error;
 use crate::geometry::{Pose, Shape, SignedDistance, Vector};
 use std::sync::Arc;
 
-/// Up to this part of its least extent from a boundary, the gradient of a part is found by differences of its distance: the
-/// direction to the nearest point is there made of rounding. On a smooth boundary their error is 1e-12 from its curvature
-/// and 1e-10 from rounding; within this distance of an edge the normal is a mean of those beside it.
+/// Up to this part of its least extent from a boundary, the gradient of a part is found by differences of its distance:
+/// the direction to the nearest point is there made of rounding. On a smooth boundary their error is 1e-12 from its
+/// curvature and 1e-10 from rounding; within this distance of an edge the normal is a mean of those beside it.
 const BESIDE: f64 = 1e-6;
 
 /// The union of some shapes.
@@ -24,8 +24,8 @@ enum Distance<const D: usize> {
     Function(Arc<dyn SignedDistance<D>>),
 }
 
-/// The shape that stands for a compound. Its distance is the least of those from its parts, which is never more than the
-/// true one and no steeper, as [`SignedDistance`] asks for.
+/// The shape that stands for a compound. Its distance is the least of those from its parts, which is never more than
+/// the true one and no steeper, as [`SignedDistance`] asks for.
 pub(crate) fn compound<const D: usize>(parts: Vec<Part<D>>) -> Result<Shape<D>, Error> {
     if parts.is_empty() {
         return Err(Error::EmptyCompound);

@@ -6,8 +6,8 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::height_field::Faceted;
 
-/// What counts as flat, and as beside a facet, in parts of the points' extent: parry's hull takes what is nearer to a facet
-/// than 1e-14 for a part of it, and a hull so thin would be noise.
+/// What counts as flat, and as beside a facet, in parts of the points' extent: parry's hull takes what is nearer to a
+/// facet than 1e-14 for a part of it, and a hull so thin would be noise.
 const FLAT: f64 = 1e-12;
 
 /// Corners and facets of the hull, checked: no point lies outside by more than rounding.

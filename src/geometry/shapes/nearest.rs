@@ -66,13 +66,13 @@ pub(super) fn nearest<const D: usize>(part: &Part<D>) -> Option<(Nearest<D>, f64
     })
 }
 
-/// A closed polygon, with the normals at its corners that tell inside from outside.
+/// A closed polygon, with the normals at its corners that decide between inside and outside.
 fn polyline(points: Vec<parry2d_f64::math::Vector>, edges: Vec<[u32; 2]>) -> parry2d_f64::shape::Polyline {
     use parry2d_f64::shape::{Polyline, PolylineFlags};
     Polyline::with_flags(points, Some(edges), PolylineFlags::ORIENTED)
 }
 
-/// A closed triangle mesh, with the normals at its edges and nodes that tell inside from outside.
+/// A closed triangle mesh, with the normals at its edges and nodes that decide between inside and outside.
 fn mesh(points: Vec<parry3d_f64::math::Vector>, triangles: Vec<[u32; 3]>) -> Option<parry3d_f64::shape::TriMesh> {
     use parry3d_f64::shape::{TriMesh, TriMeshFlags};
     TriMesh::with_flags(points, triangles, TriMeshFlags::ORIENTED).ok()

@@ -11,9 +11,9 @@ use crate::overlap::patches::sample::ContactSample;
 use crate::overlap::points::block_sum::Block;
 use crate::overlap::points::contact_points::ContactPoints;
 
-/// What rounding leaves of ΣF and ΣM in exact overlaps, in parts of Σ|F| and of Σ|F| times the size of the contact. Sums
-/// over some thousand nodes stay below 1e-14. Where facets are parallel within rounding, the curves in which they cross
-/// are found differently from either side, and much more can be left.
+/// What rounding leaves of ΣF and ΣM in exact overlaps, in parts of Σ|F| and of Σ|F| times the size of the contact.
+/// Sums over some thousand nodes stay below 1e-14. Where facets are parallel within rounding, the curves in which they
+/// cross are found differently from either side, and much more can be left.
 const ROUNDING: f64 = 1e-13;
 
 /// Overlaps by clipping.

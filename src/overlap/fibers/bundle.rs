@@ -28,7 +28,7 @@ pub(crate) enum Bundle<'a, const D: usize> {
 pub(crate) struct FacetList {
     /// In the region, or reaching into it.
     pub(crate) within: Vec<u32>,
-    /// Before it: they tell only whether a line enters the region inside the body.
+    /// Before it: they only decide whether a line enters the region inside the body.
     pub(crate) before: Vec<u32>,
 }
 

@@ -1,4 +1,4 @@
-//! ContactPoints on sampled lines, one family along the direction of every patch.
+//! Contact points on sampled lines, one family along the direction of every patch.
 
 use super::bundle::Bundle;
 use super::layout::{FiberPair, Layout};

@@ -16,7 +16,7 @@ pub(crate) struct BundleEvents {
     pub(crate) events: Vec<Event>,
 }
 
-/// One fiber: how often each side covers it before its first event, and its events.
+/// One fiber: the winding number of each side before its first event, and its events.
 pub(crate) struct LineEvents {
     pub(crate) fiber: u64,
     pub(crate) start: [i16; 2],

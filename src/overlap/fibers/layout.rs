@@ -39,8 +39,8 @@ pub(crate) struct Layout<'a, const D: usize> {
 }
 
 impl<const D: usize> FiberPair<'_, D> {
-    /// Calls `work` with the layout, or returns `None` where the sides are apart. Lines lie `coarser` times as far apart
-    /// as the options say.
+    /// Calls `work` with the layout, or returns `None` where the sides are apart. Lines lie `coarser` times as far
+    /// apart as the options say.
     pub(crate) fn with_layout<T>(
         &self,
         coarser: f64,

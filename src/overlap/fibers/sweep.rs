@@ -1,6 +1,6 @@
-//! ContactPoints: stretches of a fiber inside two bodies at once.
+//! Contact points: the parts of a fiber inside two bodies at once.
 //!
-//! Along a fiber, c_a and c_b count how often each body covers the point. What the fiber measures is ∫ c_a c_b dt, or
+//! Along a fiber, c_a and c_b are the winding numbers of the bodies. The fiber measures ∫ c_a c_b dt, or
 //! ∫ c (c − 1)/2 dt for a body with itself: 1 times the length wherever no body is folded over itself. At a crossing
 //! that changes the integrand from f₀ to f₁, moving it by δt changes the measure by −(f₁ − f₀) δt; that difference is
 //! the crossing's coefficient. Each coefficient of a leaving crossing is ≥ 0 and of an entering one ≤ 0.
@@ -34,7 +34,7 @@ pub(crate) fn sort(events: &mut [Event]) {
     }
 }
 
-/// What a fiber covers, walked from event to event.
+/// Winding numbers along a fiber, from event to event.
 struct LineWalk<'e> {
     events: &'e [Event],
     own: bool,
@@ -43,7 +43,7 @@ struct LineWalk<'e> {
     next: usize,
 }
 
-/// One place on a fiber where the cover may change.
+/// One place on a fiber where the winding numbers may change.
 struct Place<'e> {
     t: f64,
     /// The events there.
@@ -53,7 +53,7 @@ struct Place<'e> {
     after: [i32; 2],
 }
 
-/// How often pairs of layers cover a point: the integrand of the measure.
+/// Number of pairs of layers at a point: the integrand of the measure.
 fn integrand(own: bool, c: &[i32; 2]) -> f64 {
     if own { 0.5 * (c[0] * (c[0] - 1)) as f64 } else { (c[0] * c[1]) as f64 }
 }
@@ -112,12 +112,13 @@ impl Place<'_> {
     }
 }
 
-/// Runs along sorted events, calls `bound(event, coefficient)` for each one that bounds a span, and returns the measure.
+/// Runs along sorted events, calls `bound(event, coefficient)` for each one that bounds a span, and returns the
+/// measure.
 ///
 /// `start` says how often each side covers the fiber before the first event. A fiber with ends begins at t = 0 and is
-/// `length` long, and all events lie on it; a line (`None`) has no stretch that counts before its first event.
+/// `length` long, and all events lie on it; a line (`None`) has no part that counts before its first event.
 ///
-/// Crossings within `tie` of one another happen at once.
+/// Crossings within the tolerance of one another happen at once.
 pub(crate) fn sweep(
     start: [i16; 2],
     events: &[Event],
@@ -144,8 +145,8 @@ pub(crate) fn sweep(
 /// An event at an end of a span, and its part of that end.
 type Bound = (Event, f64);
 
-/// Calls `visit(entering, leaving)` for every stretch of a line on which the measure is positive, with the events that
-/// bound it and the part of each; the parts at either end sum to 1. How often the stretch is covered does not matter.
+/// Calls `visit(entering, leaving)` for every part of a line on which the measure is positive, with the events that
+/// bound it and the part of each; the parts at either end sum to 1. The winding numbers within it do not matter.
 pub(crate) fn for_each_span(
     start: [i16; 2],
     events: &[Event],

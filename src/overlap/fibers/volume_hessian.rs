@@ -1,8 +1,8 @@
-//! ContactPoints of all line families together, for the second derivative of the sampled volume.
+//! Contact points of all line families together, for the second derivative of the sampled volume.
 //!
-//! With consistent weights V = Σ ω L over the lines of K families, ω being 1/K of the volume per length of one alone. As a
-//! sum over spans it has the Hessian of [`ContactPoints`] with ψ' = 1, ψ'' = 0. Stretches that are covered more than once count
-//! once here; they are none of a valid contact.
+//! With consistent weights V = Σ ω L over the lines of K families, ω being 1/K of the volume per length of one alone.
+//! As a sum over spans it has the Hessian of [`ContactPoints`] with ψ' = 1, ψ'' = 0. Parts with winding numbers above 1
+//! count once here; valid contact has none.
 
 use super::layout::FiberPair;
 use crate::Error;

@@ -37,7 +37,7 @@ pub enum Resolution {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LineWeights {
     /// A crossing with normal n weighs n / Σ_k ρ_k |d_k·n|, whichever family found it (balance heuristic): bounded for
-    /// every n, the force with the least noise, but not the gradient of one number. The default.
+    /// every n, the force with the least noise, but not the gradient of an energy. The default.
     #[default]
     Balance,
     /// One weight per line: the force is the exact gradient of the estimated energy on the same lines. For line

@@ -46,7 +46,7 @@ pub struct Overlap<const D: usize> {
     pub facet_count: usize,
     /// Spacing of the fibers; 0 for `exact`.
     pub spacing: f64,
-    /// What the user should know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
 }
 

@@ -1,4 +1,4 @@
-//! Who takes part in a pair.
+//! The partners of a pair.
 
 use std::fmt;
 

@@ -10,7 +10,7 @@ use crate::geometry::convex_piece::{Piece, clip_to_box};
 /// Rounds of trimming. Two find the lens of two balls; more are for curved slots.
 const ROUNDS: usize = 3;
 
-/// A slab thinner than this part of the region is not worth an inside test.
+/// A slab thinner than this part of the region is not tested for being inside.
 const WORTHWHILE: f64 = 0.1;
 
 /// Where two bodies can overlap, and the facets of each that reach there.
@@ -33,8 +33,8 @@ impl<const D: usize> Pair<'_, D> {
     }
 }
 
-/// The region of two bodies, or `None` if they cannot overlap. Its box is a function of the two bodies without regard to
-/// their order, and it does not influence any result but the automatic spacing: it bounds the work.
+/// The region of two bodies, or `None` if they cannot overlap. Its box is a function of the two bodies without regard
+/// to their order, and it does not influence any result but the automatic spacing: it bounds the work.
 pub(crate) fn common_region<const D: usize>(a: &FacetSide<D>, b: &FacetSide<D>) -> Option<Region<D>> {
     let mut aabb = a.aabb.intersection(&b.aabb);
     if is_flat(&aabb) {

@@ -1,9 +1,9 @@
-//! What an estimate says about itself.
+//! Warnings of an estimate.
 
 use crate::overlap::pair::partner::Partner;
 use std::fmt;
 
-/// Something that the user should know about a result that is an answer all the same.
+/// A caution about a result, which is valid all the same.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
@@ -18,8 +18,8 @@ pub enum Warning {
         /// Mean size of the smaller facets in contact.
         facet_size: f64,
     },
-    /// Only a few fibers met the overlap, or so few were laid that it may have been missed: it is thinner or smaller than
-    /// they resolve.
+    /// Only a few fibers cross the overlap, or so few were laid that it may have been missed: it is thinner or smaller
+    /// than their spacing.
     UnresolvedOverlap {
         /// First body of the pair.
         a: Partner,
@@ -52,7 +52,7 @@ impl fmt::Display for Warning {
     }
 }
 
-/// A body that lies inside the other, told by how much boundary each side of a pair contributes to their overlap.
+/// The body that lies inside the other, found from how much boundary each side of a pair contributes to their overlap.
 pub(crate) fn swallowed(a: Partner, b: Partner, areas: [f64; 2]) -> Option<Warning> {
     match areas {
         _ if a == b => None,

@@ -8,8 +8,8 @@ use crate::geometry::components::Components;
 use crate::overlap::pair::sides::{Counterpart, Pair};
 use crate::overlap::pair::surface_point::SurfacePoint;
 
-/// A patch with less than this part of the largest one's measure is the rim of another: such as the side walls of a
-/// block that is a little way in.
+/// A patch with less than this part of the largest one's measure lies at the edge of another: such as the side walls of
+/// a block that is a little way in.
 const SMALL: f64 = 0.05;
 
 /// A patch whose samples are on average this much longer than those of another of the same overlap is no way out.
@@ -56,7 +56,8 @@ impl<const D: usize> Touching<D> {
         Self { facets, normals, ends }
     }
 
-    /// Facets that are joined by some of the samples, or by a vertex if the cosine between their normals exceeds `alike`.
+    /// Facets that are joined by some of the samples, or by a vertex if the cosine between their normals exceeds
+    /// `alike`.
     pub(super) fn components(&self, pair: &Pair<D>, samples: &[usize], alike: f64) -> Components {
         let mut sets = Components::new(self.facets.len());
         let mut is_met = vec![false; self.facets.len()];

@@ -1,9 +1,9 @@
 //! The directions of one patch's lines.
 //!
 //! One, the mean normal, ∂V summed over the patch, so that L is the penetration depth. Where the contact wraps so far
-//! around that lines along it would run flat along the surfaces, as a pin's in its hole, there are others at right angles:
-//! axes, so that the opposite walls of a hole share theirs. Each facet then belongs to the axis to which its normal is
-//! closest, and three serve any normal within 55°.
+//! around that lines along it would run flat along the surfaces, as a pin's in its hole, there are others at right
+//! angles: axes, so that the opposite walls of a hole share theirs. Each facet then belongs to the axis to which its
+//! normal is closest, and three serve any normal within 55°.
 
 use crate::geometry::Vector;
 use nalgebra::{Matrix3, Vector3};
@@ -18,7 +18,7 @@ const CANCELLED: f64 = 1e-6;
 /// A direction serves a span if the normal at one of its ends is within 60° of it.
 const SERVED: f64 = 0.5;
 
-/// Another direction is worth its lines for more than this part of the patch.
+/// A further direction is added if it serves more than this part of the patch.
 const WORTHWHILE: f64 = 0.05;
 
 /// Boundary at the two ends of one span: unit normals, outwards of the first side and into the second, and what they

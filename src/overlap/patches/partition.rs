@@ -1,10 +1,10 @@
 //! Patches of contact: along which directions the lines of a pair run, and which facets count for which.
 //!
 //! Every facet of either side belongs to one patch, so that whatever comes into contact is counted, and counted once: a
-//! span counts half for the patch of either end. Where two patches meet on a smooth surface, the facets along the border
-//! pass from the one to the other, linearly in the barycentric coordinates: the parts of all patches are a partition of
-//! unity, the energy is as smooth as with one patch, and the parts move with the nodes as the lengths do. Where they meet
-//! at a sharp edge, the energy has a step.
+//! span counts half for the patch of either end. Where two patches meet on a smooth surface, the facets along the
+//! border pass from the one to the other, linearly in the barycentric coordinates: the parts of all patches are a
+//! partition of unity, the energy is as smooth as with one patch, and the parts move with the nodes as the lengths do.
+//! Where they meet at a sharp edge, the energy has a step.
 
 use crate::geometry::Vector;
 use crate::overlap::pair::surface_point::SurfacePoint;
@@ -44,7 +44,8 @@ impl Labels {
 /// The part of a span that counts for one direction.
 pub(crate) struct Part<const D: usize> {
     pub(crate) value: f64,
-    /// The same at the corners of the facet at either end, times the share of that end, where it is not the same at all.
+    /// The same at the corners of the facet at either end, times the share of that end, where it is not the same at
+    /// all.
     pub(crate) at_corners: [Option<[f64; D]>; 2],
 }
 

@@ -1,8 +1,8 @@
-//! A place at which two sides touch.
+//! A sample of the contact of two sides.
 
 use crate::overlap::pair::surface_point::SurfacePoint;
 
-/// One stretch through the overlap, from boundary to boundary.
+/// A chord of the overlap, from boundary to boundary.
 pub(crate) struct ContactSample<const D: usize> {
     pub(crate) ends: [SurfacePoint<D>; 2],
     /// Measure of boundary at either end for which the sample stands.

@@ -1,12 +1,13 @@
 //! The search for the patches of contact: which facets touch together, and along which direction their lines run.
 //!
-//! An estimator samples the overlap. Facets that face one another across a sample belong together, and so do facets that
-//! share a vertex and look much the same way: a patch, whose direction is the mean normal, or several where it wraps
-//! around. Two faces that meet at a corner are two patches; the flanks of a wedge in a flat surface are one, by the surface.
-//! Patches of equal direction are one. Every other facet belongs to the patch that is nearest along the surface.
+//! An estimator samples the overlap. Facets that face one another across a sample belong together, and so do facets
+//! that share a vertex and look much the same way: a patch, whose direction is the mean normal, or several where it
+//! wraps around. Two faces that meet at a corner are two patches; the flanks of a wedge in a flat surface are one, by
+//! the surface. Patches of equal direction are one. Every other facet belongs to the patch that is nearest along the
+//! surface.
 //!
-//! Of the patches of one overlap, those that are small, or deep beside another, are not contact but the way out sideways:
-//! the ends of two blocks that overlap by a strip.
+//! Of the patches of one overlap, those that are small, or deep beside another, are not contact but the way out
+//! sideways: the ends of two blocks that overlap by a strip.
 
 use super::clusters::{Cluster, Touching, number};
 use super::directions::nearest;

@@ -2,7 +2,7 @@
 
 use crate::overlap::pair::surface_point::SurfacePoint;
 
-/// A stretch of a line inside both sides.
+/// A piece of a line inside both sides.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ContactPoint<const D: usize> {
     /// Measure across the line that it stands for, times the part of it that counts for the line's direction.

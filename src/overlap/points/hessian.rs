@@ -8,9 +8,9 @@
 //! ∂²t/∂x_a∂x_b  = −(N_b m h_aᵀ + N_a h_b mᵀ)
 //! ```
 //!
-//! so that a point of penetration L = t_leaving − t_entering adds ω [ψ'' ∇L ∇Lᵀ + ψ' ∇²L] on the nodes of two facets. The
-//! first part alone is positive semidefinite. For sampled lines this is the derivative of the force; where the integral
-//! over the lines is exact, the kinks of L along the edges of facets, which move with their nodes, add
+//! so that a point of penetration L = t_leaving − t_entering adds ω [ψ'' ∇L ∇Lᵀ + ψ' ∇²L] on the nodes of two facets.
+//! The first part alone is positive semidefinite. For sampled lines this is the derivative of the force; where the
+//! integral over the lines is exact, the kinks of L along the edges of facets, which move with their nodes, add
 //! [`GapKink`](super::edge_terms::GapKink)s.
 //!
 //! Where patches blend, the point counts with a part p, linear in N with slope η across the lines:

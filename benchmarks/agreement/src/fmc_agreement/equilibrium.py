@@ -26,7 +26,7 @@ GAIN = 1e-4
 """Part of what the slope promises that a step must gain."""
 
 FLAT = 1e-12
-"""Part of the energies that a change must exceed to be told from rounding."""
+"""Part of the energies that a change must exceed to be distinguished from rounding."""
 
 
 class NoEquilibrium(RuntimeError):
@@ -105,7 +105,7 @@ class Equilibrium:
             self.contact_seconds += time.process_time() - clock
 
     def balance(self, u: np.ndarray) -> Balance:
-        """Forces and energy. Errors: ``NoEquilibrium`` where a cell is turned inside out."""
+        """Forces and energy. Errors: ``NoEquilibrium`` where a cell is inverted."""
         touch = self.timed(self.touching.evaluate, u)
         inside, strain = self.elastic.internal(u)
         work = float((self.load * u).sum())
@@ -113,7 +113,7 @@ class Equilibrium:
         norm = float(np.linalg.norm(residual.ravel()[self.free]))
         scale = max(float(np.linalg.norm(force)) for force in (inside, touch.forces, self.load))
         if not np.isfinite(strain) or not np.isfinite(norm):
-            raise NoEquilibrium("a cell is turned inside out")
+            raise NoEquilibrium("a cell is inverted")
         magnitude = strain + abs(touch.energy) + abs(work)
         return Balance(residual, norm, norm / (scale or 1.0), strain + touch.energy - work, magnitude, touch)
 

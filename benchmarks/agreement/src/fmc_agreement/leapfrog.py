@@ -15,7 +15,7 @@ import numpy as np
 
 
 class Forces(Protocol):
-    """What a host tells at a displacement, on unknowns of its own order."""
+    """What a host returns at a displacement, on unknowns of its own order."""
 
     def internal(self, u: np.ndarray) -> tuple[np.ndarray, float]:
         """Internal forces and strain energy."""

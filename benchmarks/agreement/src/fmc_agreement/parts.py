@@ -18,7 +18,7 @@ class Part(Protocol):
     ``node * dim + axis``, in the part's numbering."""
 
     def elastic(self, u: np.ndarray) -> tuple[np.ndarray, float]:
-        """Internal forces and strain energy; infinite or no number where a cell is turned inside out."""
+        """Internal forces and strain energy; infinite or no number where a cell is inverted."""
 
     def stiffness(self, u: np.ndarray) -> csr_matrix:
         """Derivative of the internal forces."""

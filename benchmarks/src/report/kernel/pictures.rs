@@ -30,6 +30,6 @@ pub(super) fn draw(name: &str, folder: &Path) -> Result<Vec<Picture>> {
         spans.iter().map(|ends| Stroke { ends: [0, 1].map(|k| view.place(&ends[k])), color: SPAN, width: 2.4 });
     let drawing = Drawing { patches, strokes: strokes.collect(), ..Drawing::default() };
     drawing.write(&folder.join("bodies.png"), drawing.frame(), LONGEST)?;
-    let caption = "Both bodies, and in orange the stretches of some fibers inside both".into();
+    let caption = "Both bodies, and in orange the parts of some fibers inside both".into();
     Ok(vec![Picture { file: "bodies.png".into(), caption, kind: PictureKind::Bodies }])
 }

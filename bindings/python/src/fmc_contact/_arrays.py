@@ -1,4 +1,4 @@
-"""Arrays of the caller, handed over where they lie: checked for what the library cannot see, and never converted.
+"""Arrays of the caller, passed in place: checked for what the library cannot see, and never converted.
 
 Coordinates and forces keep their layout; strides tell the library where the components are:
 
@@ -69,7 +69,7 @@ def forces_view(forces: np.ndarray, dim: int, name: str = "out") -> View:
 
 
 def flat_in_z(view: View) -> bool:
-    """Whether the third column that (n, 3) coordinates have in 2D says nothing."""
+    """Whether the third column of (n, 3) coordinates in 2D is to be ignored."""
     array = view.array
     return view.is_columns or array.shape[1] != 3 or array.shape[0] == 0 or bool((array[:, 2] == array[0, 2]).all())
 

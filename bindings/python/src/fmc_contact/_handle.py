@@ -37,7 +37,7 @@ class Handle:
         self._lock.release()
 
     def call(self, function: Callable[..., int], *arguments: object) -> None:
-        """Calls a function of the library. What a callback raised meanwhile goes before the status that it came to."""
+        """Calls a function of the library. A callback's exception takes precedence over the status that it caused."""
         status = function(self.pointer, *arguments)
         if self._raised:
             raised = self._raised[0]
@@ -59,7 +59,7 @@ class Handle:
 
         return guard
 
-    def told(self, function: Callable[[str], None]) -> Callable[..., None]:
+    def message_callback(self, function: Callable[[str], None]) -> Callable[..., None]:
         """The function for the library to call with messages; what it raises, ``call`` raises again."""
         guard = self.guarded(lambda text: function(text.decode()))
 

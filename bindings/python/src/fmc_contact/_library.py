@@ -1,6 +1,6 @@
 """The shared library: where it is found, what it must be, and how its statuses become exceptions.
 
-It is looked for, in this order, at the path in the environment variable ``FMC_CONTACT_LIBRARY``, in this package, and
+It is searched for, in this order, at the path in the environment variable ``FMC_CONTACT_LIBRARY``, in this package, and
 where the system's loader looks.
 """
 
@@ -63,6 +63,6 @@ library = load(_path())
 
 
 def check(status: int) -> None:
-    """Raises what a status stands for, with the library's sentence. To be called on the thread of the failed call."""
+    """Raises the exception of a status, with the library's message. To be called on the thread of the failed call."""
     if status != 0:
         raise of_status(status, library.fmc_last_error().decode())

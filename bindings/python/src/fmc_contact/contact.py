@@ -1,4 +1,4 @@
-"""A mesh in contact, evaluated again and again."""
+"""Contact of a mesh, for repeated evaluations."""
 
 from __future__ import annotations
 
@@ -28,17 +28,17 @@ class Contact(Obstacles):
     """Boundary, search trees and obstacles of a mesh, kept between evaluations.
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
-    (dim, n), read where they lie. ``conn`` are node numbers, (m, nodes per cell), of cells of one ``cell_type``:
+    (dim, n), read in place. ``conn`` are node numbers, (m, nodes per cell), of cells of one ``cell_type``:
     ``"triangle"``, ``"quad"``, ``"tetra"`` or ``"hexahedron"``, in VTK's node order; or, without a cell type, a list
     of ``(cell type, node numbers)`` for a mixed mesh. ``bodies``, one integer for every cell counted over the list,
-    says which body a cell belongs to; ``None``: bodies are what hangs together by faces. ``stiffness`` is k > 0 of the
-    law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
+    says which body a cell belongs to; ``None``: bodies are the connected components by faces. ``stiffness`` is k > 0 of
+    the law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
 
     Errors: those of ``fmc_contact.errors`` for the mesh and the options; ``TypeError`` and ``ValueError`` for arrays of
     another dtype or shape. After any error a contact is as it was before the call.
 
-    Threads: contacts share nothing, so different ones may be used by different threads at once, and Python runs on
-    during an evaluation. Calls on one contact that collide raise ``BusyError``.
+    Threads: contacts share nothing, so different ones may be used by different threads at once; the GIL is released
+    during an evaluation. Concurrent calls on one contact raise ``BusyError``.
     """
 
     dim: int
@@ -46,7 +46,7 @@ class Contact(Obstacles):
     node_count: int
     """Number of nodes of ``coords``."""
     facet_count: int
-    """Number of boundary facets; a quadrilateral face in 3D counts as the triangles that stand for it."""
+    """Number of boundary facets; a quadrilateral face in 3D counts as four triangles."""
     body_count: int
     """Number of bodies."""
 
@@ -74,8 +74,8 @@ class Contact(Obstacles):
         **options: Unpack[Options],
     ) -> Contact:
         """From the boundary of closed bodies: edges (m, 2) in 2D, the body on their left; triangles (m, 3) in 3D,
-        counter-clockwise seen from outside. ``bodies``, one integer for every facet; ``None``: bodies are what hangs
-        together by nodes. Errors: also ``OpenSurfaceError``, ``InconsistentOrientationError``,
+        counter-clockwise seen from outside. ``bodies``, one integer for every facet; ``None``: bodies are the connected
+        components by nodes. Errors: also ``OpenSurfaceError``, ``InconsistentOrientationError``,
         ``InvertedSurfaceError``."""
         contact = cls.__new__(cls)
         contact._options = changed(defaults(), {"stiffness": stiffness, **options})
@@ -90,11 +90,11 @@ class Contact(Obstacles):
 
     @property
     def options(self) -> dict[str, object]:
-        """All options, with the defaults of what was not given."""
+        """All options, including defaults."""
         return described(self._options)
 
     def set_options(self, **options: Unpack[Options]) -> None:
-        """Changes some options, ``stiffness`` too; the others stay. They count from the next evaluation."""
+        """Changes some options, ``stiffness`` too; the others stay. They apply from the next evaluation on."""
         with self._handle:
             replaced = changed(self._options, options)
             self._handle.call(library.fmc_context_set_options, byref(replaced))
@@ -104,11 +104,11 @@ class Contact(Obstacles):
         """Contact forces at ``coords``, the current coordinates of all nodes, laid out in any way of the class.
 
         ``out``, a float64 array in any such layout, receives the forces in place of a new one; with ``add`` they are
-        added to what it holds. A third column in 2D is left alone. On an error it is not touched.
+        added to its values. A third column in 2D is not changed, nor is the array after an error.
 
         Errors: ``LengthError``, ``NonFiniteCoordinateError``, ``InvertedCellError``, ``ZeroMeasureError``,
         ``UnsupportedError``, ``SignedDistanceError``, ``TooManyFibersError``, ``RangeError``, ``BufferTooSmallError``,
-        ``StrideError``, ``BusyError``, and what the function of a signed distance raises.
+        ``StrideError``, ``BusyError``, and exceptions raised by a signed distance function.
         """
         view = coords_view(coords, self.dim)
         if out is None:
@@ -126,18 +126,18 @@ class Contact(Obstacles):
             return gather(self._handle, forces, found, self.dim)
 
     def tangent(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False) -> Any:
-        """Second derivative of the contact energy, which is minus the derivative of the forces: to be added to a
+        """Second derivative of the contact energy, which is minus the derivative of the forces, to be added to a
         stiffness matrix.
 
         A symmetric ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; without scipy
-        ``(rows, cols, values)``, where values of one place add up. ``semidefinite`` leaves out the part that can be
-        negative, for use far from a solution. ``obstacles`` appends the translations of the obstacles, as nodes after
+        ``(rows, cols, values)``, where duplicate entries are summed. ``semidefinite`` leaves out the terms that can be
+        indefinite, for use far from a solution. ``obstacles`` appends the translations of the obstacles, as nodes after
         the last. For the law ``"volume"`` all nodes of a pair are coupled: see ``tangent_parts`` for large ones.
 
         With the law ``"fiber"``, ``keep_patches`` and ``balance=False`` it is the derivative of the forces; the
-        correction of the balance, which is small, is not differentiated.
+        momentum correction (``balance=True``), which is small, is not differentiated.
 
-        Errors: those of ``evaluate``; ``UnsupportedError`` for a law or an estimator that has none.
+        Errors: those of ``evaluate``; ``UnsupportedError`` for a law or an estimator without tangent.
         """
         tangent = self.tangent_parts(coords, semidefinite, obstacles)
         try:
@@ -146,7 +146,7 @@ class Contact(Obstacles):
             return tangent.triplets()
 
     def tangent_parts(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False) -> Tangent:
-        """The same in its parts, with nothing multiplied out, for matrices of one's own and as an operator."""
+        """The same as separate entries and terms of rank one, for other matrix formats and as a linear operator."""
         view = coords_view(coords, self.dim)
         with self._handle:
             # An obstacle that is there has a node of its own after those of the mesh.
@@ -155,12 +155,13 @@ class Contact(Obstacles):
 
     def keep_patches(self, coords: ArrayLike) -> int:
         """Finds the patches of the law ``"fiber"`` at ``coords`` and keeps direction and spacing of their lines, so
-        that a solver's forces are the gradient of one energy: for the start of a load step. Pairs that do not overlap
-        there are not kept. Returns the number of directions kept, 0 with other laws. Errors: those of ``evaluate``."""
+        that a solver's forces are the gradient of one energy; call it at the start of a load step. Patches of pairs
+        that do not overlap there are not kept. Returns the number of directions kept, 0 with other laws. Errors: those
+        of ``evaluate``."""
         return self._patches(coords_view(coords, self.dim))
 
     def release_patches(self) -> None:
-        """Forgets what was kept: patches are found at every evaluation again."""
+        """Releases kept patches: they are found at every evaluation again."""
         self._patches(None)
 
     def _patches(self, view: View | None) -> int:
@@ -171,11 +172,11 @@ class Contact(Obstacles):
         return count.value
 
     def set_log(self, function: Callable[[str], None] | None) -> None:
-        """Has ``function`` called with a sentence for every warning of an evaluation; ``None``: nobody is told.
+        """Calls ``function`` with a sentence for every warning of an evaluation; ``None``: no calls.
 
-        ``Result.warnings`` has them in any case. What the function raises comes out of the evaluation.
+        ``Result.warnings`` has them in any case. Exceptions of the function are raised by the evaluation.
         """
-        callback = LOG() if function is None else LOG(self._handle.told(function))
+        callback = LOG() if function is None else LOG(self._handle.message_callback(function))
         with self._handle:
             self._handle.call(library.fmc_context_set_log, callback, None)
             self._handle.keep("log", callback)

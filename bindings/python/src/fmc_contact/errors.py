@@ -65,7 +65,7 @@ class BufferTooSmallError(FmcError, ValueError):
 
 
 class StrideError(FmcError, ValueError):
-    """Entries of an output fall on one another."""
+    """Entries of an output share memory."""
 
     status = 5
 
@@ -101,7 +101,7 @@ class RepeatedNodeError(FmcError, ValueError):
 
 
 class InvertedCellError(FmcError, ValueError):
-    """A cell is turned inside out."""
+    """A cell is inverted."""
 
     status = 11
 
@@ -113,7 +113,7 @@ class ZeroMeasureError(FmcError, ValueError):
 
 
 class OpenSurfaceError(FmcError, ValueError):
-    """A surface given by facets has a border."""
+    """A surface given by facets is not closed."""
 
     status = 13
 
@@ -125,7 +125,7 @@ class NonManifoldError(FmcError, ValueError):
 
 
 class InconsistentOrientationError(FmcError, ValueError):
-    """Two neighbouring facets disagree about which side is out."""
+    """Two neighbouring facets have opposite orientations."""
 
     status = 15
 
@@ -155,7 +155,7 @@ class UnknownOptionError(FmcError, ValueError):
 
 
 class StructSizeError(FmcError, RuntimeError):
-    """A struct of another version of the library: package and library do not belong together."""
+    """A struct of another version of the library: package and library do not match."""
 
     status = 20
 
@@ -179,13 +179,13 @@ class IndexOutOfRangeError(FmcError, IndexError):
 
 
 class UnsupportedError(FmcError, NotImplementedError):
-    """The estimator or the law cannot do this."""
+    """The estimator, the law or this build of the library does not support this."""
 
     status = 24
 
 
 class SignedDistanceError(FmcError, ValueError):
-    """A signed distance is not finite. What a function raises is raised as it is."""
+    """A signed distance is not finite. Exceptions of the function itself are raised unchanged."""
 
     status = 25
 
@@ -203,7 +203,7 @@ class ThreadsError(FmcError, RuntimeError):
 
 
 class BusyError(FmcError, RuntimeError):
-    """The contact is in use: by another thread, or from inside a function that it calls."""
+    """The contact is in use: by another thread, or by a call from inside one of its callbacks."""
 
     status = 28
 

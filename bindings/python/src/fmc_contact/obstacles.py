@@ -1,4 +1,4 @@
-"""Rigid partners of the mesh: they push and are not moved by it. An obstacle meets every body, no other obstacle."""
+"""Rigid obstacles: in contact with the bodies of the mesh, not with one another; moved by their pose only."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Obstacles:
         return obstacle.value
 
     def add_half_space(self, point: ArrayLike, normal: ArrayLike) -> int:
-        """Adds all points behind the plane (2D: line) through ``point``; ``normal`` points out of the obstacle."""
+        """Adds the half-space behind the plane (2D: line) through ``point``; ``normal`` points out of the obstacle."""
         point, normal = vector(point, self.dim, "point"), vector(normal, self.dim, "normal")
         return self._add(library.fmc_context_add_half_space, pose=Pose.along(point, normal))
 
@@ -84,10 +84,10 @@ class Obstacles:
         return self._add(function, byref(corners.struct), conn, len(conn), pose=pose)
 
     def add_convex_hull(self, points: ArrayLike, pose: Placement = None) -> int:
-        """Adds the convex hull of ``points``, laid out as coordinates; both estimators can meet it.
+        """Adds the convex hull of ``points``, laid out as coordinates; both estimators support it.
 
-        Errors: ``DegenerateHullError`` for points in one plane (2D: on one line); ``UnsupportedError`` where the library
-        has not the feature "shapes".
+        Errors: ``DegenerateHullError`` for points in one plane (2D: on one line); ``UnsupportedError`` if the library
+        lacks the feature "shapes".
         """
         corners = coords_view(points, self.dim, "points")
         return self._add(library.fmc_context_add_convex_hull, byref(corners.struct), pose=pose)
@@ -95,11 +95,11 @@ class Obstacles:
     def add_height_field(
         self, heights: ArrayLike, lengths: ArrayLike, thickness: float, pose: Placement = None
     ) -> int:
-        """Adds the solid below a height field; both estimators can meet it.
+        """Adds the solid below a height field; both estimators support it.
 
-        ``heights``, (n,) in 2D and (nx, ny) in 3D, stand on a grid of ``lengths``, (dim - 1,), centred on the origin, and
-        are measured along the last axis. The solid ends in a flat bottom, ``thickness`` below the lowest height. Errors:
-        ``TooFewHeightsError``, ``NonFiniteHeightError``, ``NotPositiveError``.
+        ``heights``, (n,) in 2D and (nx, ny) in 3D, are measured along the last axis on a grid of ``lengths``,
+        (dim - 1,), centred on the origin. The solid has a flat bottom, ``thickness`` below the lowest height, and vertical walls.
+        Errors: ``TooFewHeightsError``, ``NonFiniteHeightError``, ``NotPositiveError``.
         """
         heights = np.ascontiguousarray(heights, np.float64)
         if heights.ndim != self.dim - 1:
@@ -110,22 +110,22 @@ class Obstacles:
         return self._add(function, counts, lengths, heights.ravel(), float(thickness), pose=pose)
 
     def add_compound(self, parts: Sequence[Part], pose: Placement = None) -> int:
-        """Adds a union of shapes, which may overlap; only the estimator ``fibers`` can meet it.
+        """Adds a union of shapes, which may overlap; only the estimator ``fibers`` supports it.
 
-        Its signed distance is the least of its parts'. Errors: those of the shapes; ``EmptyCompoundError``;
-        ``UnsupportedError`` where the library has not the feature "shapes".
+        Its signed distance is the least of those of its parts. Errors: those of the shapes; ``EmptyCompoundError``;
+        ``UnsupportedError`` if the library lacks the feature "shapes".
         """
         kept: list = []
         structs = (fmc_part * len(parts))(*(part._struct(self.dim, kept) for part in parts))
         return self._add(library.fmc_context_add_compound, structs, len(parts), pose=pose)
 
     def add_signed_distance(self, function: SignedDistance, pose: Placement = None) -> int:
-        """Adds a body given by its signed distance; only the estimator ``fibers`` can meet it.
+        """Adds a body given by its signed distance; only the estimator ``fibers`` supports it.
 
         ``function`` takes points (n, dim) in the obstacle's frame and returns ``(phi, grad)``: distances (n,), negative
-        inside and growing no faster than distance does, and gradients (n, dim), which give the outward normal where
-        phi = 0. It is called on the thread that evaluates. What it raises comes out of the evaluation as it is; a value
-        that is not finite raises ``SignedDistanceError``.
+        inside and of slope at most 1, and gradients (n, dim), which give the outward normal where phi = 0. It is called
+        on the thread that evaluates. Its exceptions are raised by the evaluation unchanged; a value that is not finite
+        raises ``SignedDistanceError``.
         """
         dim = self.dim
 

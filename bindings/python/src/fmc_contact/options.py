@@ -1,4 +1,4 @@
-"""Options as keywords. Names, values and defaults are the library's: what is not given stays as it sets it."""
+"""Options as keywords. Names, values and defaults are the library's: what is not given keeps the default."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ _HIDDEN = ("struct_size", "reserved_flags", "reserved")
 
 
 class Options(TypedDict, total=False):
-    """Keywords of ``contact_force``, ``Contact`` and ``Contact.set_options``, beside ``stiffness``.
+    """Keywords of ``contact_force``, ``Contact`` and ``Contact.set_options``, in addition to ``stiffness``.
 
-    The header, ``include/fmc_contact.h``, says more of each at ``fmc_options``.
+    The header, ``include/fmc_contact.h``, describes each in full at ``fmc_options``.
     """
 
     law: str
     """``"fiber"``: a pressure that grows with the penetration. ``"volume"``: energy k V^exponent per pair. The default
     is the library's, ``"fiber"``."""
     exponent: float
-    """m >= 1 of the law ``"volume"``, and only of that; 1."""
+    """m >= 1, for the law ``"volume"`` only; 1."""
     epsilon: float
-    """Length over which the pressure of the law ``"fiber"`` grows to k; 0: k times the penetration."""
+    """Smoothing length over which the pressure of the law ``"fiber"`` grows to k; 0: pressure k times penetration."""
     estimator: str
     """``"fibers"``: sampled, for any shape. ``"exact"``: for straight-sided meshes and flat-sided obstacles."""
     pattern: str
@@ -35,17 +35,17 @@ class Options(TypedDict, total=False):
     weights: str
     """``"balance"``: least noise. ``"consistent"``: the force is the gradient of the estimated energy."""
     spacing: float
-    """Distance between neighbouring lines (length); 0: found from the facets in contact."""
+    """Distance between neighbouring lines (length); 0: chosen from the size of the facets in contact."""
     fiber_length: float
     """Length of an isotropic fiber; 0: the mean size of the facets in contact."""
     fiber_count: int
-    """About so many fibers per pair; 0: found from the facets in contact. Not together with ``spacing``."""
+    """Approximate number of fibers per pair; 0: chosen from the facets in contact. Excludes ``spacing``."""
     seed: int
-    """Another seed is another shift of the same pattern; 0."""
+    """Seed of the random shift of the pattern; 0."""
     balance: bool
     """Whether the forces are corrected so that their sum and moment vanish; True."""
     self_contact: bool
-    """Whether the overlap of a body with itself counts; False."""
+    """Whether self-contact, the overlap of each body with itself, is evaluated; False."""
     check_cells: bool
     """Whether every evaluation checks the orientation of every cell; True."""
     threads: int
@@ -72,7 +72,7 @@ def defaults() -> fmc_options:
 
 
 def changed(options: fmc_options, changes: Mapping[str, object]) -> fmc_options:
-    """A copy with some options changed. Raises ``UnknownOptionError`` for a name or a value that is none."""
+    """A copy with some options changed. Raises ``UnknownOptionError`` for an unknown name or value."""
     copy = fmc_options.from_buffer_copy(options)
     for key, value in changes.items():
         check(library.fmc_options_set(byref(copy), key.encode(), _text(key, value).encode()))

@@ -18,9 +18,9 @@ SHAPES = ("half_space", "ball", "cuboid", "cylinder", "cone", "capsule", "polyto
 
 
 class Part:
-    """A shape and where it stands in a compound.
+    """A shape and its pose in a compound.
 
-    ``shape`` is one of ``SHAPES``; the sizes are those of the method ``add_`` of the same name: ``radius``,
+    ``shape`` is one of ``SHAPES``; its sizes are those of the method ``add_`` of the same name: ``radius``,
     ``half_height``, ``half_extents``, ``points``, ``facets``.
     """
 

@@ -1,4 +1,4 @@
-"""Where an obstacle stands."""
+"""Poses of obstacles."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ._structs import fmc_pose
 
 
 class Pose:
-    """Position, rotation and scale: a point X of the shape stands at ``position + scale * rotation @ X``.
+    """Position, rotation and scale: a point X of the shape is at ``position + scale * rotation @ X``.
 
     ``position`` has (dim,) entries; ``rotation``, (dim, dim), is orthonormal with determinant +1, or ``None`` for
     unturned; ``scale`` is positive. The library raises ``BadPoseError`` where the pose is used if they are not.

@@ -1,4 +1,4 @@
-"""What an evaluation says. Units follow from the coordinates and the stiffness: with m and Pa, volumes are m^3 (2D:
+"""Results of an evaluation. Units follow from the coordinates and the stiffness: with m and Pa, volumes are m^3 (2D:
 m^2), areas m^2 (m), energies J (J/m) and forces N (N/m)."""
 
 from __future__ import annotations
@@ -43,18 +43,18 @@ class Pair:
     """Standard error of the volume; 0 for ``exact``."""
     energy: float
     pressure: float
-    """Traction dw/dV."""
+    """Contact pressure: dw/dV for the law ``"volume"``, a mean over the contact for ``"fiber"``."""
     contact_area: float
     """Area of contact (2D: length)."""
     penetration: float
     """Extent of the overlap along its mean normal."""
     spacing: float
-    """Spacing of the fibers; 0 for ``exact``. Given back as the option ``spacing``, it keeps the pattern."""
+    """Spacing of the fibers; 0 for ``exact``. As the option ``spacing`` it gives the same pattern again."""
 
 
 @dataclass(frozen=True)
 class ContactWarning:
-    """Something to know about a result that is an answer all the same.
+    """A caution about a result, which is valid all the same.
 
     ``kind`` is ``"coarse_fibers"``, ``"unresolved_overlap"`` or ``"swallowed_body"``; ``text`` a sentence.
     """
@@ -65,11 +65,11 @@ class ContactWarning:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """Contact forces and what belongs to them."""
+    """Contact forces, totals, resultants and pairs."""
 
     forces: np.ndarray
     """Force on every node, (n, dim), in the order of the nodes; (dim, n) for coordinates in columns. They push bodies
-    apart; nodes that touch nothing have 0. The caller's own array where one was given."""
+    apart; nodes that are not in contact have 0. The caller's own array where one was given."""
     volume: float
     """Overlap volume (2D: area), summed over the pairs."""
     volume_standard_error: float
@@ -93,7 +93,7 @@ class Result:
     pairs: tuple[Pair, ...]
     """Pairs that overlap."""
     warnings: tuple[ContactWarning, ...]
-    """What to know about this result."""
+    """Cautions about this result."""
 
 
 def _resultant(handle: Handle, getter, index: int, dim: int) -> Resultant:
@@ -125,7 +125,7 @@ def _warning(handle: Handle, index: int) -> ContactWarning:
 
 
 def gather(handle: Handle, forces: np.ndarray, found: fmc_result, dim: int) -> Result:
-    """The result of the evaluation that has just succeeded, with what the library keeps only until the next one."""
+    """The result of the evaluation that has just succeeded, copied from what the library keeps until the next one."""
     body, obstacle = library.fmc_context_body, library.fmc_context_obstacle
     return Result(
         forces,

@@ -1,4 +1,4 @@
-"""Several traces in one numbering: all that a host shows to a contact, and the way back."""
+"""Several traces in one numbering: from the nodes of a host to the points of a contact, and back."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .trace import Trace
 
 
 class Triplets(NamedTuple):
-    """Entries of a matrix; values of one place add up."""
+    """Entries of a matrix; duplicates are summed."""
 
     rows: np.ndarray
     cols: np.ndarray

@@ -28,7 +28,7 @@ def contact_force(
     """Contact forces between the bodies of a mesh.
 
     Arguments and errors are those of ``Contact`` and of ``Contact.evaluate``, and so are the forces, bit for bit; a
-    ``Contact`` spares the search for the boundary when the mesh is evaluated again, and takes obstacles.
+    ``Contact`` finds the boundary once for many evaluations, and has obstacles.
 
     >>> coords = [[0, 0], [1, 0], [1, 1], [0, 1], [0.9, -0.2], [1.9, -0.2], [1.9, 0.8], [0.9, 0.8]]
     >>> squares = [[0, 1, 2, 3], [4, 5, 6, 7]]

@@ -1,4 +1,4 @@
-"""A stiffness to begin with."""
+"""Initial values for the stiffness."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ._library import check, library
 
 def suggest_fiber_stiffness(pressure: float, penetration: float) -> float:
     """Stiffness k of the law ``"fiber"`` (Pa/length) from the largest contact ``pressure`` expected (Pa) and the
-    ``penetration`` that may be accepted when it is reached (length): their ratio.
+    acceptable ``penetration`` at that pressure (length): their ratio.
 
     From Young's modulus E of the softer body and facets of size h, take E and h / 10. Errors: ``NotPositiveError``.
     """

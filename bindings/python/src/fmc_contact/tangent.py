@@ -27,7 +27,7 @@ class RankOne(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tangent:
-    """The tangent in its parts: ``values[i]`` at ``rows[i]``, ``cols[i]``, no place twice; and parts of rank one."""
+    """The tangent in its parts: ``values[i]`` at ``rows[i]``, ``cols[i]``, each entry once; and terms of rank one."""
 
     rows: np.ndarray
     cols: np.ndarray
@@ -37,7 +37,7 @@ class Tangent:
     """Number of degrees of freedom: rows and columns of the whole."""
 
     def __matmul__(self, x: np.ndarray) -> np.ndarray:
-        """Product with a vector, (size,), parts of rank one included."""
+        """Product with a vector, (size,), terms of rank one included."""
         x = np.asarray(x, np.float64).reshape(self.size)
         y = np.bincount(self.rows, self.values * x[self.cols], self.size)
         for part in self.rank_one:
@@ -45,7 +45,7 @@ class Tangent:
         return y
 
     def triplets(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Rows, columns and values of the whole, parts of rank one multiplied out; values of one place add up."""
+        """Rows, columns and values of the whole, terms of rank one multiplied out; duplicates are summed."""
         parts = [(self.rows, self.cols, self.values)]
         for part in self.rank_one:
             dofs = np.flatnonzero(part.vector).astype(np.int32)
@@ -62,7 +62,7 @@ class Tangent:
         return csr_matrix((values, (rows, cols)), shape=(self.size, self.size))
 
     def operator(self) -> Any:
-        """The whole as ``scipy.sparse.linalg.LinearOperator``, with nothing multiplied out."""
+        """The whole as ``scipy.sparse.linalg.LinearOperator``, without multiplying out terms of rank one."""
         from scipy.sparse.linalg import LinearOperator
 
         shape = (self.size, self.size)

@@ -19,10 +19,10 @@ class DolfinxContact:
 
     ``spaces``: a space of displacements, Lagrange of order 1 or 2, or a list of such, each on a mesh of its own.
     ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``. ``bodies``: a number for every cell of
-    this rank, ghosts included, or a list of such, one for every space; default: bodies are what hangs together.
+    this rank, ghosts included, or a list of such, one for every space; default: bodies are the connected components.
 
     ``whole_mesh``: whether all nodes are gathered and the cells handed over, so that the forces have the bits of any
-    other host, and cells that turn inside out are told; or the nodes of the boundary only, which is less to send.
+    other host, and inverted cells are reported; or the nodes of the boundary only, which is less to send.
     Default: the whole for the estimator ``"exact"`` and first order, the boundary otherwise. ``divisions`` of every
     edge of a boundary face into flat facets; default: the order of the space.
 

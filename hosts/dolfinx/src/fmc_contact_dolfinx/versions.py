@@ -1,4 +1,4 @@
-"""Where releases of dolfinx differ, 0.5 to 0.11: features are looked for, versions are not compared."""
+"""Where releases of dolfinx differ, 0.5 to 0.11: features are tested for, versions are not compared."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def create_vector(form: Any, space: Any) -> Any:
 
 def _rows(adjacency: Any, count: int, width: int) -> np.ndarray:
     array = np.asarray(adjacency.array if hasattr(adjacency, "array") else adjacency)
-    # A rank may have no cells, whose width nothing tells then.
+    # A rank may have no cells; the cell width is then unknown.
     return array.reshape(count, -1) if count else array.reshape(0, width)
 
 

@@ -2,10 +2,10 @@
 //!
 //! **w = k Vᵐ.** K_c = w''(V) g gᵀ + w'(V) ∂²V, g = ∂V/∂x, per pair. The first part has rank one, and M⁻¹ w'' g gᵀ has
 //! the single eigenvalue w'' Σ_i |g_i|²/m_i with w'' = k m (m − 1) V^(m−2). Several pairs add up at most. The second
-//! part comes from the rim of the contact, which moves; it has no bound (facets that come to lie in one plane enter the
-//! overlap at once), but the force that can jump there is at most w' times a facet, and w' goes to zero with V where
-//! m > 1. It is left out, and the total energy tells what it did. For 1 ≤ m < 2 the first part has no bound either: at
-//! V = 0 the traction jumps (m = 1) or rises with a vertical slope.
+//! part comes from the edge of the contact area, which moves; it has no bound (facets that come to lie in one plane
+//! enter the overlap at once), but the force that can jump there is at most w' times a facet, and w' goes to zero with
+//! V where m > 1. It is left out, and the total energy shows its effect. For 1 ≤ m < 2 the first part has no bound
+//! either: at V = 0 the traction jumps (m = 1) or rises with a vertical slope.
 //!
 //! Before bodies meet, V and g are not known. For m = 2, w'' = 2k whatever V, and |g_i| is at most the area A_i that
 //! node i has on the surface, since g_i = ∫ N_i n dA over the part of the surface inside the other body. So

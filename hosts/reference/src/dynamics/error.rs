@@ -15,7 +15,7 @@ pub enum DynamicsError {
         /// The contact's own error.
         error: fmc_contact::Error,
     },
-    /// A cell has been turned inside out, at one of its corners at least.
+    /// A cell has been inverted, at one of its corners at least.
     InvertedCell {
         /// Step at which.
         step: u64,

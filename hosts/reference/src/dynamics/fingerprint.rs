@@ -1,4 +1,4 @@
-//! A number that tells one setup from another.
+//! A number that identifies a setup.
 
 use super::Setup;
 use fmc_contact::{Options, Shape};
@@ -6,8 +6,8 @@ use fnv::FnvHasher;
 use std::fmt::Write;
 use std::hash::Hasher;
 
-/// FNV-1a, 64 bits: the same on every machine and with every compiler, as a file needs it that outlives the program. It guards
-/// against mistakes, not against malice.
+/// FNV-1a, 64 bits: the same on every machine and with every compiler, as a file needs it that outlives the program. It
+/// guards against mistakes, not against malice.
 #[derive(Default)]
 struct Fingerprint(FnvHasher);
 

@@ -22,11 +22,11 @@ use std::path::Path;
 /// ```
 ///
 /// With several contact sub-steps ([`Setup::contact_substeps`]) the contact has a leapfrog of its own between the two
-/// kicks of the structure (impulse multiple time stepping, Tuckerman, Berne and Martyna 1992), symplectic and reversible
-/// as well. One sub-step is the scheme above.
+/// kicks of the structure (impulse multiple time stepping, Tuckerman, Berne and Martyna 1992), symplectic and
+/// reversible as well. One sub-step is the scheme above.
 ///
-/// Damping, where asked for, multiplies v by exp(−α Δt/2) before and after: its exact flow, so that it is stable for any
-/// α and the scheme stays of second order.
+/// Damping, where asked for, multiplies v by exp(−α Δt/2) before and after: its exact flow, so that it is stable for
+/// any α and the scheme stays of second order.
 pub struct Simulation<const D: usize> {
     pub(super) setup: Setup<D>,
     pub(super) contact: Contact<D>,
@@ -59,7 +59,7 @@ impl<const D: usize> Simulation<D> {
         Self::at(setup, state, None)
     }
 
-    /// Goes on from a file that [`Self::save`] wrote: bit for bit as if there had been no interruption.
+    /// Continues from a file that [`Self::save`] wrote: bit for bit as if there had been no interruption.
     ///
     /// # Errors
     /// [`DynamicsError::Checkpoint`] if the file is damaged, or belongs to another setup or another step; those of

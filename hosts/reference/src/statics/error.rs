@@ -50,7 +50,7 @@ pub enum StaticsError {
         /// Part of the full load.
         load: f64,
     },
-    /// A cell has been turned inside out, at every length of the step.
+    /// A cell has been inverted, at every length of the step.
     Inverted {
         /// Part of the full load.
         load: f64,
@@ -94,7 +94,7 @@ impl fmt::Display for StaticsError {
             Self::Unstable { load } => write!(f, "the bodies are not stable at load {load:.4}: they buckle"),
             Self::Inverted { load, cell } => {
                 let cell = cell.map_or("a cell".into(), |cell| format!("cell {cell}"));
-                write!(f, "{cell} is turned inside out at load {load:.4}")
+                write!(f, "{cell} is inverted at load {load:.4}")
             }
             Self::Contact(error) => write!(f, "{error}"),
             Self::Length { expected, found } => {

@@ -1,4 +1,4 @@
-//! What a solver tells of its way.
+//! What a solver reports of its iterations.
 
 use std::fmt;
 

@@ -7,7 +7,7 @@ use super::error::StaticsError;
 /// Part of what the slope promises that a step must gain (Armijo).
 pub(super) const GAIN: f64 = 1e-4;
 
-/// Part of the energies that a change must exceed to be told from rounding of some thousand pieces of contact.
+/// Part of the energies that a change must exceed to be distinguished from rounding of some thousand pieces of contact.
 pub(super) const FLAT: f64 = 1e-12;
 
 /// Trials: 2⁻³⁰ of a step is nothing.
@@ -16,8 +16,8 @@ const MOST_TRIALS: usize = 30;
 impl<const D: usize> Equilibrium<D> {
     /// State after a part of a step that lowers the energy, and the part; the whole step if it does.
     ///
-    /// Where the energy has grown, its slope has changed sign: the next trial is where the slope would vanish if it were
-    /// linear, kept away from the ends. Changes as small as rounding do not count.
+    /// Where the energy has grown, its slope has changed sign: the next trial is where the slope would vanish if it
+    /// were linear, kept away from the ends. Changes as small as rounding do not count.
     pub(super) fn line_search(
         &mut self,
         u: &[[f64; D]],

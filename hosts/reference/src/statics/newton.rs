@@ -24,7 +24,8 @@ impl<const D: usize> Equilibrium<D> {
         let (mut full_failed, mut turned) = (false, false);
         for iteration in 0..=most_iterations {
             let mut residual = balance.relative();
-            // The lines run along the contact normal of the start. Once the solution is near, they turn into that of now.
+            // The lines run along the contact normal of the start. Once the solution is near, they turn into that of
+            // now.
             if residual <= full_below && !turned && tolerance < full_below {
                 self.keep_patches(&u)?;
                 balance = self.evaluate(&u, load)?;
@@ -77,7 +78,7 @@ impl<const D: usize> Equilibrium<D> {
         Err(self.not_converged(&balance, load, most_iterations))
     }
 
-    /// Tells the one who watches.
+    /// Reports to `watch`.
     pub(super) fn tell(&self, iteration: &Iteration, watch: Watch) -> Result<(), StaticsError> {
         if watch(iteration).is_break() { Err(StaticsError::Interrupted) } else { Ok(()) }
     }
@@ -88,7 +89,8 @@ impl<const D: usize> Equilibrium<D> {
         self.too_soft(balance).unwrap_or(StaticsError::NotConverged { load, iterations, residual })
     }
 
-    /// With the linear law, whether bodies pass through one another: the pressure is then that of the law far from zero.
+    /// With the linear law, whether bodies pass through one another: the pressure is then that of the law far from
+    /// zero.
     pub(super) fn too_soft(&self, balance: &Balance<D>) -> Option<StaticsError> {
         let penetration = balance.contact.penetration;
         match self.problem.contact.law {

@@ -33,7 +33,7 @@ const SOFT: f64 = 50.0;
 
 impl<const D: usize> Equilibrium<D> {
     /// Goes to the full load: prescribed displacements and forces grow together. A step that fails is halved; what
-    /// follows grows again. `watch` is told of every iteration and may break off.
+    /// follows grows again. `watch` is called after every iteration and may stop the solver.
     ///
     /// # Errors
     /// Those of [`StaticsError`]; the last equilibrium is kept.
@@ -41,7 +41,7 @@ impl<const D: usize> Equilibrium<D> {
         self.follow_telling(path, watch, &mut |_| ())
     }
 
-    /// The same; `reached` is told of every equilibrium on the way.
+    /// The same; `reached` is called after every equilibrium on the way.
     ///
     /// # Errors
     /// Those of [`StaticsError`]; the last equilibrium is kept.
@@ -90,9 +90,9 @@ impl<const D: usize> Equilibrium<D> {
         if k <= soft || self.is_supported(&start)? && !self.is_too_deep(&start) {
             return self.newton(start, load, watch);
         }
-        // A body that comes to rest on a few points of hard contact would creep out of their reach: every step is as long
-        // as the next gap is wide; cells that hard contact drives out at once are turned inside out. On a soft contact both
-        // settle.
+        // A body that comes to rest on a few points of hard contact would creep out of their reach: every step is as
+        // long as the next gap is wide; cells that hard contact drives out at once are turned inside out. On a soft
+        // contact both settle.
         let settings = self.settings;
         self.settings.tolerance = settings.full_below.max(settings.tolerance);
         let settled = self.settle(start, load, soft, k, watch);

@@ -21,12 +21,12 @@ class SkfemContact:
     ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1 or Q2 elements in 2D or 3D; or a list of
     ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the vectors of the whole problem.
     ``size``: length of these vectors; default: as far as the bases reach. ``bodies``: one number for every cell, basis
-    after basis; default: bodies are what hangs together. ``divisions`` of every edge of a boundary face into flat
+    after basis; default: bodies are the connected components. ``divisions`` of every edge of a boundary face into flat
     facets, for second order; default 2. ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``.
 
     Meshes need not match: there is no supermesh, no search for pairs, and no side is the master.
 
-    First order hands over the cells, so that cells that turn inside out are told. Second order hands over the boundary.
+    With first order the cells are passed, so that inverted cells are reported; with second order the boundary.
 
     Errors: ``LayoutError`` for a basis of another kind; those of ``fmc_contact.errors``.
     """

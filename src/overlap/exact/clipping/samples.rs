@@ -1,9 +1,9 @@
 //! Samples of contact from clipped facets, for the search for patches.
 //!
-//! Every facet that has a part inside the other side stands for that part, and touches the facet of the other side that is
-//! nearest to the part's middle: that is the shortest way out. Of a body with itself, where the nearest facet is the facet
-//! itself, it touches what the way along its normal, through its own body, meets first. The normals of all samples,
-//! with their measures, add up to the gradient of the overlap volume.
+//! Every facet that has a part inside the other side stands for that part, and touches the facet of the other side that
+//! is nearest to the part's middle: that is the shortest way out. Of a body with itself, where the nearest facet is the
+//! facet itself, it touches what the way along its normal, through its own body, meets first. The normals of all
+//! samples, with their measures, add up to the gradient of the overlap volume.
 
 use super::volume::{ExactPair, Found};
 use crate::Error;

@@ -1,8 +1,8 @@
 //! A facet clipped by a simplex.
 //!
 //! The distance of the facet's corners from a plane of the simplex is computed from the plane's points in an order that
-//! depends on their coordinates only, so that two simplices that share a face get the same number with opposite sign and
-//! no part of a facet is counted twice or lost between them, whatever the rounding.
+//! depends on their coordinates only, so that two simplices that share a face get the same number with opposite sign
+//! and no part of a facet is counted twice or lost between them, whatever the rounding.
 
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -18,13 +18,14 @@ pub(crate) struct Simplex<const D: usize> {
     boundary: u8,
     /// +1 where the corners in this order enclose a positive volume, or −1.
     turn: f64,
-    /// +1, or −1 where what the simplex covers is to be subtracted.
+    /// +1, or −1 where the simplex is to be subtracted.
     pub(crate) sign: f64,
 }
 
 impl<const D: usize> Simplex<D> {
-    /// Simplex with these D + 1 corners, `None` if it is flat; bit k of `boundary` belongs to the face opposite to corner
-    /// k. It counts negative where its corners enclose a negative volume, and the other way round with `flipped`.
+    /// Simplex with these D + 1 corners, `None` if it is flat; bit k of `boundary` belongs to the face opposite to
+    /// corner k. It counts negative where its corners enclose a negative volume, and the other way round with
+    /// `flipped`.
     pub(crate) fn new(corners: &[Vector<D>], boundary: u8, flipped: bool) -> Option<Self> {
         let mut all = [Vector::zeros(); 4];
         all[..=D].copy_from_slice(&corners[..=D]);
@@ -51,9 +52,9 @@ impl<const D: usize> Simplex<D> {
 
     /// Cuts the piece of a facet inside out of it, and returns how much of it counts; `None` if it is empty.
     ///
-    /// Distances up to `tie` are rounding and count as zero. A facet that lies in a face of the simplex counts half, so
-    /// that the two simplices at an inner face make one whole, and identical bodies share; but it counts nothing where
-    /// it lies on the outside of a body's boundary: the bodies touch there.
+    /// Distances up to the tolerance are rounding and count as zero. A facet that lies in a face of the simplex counts
+    /// half, so that the two simplices at an inner face make one whole, and identical bodies share; but it counts
+    /// nothing where it lies on the outside of a body's boundary: the bodies touch there.
     pub(crate) fn clip(
         &self,
         facet: &[Vector<D>; D],

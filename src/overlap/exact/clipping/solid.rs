@@ -44,7 +44,7 @@ impl<const D: usize> Solid<'_, D> {
 
     /// A body bounded by facets only, as signed simplices from its middle to every facet; those that meet `region`.
     ///
-    /// A simplex thinner than `tie` is left out: what it covers is rounding, and so are the planes of its faces.
+    /// A simplex thinner than the tolerance is left out: its volume is rounding, and so are the planes of its faces.
     pub(crate) fn from_facets(side: &FacetSide<D>, region: &Aabb<D>, tolerance: f64) -> Self {
         let (mut simplices, mut origins) = (Vec::new(), Vec::new());
         let middle = side.aabb.center();
@@ -53,7 +53,8 @@ impl<const D: usize> Solid<'_, D> {
             let x = side.corners(facet as usize);
             let mut corners = [middle; 4];
             corners[..D].copy_from_slice(&x);
-            // ProjectedFacet from inside the facet's corners run clockwise: in 3D they make a negative volume with the middle.
+            // ProjectedFacet from inside the facet's corners run clockwise: in 3D they make a negative volume with the
+            // middle.
             if D == 3 {
                 corners.swap(0, 1);
             }

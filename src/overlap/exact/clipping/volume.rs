@@ -8,7 +8,8 @@
 //! curve in which the boundaries cross, are clipped.
 //!
 //! V is homogeneous of degree D in all coordinates, so D V = Σ_a x_a · ∂V/∂x_a (the divergence theorem on the same
-//! pieces). Exact for straight-sided cells and flat-sided obstacles; quadrilateral faces are split about their centroid.
+//! pieces). Exact for straight-sided cells and flat-sided obstacles; quadrilateral faces are split about their
+//! centroid.
 
 use super::clipper::{Clipped, Clipper};
 use super::near_facets::{Facets, NearFacets};

@@ -38,8 +38,8 @@ const CHUNK: usize = 256;
 type Movers = Vec<(u32, usize, f64)>;
 
 impl<const D: usize> ExactPair<'_, D> {
-    /// Hessian of the overlap volume, as blocks sorted by row and column; the translation of the pair's obstacle has the
-    /// number `obstacle_node`.
+    /// Hessian of the overlap volume, as blocks sorted by row and column; the translation of the pair's obstacle has
+    /// the number `obstacle_node`.
     pub(crate) fn hessian(&self, obstacle_node: u32) -> Result<Vec<Block<D>>, Error> {
         if self.pair.is_own() {
             return Err(Error::Unsupported { what: "the tangent of the exact volume of a body with itself" });

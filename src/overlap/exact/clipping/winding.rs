@@ -1,7 +1,7 @@
-//! How often a body covers the facets of another that keep clear of its boundary.
+//! Winding numbers of a body about the facets of another that keep clear of its boundary.
 //!
 //! Such a facet is all inside or all outside, and so are its neighbours that keep clear as well: the count is the same
-//! at the corner that they share. One point tells for all facets that hang together; and where they reach out of the
+//! at the corner that they share. One point decides for all connected facets; and where they reach out of the
 //! region in which the two bodies can overlap, they are outside.
 
 use super::near_facets::Facets;
@@ -15,11 +15,11 @@ use crate::geometry::components::Components;
 enum Cover {
     Unseen,
     Outside,
-    /// Number of the point that tells.
+    /// Number of the point that decides.
     Asked(usize),
 }
 
-/// How often `other` covers each of some facets of `side`, 0 for those that do not keep clear of its boundary.
+/// Winding number of `other` about each of some facets of `side`, 0 for those that do not keep clear of its boundary.
 ///
 /// `region` is where the two sides can overlap, a little enlarged.
 pub(crate) fn windings<const D: usize>(

@@ -59,7 +59,7 @@ pub(crate) fn run(args: &ReportArgs) -> Result<ExitCode> {
     let limit = args.limit.or(args.quick.then_some(QUICK_LIMIT)).map(Duration::from_secs);
     let setting = Setting { size, threads: args.threads.into(), limit, bar: &bar, stop: &stop };
     let Some(records) = records(&examples, &folder, &setting)? else {
-        eprintln!("interrupted; the same command goes on from here");
+        eprintln!("interrupted; run the same command again to resume");
         return Ok(ExitCode::from(130));
     };
     let page = args.out.join("report.html");

@@ -215,7 +215,7 @@ fn report(args: &RunArgs, title: &str, out: &std::path::Path, ending: Ending) ->
             if !args.quiet {
                 eprintln!(
                     "interrupted after step {step}, at {time:.4e} s; what was computed is in {0}\n\
-                     The same command with --resume goes on from there.",
+                     Run the same command with --resume to continue.",
                     out.display()
                 );
             }

@@ -48,7 +48,7 @@ impl<const D: usize> Assembly<D> {
             .flat_map(|(cell_type, conn)| conn.chunks_exact(cell_type.node_count()).map(|nodes| (*cell_type, nodes)))
     }
 
-    /// Boundary of bodies told by an id per cell, or connected ones.
+    /// Boundary of bodies given by an id per cell, or of connected ones.
     pub(super) fn surface(&self, ids: Option<&[i64]>) -> Result<Surface<D>, Error> {
         if self.kind == Kind::Surface {
             let facets: Vec<([u32; D], usize)> = self.facets().collect();

@@ -4,8 +4,8 @@ use fmc_contact::CellType;
 use std::collections::HashMap;
 
 /// Number of the connected part of every cell: cells that share a face belong together. Parts are numbered by their
-/// first cell, as the module numbers them; but the module tells the parts of boundary faces only, and a picture of the
-/// bodies needs those of all cells.
+/// first cell, as the module numbers them; but the module returns the components of boundary faces only, and a picture
+/// of the bodies needs those of all cells.
 pub(super) fn components<'a>(cells: impl Iterator<Item = (CellType, &'a [u32])>) -> Vec<i64> {
     let mut parents: Vec<usize> = Vec::new();
     let mut owners: HashMap<[u32; 4], usize> = HashMap::new();

@@ -28,7 +28,7 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
             format!("{}: cell {} names node {} twice", cell(*c).0, cell(*c).1, node(*n))
         }
         Error::InvertedCell { cell: c } => {
-            format!("{}: cell {} is turned inside out, as a whole or at a corner", cell(*c).0, cell(*c).1)
+            format!("{}: cell {} is inverted, as a whole or at a corner", cell(*c).0, cell(*c).1)
         }
         Error::ZeroMeasure { cell: c } => {
             format!("{}: cell {} has no {}", cell(*c).0, cell(*c).1, if D == 2 { "area" } else { "area or volume" })

@@ -102,7 +102,7 @@ fn meshes_that_cannot_be_bodies() {
     assert_file_refused("double.msh", &msh(2, &CORNERS, 3, &["11 12 13 11"]), &["cell 101 names node 11 twice"]);
     assert_file_refused("thin.msh", &msh(2, &["0 0 0", "1 0 0", "2 0 0"], 2, &["11 12 13"]), &["cell 101 has no area"]);
     let dart = msh(2, &["0 0 0", "1 0 0", "0.1 0.1 0", "0 1 0"], 3, &["11 12 13 14"]);
-    assert_file_refused("dart.msh", &dart, &["cell 101 is turned inside out"]);
+    assert_file_refused("dart.msh", &dart, &["cell 101 is inverted"]);
     let fan = msh(2, &["0 0 0", "1 0 0", "0 1 0", "0 -1 0", "1 1 0"], 2, &["11 12 13", "12 11 14", "11 12 15"]);
     assert_file_refused("fan.msh", &fan, &["the third to meet at the edge of nodes 11 and 12"]);
     let open = msh(2, &TETRAHEDRON, 2, &["11 13 12", "11 12 14", "12 13 14"]);

@@ -33,7 +33,7 @@ fn an_interrupted_report_goes_on_within_the_run_that_was_stopped() {
     assert!(kill.success());
     let interrupted = child.wait_with_output().unwrap();
     assert_eq!(interrupted.status.code(), Some(130), "{}", said(&interrupted));
-    assert!(said(&interrupted).contains("goes on from here"), "{}", said(&interrupted));
+    assert!(said(&interrupted).contains("again to resume"), "{}", said(&interrupted));
     assert!(folder.0.join("runs/patch2d/record.json").exists() && !folder.0.join("report.html").exists());
     assert!(folder.0.join("runs/slow/checkpoint.state").exists());
 

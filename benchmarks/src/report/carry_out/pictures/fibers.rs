@@ -50,7 +50,7 @@ pub(super) fn draw(view: View, fields: &Fields, behind: Vec<Patch>, folder: &Pat
     patches.extend(view.patches(&fields.points, &fields.cells, |_| body, |_| EDGE));
     Drawing { patches, strokes, dots }.write(&folder.join("fibers.png"), frame, LONGEST)?;
     let caption = format!(
-        "{shown} of the {} lines through the contact, in orange their stretches inside both bodies, in red where they \
+        "{shown} of the {} lines through the contact, in orange their parts inside both bodies, in red where they \
          enter and leave",
         all.len()
     );
