@@ -10,11 +10,11 @@ pub mod program;
 
 /// Case documents.
 #[cfg(feature = "cases")]
-pub use fmc_reference::case;
+pub use fmc_benchmarks::case;
 
 /// Readers of mesh files.
 #[cfg(feature = "meshes")]
-pub use fmc_reference::mesh as mesh_io;
+pub use fmc_mesh_io as mesh_io;
 
 /// For a target that reads files: `bytes` as a file of this name in memory, whose path goes to `read`.
 pub fn as_file<T>(name: &str, bytes: &[u8], read: impl FnOnce(&std::path::Path) -> T) -> T {

@@ -28,7 +28,7 @@ pub enum fmc_shape {
     FMC_SHAPE_CONVEX_HULL = 7,
 }
 
-/// A part of a compound. Set it by `fmc_part_init`, then the entries that its shape reads.
+/// A part of a compound. Initialise it by `fmc_part_init`, then set the fields that its shape uses.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_part {
@@ -50,7 +50,7 @@ pub struct fmc_part {
     pub pose: fmc_pose,
 }
 
-/// Sets a part to a half-space at the origin of the compound, with nothing else given.
+/// Sets a part to a half-space at the origin of the compound, with sizes 0 and pointers NULL.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]

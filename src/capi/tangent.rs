@@ -14,9 +14,8 @@ use crate::contact::TangentPart;
 /// Flag of `fmc_context_tangent`: without the terms that can be indefinite, for use far from a solution.
 pub const FMC_SEMIDEFINITE: u32 = 1;
 
-/// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces: to be added
-/// to the host's stiffness matrix. It is kept in the context until the next call, to be fetched by
-/// `fmc_context_tangent_entries`.
+/// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
+/// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_entries`.
 ///
 /// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 /// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns

@@ -7,7 +7,7 @@ use std::ffi::{CStr, c_char};
 /// Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
 /// changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
 /// library at run time.
-pub const FMC_ABI_VERSION: i32 = 1;
+pub const FMC_ABI_VERSION: i32 = 2;
 
 /// Features by name.
 const FEATURES: &[&str] = &[

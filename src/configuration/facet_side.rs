@@ -15,8 +15,8 @@ pub(crate) struct FacetSide<'a, const D: usize> {
     pub(crate) tree: &'a FacetTree<D>,
     /// Box of all its vertices.
     pub(crate) aabb: Aabb<D>,
-    /// Whether all its cells are known to have positive volume, or it is rigid: it then covers no place less than zero
-    /// times.
+    /// Whether all its cells are known to have positive volume, or it is rigid: its winding number is then
+    /// nowhere negative.
     pub(crate) is_upright: bool,
 }
 

@@ -4,10 +4,11 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 19] = [
+const SOURCES: [&str; 20] = [
     "version",
     "status",
     "failure",
+    "last_error",
     "options",
     "option_keys",
     "view",

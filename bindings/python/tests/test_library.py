@@ -41,7 +41,7 @@ def test_another_version_of_the_interface_is_refused(tmp_path):
 @needs_compiler
 def test_a_library_without_a_function_is_refused(tmp_path):
     with pytest.raises(errors.LibraryError, match="no function fmc_version: it is older than this package"):
-        _library.load(str(built(tmp_path, "int fmc_abi_version(void) { return 1; }")))
+        _library.load(str(built(tmp_path, "int fmc_abi_version(void) { return 2; }")))
 
 
 @needs_compiler

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ctypes import POINTER, Structure, c_double, c_int32, c_int64, c_size_t, c_ssize_t, c_uint64, c_void_p
 
-ABI_VERSION = 1
+ABI_VERSION = 2
 """``FMC_ABI_VERSION`` of the header that these tables were written from."""
 
 FMC_ADD = 1
