@@ -25,7 +25,7 @@
 // Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
 // changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
 // library at run time.
-#define FMC_ABI_VERSION 1
+#define FMC_ABI_VERSION 2
 
 // Flag of `fmc_context_evaluate`: add the forces to what the host's array holds instead of overwriting it.
 #define FMC_ADD 1
@@ -403,7 +403,7 @@ typedef struct {
   double scale;
 } fmc_pose;
 
-// A part of a compound. Set it by `fmc_part_init`, then the entries that its shape reads.
+// A part of a compound. Initialise it by `fmc_part_init`, then set the fields that its shape uses.
 typedef struct {
   // A value of `fmc_shape`.
   int32_t shape;
@@ -456,8 +456,8 @@ const char *fmc_status_name(int32_t status);
 
 // Text of the last call that failed on this thread, "" if none did; never NULL. It names the offending indices.
 //
-// For what has no context: failed creation, `fmc_contact_force`, options. The text is valid until the next call fails
-// on this thread; successful calls leave it alone. Threads: each has its own.
+// For calls without a context: failed creation, `fmc_contact_force`, options. The text is valid until the next call
+// fails on this thread; successful calls do not change it. Threads: each has its own.
 const char *fmc_last_error(void);
 
 // Sets all options to their defaults. Afterwards set at least `stiffness`.
@@ -623,13 +623,10 @@ const char *fmc_context_error(const fmc_context *context);
 // every evaluation. `direction_count`, which may be NULL, receives the number of directions kept: 0 with other laws.
 //
 // Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
-fmc_status fmc_context_keep_patches(fmc_context *context,
-                                    const fmc_coords *coords,
-                                    size_t *direction_count);
+fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coords, size_t *direction_count);
 
-// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces: to be added
-// to the host's stiffness matrix. It is kept in the context until the next call, to be fetched by
-// `fmc_context_tangent_entries`.
+// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
+// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_entries`.
 //
 // Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 // is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
@@ -709,7 +706,7 @@ fmc_status fmc_pose_init(fmc_pose *pose);
 // any, on different structs.
 fmc_status fmc_pose_along(int32_t dim, const double *position, const double *axis, fmc_pose *pose);
 
-// Sets a part to a half-space at the origin of the compound, with nothing else given.
+// Sets a part to a half-space at the origin of the compound, with sizes 0 and pointers NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_part_init(fmc_part *part);
@@ -841,9 +838,7 @@ fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc
 // 10.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
-fmc_status fmc_suggest_fiber_stiffness(double pressure,
-                                       double penetration,
-                                       double *stiffness);
+fmc_status fmc_suggest_fiber_stiffness(double pressure, double penetration, double *stiffness);
 
 // Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact
 // (length): an overlap a tenth of a facet deep over a patch one facet wide gives the traction E. `exponent` is m.

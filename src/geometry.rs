@@ -7,7 +7,6 @@ mod cell;
 pub(crate) mod cells;
 mod chord;
 mod closed;
-pub(crate) mod closest_point;
 pub(crate) mod components;
 pub(crate) mod convex_piece;
 pub(crate) mod crossing;

@@ -131,11 +131,11 @@ mod tests {
             let (mut passed, mut trusted, mut failed) = (0, 0, 0);
             for step in 0..60 {
                 let s = f64::from(step);
-                let mut coords = mesh.clone().rotated([1.0, 2.0, 3.0], 0.02 * s).coords;
+                let mut coords = mesh.clone().rotated([1.0, 2.0, 3.0], 0.002 * s).coords;
                 for (node, x) in coords.iter_mut().enumerate() {
                     for (axis, x) in x.iter_mut().enumerate() {
                         let noise = ((node * 31 + axis * 17) % 101) as f64 / 101.0 - 0.5;
-                        *x += 0.4 * s + 2e-3 * s * noise;
+                        *x += 0.4 * s + 4e-3 * s * noise;
                     }
                 }
                 let before: Vec<f64> = kept.groups.iter().map(|group| group.moved(&coords)).collect();

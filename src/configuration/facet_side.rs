@@ -3,7 +3,6 @@
 use super::facet_tree::FacetTree;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::closest_point::closest_point;
 use crate::geometry::inside::winding_step;
 
 /// A body (or an obstacle bounded by facets) as the estimators see it.
@@ -62,22 +61,5 @@ impl<const D: usize> FacetSide<'_, D> {
         let mut count = 0;
         self.tree.boxes().visit(reaches, |facet| count += winding_step(&self.facets[facet as usize], self.points, x));
         count
-    }
-
-    /// The facet that is nearest to a point, the barycentric coordinates of its nearest point, and the distance. Of
-    /// facets that are equally near, the first.
-    pub(crate) fn nearest(&self, x: &Vector<D>) -> Option<(u32, [f64; D], f64)> {
-        let (mut found, mut least) = (None, (f64::INFINITY, u32::MAX));
-        self.tree.boxes().visit_nearest(x, |facet| {
-            let corners = self.corners(facet as usize);
-            let w = closest_point(&corners, x);
-            let squared = (0..D).fold(-x, |sum, k| sum + corners[k] * w[k]).norm_squared();
-            if (squared, facet) < least {
-                least = (squared, facet);
-                found = Some((facet, w));
-            }
-            least.0
-        });
-        found.map(|(facet, w)| (facet, w, least.0.sqrt()))
     }
 }

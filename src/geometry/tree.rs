@@ -146,35 +146,6 @@ impl<const D: usize> Tree<D> {
 }
 
 impl<const D: usize> Tree<D> {
-    /// Visits items nearer to `x` than what was found so far: `item` is given each that may be, and returns the squared
-    /// distance beyond which nothing is of interest any more. Nearer nodes come first.
-    pub(crate) fn visit_nearest(&self, x: &Vector<D>, mut item: impl FnMut(u32) -> f64) {
-        let mut stack = Vec::with_capacity(64);
-        let mut bound = f64::INFINITY;
-        if !self.nodes.is_empty() {
-            stack.push((0u32, 0.0));
-        }
-        while let Some((node, squared)) = stack.pop() {
-            if squared > bound {
-                continue;
-            }
-            let Node { start, end, right, .. } = self.nodes[node as usize];
-            if right == 0 {
-                for &i in &self.items[start as usize..end as usize] {
-                    bound = item(i);
-                }
-                continue;
-            }
-            let near = |child: u32| (child, self.nodes[child as usize].aabb.squared_distance(x));
-            let (left, right) = (near(node + 1), near(right));
-            if left.1 <= right.1 {
-                stack.extend([right, left]);
-            } else {
-                stack.extend([left, right]);
-            }
-        }
-    }
-
     /// Visits every two items whose leaves' boxes meet, once, until `go_on` is false.
     pub(crate) fn visit_own_pairs(&self, mut go_on: impl FnMut(u32, u32) -> bool) {
         let mut stack = Vec::with_capacity(64);

@@ -4,7 +4,6 @@ pub(crate) mod cell_simplices;
 pub(crate) mod cell_walk;
 pub(crate) mod clipper;
 pub(crate) mod near_facets;
-pub(crate) mod samples;
 pub(crate) mod simplex;
 pub(crate) mod solid;
 pub(crate) mod volume;

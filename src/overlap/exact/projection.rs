@@ -5,4 +5,5 @@ pub(crate) mod edges;
 pub(crate) mod inside;
 pub(crate) mod kinks;
 pub(crate) mod projected_facets;
+pub(crate) mod samples;
 pub(crate) mod silhouettes;

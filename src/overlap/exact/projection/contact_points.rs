@@ -13,7 +13,7 @@ use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_vector;
 use crate::geometry::facet_slopes::across;
 use crate::geometry::plane::Plane;
-use crate::geometry::quadrature::{for_each_gauss_point, mean};
+use crate::geometry::quadrature::{for_each_gauss_point, mean, measure};
 use crate::geometry::{Shape, Vector};
 use crate::overlap::exact::clipping::volume::ExactPair;
 use crate::overlap::pair::region::Region;
@@ -41,27 +41,10 @@ impl<const D: usize> ExactPair<'_, D> {
         patches: &Patches<D>,
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error> {
-        let plane = match &self.pair.counterpart {
-            Counterpart::Itself | Counterpart::Facets(_) => None,
-            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Some(Plane::of(pose)),
-            Counterpart::Implicit(_) => {
-                let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as \
-                            a polygon or triangle mesh";
-                return Err(Error::Unsupported { what });
-            }
-        };
+        let plane = self.plane()?;
+        let Some((facets, rounding)) = self.reached_facets()? else { return Ok(None) };
         let mut points = ContactPoints { patches: patches.clone(), ..ContactPoints::default() };
-        let fine = patches.are_blended();
-        let Some(Region { aabb, mut facets }) = self.pair.region()? else { return Ok(None) };
-        let rounding = aabb.rounding();
-        // Where a body may be inside out, all that lines meet beyond the region tells how often they were inside before.
-        if let Counterpart::Facets(b) = &self.pair.counterpart
-            && !(self.pair.a.is_upright && b.is_upright)
-        {
-            let common = self.pair.a.aabb.intersection(&b.aabb);
-            let common = common.inflated(common.rounding());
-            facets = [self.pair.a.facets_in(&common), b.facets_in(&common)];
-        }
+        let rule = if patches.are_blended() { Rule::Fine } else { Rule::Gauss };
         for (direction, d) in patches.directions.iter().enumerate() {
             let family = Family::along(*d, 0, 0);
             let weighted = |point: &mut ContactPoint<D>| {
@@ -72,14 +55,12 @@ impl<const D: usize> ExactPair<'_, D> {
                 weighted(&mut point);
                 (point.weight > 0.0 && point.length > 0.0).then_some(point)
             };
-            let mut seen = self.seen(&family, false, &facets[0], plane.as_ref(), rounding);
-            seen.extend(self.seen(&family, true, &facets[1], None, rounding));
-            let seen = Projection::new(seen);
+            let seen = self.projection(&family, &facets, plane.as_ref(), rounding);
             if let Some(plane) = &plane {
-                self.points_on_plane(&seen, &family, plane, fine, |point| points.points.extend(keep(point)));
+                self.points_on_plane(&seen, &family, plane, rule, |point| points.points.extend(keep(point)));
             }
             let between = self.in_order(seen.facets.len(), |entered, scratch, found| {
-                self.points_between(&seen, entered, fine, scratch, |point| found.extend(keep(point)));
+                self.points_between(&seen, entered, rule, scratch, |point| found.extend(keep(point)));
             });
             points.points.extend(between);
             let edges = self.edge_sides(&seen);
@@ -96,6 +77,48 @@ impl<const D: usize> ExactPair<'_, D> {
             }
         }
         Ok(Some(points))
+    }
+
+    /// The plane of a half-space, where that is the second side.
+    pub(crate) fn plane(&self) -> Result<Option<Plane<D>>, Error> {
+        match &self.pair.counterpart {
+            Counterpart::Itself | Counterpart::Facets(_) => Ok(None),
+            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Ok(Some(Plane::of(pose))),
+            Counterpart::Implicit(_) => {
+                let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as \
+                            a polygon or triangle mesh";
+                Err(Error::Unsupported { what })
+            }
+        }
+    }
+
+    /// Facets of either side that lines through the overlap may meet, and what is rounding there; `None` where the sides
+    /// are apart.
+    pub(crate) fn reached_facets(&self) -> Result<Option<([Vec<u32>; 2], f64)>, Error> {
+        let Some(Region { aabb, facets }) = self.pair.region()? else { return Ok(None) };
+        let rounding = aabb.rounding();
+        // Where a body may be inside out, all that lines meet beyond the region tells how often they were inside before.
+        if let Counterpart::Facets(b) = &self.pair.counterpart
+            && !(self.pair.a.is_upright && b.is_upright)
+        {
+            let common = self.pair.a.aabb.intersection(&b.aabb);
+            let common = common.inflated(common.rounding());
+            return Ok(Some(([self.pair.a.facets_in(&common), b.facets_in(&common)], rounding)));
+        }
+        Ok(Some((facets, rounding)))
+    }
+
+    /// The facets as lines of a family see them.
+    pub(crate) fn projection(
+        &self,
+        family: &Family<D>,
+        facets: &[Vec<u32>; 2],
+        plane: Option<&Plane<D>>,
+        rounding: f64,
+    ) -> Projection<D> {
+        let mut seen = self.seen(family, false, &facets[0], plane, rounding);
+        seen.extend(self.seen(family, true, &facets[1], None, rounding));
+        Projection::new(seen)
     }
 
     /// What `work` finds for each of so many items, in their order.
@@ -160,11 +183,11 @@ impl<const D: usize> ExactPair<'_, D> {
     }
 
     /// Points on the lines that enter through one facet and leave through any.
-    fn points_between(
+    pub(crate) fn points_between(
         &self,
         seen: &Projection<D>,
         entered: usize,
-        fine: bool,
+        rule: Rule,
         scratch: &mut Scratch<D>,
         mut add: impl FnMut(ContactPoint<D>),
     ) {
@@ -195,7 +218,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 if !self.is_inside_both(seen, e, x, &e.place(&mean(&piece))) {
                     continue;
                 }
-                for_each_gauss_point(&piece, fine, |w, part| {
+                rule.for_each_point(&piece, |w, part| {
                     let weights = x.barycentric(&e.place(w));
                     let across = share * part * e.projected_area();
                     add(ContactPoint {
@@ -210,12 +233,12 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 
-    fn points_on_plane(
+    pub(crate) fn points_on_plane(
         &self,
         seen: &Projection<D>,
         family: &Family<D>,
         plane: &Plane<D>,
-        fine: bool,
+        rule: Rule,
         mut add: impl FnMut(ContactPoint<D>),
     ) {
         let slope = plane.normal.dot(family.direction());
@@ -229,7 +252,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 continue;
             }
             for (piece, share) in seen.visible(piece.corners(), [index as u32; 2], &lengths, &mut near) {
-                for_each_gauss_point(&piece, fine, |w, part| {
+                rule.for_each_point(&piece, |w, part| {
                     let length = (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
                     let along = if s.leaves { -length } else { length };
                     let on_facet = (0..D).fold(Vector::zeros(), |sum, a| sum + corners[a] * w[a]);
@@ -240,6 +263,27 @@ impl<const D: usize> ExactPair<'_, D> {
                     add(ContactPoint { weight: across, across, length, direction: 0, ends });
                 });
             }
+        }
+    }
+}
+
+/// How points are laid on a piece of a facet.
+#[derive(Clone, Copy)]
+pub(crate) enum Rule {
+    /// One in its middle.
+    Middle,
+    /// Gauss points that integrate a quadratic energy exactly.
+    Gauss,
+    /// More of them, for where patches blend.
+    Fine,
+}
+
+impl Rule {
+    fn for_each_point<const D: usize>(self, piece: &[[f64; D]], mut visit: impl FnMut(&[f64; D], f64)) {
+        match self {
+            Rule::Middle => visit(&mean(piece), measure(piece)),
+            Rule::Gauss => for_each_gauss_point(piece, false, visit),
+            Rule::Fine => for_each_gauss_point(piece, true, visit),
         }
     }
 }

@@ -1,0 +1,43 @@
+//! Samples of contact by exact projection, for the search for patches.
+//!
+//! The facets are projected along D directions at right angles, those of the standard line families: every common piece
+//! of two facets is a sample. What a facet has inside the other side is seen along all of them together, so that the
+//! normals of the samples with their measures add up to the gradient of the overlap volume. Nothing is drawn at random.
+
+use super::contact_points::Rule;
+use crate::Error;
+use crate::geometry::Vector;
+use crate::overlap::exact::clipping::volume::ExactPair;
+use crate::overlap::patches::sample::ContactSample;
+use crate::overlap::points::contact_point::ContactPoint;
+use crate::sampling::Family;
+
+impl<const D: usize> ExactPair<'_, D> {
+    /// One sample for every piece between two facets, along any of the directions.
+    pub(crate) fn samples(&self) -> Result<Vec<ContactSample<D>>, Error> {
+        let plane = self.plane()?;
+        let Some((facets, rounding)) = self.reached_facets()? else { return Ok(Vec::new()) };
+        // The shifts that the number is for are of no use here.
+        let families = Family::<D>::all(0);
+        let along_all = |normal: Vector<D>| families.iter().map(|f| f.direction().dot(&normal).abs()).sum::<f64>();
+        let sample = |point: ContactPoint<D>| {
+            let ContactPoint { ends, across, length, .. } = point;
+            let measures = ends.each_ref().map(|end| {
+                let slope = along_all(self.pair.normal_at(end));
+                if slope > 0.0 { across / slope } else { 0.0 }
+            });
+            (length > 0.0).then_some(ContactSample { ends, measures, length })
+        };
+        let mut samples = Vec::new();
+        for family in &families {
+            let seen = self.projection(family, &facets, plane.as_ref(), rounding);
+            if let Some(plane) = &plane {
+                self.points_on_plane(&seen, family, plane, Rule::Middle, |point| samples.extend(sample(point)));
+            }
+            samples.extend(self.in_order(seen.facets.len(), |entered, scratch, found| {
+                self.points_between(&seen, entered, Rule::Middle, scratch, |point| found.extend(sample(point)));
+            }));
+        }
+        Ok(samples)
+    }
+}
