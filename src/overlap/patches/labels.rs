@@ -1,5 +1,6 @@
 //! From the facets whose patch is known to all facets, and the borders between patches.
 
+use super::directions::nearest;
 use super::partition::{Labels, Patches};
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
@@ -35,7 +36,12 @@ impl<const D: usize> Patches<D> {
         let normal =
             |&facet: &u32| area_vector(&side.corners(facet as usize)).try_normalize(0.0).unwrap_or_else(Vector::zeros);
         let normals: Vec<Vector<D>> = facets.iter().map(normal).collect();
-        let labels = spread(side, &facets, &normals, seeds, &at_vertices);
+        // Facets that hang together with none that is known go by their normals.
+        let labels: Vec<u32> = spread(side, &facets, &normals, seeds, &at_vertices)
+            .into_iter()
+            .zip(&normals)
+            .map(|(label, normal)| label.unwrap_or_else(|| nearest(&self.directions, normal) as u32))
+            .collect();
         let mut blended = labels.clone();
         for (vertex, around) in &at_vertices {
             if around.iter().all(|&f| labels[f as usize] == labels[around[0] as usize]) {
@@ -87,7 +93,7 @@ fn spread<const D: usize>(
     normals: &[Vector<D>],
     seeds: &[Option<u32>],
     at_vertices: &[(u32, Vec<u32>)],
-) -> Vec<u32> {
+) -> Vec<Option<u32>> {
     let mut labels = seeds.to_vec();
     let reach = |labels: &mut Vec<Option<u32>>, from: &[u32], alike: f64| {
         let mut reached = Vec::new();
@@ -115,5 +121,5 @@ fn spread<const D: usize>(
         front = reach(&mut labels, &labelled, -2.0);
         labelled.extend_from_slice(&front);
     }
-    labels.into_iter().map(|label| label.unwrap_or(0)).collect()
+    labels
 }

@@ -26,7 +26,8 @@ impl<const D: usize> ExactPair<'_, D> {
                 let slope = along_all(self.pair.normal_at(end));
                 if slope > 0.0 { across / slope } else { 0.0 }
             });
-            (length > 0.0).then_some(ContactSample { ends, measures, length })
+            // What is shorter is none: facets that coincide but for rounding touch.
+            (length > rounding).then_some(ContactSample { ends, measures, length })
         };
         let mut samples = Vec::new();
         for family in &families {
