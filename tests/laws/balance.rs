@@ -19,7 +19,7 @@ fn estimators(size: f64) -> Vec<Options> {
         resolution: Resolution::Spacing(0.04 * size),
         ..FiberOptions::default()
     };
-    let sampled = [fibers(FiberOptions::default()), lines(0.05 * size, 3), lines(0.31 * size, 4)];
+    let sampled = [fibers(FiberOptions::default()), lines(0.05 * size, 3), lines(0.31 * size, 5)];
     let by_all = by_laws(sampled, &laws(size));
     by_all.into_iter().chain([exact(), fibers(consistent), isotropic(0.2 * size, 3_000, 5)]).collect()
 }

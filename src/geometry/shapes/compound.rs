@@ -88,7 +88,7 @@ impl<const D: usize> SignedDistance<D> for Compound<D> {
             for (distance, pose) in &self.parts {
                 let (phi, gradient) = distance.at(&pose.unplace(&Vector::from(*x))).map_err(|()| i)?;
                 // What is not finite is an error of the part, and is handed on.
-                if !(phi * pose.scale >= least.0) {
+                if phi.is_nan() || phi * pose.scale < least.0 {
                     least = (phi * pose.scale, pose.rotate(&gradient));
                 }
                 if !phi.is_finite() {

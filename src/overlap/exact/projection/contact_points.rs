@@ -7,7 +7,7 @@
 //! ψ'(L) N_a of the quadratic ψ exactly, and any smooth ψ to their order. What a third facet hides of a piece is cut out of it.
 
 use super::edges::Edge;
-use super::projected_facets::{ProjectedFacet, Projection, end};
+use super::projected_facets::{ProjectedFacet, Projection, SLIVER, end};
 use crate::Error;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_vector;
@@ -94,7 +94,7 @@ impl<const D: usize> ExactPair<'_, D> {
 
     /// Facets of either side that lines through the overlap may meet, and what is rounding there; `None` where the sides
     /// are apart.
-    pub(crate) fn reached_facets(&self) -> Result<Option<([Vec<u32>; 2], f64)>, Error> {
+    pub(crate) fn reached_facets(&self) -> Result<Option<ReachedFacets>, Error> {
         let Some(Region { aabb, facets }) = self.pair.region()? else { return Ok(None) };
         let rounding = aabb.rounding();
         // Where a body may be inside out, all that lines meet beyond the region tells how often they were inside before.
@@ -209,12 +209,14 @@ impl<const D: usize> ExactPair<'_, D> {
                 continue;
             }
             piece.reset();
-            let cuts = (0..D).map(|a| at_corners.map(|w| -w[a])).chain([lengths.map(|l| -l)]);
-            // Every cut is made, so that what is left is what the last one leaves.
-            if !cuts.fold(true, |left, at_corners| left && piece.cut(&at_corners)) {
+            let mut cuts = (0..D).map(|a| at_corners.map(|w| -w[a])).chain([lengths.map(|l| -l)]);
+            if !cuts.all(|at_corners| piece.cut(&at_corners)) {
                 continue;
             }
             for (piece, share) in seen.visible(piece.corners(), [entered as u32, left], &lengths, between) {
+                if measure(&piece) <= SLIVER {
+                    continue;
+                }
                 if !self.is_inside_both(seen, e, x, &e.place(&mean(&piece))) {
                     continue;
                 }
@@ -266,6 +268,9 @@ impl<const D: usize> ExactPair<'_, D> {
         }
     }
 }
+
+/// Facets of either side, and the distance that is rounding there.
+pub(crate) type ReachedFacets = ([Vec<u32>; 2], f64);
 
 /// How points are laid on a piece of a facet.
 #[derive(Clone, Copy)]

@@ -212,8 +212,8 @@ fn divide<const D: usize>(piece: Corners<D>, positive: &[[f64; D]]) -> (Option<C
     (Some(inside), rest)
 }
 
-/// Part of a piece below which what hides it is rounding.
-const SLIVER: f64 = 1e-12;
+/// Part of a piece, or of a facet, below which what is left of it is rounding: whether its lines are inside is chance.
+pub(crate) const SLIVER: f64 = 1e-12;
 
 /// A place across the lines.
 pub(crate) fn flat<const D: usize>(place: &[f64; 3]) -> Vector<D> {

@@ -12,6 +12,9 @@ use crate::overlap::patches::sample::ContactSample;
 use crate::overlap::points::contact_point::ContactPoint;
 use crate::sampling::Family;
 
+/// Part of all samples' measure below which one of them is left out: a hundred thousand equal ones are far above it.
+const SMALLEST: f64 = 1e-9;
+
 impl<const D: usize> ExactPair<'_, D> {
     /// One sample for every piece between two facets, along any of the directions.
     pub(crate) fn samples(&self) -> Result<Vec<ContactSample<D>>, Error> {
@@ -39,6 +42,10 @@ impl<const D: usize> ExactPair<'_, D> {
                 self.points_between(&seen, entered, Rule::Middle, scratch, |point| found.extend(sample(point)));
             }));
         }
+        // A piece this small is seen or not by chance of rounding, and must not join what does not touch.
+        let measure = |sample: &ContactSample<D>| sample.measures[0] + sample.measures[1];
+        let least = SMALLEST * samples.iter().map(measure).sum::<f64>();
+        samples.retain(|sample| measure(sample) > least);
         Ok(samples)
     }
 }
