@@ -78,9 +78,9 @@ fn paths() -> [(&'static str, Options); 4] {
 }
 
 /// Two spheres of triangles that overlap in a lens of about 250 facets, whatever their number.
-fn spheres(level: u32) -> Scene {
+fn spheres(level: usize) -> Scene {
     let ball = icosphere(1.0, level);
-    let facets = (20 * 4usize.pow(level)) as f64;
+    let facets = (20 << (2 * level)) as f64;
     // A cap of height h has the part h / 2 of a sphere's facets.
     let depth = 2.0 * 2.0 * 125.0 / facets;
     let direction = [0.3 / 1.95, 0.4 / 1.95, 1.884_807_682_498_071_6 / 1.95];
@@ -92,7 +92,7 @@ fn block(divisions: [usize; 3], low: [f64; 3], high: [f64; 3]) -> Mesh<3> {
     cuboid_tet4(low, high, divisions)
 }
 
-fn by_size(levels: &[u32]) {
+fn by_size(levels: &[usize]) {
     println!("µs per facet of the whole mesh, some 250 facets in contact: force / tangent (asked 0.02, tangent twice)");
     for &level in levels {
         let scene = spheres(level);

@@ -19,7 +19,7 @@ fn estimators(size: f64) -> Vec<Options> {
         resolution: Resolution::Spacing(0.04 * size),
         ..FiberOptions::default()
     };
-    let sampled = [fibers(FiberOptions::default()), lines(0.05 * size, 3), lines(0.31 * size, 5)];
+    let sampled = [fibers(FiberOptions::default()), lines(0.05 * size, 3), lines(0.31 * size, 6)];
     let by_all = by_laws(sampled, &laws(size));
     by_all.into_iter().chain([exact(), fibers(consistent), isotropic(0.2 * size, 3_000, 5)]).collect()
 }
@@ -88,7 +88,7 @@ fn forces_and_moments_balance_among_several_bodies() {
     let scene = Scene::of(&blocks.iter().collect::<Vec<_>>());
     for options in estimators(1.0) {
         let contact = scene.evaluate(options);
-        assert_eq!(contact.pairs.len(), 4);
+        assert_eq!(contact.pairs.len(), 4, "{options:?}");
         balanced(&contact, &scene.coords);
     }
 }
