@@ -99,7 +99,10 @@ def test_structs_have_the_fields_of_the_header():
         fields = []
         for field in filter(None, (line.strip() for line in body.split(";"))):
             kind, star, field_name, length = re.fullmatch(r"(?:const )?(\w+) (\*?)(\w+)(?:\[(\d+)\])?", field).groups()
-            element = ctypes.c_void_p if star else NUMBERS[kind]
+            if star:
+                element = ctypes.POINTER(STRUCTS[kind]) if kind in STRUCTS else ctypes.c_void_p
+            else:
+                element = STRUCTS.get(kind) or NUMBERS[kind]
             fields.append((field_name, element * int(length) if length else element))
         listed = [field for base in reversed(STRUCTS[name].__mro__) for field in base.__dict__.get("_fields_", [])]
         assert listed == fields, name

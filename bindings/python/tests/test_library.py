@@ -35,7 +35,7 @@ needs_compiler = pytest.mark.skipif(shutil.which("cc") is None, reason="no C com
 def test_another_version_of_the_interface_is_refused(tmp_path):
     found = import_with(built(tmp_path, "int fmc_abi_version(void) { return 99; }"))
     assert found.returncode == 1
-    assert "version 99 of the binary interface, this package is for version 1" in found.stderr
+    assert "version 99 of the binary interface, this package is for version 2" in found.stderr
 
 
 @needs_compiler

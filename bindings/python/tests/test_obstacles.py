@@ -182,7 +182,7 @@ def test_points_of_a_signed_distance_may_be_kept():
 @pytest.mark.parametrize("dim", [2, 3])
 def test_hulls_and_flat_height_fields_are_boxes(dim):
     """A box 2 wide and 1 high whose top reaches 0.2 into the body."""
-    corners = np.stack(np.meshgrid(*[(-1, 1)] * (dim - 1), (-1, 0), indexing="ij"), -1).reshape(-1, dim)
+    corners = np.stack(np.meshgrid(*[(-1.0, 1.0)] * (dim - 1), (-1.0, 0.0), indexing="ij"), -1).reshape(-1, dim)
     for estimator in ("exact", "fibers"):
         for add in (
             lambda contact: contact.add_convex_hull(corners, centre(dim, 0.2)),
