@@ -11,6 +11,7 @@ mod nearest;
 pub(crate) use {compound::compound, convex_hull::convex_hull};
 
 /// A part of a compound: its shape where it has no facets, its facets else, and where it stands.
+#[cfg_attr(not(feature = "shapes"), allow(dead_code))] // Read by what parry builds.
 pub(crate) struct Part<'a, const D: usize> {
     pub(crate) shape: &'a super::Shape<D>,
     pub(crate) facets: Option<(&'a [super::Vector<D>], &'a [[u32; D]])>,
