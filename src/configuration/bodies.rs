@@ -15,14 +15,23 @@ pub(crate) struct Configuration<const D: usize> {
     /// Facets of every body.
     trees: Vec<FacetTree<D>>,
     cell_check: Option<CellCheck<D>>,
-    /// Whether no cell is inverted here.
+    /// Whether no cell is known to be inverted here.
     is_checked: bool,
+    /// Whether that was asked for: what was checked at an earlier call must not show in a later one's result.
+    is_upright: bool,
 }
 
 impl<const D: usize> Configuration<D> {
     /// The bodies of `surface`, nowhere yet.
     pub(crate) fn new() -> Self {
-        Self { coords: Vec::new(), points: Vec::new(), trees: Vec::new(), cell_check: None, is_checked: false }
+        Self {
+            coords: Vec::new(),
+            points: Vec::new(),
+            trees: Vec::new(),
+            cell_check: None,
+            is_checked: false,
+            is_upright: false,
+        }
     }
 
     /// Brings the bodies of `surface` (always the same) to `coords`; with `check_cells`, checks that no cell is
@@ -38,6 +47,7 @@ impl<const D: usize> Configuration<D> {
         parallel: bool,
     ) -> Result<bool, Error> {
         let is_here = !self.trees.is_empty() && same_bits(&self.coords, coords);
+        self.is_upright = check_cells && surface.cells.is_some();
         if is_here && (self.is_checked || !check_cells) {
             return Ok(false);
         }
@@ -45,7 +55,7 @@ impl<const D: usize> Configuration<D> {
         if let (Some(cells), true) = (&surface.cells, check_cells) {
             self.cell_check.get_or_insert_with(|| CellCheck::new(cells)).check(cells, coords, parallel)?;
         }
-        self.is_checked = check_cells && surface.cells.is_some();
+        self.is_checked = self.is_upright;
         if is_here {
             return Ok(false);
         }
@@ -76,7 +86,7 @@ impl<const D: usize> Configuration<D> {
             points: &self.points,
             tree,
             aabb: tree.aabb(),
-            is_upright: self.is_checked,
+            is_upright: self.is_upright,
         }
     }
 

@@ -7,6 +7,7 @@
 use super::FacetSide;
 use crate::geometry::Vector;
 use crate::geometry::facet::area_vector;
+use crate::geometry::facet_slopes::cross;
 
 /// Facets that share a vertex can cross only if they are bent against each other: with unit normals whose product is
 /// larger than this they are two pieces of one smooth surface, which meets itself elsewhere if at all.
@@ -76,11 +77,4 @@ fn is_beside<const D: usize>(
         low > tolerance * outward.norm()
     });
     beside && shared == 0
-}
-
-fn cross<const D: usize>(p: &Vector<D>, q: &Vector<D>) -> Vector<D> {
-    Vector::from_fn(|i, _| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        if D == 3 { p[j % D] * q[k % D] - p[k % D] * q[j % D] } else { 0.0 }
-    })
 }

@@ -89,8 +89,7 @@ fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Resu
     }
     contact.for_each_pair(coords, |measured| {
         let Some(mut patches) = measured.patches(Reach::Everywhere)? else { return Ok(None) };
-        let points = measured.estimator.contact_points(measured.pair, &patches, false)?;
-        patches.spacing = points.map(|points| points.spacing).filter(|spacing| *spacing > 0.0);
+        patches.spacing = measured.estimator.spacing(measured.pair, &patches)?;
         Ok(Some((measured.pair.partners, patches)))
     })
 }

@@ -92,7 +92,9 @@ impl<const D: usize> Contact<D> {
             },
             (Partner::Obstacle(_), None) => return Ok(None),
         };
-        let (surface, coords, parallel) = (&self.surface, configuration.coords(), self.pool.is_some());
+        // Outside the pool there is none to share the work with.
+        let parallel = self.pool.is_some() && !counterpart.is_marched();
+        let (surface, coords) = (&self.surface, configuration.coords());
         let pair = Pair { partners, a, counterpart, pose, surface, coords, parallel };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);

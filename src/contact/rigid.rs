@@ -12,6 +12,8 @@ pub(crate) struct Placed<const D: usize> {
     points: Vec<Vector<D>>,
     tree: FacetTree<D>,
     pose: Pose<D>,
+    /// Whether its surface hangs together and does not cross itself.
+    is_upright: bool,
 }
 
 /// An obstacle whose values have been checked.
@@ -96,14 +98,24 @@ impl<const D: usize> Rigid<D> {
                 placed.tree.update(&surface.facets, &points, false);
                 (placed.points, placed.pose) = (points, pose);
             }
-            None => *placed = Some(Placed { tree: FacetTree::new(&surface.facets, &points), points, pose }),
+            None => {
+                let tree = FacetTree::new(&surface.facets, &points);
+                let new = placed.insert(Placed { tree, points, pose, is_upright: false });
+                new.is_upright = surface.is_one_sheet(0) && !self.side(new).may_cross_itself();
+            }
         }
     }
 
     /// The obstacle as a side of a pair.
     pub(crate) fn side<'a>(&'a self, placed: &'a Placed<D>) -> FacetSide<'a, D> {
         let facets: &[[u32; D]] = self.facets.as_ref().map_or(&[], |(surface, _)| &surface.facets);
-        FacetSide { facets, points: &placed.points, tree: &placed.tree, aabb: placed.tree.aabb(), is_upright: true }
+        FacetSide {
+            facets,
+            points: &placed.points,
+            tree: &placed.tree,
+            aabb: placed.tree.aabb(),
+            is_upright: placed.is_upright,
+        }
     }
 
     /// Whether its box meets another.

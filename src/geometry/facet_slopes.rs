@@ -35,7 +35,8 @@ pub(crate) fn slopes<const D: usize>(x: &[Vector<D>; D], d: &Vector<D>) -> Optio
     Some((m, h))
 }
 
-fn cross<const D: usize>(p: &Vector<D>, q: &Vector<D>) -> Vector<D> {
+/// p × q, in 3D.
+pub(crate) fn cross<const D: usize>(p: &Vector<D>, q: &Vector<D>) -> Vector<D> {
     Vector::from_fn(|i, _| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         p[j] * q[k] - p[k] * q[j]

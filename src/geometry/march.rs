@@ -19,7 +19,7 @@ pub(crate) struct SearchInterval<const D: usize> {
 /// Where a search interval passes the boundary: which one, where, and whether it leaves the body there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Intersection<const D: usize> {
-    pub(crate) stretch: usize,
+    pub(crate) fiber: usize,
     pub(crate) hit: Hit<D>,
     pub(crate) leaves: bool,
 }
@@ -65,7 +65,7 @@ pub(crate) fn march<const D: usize>(
         for (n, &s) in active.iter().enumerate() {
             let (t, value, end) = (at[n], phi[n], intervals[s].end);
             let mut found = |t: f64, leaves: bool| {
-                intersections.push(Intersection { stretch: s, hit: Hit { t, normal: normals[n] }, leaves });
+                intersections.push(Intersection { fiber: s, hit: Hit { t, normal: normals[n] }, leaves });
             };
             // A value of exactly 0 counts as outside, so that every interval has a sign everywhere.
             states[s] = match states[s] {
@@ -105,7 +105,7 @@ pub(crate) fn march<const D: usize>(
         }
         active.retain(|&s| !matches!(states[s], State::Done));
     }
-    intersections.sort_by(|p, q| p.stretch.cmp(&q.stretch).then(p.hit.t.total_cmp(&q.hit.t)));
+    intersections.sort_by(|p, q| p.fiber.cmp(&q.fiber).then(p.hit.t.total_cmp(&q.hit.t)));
     Ok(intersections)
 }
 

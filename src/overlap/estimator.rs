@@ -30,6 +30,15 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error>;
 
+    /// Distance between the lines along the directions of `patches`, where there are lines.
+    fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error>;
+
+    /// Whether the volume has a second derivative.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if not.
+    fn check_tangent(&self) -> Result<(), Error>;
+
     /// Lines that cross the overlap, to look at; none where there are no lines.
     fn trace(&self, pair: &Pair<D>) -> Result<Vec<FiberTrace<D>>, Error>;
 

@@ -117,7 +117,7 @@ impl<const D: usize> Family<D> {
         ([at(window.i.start - 1, 0), at(window.j.start - 1, 1)], [at(window.i.end, 0), at(window.j.end, 1)])
     }
 
-    /// Measure of the shadow's bounding rectangle of `region` across the lines (2D: its length).
+    /// Measure of the bounding rectangle of the projection of `region` across the lines (2D: its length).
     pub(crate) fn projected_area(&self, region: &Aabb<D>) -> f64 {
         (0..D - 1).map(|axis| self.width(region, axis)).product()
     }

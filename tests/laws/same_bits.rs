@@ -4,8 +4,11 @@
 use crate::pairs::{plane_pair, plane_scene, solid_pair, solid_scene};
 use crate::scene::table::{by_laws, is_quadrature, laws};
 use crate::scene::{Scene, consistent_lines, distance, exact, fibers, isotropic, lines, norm};
-use fmc_contact::{Bodies, CellBlock, ContactForces, FiberOptions, Obstacle, Options, Pose, Shape, contact_force};
-use fmc_shapes::{Mesh, icosphere};
+use fmc_contact::{
+    Bodies, CellBlock, ContactForces, EnergyLaw, FiberOptions, Obstacle, Options, Pose, Shape, contact_force,
+};
+use fmc_shapes::{Mesh, icosphere, rectangle_quad4};
+use std::sync::{Arc, Mutex};
 
 /// The second is so fine that lines are worked off in several pieces; so are 20 000 segments.
 fn estimators<const D: usize>() -> Vec<Options> {
@@ -142,4 +145,28 @@ fn order_of_bodies_does_not_matter_in_3d() {
     let sphere = icosphere(1.0, 3);
     let other = sphere.clone().rotated([1.0, 1.0, 0.0], 0.3).translated([1.7, 0.3, 0.2]);
     order_of_bodies_does_not_matter([sphere, other], same_or_rounded);
+}
+
+/// A signed distance function belongs to the host, and may follow something that the library does not see: what was found
+/// at these coordinates before is not taken for what is there now.
+#[test]
+fn a_signed_distance_that_has_changed_is_looked_at_anew() {
+    let block = rectangle_quad4([-1.0, 0.0], [1.0, 1.0], [9, 5]);
+    let evaluate = |slopes: &[f64]| {
+        let slope = Arc::new(Mutex::new(0.0f64));
+        let of_host = slope.clone();
+        let plane = move |x: &[f64; 2]| {
+            let (s, c) = of_host.lock().unwrap().sin_cos();
+            (c * x[1] + s * x[0] - 0.1, [s, c])
+        };
+        let mut contact = Scene::of(&[&block]).contact(Options::new(EnergyLaw::fiber(1.0)));
+        let shape = Shape::SignedDistance(Arc::new(plane));
+        contact.add_obstacle(Obstacle { shape, pose: Pose::default() }).unwrap();
+        let found = slopes.iter().map(|s| {
+            *slope.lock().unwrap() = *s;
+            contact.evaluate(&block.coords).unwrap()
+        });
+        found.last().unwrap()
+    };
+    assert_eq!(evaluate(&[0.0, 0.3]), evaluate(&[0.3]));
 }

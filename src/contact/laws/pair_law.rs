@@ -57,16 +57,16 @@ impl<const D: usize> Measured<'_, D> {
     /// The patches of the pair here, or `None` where it does not touch.
     pub(crate) fn patches(&self, reach: Reach) -> Result<Option<Patches<D>>, Error> {
         let key = self.pair.partners;
+        // A signed distance function may have changed since, without a word.
+        let is_kept = reach == Reach::Region && !self.pair.counterpart.is_marched();
         // A lock that a panicking thread has left holds nothing half done: entries are inserted whole.
         let lock = || self.found.0.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-        if reach == Reach::Region
-            && let Some(found) = lock().get(&key)
-        {
+        if is_kept && let Some(found) = lock().get(&key) {
             return Ok(found.clone());
         }
         let samples = self.estimator.samples(self.pair)?;
         let patches = find_patches(self.pair, &samples, reach)?;
-        if reach == Reach::Region {
+        if is_kept {
             lock().insert(key, patches.clone());
         }
         Ok(patches)

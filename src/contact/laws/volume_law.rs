@@ -22,12 +22,13 @@ impl<const D: usize> PairLaw<D> for VolumeLaw {
         part: TangentPart,
         obstacle_node: u32,
     ) -> Result<Option<Tangent<D>>, Error> {
+        measured.estimator.check_tangent()?;
         let overlap = measured.estimator.overlap(measured.pair)?;
+        let Some(overlap) = overlap.filter(|overlap| overlap.volume > 0.0) else { return Ok(None) };
         let blocks = match part {
             TangentPart::Semidefinite => Vec::new(),
             TangentPart::Full => measured.estimator.volume_hessian(measured.pair, obstacle_node)?,
         };
-        let Some(overlap) = overlap.filter(|overlap| overlap.volume > 0.0) else { return Ok(None) };
         Ok(Some(Tangent::of_volume(&overlap, blocks, &self.0, obstacle_node)))
     }
 

@@ -41,6 +41,14 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         ExactPair { pair }.contact_points(patches, derivative)
     }
 
+    fn spacing(&self, _: &Pair<D>, _: &Patches<D>) -> Result<Option<f64>, Error> {
+        Ok(None)
+    }
+
+    fn check_tangent(&self) -> Result<(), Error> {
+        Ok(())
+    }
+
     fn trace(&self, _: &Pair<D>) -> Result<Vec<FiberTrace<D>>, Error> {
         Ok(Vec::new())
     }

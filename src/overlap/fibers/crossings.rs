@@ -125,7 +125,7 @@ impl<const D: usize> Bundle<'_, D> {
     }
 
     /// Where the search for an obstacle along a fiber begins and ends, given the fiber's events on the first side.
-    pub(crate) fn stretch(&self, gathering: &LineEvents, events: &[Event]) -> [f64; 2] {
+    pub(crate) fn interval(&self, gathering: &LineEvents, events: &[Event]) -> [f64; 2] {
         let events = &events[gathering.events.clone()];
         let [low, high] = self.reach();
         let steps: i16 = events.iter().map(|e| if e.leaves { -1 } else { 1 }).sum();

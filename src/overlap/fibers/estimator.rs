@@ -38,9 +38,6 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
     }
 
     fn volume_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Vec<Block<D>>, Error> {
-        if self.families.is_empty() {
-            return Err(Error::Unsupported { what: "the tangent on isotropic fibers" });
-        }
         let points = self.of(pair).volume_points()?;
         let linear: [OfLength; 3] = [&|length| length, &|_| 1.0, &|_| 0.0];
         Ok(points.map_or(Vec::new(), |points| points.hessian(pair, linear, false, obstacle_node)))
@@ -57,6 +54,15 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         _derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error> {
         self.of(pair).contact_points(patches)
+    }
+
+    fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {
+        Ok(self.of(pair).contact_points(patches)?.map(|points| points.spacing).filter(|spacing| *spacing > 0.0))
+    }
+
+    fn check_tangent(&self) -> Result<(), Error> {
+        let has_lines = !self.families.is_empty();
+        if has_lines { Ok(()) } else { Err(Error::Unsupported { what: "the tangent on isotropic fibers" }) }
     }
 
     fn trace(&self, pair: &Pair<D>) -> Result<Vec<FiberTrace<D>>, Error> {

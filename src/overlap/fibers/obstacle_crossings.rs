@@ -19,7 +19,7 @@ pub(crate) fn intersections<const D: usize>(
             .iter()
             .map(|gathering| {
                 let (origin, direction) = bundle.ray(gathering.fiber);
-                let [start, end] = bundle.stretch(gathering, &gathered.events);
+                let [start, end] = bundle.interval(gathering, &gathered.events);
                 SearchInterval { origin, direction, start, end }
             })
             .collect();
@@ -27,13 +27,13 @@ pub(crate) fn intersections<const D: usize>(
             .map_err(|point| Error::SignedDistance { obstacle: side.obstacle, point });
     }
     let mut intersections = Vec::with_capacity(2 * gathered.fibers.len());
-    for (stretch, gathering) in gathered.fibers.iter().enumerate() {
+    for (fiber, gathering) in gathered.fibers.iter().enumerate() {
         let (origin, direction) = bundle.ray(gathering.fiber);
         let found = chord(side.shape, &side.pose.unplace(&origin), &side.pose.unrotate(&direction));
         for (mut hit, leaves) in found.into_iter().flatten().zip([false, true]) {
             hit.t *= side.pose.scale;
             hit.normal = side.pose.rotate(&hit.normal);
-            intersections.push(Intersection { stretch, hit, leaves });
+            intersections.push(Intersection { fiber, hit, leaves });
         }
     }
     Ok(intersections)

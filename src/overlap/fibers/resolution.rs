@@ -46,12 +46,12 @@ pub(crate) fn line_spacing<const D: usize>(
     region: &Aabb<D>,
     facet_size: f64,
 ) -> Result<f64, Error> {
-    let shadows = families.iter().map(|f| f.projected_area(region));
+    let projected = families.iter().map(|f| f.projected_area(region));
     let spacing = match resolution {
         Resolution::Spacing(spacing) => spacing,
-        Resolution::Count(count) => root::<D>(shadows.sum::<f64>() / count as f64),
+        Resolution::Count(count) => root::<D>(projected.sum::<f64>() / count as f64),
         Resolution::Auto => {
-            let (total, largest) = shadows.fold((0.0, 0.0), |(sum, most): (f64, f64), s| (sum + s, most.max(s)));
+            let (total, largest) = projected.fold((0.0, 0.0), |(sum, most): (f64, f64), s| (sum + s, most.max(s)));
             let wanted = (FACET_PART[D - 2] * facet_size).min(root::<D>(largest / FEWEST_LINES[D - 2]));
             // Rounding down may still double the number.
             round_down_to_power(wanted.max(root::<D>(2.0 * total / MOST_AUTOMATIC)))

@@ -50,7 +50,7 @@ impl<const D: usize> FiberPair<'_, D> {
         layout: &Layout<D>,
         work: impl Fn(&Bundle<D>) -> Result<T, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
-        if self.pair.parallel && !self.pair.counterpart.is_marched() {
+        if self.pair.parallel {
             layout.bundles.par_iter().map(&work).collect()
         } else {
             layout.bundles.iter().map(work).collect()
@@ -81,7 +81,7 @@ impl<const D: usize> FiberPair<'_, D> {
             merged.clear();
             merged.extend_from_slice(&gathered.events[events]);
             let first = next;
-            while next < hits.len() && hits[next].stretch == index {
+            while next < hits.len() && hits[next].fiber == index {
                 let Intersection { hit, leaves, .. } = hits[next];
                 if hit.t < low {
                     start[1] += if leaves { -1 } else { 1 };

@@ -3,6 +3,7 @@
 use super::sides::ImplicitSide;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
+use crate::geometry::plane::Plane;
 use crate::geometry::{Pose, Shape, SignedDistance, Vector, distance_bound};
 
 /// Rounds in which the box around a signed distance function is cut in two along every axis.
@@ -51,10 +52,8 @@ pub(crate) fn region<const D: usize>(side: &ImplicitSide<D>, within: &Aabb<D>) -
 
 /// Part of a box below the plane of a half-space: for every axis, as far as the plane cuts the box's edges.
 fn below_plane<const D: usize>(pose: &Pose<D>, within: &Aabb<D>) -> Option<Aabb<D>> {
-    let mut up = Vector::<D>::zeros();
-    up[D - 1] = 1.0;
-    let normal = pose.rotate(&up);
-    let level = normal.dot(&Vector::from(pose.position));
+    let Plane { normal, point } = Plane::of(pose);
+    let level = normal.dot(&point);
     // Lowest value of n·x over the box, and what each axis adds to it.
     let least: f64 = (0..D).map(|i| (normal[i] * within.min[i]).min(normal[i] * within.max[i])).sum();
     if least > level {

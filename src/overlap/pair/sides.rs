@@ -5,6 +5,7 @@ use super::surface_point::SurfacePoint;
 use crate::configuration::FacetSide;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Surface, Vector};
+use rayon::prelude::*;
 
 /// A rigid shape that is not bounded by facets.
 #[derive(Clone, Copy)]
@@ -69,6 +70,17 @@ impl<'a, const D: usize> Pair<'a, D> {
         second: impl FnOnce() -> U + Send,
     ) -> (T, U) {
         if self.parallel { rayon::join(first, second) } else { (first(), second()) }
+    }
+
+    /// What `work` makes of every chunk of some items, in their order. The chunks do not depend on the number of threads, so
+    /// that sums over them do not.
+    pub(crate) fn in_chunks<T: Sync, U: Send>(
+        &self,
+        items: &[T],
+        size: usize,
+        work: impl Fn(&[T]) -> U + Send + Sync,
+    ) -> Vec<U> {
+        if self.parallel { items.par_chunks(size).map(work).collect() } else { items.chunks(size).map(work).collect() }
     }
 
     /// Whether the body is measured against itself.

@@ -1,6 +1,6 @@
 //! ContactPoints one by one, for energies that are taken fiber by fiber.
 //!
-//! A span is a stretch of a line inside both sides; where the line runs along the normal of the contact, its length is
+//! A span is a part of a line inside both sides; where the line runs along the normal of the contact, its length is
 //! the penetration depth. Both estimators return the same: sampled lines, or the points of a quadrature.
 //!
 //! With the line fixed, moving node a of the facet at an end moves the end by N_a n/(d·n), so that a function ψ of the

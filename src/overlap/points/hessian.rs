@@ -63,13 +63,8 @@ impl<const D: usize> ContactPoints<D> {
             }
             sum
         };
-        let chunks: Vec<BlockSum<D>> = if pair.parallel {
-            groups.par_chunks(CHUNK).map(of_chunk).collect()
-        } else {
-            groups.chunks(CHUNK).map(of_chunk).collect()
-        };
         let mut sum = BlockSum::default();
-        chunks.into_iter().for_each(|chunk| sum.add_sum(chunk));
+        pair.in_chunks(&groups, CHUNK, of_chunk).into_iter().for_each(|chunk| sum.add_sum(chunk));
         if !semidefinite {
             let [value, slope, _] = functions;
             for kink in &self.kinks {

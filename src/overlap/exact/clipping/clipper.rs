@@ -5,6 +5,7 @@ use super::solid::Solid;
 use crate::geometry::Vector;
 use crate::geometry::convex_piece::{Piece, clip_below, place};
 use crate::geometry::facet::area_vector;
+use crate::geometry::plane::Plane;
 use crate::overlap::pair::assembly::FacetShare;
 
 /// What a facet has inside the other side.
@@ -68,16 +69,15 @@ impl<const D: usize> Clipper<D> {
         (sums.iter().sum::<f64>() > 0.0).then_some(Clipped { share, ends: Some(ends) })
     }
 
-    /// What a facet of the first side has below the plane through `origin`, `None` if nothing.
+    /// What a facet of the first side has below a plane, `None` if nothing.
     pub(crate) fn below(
         &mut self,
         facet: u32,
         corners: &[Vector<D>; D],
-        normal: &Vector<D>,
-        origin: &Vector<D>,
+        plane: &Plane<D>,
         tolerance: f64,
     ) -> Option<Clipped<D>> {
-        if !clip_below(&corners.map(|x| normal.dot(&(x - origin))), tolerance, &mut self.piece) {
+        if !clip_below(&corners.map(|x| plane.height(&x)), tolerance, &mut self.piece) {
             return None;
         }
         let area = area_vector(corners).norm();

@@ -22,7 +22,7 @@ pub(crate) struct Facets<const D: usize> {
     pub(crate) corners: Vec<[Vector<D>; D]>,
     /// Unit outward normals; zero where a facet has no measure.
     pub(crate) normals: Vec<Vector<D>>,
-    /// Boxes, wider by the tie.
+    /// Boxes, wider by the tolerance.
     pub(crate) boxes: Vec<Aabb<D>>,
     pub(crate) tree: Tree<D>,
     /// Whether a facet may touch or cross the boundary of the other side.
@@ -69,7 +69,7 @@ impl<const D: usize> Facets<D> {
     }
 }
 
-/// Whether `x` lies on one side of the plane through `corners`, and farther from it than `tie`.
+/// Whether `x` lies on one side of the plane through `corners`, and farther from it than the tolerance.
 fn is_beside<const D: usize>(x: &[Vector<D>; D], corners: &[Vector<D>; D], normal: &Vector<D>, tolerance: f64) -> bool {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for x in x {

@@ -42,8 +42,8 @@ pub(crate) struct Found<'a, const D: usize> {
     /// Sides that have facets, what of these lies inside the other side, and their pose if they are an obstacle.
     pub(crate) sides: Vec<(&'a FacetSide<'a, D>, Vec<Clipped<D>>, Option<&'a Pose<D>>)>,
     pub(crate) region: Aabb<D>,
-    /// Normal and a point of the plane of a half-space.
-    pub(crate) plane: Option<(Vector<D>, Vector<D>)>,
+    /// Boundary of a half-space.
+    pub(crate) plane: Option<Plane<D>>,
 }
 
 impl<const D: usize> ExactPair<'_, D> {
@@ -79,21 +79,28 @@ impl<const D: usize> ExactPair<'_, D> {
                 );
                 Ok(Some(Found { sides: vec![(a, shares_a, None), (b, shares_b, pose)], region: aabb, plane: None }))
             }
-            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
-                let mut up = Vector::zeros();
-                up[D - 1] = 1.0;
-                let normal = pose.rotate(&up);
-                let origin = Vector::from(pose.position);
+            Counterpart::Implicit(_) => {
+                let Some(plane) = self.plane()? else { return Ok(None) };
                 let tolerance = a.aabb.rounding();
                 let mut clipper = Clipper::default();
-                let heights = Plane { point: origin, normal };
-                let below = a.facets_where(|aabb| heights.least(aabb) <= tolerance);
+                let below = a.facets_where(|aabb| plane.least(aabb) <= tolerance);
                 let shares: Vec<Clipped<D>> = below
                     .into_iter()
-                    .filter_map(|facet| clipper.below(facet, &a.corners(facet as usize), &normal, &origin, tolerance))
+                    .filter_map(|facet| clipper.below(facet, &a.corners(facet as usize), &plane, tolerance))
                     .collect();
-                Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: Some((normal, origin)) }))
+                Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: Some(plane) }))
             }
+        }
+    }
+
+    /// The plane of a half-space, where that is the second side.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for other obstacles without facets.
+    pub(crate) fn plane(&self) -> Result<Option<Plane<D>>, Error> {
+        match &self.pair.counterpart {
+            Counterpart::Itself | Counterpart::Facets(_) => Ok(None),
+            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Ok(Some(Plane::of(pose))),
             Counterpart::Implicit(_) => {
                 let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as a polygon or triangle mesh";
                 Err(Error::Unsupported { what })
@@ -196,16 +203,16 @@ impl<const D: usize> ExactPair<'_, D> {
             origin += moment;
         }
         origin = if weight > 0.0 { near + origin / weight } else { near };
-        if let Some((normal, on_plane)) = plane {
-            origin -= normal * normal.dot(&(origin - on_plane));
+        if let Some(plane) = plane {
+            origin -= plane.normal * plane.height(&origin);
         }
         let mut assembly = Assembly::new();
         let mut volume = 0.0;
         for (side, shares, pose) in sides {
             volume += self.add(&mut assembly, side, shares, *pose, &origin);
         }
-        if let Some((normal, _)) = plane {
-            assembly.add_reaction(normal, self.pair.a.points);
+        if let Some(plane) = plane {
+            assembly.add_reaction(&plane.normal, self.pair.a.points);
         }
         self.finish(assembly, volume / D as f64)
     }

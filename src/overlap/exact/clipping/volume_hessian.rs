@@ -26,7 +26,6 @@ use crate::geometry::plane::Plane;
 use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::points::block_sum::{Block, BlockSum, product};
 use crate::overlap::points::end_motion::nodes_of;
-use rayon::prelude::*;
 
 /// Below this sine of the angle between two facets they do not cross in a curve.
 const PARALLEL: f64 = 1e-12;
@@ -55,8 +54,7 @@ impl<const D: usize> ExactPair<'_, D> {
             (Counterpart::Facets(b), _) => self.in_chunks(&a.facets_in(&region), |&facet, sum| {
                 self.add_crossings(b, facet, obstacle_node, sum);
             }),
-            (_, Some((normal, point))) => {
-                let plane = Plane { point, normal };
+            (_, Some(plane)) => {
                 let met = a.facets_where(|aabb| plane.least(aabb) <= 0.0);
                 self.in_chunks(&met, |&facet, sum| self.add_crossing_with(&plane, facet, obstacle_node, sum))
             }
@@ -73,11 +71,7 @@ impl<const D: usize> ExactPair<'_, D> {
             items.iter().for_each(|item| add(item, &mut sum));
             sum
         };
-        if self.pair.parallel {
-            items.par_chunks(CHUNK).map(of_chunk).collect()
-        } else {
-            items.chunks(CHUNK).map(of_chunk).collect()
-        }
+        self.pair.in_chunks(items, CHUNK, of_chunk)
     }
 
     /// Nodes that move a facet, by corner; an obstacle moves as a whole, as if it had one corner.

@@ -9,22 +9,21 @@
 use super::edges::Edge;
 use super::projected_facets::{ProjectedFacet, Projection, SLIVER, end};
 use crate::Error;
+use crate::geometry::Vector;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_vector;
 use crate::geometry::facet_slopes::across;
 use crate::geometry::plane::Plane;
 use crate::geometry::quadrature::{for_each_gauss_point, mean, measure};
-use crate::geometry::{Shape, Vector};
 use crate::overlap::exact::clipping::volume::ExactPair;
 use crate::overlap::pair::region::Region;
-use crate::overlap::pair::sides::{Counterpart, ImplicitSide};
+use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::patches::partition::Patches;
 use crate::overlap::points::contact_point::ContactPoint;
 use crate::overlap::points::contact_points::ContactPoints;
 use crate::overlap::points::edge_terms::GapKink;
 use crate::sampling::Family;
-use rayon::prelude::*;
 
 /// A facet whose projection is a smaller part of it is seen edge-on: its barycentric coordinates are lost in rounding, and
 /// no line of any measure crosses it.
@@ -79,19 +78,6 @@ impl<const D: usize> ExactPair<'_, D> {
         Ok(Some(points))
     }
 
-    /// The plane of a half-space, where that is the second side.
-    pub(crate) fn plane(&self) -> Result<Option<Plane<D>>, Error> {
-        match &self.pair.counterpart {
-            Counterpart::Itself | Counterpart::Facets(_) => Ok(None),
-            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Ok(Some(Plane::of(pose))),
-            Counterpart::Implicit(_) => {
-                let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as \
-                            a polygon or triangle mesh";
-                Err(Error::Unsupported { what })
-            }
-        }
-    }
-
     /// Facets of either side that lines through the overlap may meet, and what is rounding there; `None` where the sides
     /// are apart.
     pub(crate) fn reached_facets(&self) -> Result<Option<ReachedFacets>, Error> {
@@ -127,21 +113,13 @@ impl<const D: usize> ExactPair<'_, D> {
         count: usize,
         work: impl Fn(usize, &mut Scratch<D>, &mut Vec<T>) + Sync,
     ) -> Vec<T> {
-        let of_chunk = |start: usize| {
+        let items: Vec<usize> = (0..count).collect();
+        let chunks = self.pair.in_chunks(&items, CHUNK, |items| {
             let (mut scratch, mut found) = (Scratch::default(), Vec::new());
-            for item in start..(start + CHUNK).min(count) {
-                work(item, &mut scratch, &mut found);
-            }
+            items.iter().for_each(|item| work(*item, &mut scratch, &mut found));
             found
-        };
-        if self.pair.parallel {
-            let chunks: Vec<Vec<T>> = (0..count.div_ceil(CHUNK)).into_par_iter().map(|c| of_chunk(c * CHUNK)).collect();
-            chunks.into_iter().flatten().collect()
-        } else {
-            let (mut scratch, mut found) = (Scratch::default(), Vec::new());
-            (0..count).for_each(|item| work(item, &mut scratch, &mut found));
-            found
-        }
+        });
+        chunks.into_iter().flatten().collect()
     }
 
     /// Jump, across an edge at the first end of a span, of the slope of the part that counts for a direction.

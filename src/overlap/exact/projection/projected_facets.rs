@@ -1,4 +1,4 @@
-//! Facets as lines see them: their shadows across the lines, and what hides what.
+//! Facets as lines see them: their projections across the lines, and what hides what.
 
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -45,7 +45,7 @@ impl<const D: usize> ProjectedFacet<D> {
         std::array::from_fn(|i| (0..D).map(|a| w[a] * self.corners[a][i]).sum())
     }
 
-    /// Measure of its shadow across the lines.
+    /// Measure of its projection across the lines.
     pub(crate) fn projected_area(&self) -> f64 {
         let c = &self.corners;
         match D {
@@ -54,7 +54,7 @@ impl<const D: usize> ProjectedFacet<D> {
         }
     }
 
-    /// Whether it is a facet of the other side in the same place, up to `tie`, and entered or left as this one.
+    /// Whether it is a facet of the other side in the same place, up to the tolerance, and entered or left as this one.
     fn coincides(&self, other: &Self, tolerance: f64) -> bool {
         self.of_b != other.of_b
             && self.leaves == other.leaves
@@ -97,7 +97,7 @@ impl<const D: usize> Projection<D> {
         Self { facets, boxes, tree, tolerance }
     }
 
-    /// Facets whose shadow's box meets a box across the lines, ascending.
+    /// Facets whose projection's box meets a box across the lines, ascending.
     pub(crate) fn near(&self, query: &Aabb<D>) -> Vec<u32> {
         let mut found = Vec::new();
         self.find_near(query, &mut found);
@@ -138,15 +138,15 @@ impl<const D: usize> Projection<D> {
     ) -> Vec<(Corners<D>, f64)> {
         let [first, second] = between.map(|index| &self.facets[index as usize]);
         let sign = if first.leaves { -1.0 } else { 1.0 };
-        let (mut shadow, mut low, mut high) = (Aabb::empty(), f64::INFINITY, f64::NEG_INFINITY);
+        let (mut outline, mut low, mut high) = (Aabb::empty(), f64::INFINITY, f64::NEG_INFINITY);
         for w in piece {
             let place = first.place(w);
             let flat = flat(&place);
-            shadow = shadow.union(&Aabb { min: flat, max: flat });
+            outline = outline.union(&Aabb { min: flat, max: flat });
             let far = place[2] + sign * (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
             (low, high) = (low.min(place[2]).min(far), high.max(place[2]).max(far));
         }
-        self.find_near(&shadow, near);
+        self.find_near(&outline, near);
         let mut visible = vec![(piece.to_vec(), 1.0)];
         for &other in near.iter().filter(|other| !between.contains(other)) {
             // Before or behind all that lies between the two.
