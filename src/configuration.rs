@@ -4,10 +4,12 @@
 //! whatever a tree finds is put into ascending order before it is used.
 
 mod bodies;
+mod body_tree;
 mod cell_check;
 mod facet_side;
 mod facet_tree;
 mod self_contact;
+mod upright;
 
 pub(crate) use bodies::Configuration;
 pub(crate) use cell_check::CellCheck;

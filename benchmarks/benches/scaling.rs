@@ -1,6 +1,7 @@
 //! What an evaluation costs, by mesh size, by bodies and by threads: the least of several times on one thread, in one run.
 //!
-//! `cargo bench -p fmc-benchmarks --bench scaling` prints a table; `-- quick` leaves out the largest meshes.
+//! `cargo bench -p fmc-benchmarks --bench scaling` prints a table; `-- quick` leaves out the largest meshes, and
+//! `-- size`, `corner`, `plates`, `bodies` or `small` prints a part.
 
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{
@@ -229,10 +230,15 @@ fn small_things() {
 }
 
 fn main() {
-    let quick = std::env::args().any(|argument| argument == "quick");
-    by_size(if quick { &[4, 5] } else { &[4, 5, 6, 7] });
-    corner();
-    whole_faces();
-    bodies();
-    small_things();
+    let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
+    let is_quick = words.iter().any(|word| word == "quick");
+    let is_asked = |name: &str| words.iter().all(|word| word == "quick") || words.iter().any(|word| word == name);
+    let parts: [(&str, &dyn Fn()); 5] = [
+        ("size", &|| by_size(if is_quick { &[4, 5] } else { &[4, 5, 6, 7] })),
+        ("corner", &corner),
+        ("plates", &whole_faces),
+        ("bodies", &bodies),
+        ("small", &small_things),
+    ];
+    parts.iter().filter(|(name, _)| is_asked(name)).for_each(|(_, part)| part());
 }

@@ -1,10 +1,11 @@
 //! All bodies of a mesh at given coordinates.
 
+use super::body_tree::BodyTree;
 use super::{CellCheck, FacetSide, FacetTree};
 use crate::Error;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::tree::Tree;
 use crate::geometry::{Surface, Vector};
+use std::ops::Range;
 
 /// The bodies at one set of coordinates. It may be brought to others, for which it keeps the topology of its trees.
 pub(crate) struct Configuration<const D: usize> {
@@ -14,6 +15,8 @@ pub(crate) struct Configuration<const D: usize> {
     points: Vec<Vector<D>>,
     /// Facets of every body.
     trees: Vec<FacetTree<D>>,
+    /// Their boxes.
+    bodies: BodyTree<D>,
     cell_check: Option<CellCheck<D>>,
     /// Whether no cell is known to be inverted here.
     is_checked: bool,
@@ -28,6 +31,7 @@ impl<const D: usize> Configuration<D> {
             coords: Vec::new(),
             points: Vec::new(),
             trees: Vec::new(),
+            bodies: BodyTree::default(),
             cell_check: None,
             is_checked: false,
             is_upright: false,
@@ -64,12 +68,16 @@ impl<const D: usize> Configuration<D> {
         surface.place(coords, &mut self.points);
         let points = &self.points;
         if self.trees.is_empty() {
-            self.trees = surface.ranges.iter().map(|r| FacetTree::new(&surface.facets[r.clone()], points)).collect();
+            let bodies = surface.ranges.iter().zip(&surface.vertices);
+            let tree =
+                |(r, of_body): (&Range<usize>, &Vec<u32>)| FacetTree::new(&surface.facets[r.clone()], of_body, points);
+            self.trees = bodies.map(tree).collect();
         } else {
-            for (tree, range) in self.trees.iter_mut().zip(&surface.ranges) {
-                tree.update(&surface.facets[range.clone()], points, parallel);
+            for ((tree, range), of_body) in self.trees.iter_mut().zip(&surface.ranges).zip(&surface.vertices) {
+                tree.update(&surface.facets[range.clone()], of_body, points, parallel);
             }
         }
+        self.bodies.update(self.trees.iter().map(FacetTree::aabb));
         Ok(true)
     }
 
@@ -97,16 +105,7 @@ impl<const D: usize> Configuration<D> {
 
     /// Pairs (i, j) with i < j of bodies whose boxes meet, ascending.
     pub(crate) fn meeting_bodies(&self) -> Vec<(usize, usize)> {
-        let boxes: Vec<Aabb<D>> = self.trees.iter().map(FacetTree::aabb).collect();
-        let tree = Tree::new(&boxes);
-        let mut pairs = Vec::new();
-        tree.visit_pairs(&tree, [&boxes, &boxes], |i, j| {
-            if i < j {
-                pairs.push((i as usize, j as usize));
-            }
-        });
-        pairs.sort_unstable();
-        pairs
+        self.bodies.meeting()
     }
 }
 

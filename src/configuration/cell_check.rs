@@ -4,7 +4,8 @@
 //! has moved by at least half of the simplex's width, the least distance between two parallel planes with the simplex
 //! between them. In 3D the width is at least 6 V / ℓ², in 2D 2 A / ℓ, with ℓ the longest edge. So a group of cells
 //! whose nodes have all moved less than that, apart from a translation of the whole group, has not changed its
-//! orientation. Only the other groups are checked cell by cell, with the same result as a check of every cell.
+//! orientation. Only the other groups are checked cell by cell, with the same result as a check of every cell. As long as
+//! all nodes together have moved less than any group may, apart from a translation, one pass over them is enough.
 
 use crate::Error;
 use crate::geometry::Vector;
@@ -20,6 +21,9 @@ const TRUSTED: f64 = 0.9;
 #[derive(Default)]
 pub(crate) struct CellCheck<const D: usize> {
     groups: Vec<Group<D>>,
+    /// All nodes when the groups were looked at last, and how far they may part from there.
+    reference: Vec<[f64; D]>,
+    margin: f64,
 }
 
 struct Group<const D: usize> {
@@ -45,7 +49,7 @@ impl<const D: usize> CellCheck<D> {
                 groups.push(Group { cells: cells_of, nodes, reference: Vec::new(), width: 0.0 });
             }
         }
-        Self { groups }
+        Self { groups, reference: Vec::new(), margin: 0.0 }
     }
 
     /// Checks that no cell is inverted or without measure at `coords`; the lowest offending cell is named.
@@ -53,27 +57,54 @@ impl<const D: usize> CellCheck<D> {
     /// # Errors
     /// [`Error::InvertedCell`], [`Error::ZeroMeasure`].
     pub(crate) fn check(&mut self, cells: &Cells, coords: &[[f64; D]], parallel: bool) -> Result<(), Error> {
-        let check = |group: &mut Group<D>| group.check(cells, coords);
-        if parallel {
-            // The lowest of several offending cells, whichever thread finds one first.
-            let failed: Vec<Error> = self.groups.par_iter_mut().filter_map(|group| check(group).err()).collect();
-            failed.into_iter().next().map_or(Ok(()), Err)
-        } else {
-            self.groups.iter_mut().try_for_each(check)
+        if self.margin > 0.0 && self.parted(coords) < self.margin {
+            return Ok(());
         }
+        self.margin = 0.0;
+        let check = |group: &mut Group<D>| group.check(cells, coords);
+        let margins: Vec<Result<f64, Error>> = if parallel {
+            self.groups.par_iter_mut().map(check).collect()
+        } else {
+            self.groups.iter_mut().map(check).collect()
+        };
+        // The lowest of several offending cells, whichever thread finds one first.
+        let margins: Vec<f64> = margins.into_iter().collect::<Result<_, _>>()?;
+        self.margin = margins.into_iter().fold(f64::INFINITY, f64::min);
+        self.reference.clear();
+        self.reference.extend_from_slice(coords);
+        Ok(())
+    }
+
+    /// A bound of how far any two nodes have moved apart; no number where a node has none.
+    fn parted(&self, coords: &[[f64; D]]) -> f64 {
+        let (mut least, mut most, mut sums) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D], [0.0; D]);
+        for (x, from) in coords.iter().zip(&self.reference) {
+            for axis in 0..D {
+                let moved = x[axis] - from[axis];
+                least[axis] = if moved < least[axis] { moved } else { least[axis] };
+                most[axis] = if moved > most[axis] { moved } else { most[axis] };
+                sums[axis] += moved;
+            }
+        }
+        let apart = Vector::<D>::from_fn(|axis, _| most[axis] - least[axis]).norm();
+        if sums.iter().all(|sum| sum.is_finite()) { apart } else { f64::NAN }
     }
 }
 
 impl<const D: usize> Group<D> {
-    fn check(&mut self, cells: &Cells, coords: &[[f64; D]]) -> Result<(), Error> {
-        if self.width > 0.0 && 2.0 * self.moved(coords) < TRUSTED * self.width {
-            return Ok(());
+    /// How much farther its nodes may part.
+    fn check(&mut self, cells: &Cells, coords: &[[f64; D]]) -> Result<f64, Error> {
+        if self.width > 0.0 {
+            let margin = 0.5 * TRUSTED * self.width - self.moved(coords);
+            if margin > 0.0 {
+                return Ok(margin);
+            }
         }
         cells.check_range(self.cells.clone(), coords)?;
         self.reference.clear();
         self.reference.extend(self.nodes.iter().map(|&n| coords[n as usize]));
         self.width = self.cells.clone().map(|cell| width(cells, cell, coords)).fold(f64::INFINITY, f64::min);
-        Ok(())
+        Ok(0.5 * TRUSTED * self.width)
     }
 
     /// Largest displacement of a node since then, relative to that of the first.

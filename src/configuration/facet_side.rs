@@ -40,7 +40,7 @@ impl<const D: usize> FacetSide<'_, D> {
     /// Facets for whose boxes, and all boxes around them, `accept` holds; ascending.
     pub(crate) fn facets_where(&self, accept: impl Fn(&Aabb<D>) -> bool) -> Vec<u32> {
         let mut found = Vec::new();
-        self.tree.boxes().visit(&accept, |facet| {
+        self.tree.visit(&accept, |facet| {
             if accept(&self.facet_box(facet as usize)) {
                 found.push(facet);
             }
@@ -53,13 +53,22 @@ impl<const D: usize> FacetSide<'_, D> {
     ///
     /// Counted along the line through `x` parallel to the last axis. On the boundary it may be either.
     pub(crate) fn winding_number(&self, x: &Vector<D>) -> i32 {
+        self.winding_number_without(x, None)
+    }
+
+    /// The same, for a point of a facet that does not count: the winding number just below it.
+    pub(crate) fn winding_number_without(&self, x: &Vector<D>, but: Option<u32>) -> i32 {
         // A crossing is found by interpolation, which may be off by rounding along the line.
         let top = x[D - 1] + self.aabb.rounding();
         let reaches = |b: &Aabb<D>| {
             b.min[D - 1] <= top && (0..D - 1).fold(true, |all, i| all & (b.min[i] <= x[i]) & (x[i] <= b.max[i]))
         };
         let mut count = 0;
-        self.tree.boxes().visit(reaches, |facet| count += winding_step(&self.facets[facet as usize], self.points, x));
+        self.tree.visit(reaches, |facet| {
+            if Some(facet) != but {
+                count += winding_step(&self.facets[facet as usize], self.points, x);
+            }
+        });
         count
     }
 }

@@ -95,11 +95,11 @@ impl<const D: usize> Rigid<D> {
         let points: Vec<Vector<D>> = points.iter().map(|x| pose.place(x)).collect();
         match placed {
             Some(placed) => {
-                placed.tree.update(&surface.facets, &points, false);
+                placed.tree.update(&surface.facets, &surface.vertices[0], &points, false);
                 (placed.points, placed.pose) = (points, pose);
             }
             None => {
-                let tree = FacetTree::new(&surface.facets, &points);
+                let tree = FacetTree::new(&surface.facets, &surface.vertices[0], &points);
                 let new = placed.insert(Placed { tree, points, pose, is_upright: false });
                 new.is_upright = surface.is_one_sheet(0) && !self.side(new).may_cross_itself();
             }

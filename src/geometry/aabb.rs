@@ -17,11 +17,23 @@ impl<const D: usize> Aabb<D> {
     #[inline]
     pub(crate) fn of<'a>(points: impl IntoIterator<Item = &'a Vector<D>>) -> Self {
         let mut aabb = Self::empty();
-        for x in points {
-            aabb.min = aabb.min.inf(x);
-            aabb.max = aabb.max.sup(x);
-        }
+        points.into_iter().for_each(|x| aabb.include(x));
         aabb
+    }
+
+    /// Widens it to a point.
+    #[inline]
+    pub(crate) fn include(&mut self, x: &Vector<D>) {
+        // Comparisons that are one instruction each; `f64::min` would look for what is no number.
+        for i in 0..D {
+            self.min[i] = if x[i] < self.min[i] { x[i] } else { self.min[i] };
+            self.max[i] = if x[i] > self.max[i] { x[i] } else { self.max[i] };
+        }
+    }
+
+    /// All sums of a point of one and a point of the other.
+    pub(crate) fn sum(&self, other: &Self) -> Self {
+        Self { min: self.min + other.min, max: self.max + other.max }
     }
 
     pub(crate) fn is_empty(&self) -> bool {

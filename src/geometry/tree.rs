@@ -71,7 +71,17 @@ impl<const D: usize> Tree<D> {
     /// Returns the sum of the extents of all leaves, which grows as the items leave the places at which the tree was
     /// built.
     pub(crate) fn refit(&mut self, leaf_box: &(impl Fn(usize) -> Aabb<D> + Sync), parallel: bool) -> f64 {
-        refit(&mut self.nodes, 0, leaf_box, parallel).1
+        refit(&mut self.nodes, 0, &|node: &Node<D>| leaf_box(node.leaf as usize), parallel).1
+    }
+
+    /// The same, given the boxes of all items.
+    pub(crate) fn refit_to(&mut self, boxes: &[Aabb<D>]) -> f64 {
+        let Self { nodes, items } = self;
+        let of_leaf = |node: &Node<D>| {
+            let items = &items[node.start as usize..node.end as usize];
+            items.iter().fold(Aabb::empty(), |sum, &i| sum.union(&boxes[i as usize]))
+        };
+        refit(nodes, 0, &of_leaf, false).1
     }
 
     /// Adds the node over items `start..end` and those below it; returns its box.
@@ -146,15 +156,17 @@ impl<const D: usize> Tree<D> {
 }
 
 impl<const D: usize> Tree<D> {
-    /// Visits every two items whose leaves' boxes meet, once, until `go_on` is false.
-    pub(crate) fn visit_own_pairs(&self, mut go_on: impl FnMut(u32, u32) -> bool) {
+    /// Visits every two items whose leaves' boxes come nearer to each other than `reach`, by axis, once, until `go_on` is
+    /// false.
+    pub(crate) fn visit_own_pairs(&self, reach: &Vector<D>, mut go_on: impl FnMut(u32, u32) -> bool) {
         let mut stack = Vec::with_capacity(64);
         if !self.nodes.is_empty() {
             stack.push((0u32, 0u32));
         }
         while let Some((p, q)) = stack.pop() {
             let (here, there) = (&self.nodes[p as usize], &self.nodes[q as usize]);
-            if p != q && !here.aabb.meets(&there.aabb) {
+            let near = Aabb { min: here.aabb.min - reach, max: here.aabb.max + reach };
+            if p != q && !near.meets(&there.aabb) {
                 continue;
             }
             match (here.right, there.right) {
@@ -185,12 +197,12 @@ impl<const D: usize> Tree<D> {
 fn refit<const D: usize>(
     nodes: &mut [Node<D>],
     first: u32,
-    leaf_box: &(impl Fn(usize) -> Aabb<D> + Sync),
+    leaf_box: &(impl Fn(&Node<D>) -> Aabb<D> + Sync),
     parallel: bool,
 ) -> (Aabb<D>, f64) {
     let Some((node, below)) = nodes.split_first_mut() else { return (Aabb::empty(), 0.0) };
     if node.right == 0 {
-        node.aabb = leaf_box(node.leaf as usize);
+        node.aabb = leaf_box(node);
         return (node.aabb, node.aabb.extent().sum());
     }
     let right = node.right;

@@ -5,5 +5,6 @@ pub(crate) mod contact_point;
 pub(crate) mod contact_points;
 pub(crate) mod edge_terms;
 pub(crate) mod end_motion;
+mod facet_sums;
 pub(crate) mod hessian;
 pub(crate) mod silhouette_hessian;

@@ -44,7 +44,7 @@ impl<const D: usize> PairEnergy<D> {
         correction: Option<f64>,
     ) -> Self {
         let slope = |length: f64| law.energy_gradient(length);
-        let (mut gradient, overlap) = points.gradient_and_overlap(pair, |length| law.energy(length), slope);
+        let (mut gradient, overlap) = points.gradient_and_overlap(pair, &|length| law.energy(length), &slope);
         if let Some(tolerance) = correction {
             correct(&gradient.nodes, &gradient.of_b, &mut gradient.values, &mut gradient.pose, pair.coords, tolerance);
         }

@@ -5,5 +5,6 @@ pub(crate) mod edges;
 pub(crate) mod inside;
 pub(crate) mod kinks;
 pub(crate) mod projected_facets;
+pub(crate) mod reached;
 pub(crate) mod samples;
 pub(crate) mod silhouettes;

@@ -103,7 +103,7 @@ impl<const D: usize> Bundle<'_, D> {
             let complete = [Some(a), b].into_iter().flatten().enumerate().all(|(s, side)| {
                 let before = gathered.events.len();
                 let accept = |b: &Aabb<D>| b.meets_ray(&segment.origin, segment.direction(), *length);
-                side.tree.boxes().visit(accept, |facet| {
+                side.tree.visit(accept, |facet| {
                     let p = side.corners(facet as usize).map(|x| segment.view(&x));
                     for_each_crossing::<D>(std::array::from_fn(|k| &p[k]), &Window::single(), |_, _, t, leaves| {
                         if t < 0.0 {

@@ -38,6 +38,11 @@ impl<const D: usize> Counterpart<'_, D> {
     pub(crate) fn is_marched(&self) -> bool {
         matches!(self, Counterpart::Implicit(side) if side.is_marched())
     }
+
+    /// Whether it is a rigid shape without facets.
+    pub(crate) fn is_shape(&self) -> bool {
+        matches!(self, Counterpart::Implicit(_))
+    }
 }
 
 /// Two sides, whichever way their overlap is measured.

@@ -22,3 +22,10 @@ pub(crate) enum SurfacePoint<const D: usize> {
         normal: Vector<D>,
     },
 }
+
+impl<const D: usize> SurfacePoint<D> {
+    /// Whether it lies on a rigid shape without facets.
+    pub(crate) fn is_of_shape(&self) -> bool {
+        matches!(self, SurfacePoint::Point { .. })
+    }
+}

@@ -8,7 +8,6 @@
 //! the part p(N) that counts moves too: ∂p/∂x_a = −N_a η, with η the slope of p across the lines.
 
 use crate::geometry::Vector;
-use crate::geometry::facet::area_vector;
 use crate::geometry::facet_slopes::across;
 use crate::overlap::pair::assembly::{Assembly, FacetShare, PointShare};
 use crate::overlap::pair::overlap::{Overlap, PoseGradient};
@@ -18,6 +17,7 @@ use crate::overlap::pair::warning::{Warning, swallowed};
 use crate::overlap::patches::partition::Patches;
 use crate::overlap::points::contact_point::ContactPoint;
 use crate::overlap::points::edge_terms::{Anchor, GapKink, SilhouettePoint};
+use crate::overlap::points::facet_sums::{FacetSum, facet_sums};
 
 /// All spans of a pair.
 #[derive(Clone, Debug, Default)]
@@ -54,10 +54,34 @@ impl<const D: usize> ContactPoints<D> {
         self.points.iter().map(|s| s.weight * f(s.length)).sum()
     }
 
+    /// Gradient of Σ ω ψ(L), given ψ and ψ'; and the volume Σ ω L, its gradient, and what is known of the contact.
+    pub(crate) fn gradient_and_overlap(
+        &self,
+        pair: &Pair<D>,
+        value: &(dyn Fn(f64) -> f64 + Sync),
+        slope: &(dyn Fn(f64) -> f64 + Sync),
+    ) -> (PointGradient<D>, Overlap<D>) {
+        let sums = facet_sums(pair, &self.patches.directions, &self.points, slope);
+        let (energy, volume) = pair.both(
+            || self.assembly(pair, &sums, |sum| sum.energy, value, slope),
+            || self.assembly(pair, &sums, |sum| sum.volume, &|length| length, &|_| 1.0),
+        );
+        let pose = pair.pose.map(|_| energy.pose_gradient());
+        let (nodes, values, of_b) = energy.into_nodes(pair.surface);
+        (PointGradient { nodes, values, of_b, pose }, self.overlap_of(pair, &sums, volume))
+    }
+
     /// Volume Σ ω L, its gradient, and what is known of the contact.
     pub(crate) fn overlap(&self, pair: &Pair<D>) -> Overlap<D> {
-        let mut assembly = self.assembly(pair, |length| length, |_| 1.0);
+        let sums = facet_sums(pair, &self.patches.directions, &self.points, &|_| 1.0);
+        let volume = self.assembly(pair, &sums, |sum| sum.volume, &|length| length, &|_| 1.0);
+        self.overlap_of(pair, &sums, volume)
+    }
+
+    /// The overlap with the gradient that was assembled.
+    fn overlap_of(&self, pair: &Pair<D>, sums: &[FacetSum<D>], assembly: Assembly<D>) -> Overlap<D> {
         let [a, b] = pair.partners;
+        let of_shapes = self.points.iter().flat_map(|point| &point.ends).filter(|end| end.is_of_shape()).count();
         let mut overlap = Overlap {
             a,
             b,
@@ -70,8 +94,8 @@ impl<const D: usize> ContactPoints<D> {
             contact_area: assembly.contact_area(),
             penetration: self.longest(),
             fiber_count: self.fiber_count,
-            crossing_count: assembly.share_count(),
-            facet_count: assembly.facet_count(),
+            crossing_count: of_shapes + sums.iter().map(|sum| sum.count).sum::<usize>(),
+            facet_count: sums.iter().filter(|sum| sum.count > 0).count(),
             spacing: self.spacing,
             warnings: self.warnings.clone(),
         };
@@ -80,55 +104,36 @@ impl<const D: usize> ContactPoints<D> {
         overlap
     }
 
-    /// Gradient of Σ ω ψ(L), given ψ and ψ', and the overlap.
-    pub(crate) fn gradient_and_overlap(
+    fn assembly(
         &self,
         pair: &Pair<D>,
-        value: impl Fn(f64) -> f64 + Sync,
-        slope: impl Fn(f64) -> f64 + Sync,
-    ) -> (PointGradient<D>, Overlap<D>) {
-        pair.both(|| self.gradient(pair, &value, &slope), || self.overlap(pair))
-    }
-
-    /// Gradient of Σ ω ψ(L), given ψ and ψ'.
-    pub(crate) fn gradient(
-        &self,
-        pair: &Pair<D>,
-        value: impl Fn(f64) -> f64,
-        slope: impl Fn(f64) -> f64,
-    ) -> PointGradient<D> {
-        let assembly = self.assembly(pair, value, slope);
-        let pose = pair.pose.map(|_| assembly.pose_gradient());
-        let (nodes, values, of_b) = assembly.into_nodes(pair.surface);
-        PointGradient { nodes, values, of_b, pose }
-    }
-
-    fn assembly(&self, pair: &Pair<D>, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> Assembly<D> {
+        sums: &[FacetSum<D>],
+        shares: impl Fn(&FacetSum<D>) -> [f64; D],
+        value: &(dyn Fn(f64) -> f64 + Sync),
+        slope: &(dyn Fn(f64) -> f64 + Sync),
+    ) -> Assembly<D> {
         let mut assembly = Assembly::new();
-        for span in &self.points {
-            let d = &self.patches.directions[span.direction as usize];
-            let share = span.weight * slope(span.length);
-            let blends = self.blends(pair, span);
-            for (end, blend) in span.ends.iter().zip(blends) {
-                match *end {
-                    SurfacePoint::Facet { of_b, facet, weights } => {
-                        let side = pair.side(of_b);
-                        let Some(normal) = area_vector(&side.corners(facet as usize)).try_normalize(0.0) else {
-                            continue;
-                        };
-                        let share = share / d.dot(&normal).abs();
-                        let pose = if of_b { pair.pose } else { None };
-                        assembly.add_facet(side, &FacetShare { facet, of_b, shares: weights.map(|w| w * share) }, pose);
-                        if let Some(eta) = blend {
-                            let force = -eta * (span.across * value(span.length));
-                            assembly.add_force(side, (of_b, facet), &weights, &force, pose);
-                        }
-                    }
-                    SurfacePoint::Point { point, normal } => {
-                        let Some(pose) = pair.pose else { continue };
-                        let share = share / d.dot(&normal).abs();
-                        assembly.add_point(&PointShare { point, normal, share }, pose);
-                    }
+        let pose_of = |of_b: bool| if of_b { pair.pose } else { None };
+        for sum in sums {
+            let &FacetSum { of_b, facet, .. } = sum;
+            assembly.add_facet(pair.side(of_b), &FacetShare { facet, of_b, shares: shares(sum) }, pose_of(of_b));
+        }
+        if pair.counterpart.is_shape() {
+            for span in &self.points {
+                let d = &self.patches.directions[span.direction as usize];
+                for end in &span.ends {
+                    let (SurfacePoint::Point { point, normal }, Some(pose)) = (*end, pair.pose) else { continue };
+                    let share = span.weight * slope(span.length) / d.dot(&normal).abs();
+                    assembly.add_point(&PointShare { point, normal, share }, pose);
+                }
+            }
+        }
+        if self.patches.are_blended() {
+            for span in &self.points {
+                for (end, blend) in span.ends.iter().zip(self.blends(pair, span)) {
+                    let (SurfacePoint::Facet { of_b, facet, weights }, Some(eta)) = (*end, blend) else { continue };
+                    let force = -eta * (span.across * value(span.length));
+                    assembly.add_force(pair.side(of_b), (of_b, facet), &weights, &force, pose_of(of_b));
                 }
             }
         }
@@ -137,8 +142,7 @@ impl<const D: usize> ContactPoints<D> {
             for (anchor, weight) in &silhouette.weights {
                 let Anchor::Vertex { of_b, vertex } = *anchor else { continue };
                 let point = pair.side(of_b).points[vertex as usize];
-                let pose = if of_b { pair.pose } else { None };
-                assembly.add_to_vertex(of_b, vertex, &point, &(silhouette.across * (*weight * jump)), pose);
+                assembly.add_to_vertex(of_b, vertex, &point, &(silhouette.across * (*weight * jump)), pose_of(of_b));
             }
         }
         assembly

@@ -7,7 +7,8 @@
 //! ψ'(L) N_a of the quadratic ψ exactly, and any smooth ψ to their order. What a third facet hides of a piece is cut out of it.
 
 use super::edges::Edge;
-use super::projected_facets::{ProjectedFacet, Projection, SLIVER, end};
+use super::projected_facets::{Near, ProjectedFacet, Projection, SLIVER, end};
+use super::reached::Reached;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::convex_piece::Piece;
@@ -16,8 +17,6 @@ use crate::geometry::facet_slopes::across;
 use crate::geometry::plane::Plane;
 use crate::geometry::quadrature::{for_each_gauss_point, mean, measure};
 use crate::overlap::exact::clipping::volume::ExactPair;
-use crate::overlap::pair::region::Region;
-use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::patches::partition::Patches;
 use crate::overlap::points::contact_point::ContactPoint;
@@ -41,7 +40,7 @@ impl<const D: usize> ExactPair<'_, D> {
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error> {
         let plane = self.plane()?;
-        let Some((facets, rounding)) = self.reached_facets()? else { return Ok(None) };
+        let Some(reached) = self.reached_facets()? else { return Ok(None) };
         let mut points = ContactPoints { patches: patches.clone(), ..ContactPoints::default() };
         let rule = if patches.are_blended() { Rule::Fine } else { Rule::Gauss };
         for (direction, d) in patches.directions.iter().enumerate() {
@@ -54,7 +53,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 weighted(&mut point);
                 (point.weight > 0.0 && point.length > 0.0).then_some(point)
             };
-            let seen = self.projection(&family, &facets, plane.as_ref(), rounding);
+            let seen = self.projection(&family, &reached, plane.as_ref());
             if let Some(plane) = &plane {
                 self.points_on_plane(&seen, &family, plane, rule, |point| points.points.extend(keep(point)));
             }
@@ -78,33 +77,16 @@ impl<const D: usize> ExactPair<'_, D> {
         Ok(Some(points))
     }
 
-    /// Facets of either side that lines through the overlap may meet, and what is rounding there; `None` where the sides
-    /// are apart.
-    pub(crate) fn reached_facets(&self) -> Result<Option<ReachedFacets>, Error> {
-        let Some(Region { aabb, facets }) = self.pair.region()? else { return Ok(None) };
-        let rounding = aabb.rounding();
-        // Where a body may be inside out, all that lines meet beyond the region tells how often they were inside before.
-        if let Counterpart::Facets(b) = &self.pair.counterpart
-            && !(self.pair.a.is_upright && b.is_upright)
-        {
-            let common = self.pair.a.aabb.intersection(&b.aabb);
-            let common = common.inflated(common.rounding());
-            return Ok(Some(([self.pair.a.facets_in(&common), b.facets_in(&common)], rounding)));
-        }
-        Ok(Some((facets, rounding)))
-    }
-
     /// The facets as lines of a family see them.
     pub(crate) fn projection(
         &self,
         family: &Family<D>,
-        facets: &[Vec<u32>; 2],
+        Reached { facets, rounding, is_upright }: &Reached,
         plane: Option<&Plane<D>>,
-        rounding: f64,
     ) -> Projection<D> {
-        let mut seen = self.seen(family, false, &facets[0], plane, rounding);
-        seen.extend(self.seen(family, true, &facets[1], None, rounding));
-        Projection::new(seen)
+        let mut seen = self.seen(family, false, &facets[0], plane, *rounding);
+        seen.extend(self.seen(family, true, &facets[1], None, *rounding));
+        Projection::new(seen, *is_upright)
     }
 
     /// What `work` finds for each of so many items, in their order.
@@ -119,7 +101,9 @@ impl<const D: usize> ExactPair<'_, D> {
             items.iter().for_each(|item| work(*item, &mut scratch, &mut found));
             found
         });
-        chunks.into_iter().flatten().collect()
+        let mut all = Vec::with_capacity(chunks.iter().map(Vec::len).sum());
+        chunks.into_iter().for_each(|mut chunk| all.append(&mut chunk));
+        all
     }
 
     /// Jump, across an edge at the first end of a span, of the slope of the part that counts for a direction.
@@ -173,32 +157,28 @@ impl<const D: usize> ExactPair<'_, D> {
         if e.leaves {
             return;
         }
-        let Scratch { near, between, piece } = scratch;
-        seen.find_near(&seen.boxes[entered], near);
-        let [first, _] = seen.range(entered as u32);
-        for &left in near.iter() {
+        let Scratch { near, piece } = scratch;
+        seen.find_near(entered as u32, near);
+        let [first, _] = seen.ranges[entered];
+        for &Near { facet: left, bounds, t } in near.iter() {
             let x = &seen.facets[left as usize];
-            if !x.leaves || seen.range(left)[1] <= first {
+            if !x.leaves || seen.ranges[left as usize][1] <= first {
                 continue;
             }
-            let at_corners: [[f64; D]; D] = e.corners.map(|c| x.barycentric(&c));
-            let lengths: [f64; D] = std::array::from_fn(|c| x.t(&at_corners[c]) - e.corners[c][2]);
-            if (0..D).any(|a| at_corners.iter().all(|w| w[a] <= 0.0)) || lengths.iter().all(|l| *l <= 0.0) {
+            let lengths: [f64; D] = std::array::from_fn(|c| t[c] - e.corners[c][2]);
+            if bounds.iter().any(|w| w.iter().all(|w| *w <= 0.0)) || lengths.iter().all(|l| *l <= 0.0) {
                 continue;
             }
             piece.reset();
-            let mut cuts = (0..D).map(|a| at_corners.map(|w| -w[a])).chain([lengths.map(|l| -l)]);
+            let mut cuts = bounds.iter().chain([&lengths]).map(|positive| positive.map(|w| -w));
             if !cuts.all(|at_corners| piece.cut(&at_corners)) {
                 continue;
             }
-            for (piece, share) in seen.visible(piece.corners(), [entered as u32, left], &lengths, between) {
-                if measure(&piece) <= SLIVER {
-                    continue;
+            seen.visible(piece.corners(), [entered as u32, left], &lengths, near, |piece, share| {
+                if measure(piece) <= SLIVER || !self.is_inside_both(seen, e, x, &e.place(&mean(piece))) {
+                    return;
                 }
-                if !self.is_inside_both(seen, e, x, &e.place(&mean(&piece))) {
-                    continue;
-                }
-                rule.for_each_point(&piece, |w, part| {
+                rule.for_each_point(piece, |w, part| {
                     let weights = x.barycentric(&e.place(w));
                     let across = share * part * e.projected_area();
                     add(ContactPoint {
@@ -209,7 +189,7 @@ impl<const D: usize> ExactPair<'_, D> {
                         ends: [end(e, *w), end(x, weights)],
                     });
                 });
-            }
+            });
         }
     }
 
@@ -231,8 +211,9 @@ impl<const D: usize> ExactPair<'_, D> {
             if !piece.cut(&lengths.map(|l| -l)) {
                 continue;
             }
-            for (piece, share) in seen.visible(piece.corners(), [index as u32; 2], &lengths, &mut near) {
-                rule.for_each_point(&piece, |w, part| {
+            seen.find_near(index as u32, &mut near);
+            seen.visible(piece.corners(), [index as u32; 2], &lengths, &near, |piece, share| {
+                rule.for_each_point(piece, |w, part| {
                     let length = (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
                     let along = if s.leaves { -length } else { length };
                     let on_facet = (0..D).fold(Vector::zeros(), |sum, a| sum + corners[a] * w[a]);
@@ -242,13 +223,10 @@ impl<const D: usize> ExactPair<'_, D> {
                     let across = share * part * s.projected_area();
                     add(ContactPoint { weight: across, across, length, direction: 0, ends });
                 });
-            }
+            });
         }
     }
 }
-
-/// Facets of either side, and the distance that is rounding there.
-pub(crate) type ReachedFacets = ([Vec<u32>; 2], f64);
 
 /// How points are laid on a piece of a facet.
 #[derive(Clone, Copy)]
@@ -274,7 +252,6 @@ impl Rule {
 /// Memory that serves one facet after the other.
 #[derive(Default)]
 pub(crate) struct Scratch<const D: usize> {
-    near: Vec<u32>,
-    between: Vec<u32>,
+    near: Vec<Near<D>>,
     piece: Piece<D>,
 }

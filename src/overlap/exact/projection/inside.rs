@@ -41,7 +41,7 @@ impl<const D: usize> ExactPair<'_, D> {
     /// Whether a line that has just passed through one of two facets, away from the other, passes through one of the same
     /// body the other way farther on, or within rounding: between the two it may be as often inside as minus once.
     fn may_be_inside_out(&self, seen: &Projection<D>, ends: [&ProjectedFacet<D>; 2], place: &[f64; 3]) -> bool {
-        if ends.iter().all(|facet| self.pair.side(facet.of_b).is_upright) {
+        if seen.is_upright {
             return false;
         }
         let near = seen.near(&Aabb::of(&[flat::<D>(place)]));

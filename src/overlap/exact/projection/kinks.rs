@@ -244,10 +244,10 @@ impl<const D: usize> ExactPair<'_, D> {
         if f.of_b {
             return;
         }
-        let [low, high] = seen.range(index as u32);
+        let [low, high] = seen.ranges[index];
         for near in seen.near(&seen.boxes[index]) {
             let g = &seen.facets[near as usize];
-            let [least, largest] = seen.range(near);
+            let [least, largest] = seen.ranges[near as usize];
             if g.leaves != f.leaves || !g.of_b || least > high || largest < low {
                 continue;
             }

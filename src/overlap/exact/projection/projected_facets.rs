@@ -71,61 +71,86 @@ impl<const D: usize> ProjectedFacet<D> {
         self.corners.iter().all(|c| away(c).dot(&normal).abs() <= tolerance)
     }
 
+    /// Least and largest place along the lines.
+    fn range(&self) -> [f64; 2] {
+        self.corners.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], c| [low.min(c[2]), high.max(c[2])])
+    }
+
     /// Its box in the frame of the lines, with no extent along them.
     fn across(&self) -> Aabb<D> {
         Aabb::of(&self.corners.map(|c| flat(&c)))
     }
 }
 
+/// A facet as the lines through the corners of another meet it, extended to its plane.
+#[derive(Clone, Copy)]
+pub(crate) struct Near<const D: usize> {
+    pub(crate) facet: u32,
+    /// Each of its barycentric coordinates at the corners of the other.
+    pub(crate) bounds: [[f64; D]; D],
+    /// Place along these lines.
+    pub(crate) t: [f64; D],
+}
+
 /// The facets of both sides, to be found by their place across the lines.
 pub(crate) struct Projection<const D: usize> {
     pub(crate) facets: Vec<ProjectedFacet<D>>,
     pub(crate) boxes: Vec<Aabb<D>>,
+    /// Least and largest place of every facet along the lines.
+    pub(crate) ranges: Vec<[f64; 2]>,
+    /// Whether the winding numbers of both sides are known to be nowhere negative.
+    pub(crate) is_upright: bool,
     tree: Tree<D>,
     /// Distance up to which facets are in the same place.
     tolerance: f64,
 }
 
 impl<const D: usize> Projection<D> {
-    pub(crate) fn new(facets: Vec<ProjectedFacet<D>>) -> Self {
+    pub(crate) fn new(facets: Vec<ProjectedFacet<D>>, is_upright: bool) -> Self {
         let boxes: Vec<Aabb<D>> = facets.iter().map(ProjectedFacet::across).collect();
         let tree = Tree::new(&boxes);
         let corners = facets.iter().flat_map(|seen| seen.corners.map(Vector::<3>::from));
         let tolerance = corners
             .fold(Aabb::<3>::empty(), |aabb, x| Aabb { min: aabb.min.inf(&x), max: aabb.max.sup(&x) })
             .rounding();
-        Self { facets, boxes, tree, tolerance }
+        let ranges = facets.iter().map(ProjectedFacet::range).collect();
+        Self { facets, boxes, ranges, is_upright, tree, tolerance }
     }
 
     /// Facets whose projection's box meets a box across the lines, ascending.
     pub(crate) fn near(&self, query: &Aabb<D>) -> Vec<u32> {
         let mut found = Vec::new();
-        self.find_near(query, &mut found);
+        self.visit_near(query, |facet| found.push(facet));
+        found.sort_unstable();
         found
     }
 
-    /// The same, into memory that is used again.
-    pub(crate) fn find_near(&self, query: &Aabb<D>, found: &mut Vec<u32>) {
-        found.clear();
+    fn visit_near(&self, query: &Aabb<D>, mut visit: impl FnMut(u32)) {
         self.tree.visit(
             |b| b.meets(query),
             |i| {
                 if self.boxes[i as usize].meets(query) {
-                    found.push(i);
+                    visit(i);
                 }
             },
         );
-        found.sort_unstable();
     }
 
-    /// Least and largest place of a facet along the lines.
-    pub(crate) fn range(&self, facet: u32) -> [f64; 2] {
-        let corners = &self.facets[facet as usize].corners;
-        corners.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], c| [low.min(c[2]), high.max(c[2])])
+    /// Facets in front of or behind any part of one facet, ascending, with their place there.
+    pub(crate) fn find_near(&self, facet: u32, near: &mut Vec<Near<D>>) {
+        near.clear();
+        let first = &self.facets[facet as usize];
+        self.visit_near(&self.boxes[facet as usize], |other| {
+            let h = &self.facets[other as usize];
+            let at_corners: [[f64; D]; D] = first.corners.map(|c| h.barycentric(&c));
+            let bounds = std::array::from_fn(|a| at_corners.map(|w| w[a]));
+            near.push(Near { facet: other, bounds, t: at_corners.map(|w| h.t(&w)) });
+        });
+        near.sort_unstable_by_key(|near| near.facet);
     }
 
-    /// The parts of a piece of the first of two facets whose lines meet no other facet on their way to the second, over
-    /// these lengths (given at the corners of the first); and the share of each.
+    /// Visits the parts of a piece of the first of two facets whose lines meet no other facet on their way to the second,
+    /// over these lengths (given at the corners of the first), with the share of each; `near` are those of the first.
     ///
     /// A facet of the other side that coincides with either of the two, as the walls of two bodies in a plane of symmetry,
     /// shares the lines evenly: which of them comes first is rounding, and each would hide the other, or neither.
@@ -134,68 +159,88 @@ impl<const D: usize> Projection<D> {
         piece: &[[f64; D]],
         between: [u32; 2],
         lengths: &[f64; D],
-        near: &mut Vec<u32>,
-    ) -> Vec<(Corners<D>, f64)> {
+        near: &[Near<D>],
+        mut visit: impl FnMut(&[[f64; D]], f64),
+    ) {
         let [first, second] = between.map(|index| &self.facets[index as usize]);
         let sign = if first.leaves { -1.0 } else { 1.0 };
         let (mut outline, mut low, mut high) = (Aabb::empty(), f64::INFINITY, f64::NEG_INFINITY);
         for w in piece {
             let place = first.place(w);
-            let flat = flat(&place);
-            outline = outline.union(&Aabb { min: flat, max: flat });
+            outline.include(&flat(&place));
             let far = place[2] + sign * (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
             (low, high) = (low.min(place[2]).min(far), high.max(place[2]).max(far));
         }
-        self.find_near(&outline, near);
-        let mut visible = vec![(piece.to_vec(), 1.0)];
-        for &other in near.iter().filter(|other| !between.contains(other)) {
-            // Before or behind all that lies between the two.
-            let [least, largest] = self.range(other);
-            if largest < low - self.tolerance || least > high + self.tolerance {
+        // Empty as long as all of the piece is seen.
+        let mut visible: Vec<(Corners<D>, f64)> = Vec::new();
+        let mut is_divided = false;
+        for &Near { facet: other, bounds: sides, t } in near {
+            // Before or behind all that lies between the two, or beside it.
+            let [least, largest] = self.ranges[other as usize];
+            if largest < low - self.tolerance
+                || least > high + self.tolerance
+                || between.contains(&other)
+                || !self.boxes[other as usize].meets(&outline)
+            {
+                continue;
+            }
+            let is_clear = |bounds: &[[f64; D]], least: f64| match is_divided {
+                true => visible.iter().all(|(piece, _)| is_clear(piece, bounds, least)),
+                false => is_clear(piece, bounds, least),
+            };
+            // Neighbours share an edge, but for rounding.
+            if is_clear(&sides, SLIVER) {
                 continue;
             }
             let h = &self.facets[other as usize];
-            let at_corners: [[f64; D]; D] = first.corners.map(|c| h.barycentric(&c));
             // Where the line meets it, between the ends: all of these are positive.
             let mut bounds = [[0.0; D]; MOST_BOUNDS];
-            for (a, bound) in bounds.iter_mut().enumerate().take(D) {
-                *bound = at_corners.map(|w| w[a]);
-            }
-            if visible.iter().all(|(piece, _)| is_clear(piece, &bounds[..D])) {
-                continue;
-            }
+            bounds[..D].copy_from_slice(&sides);
             let shares = first.coincides(h, self.tolerance) || second.coincides(h, self.tolerance);
             let mut count = D;
             if !shares {
-                bounds[D] = std::array::from_fn(|c| sign * (h.t(&at_corners[c]) - first.corners[c][2]));
+                bounds[D] = std::array::from_fn(|c| sign * (t[c] - first.corners[c][2]));
                 bounds[D + 1] = std::array::from_fn(|c| lengths[c] - bounds[D][c]);
                 count += 2;
             }
             let bounds = &bounds[..count];
+            if is_clear(bounds, 0.0) {
+                continue;
+            }
+            if !is_divided {
+                visible.push((piece.to_vec(), 1.0));
+                is_divided = true;
+            }
             let divided = visible.into_iter().flat_map(|(piece, share)| {
                 let (inside, rest) = divide(piece, bounds);
                 let shared = inside.filter(|_| shares).map(|inside| (inside, 0.5 * share));
                 rest.into_iter().map(move |piece| (piece, share)).chain(shared)
             });
             visible = divided.collect();
+            if visible.is_empty() {
+                return;
+            }
         }
-        visible
+        match is_divided {
+            true => visible.iter().for_each(|(piece, share)| visit(piece, *share)),
+            false => visit(piece, 1.0),
+        }
     }
 }
 
 /// Bounds of the part of a piece that a facet hides: its own edges, and the two ends of the lines.
 const MOST_BOUNDS: usize = 5;
 
-/// Whether some linear function, given at the facet's corners, is positive nowhere on a piece.
-fn is_clear<const D: usize>(piece: &[[f64; D]], bounds: &[[f64; D]]) -> bool {
+/// Whether some linear function, given at the facet's corners, is nowhere on a piece larger than `least`.
+fn is_clear<const D: usize>(piece: &[[f64; D]], bounds: &[[f64; D]], least: f64) -> bool {
     let value = |w: &[f64; D], bound: &[f64; D]| (0..D).map(|a| w[a] * bound[a]).sum::<f64>();
-    bounds.iter().any(|bound| piece.iter().all(|w| value(w, bound) <= 0.0))
+    bounds.iter().any(|bound| piece.iter().all(|w| value(w, bound) <= least))
 }
 
 /// The part of a convex piece on which all of some linear functions, given at the facet's corners, are positive, and the
 /// rest.
 fn divide<const D: usize>(piece: Corners<D>, positive: &[[f64; D]]) -> (Option<Corners<D>>, Vec<Corners<D>>) {
-    if is_clear(&piece, positive) {
+    if is_clear(&piece, positive, 0.0) {
         return (None, vec![piece]);
     }
     let (mut rest, mut inside) = (Vec::new(), piece.clone());

@@ -19,7 +19,7 @@ impl<const D: usize> ExactPair<'_, D> {
     /// One sample for every piece between two facets, along any of the directions.
     pub(crate) fn samples(&self) -> Result<Vec<ContactSample<D>>, Error> {
         let plane = self.plane()?;
-        let Some((facets, rounding)) = self.reached_facets()? else { return Ok(Vec::new()) };
+        let Some(reached) = self.reached_facets()? else { return Ok(Vec::new()) };
         // The shifts that the number is for are of no use here.
         let families = Family::<D>::all(0);
         let along_all = |normal: Vector<D>| families.iter().map(|f| f.direction().dot(&normal).abs()).sum::<f64>();
@@ -30,11 +30,11 @@ impl<const D: usize> ExactPair<'_, D> {
                 if slope > 0.0 { across / slope } else { 0.0 }
             });
             // What is shorter is none: facets that coincide but for rounding touch.
-            (length > rounding).then_some(ContactSample { ends, measures, length })
+            (length > reached.rounding).then_some(ContactSample { ends, measures, length })
         };
         let mut samples = Vec::new();
         for family in &families {
-            let seen = self.projection(family, &facets, plane.as_ref(), rounding);
+            let seen = self.projection(family, &reached, plane.as_ref());
             if let Some(plane) = &plane {
                 self.points_on_plane(&seen, family, plane, Rule::Middle, |point| samples.extend(sample(point)));
             }
