@@ -1,6 +1,6 @@
 # make check     the library alone: format, lints, tests; below two minutes after a build
 # make test      what CI runs: format, lints, all tests in release mode, C and C++ hosts, valgrind, installation, the adapters for
-#                scikit-fem, FEniCSx and PETSc, the Python package; seconds of CPU of each suite at its end
+#                scikit-fem, FEniCSx and PETSc, the Python package, arbitrary input for 60 s; seconds of CPU of each suite
 # make release   everything that takes long, step by step: test, compat, peers, agree, sanitizers, mutants; log: docs/release-log.md
 #
 # make demo      forces of two meshes in examples/, printed and written as VTU
@@ -51,6 +51,7 @@ test: tools
 	$(SUITE_OF) "examples in the docs" $(CARGO) test --workspace --release --doc
 	$(MAKE) hosts BUILD_FMC=
 	$(MAKE) python
+	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60
 	@.ci/suites
 
 RELEASE_STEPS ?= test compat peers-test peers agree sanitizers mutants

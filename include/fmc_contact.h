@@ -118,8 +118,9 @@ typedef enum {
   // w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
   FMC_LAW_VOLUME = 0,
   // w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
-  // `epsilon`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with it, psi = k
-  // (sqrt(L^2 + epsilon^2) - epsilon), and k is a pressure as for "volume" with exponent 1. Key value "fiber".
+  // `smoothing_length`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with a
+  // smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key value
+  // "fiber".
   FMC_LAW_FIBER = 1,
 } fmc_law;
 
@@ -236,7 +237,7 @@ typedef struct {
   int32_t weights;
   // 1, the default: momentum correction, the smallest change of the nodal forces that makes their sum and moment
   // vanish. 0: none.
-  int32_t balance;
+  int32_t momentum_correction;
   // 1: self-contact, the overlap of each body with itself, is evaluated too. Default 0.
   int32_t self_contact;
   // 1, the default: the orientation of every cell is checked at every evaluation. 0: it is not.
@@ -250,7 +251,7 @@ typedef struct {
   int32_t reserved_flags;
   // Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
   // with `FMC_LAW_FIBER`.
-  double epsilon;
+  double smoothing_length;
   // Zero. Room for options of later versions.
   uint64_t reserved[15];
 } fmc_options;
@@ -466,7 +467,7 @@ const char *fmc_last_error(void);
 fmc_status fmc_options_init(fmc_options *options);
 
 // Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
-// ("balance", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
+// ("momentum_correction", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
 //
 // The key "test_panic" panics inside the library, so that a host can check that a panic is returned as a status.
 //
@@ -634,8 +635,9 @@ fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coor
 // `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be
 // NULL.
 //
-// With the law "fiber", kept patches and `balance` 0 it is the derivative of the forces of `fmc_context_evaluate`; the
-// momentum correction (`balance` 1), which is small, is not differentiated. `flags`: 0 or `FMC_SEMIDEFINITE`.
+// With the law "fiber", kept patches and `momentum_correction` 0 it is the derivative of the forces of
+// `fmc_context_evaluate`; the momentum correction, which is small, is not differentiated. `flags`: 0 or
+// `FMC_SEMIDEFINITE`.
 //
 // Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
 // call at a time on a context.

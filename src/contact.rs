@@ -1,4 +1,4 @@
-//! Energy law, forces and their balance.
+//! Energy laws and the forces of all pairs.
 
 mod evaluation;
 mod forces;

@@ -34,7 +34,7 @@ fn estimator() -> impl Strategy<Value = Estimator> {
             // Segments that fill a volume with a small spacing are many; their number is what matters here.
             let few = matches!(pattern, FiberPattern::Isotropic { .. });
             let resolution = if few { Resolution::Count(300) } else { resolution };
-            Estimator::Fibers(FiberOptions { pattern, weights, resolution, seed, balance })
+            Estimator::Fibers(FiberOptions { pattern, weights, resolution, seed, momentum_correction: balance })
         },
     );
     prop_oneof![3 => fibers, 1 => Just(Estimator::Exact)]
@@ -93,9 +93,9 @@ fn law() -> impl Strategy<Value = EnergyLaw> {
     (0..3usize, number(), number()).prop_map(|(kind, k, x)| {
         let k = if k > 1e6 { k } else { 1.0 + k.abs() };
         match kind {
-            0 => EnergyLaw::Volume { k, m: 1.0 + x.abs() },
+            0 => EnergyLaw::Volume { stiffness: k, exponent: 1.0 + x.abs() },
             1 => EnergyLaw::fiber(k),
-            _ => EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon: x.abs() } },
+            _ => EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length: x.abs() } },
         }
     })
 }

@@ -130,7 +130,7 @@ fn options(from: &Options, is_ordinary: bool) -> fmc_options {
     };
     options.stiffness = from.stiffness.0;
     options.exponent = from.exponent.map_or(options.exponent, |x| x.0);
-    options.epsilon = from.epsilon.map_or(0.0, |x| x.0);
+    options.smoothing_length = from.smoothing_length.map_or(0.0, |x| x.0);
     options.fiber_length = from.fiber_length.map_or(0.0, |x| x.0);
     options.seed = from.seed;
     let choice = |which: u32| i32::from((from.choices >> (2 * which)) & 3) - 1;
@@ -141,7 +141,7 @@ fn options(from: &Options, is_ordinary: bool) -> fmc_options {
         &mut options.estimator,
         &mut options.pattern,
         &mut options.weights,
-        &mut options.balance,
+        &mut options.momentum_correction,
         &mut options.self_contact,
         &mut options.check_cells,
     ];
@@ -393,7 +393,7 @@ impl Host {
         const KEYS: [&CStr; 18] = [
             c"stiffness",
             c"exponent",
-            c"epsilon",
+            c"smoothing_length",
             c"spacing",
             c"fiber_length",
             c"fiber_count",
@@ -402,7 +402,7 @@ impl Host {
             c"estimator",
             c"pattern",
             c"weights",
-            c"balance",
+            c"momentum_correction",
             c"self_contact",
             c"check_cells",
             c"threads",

@@ -39,13 +39,13 @@ pub struct fmc_options {
     pub estimator: i32,
     pub pattern: i32,
     pub weights: i32,
-    pub balance: i32,
+    pub momentum_correction: i32,
     pub self_contact: i32,
     pub check_cells: i32,
     pub threads: i32,
     pub index_base: i32,
     pub reserved_flags: i32,
-    pub epsilon: f64,
+    pub smoothing_length: f64,
     pub reserved: [u64; 15],
 }
 

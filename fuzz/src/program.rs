@@ -28,12 +28,12 @@ pub const MOST_CALLS: usize = 12;
 pub struct Options {
     pub stiffness: Number,
     pub exponent: Option<Number>,
-    pub epsilon: Option<Number>,
+    pub smoothing_length: Option<Number>,
     pub spacing: Option<Number>,
     pub fiber_length: Option<Number>,
     pub fiber_count: Option<u8>,
     pub seed: u64,
-    /// Law, estimator, pattern, weights, balance, self-contact, check of the cells: by twos of bits, 3 being no value.
+    /// Law, estimator, pattern, weights, momentum correction, self-contact, check of the cells: by twos of bits, 3 being no value.
     pub choices: u16,
     pub index_base: bool,
     /// Two threads.

@@ -2,7 +2,9 @@
 
 use super::boundary::entry;
 use super::failure::Failure;
-use super::option_values::{BALANCE, CHECK_CELLS, Choice, ESTIMATOR, INDEX_BASE, LAW, PATTERN, SELF_CONTACT, WEIGHTS};
+use super::option_values::{
+    CHECK_CELLS, Choice, ESTIMATOR, INDEX_BASE, LAW, MOMENTUM_CORRECTION, PATTERN, SELF_CONTACT, WEIGHTS,
+};
 use super::options::fmc_options;
 use super::pointer::{Output, reference, text};
 use super::status::fmc_status;
@@ -11,8 +13,8 @@ use std::ffi::c_char;
 use std::str::FromStr;
 
 /// The keys, for the message about an unknown one.
-const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, seed, law, epsilon, estimator, pattern, \
-                    weights, balance, self_contact, check_cells, threads, index_base";
+const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, seed, law, smoothing_length, estimator, pattern, \
+                    weights, momentum_correction, self_contact, check_cells, threads, index_base";
 
 fn unknown_value(key: &str, value: &str, wanted: &str) -> Failure {
     Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{key}' has no value '{value}': {wanted} is wanted"))
@@ -39,7 +41,7 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
     match key {
         "stiffness" => options.stiffness = number(key, value)?,
         "exponent" => options.exponent = number(key, value)?,
-        "epsilon" => options.epsilon = number(key, value)?,
+        "smoothing_length" => options.smoothing_length = number(key, value)?,
         "spacing" => options.spacing = number(key, value)?,
         "fiber_length" => options.fiber_length = number(key, value)?,
         "fiber_count" => options.fiber_count = whole(key, value)?,
@@ -49,7 +51,7 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
         "estimator" => options.estimator = choice(&ESTIMATOR, value)?,
         "pattern" => options.pattern = choice(&PATTERN, value)?,
         "weights" => options.weights = choice(&WEIGHTS, value)?,
-        "balance" => options.balance = choice(&BALANCE, value)?,
+        "momentum_correction" => options.momentum_correction = choice(&MOMENTUM_CORRECTION, value)?,
         "self_contact" => options.self_contact = choice(&SELF_CONTACT, value)?,
         "check_cells" => options.check_cells = choice(&CHECK_CELLS, value)?,
         "index_base" => options.index_base = choice(&INDEX_BASE, value)?,
@@ -61,7 +63,7 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
 }
 
 /// Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
-/// ("balance", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
+/// ("momentum_correction", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
 ///
 /// The key "test_panic" panics inside the library, so that a host can check that a panic is returned as a status.
 ///
@@ -93,7 +95,7 @@ mod tests {
     #[test]
     fn every_key_of_the_list_sets_a_field() {
         for key in KEYS.split(", ") {
-            let mut options = fmc_options { balance: 0, check_cells: 0, ..fmc_options::default() };
+            let mut options = fmc_options { momentum_correction: 0, check_cells: 0, ..fmc_options::default() };
             let before = options;
             let value = match key {
                 "law" => "volume",

@@ -38,7 +38,7 @@ pub(super) const WEIGHTS: Choice = Choice {
         (fmc_weights::FMC_WEIGHTS_CONSISTENT as i32, "consistent"),
     ],
 };
-pub(super) const BALANCE: Choice = Choice { key: "balance", values: SWITCH };
+pub(super) const MOMENTUM_CORRECTION: Choice = Choice { key: "momentum_correction", values: SWITCH };
 pub(super) const SELF_CONTACT: Choice = Choice { key: "self_contact", values: SWITCH };
 pub(super) const CHECK_CELLS: Choice = Choice { key: "check_cells", values: SWITCH };
 pub(super) const INDEX_BASE: Choice = Choice { key: "index_base", values: SWITCH };
@@ -105,11 +105,13 @@ impl fmc_options {
         if law == "fiber" && self.exponent != 1.0 {
             return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, "option 'exponent' belongs to the law 'volume'"));
         }
-        match (law, self.epsilon) {
-            ("fiber", 0.0) => Ok(EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic }),
-            ("fiber", epsilon) => Ok(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } }),
-            (_, 0.0) => Ok(EnergyLaw::Volume { k, m: self.exponent }),
-            _ => Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, "option 'epsilon' belongs to the law 'fiber'")),
+        match (law, self.smoothing_length) {
+            ("fiber", 0.0) => Ok(EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }),
+            ("fiber", smoothing_length) => {
+                Ok(EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } })
+            }
+            (_, 0.0) => Ok(EnergyLaw::Volume { stiffness: k, exponent: self.exponent }),
+            _ => Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, "option 'smoothing_length' belongs to the law 'fiber'")),
         }
     }
 
@@ -135,7 +137,7 @@ impl fmc_options {
             },
             resolution,
             seed: self.seed,
-            balance: BALANCE.is_on(self.balance)?,
+            momentum_correction: MOMENTUM_CORRECTION.is_on(self.momentum_correction)?,
         })
     }
 }
@@ -163,9 +165,9 @@ mod tests {
     fn the_fiber_law_has_two_profiles() {
         let mut options = fmc_options { stiffness: 3.0, law: 1, ..fmc_options::default() };
         assert_eq!(options.to_options().unwrap().law, EnergyLaw::fiber(3.0));
-        options.epsilon = 1e-3;
-        let profile = FiberProfile::Linear { epsilon: 1e-3 };
-        assert_eq!(options.to_options().unwrap().law, EnergyLaw::Fiber { k: 3.0, profile });
+        options.smoothing_length = 1e-3;
+        let profile = FiberProfile::Linear { smoothing_length: 1e-3 };
+        assert_eq!(options.to_options().unwrap().law, EnergyLaw::Fiber { stiffness: 3.0, profile });
     }
 
     #[test]
@@ -175,14 +177,14 @@ mod tests {
         for change in [
             (|o| o.pattern = 2) as fn(&mut fmc_options),
             |o| o.weights = 2,
-            |o| o.balance = 2,
+            |o| o.momentum_correction = 2,
             |o| o.self_contact = -1,
             |o| o.check_cells = 7,
             |o| o.index_base = 2,
             |o| o.reserved[3] = 1,
             |o| o.reserved_flags = 1,
             |o| (o.spacing, o.fiber_count) = (0.1, 10),
-            |o| (o.law, o.epsilon) = (0, 1e-3),
+            |o| (o.law, o.smoothing_length) = (0, 1e-3),
             |o| o.exponent = 2.0,
         ] {
             assert_eq!(refused(change).0, FMC_ERROR_UNKNOWN_OPTION);

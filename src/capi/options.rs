@@ -10,8 +10,9 @@ pub enum fmc_law {
     /// w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
     FMC_LAW_VOLUME = 0,
     /// w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
-    /// `epsilon`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with it, psi = k
-    /// (sqrt(L^2 + epsilon^2) - epsilon), and k is a pressure as for "volume" with exponent 1. Key value "fiber".
+    /// `smoothing_length`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with a
+    /// smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key value
+    /// "fiber".
     FMC_LAW_FIBER = 1,
 }
 
@@ -77,7 +78,7 @@ pub struct fmc_options {
     pub weights: i32,
     /// 1, the default: momentum correction, the smallest change of the nodal forces that makes their sum and moment
     /// vanish. 0: none.
-    pub balance: i32,
+    pub momentum_correction: i32,
     /// 1: self-contact, the overlap of each body with itself, is evaluated too. Default 0.
     pub self_contact: i32,
     /// 1, the default: the orientation of every cell is checked at every evaluation. 0: it is not.
@@ -91,7 +92,7 @@ pub struct fmc_options {
     pub reserved_flags: i32,
     /// Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
     /// with `FMC_LAW_FIBER`.
-    pub epsilon: f64,
+    pub smoothing_length: f64,
     /// Zero. Room for options of later versions.
     pub reserved: [u64; 15],
 }
@@ -110,13 +111,13 @@ impl Default for fmc_options {
             estimator: 0,
             pattern: 0,
             weights: 0,
-            balance: 1,
+            momentum_correction: 1,
             self_contact: 0,
             check_cells: 1,
             threads: 1,
             index_base: 0,
             reserved_flags: 0,
-            epsilon: 0.0,
+            smoothing_length: 0.0,
             reserved: [0; 15],
         }
     }

@@ -23,8 +23,9 @@ pub const FMC_SEMIDEFINITE: u32 = 1;
 /// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be
 /// NULL.
 ///
-/// With the law "fiber", kept patches and `balance` 0 it is the derivative of the forces of `fmc_context_evaluate`; the
-/// momentum correction (`balance` 1), which is small, is not differentiated. `flags`: 0 or `FMC_SEMIDEFINITE`.
+/// With the law "fiber", kept patches and `momentum_correction` 0 it is the derivative of the forces of
+/// `fmc_context_evaluate`; the momentum correction, which is small, is not differentiated. `flags`: 0 or
+/// `FMC_SEMIDEFINITE`.
 ///
 /// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
 /// call at a time on a context.

@@ -49,7 +49,7 @@ fn forces_are_those_of_the_rust_api_to_the_bit() {
 
     let conn = CONN.map(|node| node as u32);
     let block = CellBlock { cell_type: CellType::Quad4, conn: &conn };
-    let mut expected = Options::new(EnergyLaw::Volume { k: 1e3, m: 2.0 });
+    let mut expected = Options::new(EnergyLaw::Volume { stiffness: 1e3, exponent: 2.0 });
     if let crate::Estimator::Fibers(fibers) = &mut expected.estimator {
         fibers.seed = 5;
     }

@@ -117,7 +117,7 @@ impl<const D: usize> Contact<D> {
     /// Second derivative of the contact energy at `coords`.
     ///
     /// For the fiber law on kept patches and for the volume law with the exact estimator or consistent weights it is
-    /// the derivative of the forces, with `balance` off; the momentum correction, which is small, is not
+    /// the derivative of the forces, with `momentum_correction` off; the momentum correction, which is small, is not
     /// differentiated. With balance weights it is that of consistent ones. The exact volume law has no finite tangent
     /// where facets coincide.
     ///

@@ -41,7 +41,7 @@ pub enum StiffnessFrom {
 /// # Ok::<(), fmc_contact::Error>(())
 /// ```
 pub fn suggest_stiffness(from: StiffnessFrom, dimension: usize, m: f64) -> Result<f64, Error> {
-    EnergyLaw::Volume { k: 1.0, m }.check()?;
+    EnergyLaw::Volume { stiffness: 1.0, exponent: m }.check()?;
     let (pressure, overlap) = match from {
         StiffnessFrom::Modulus { modulus, facet_size } => {
             (positive("modulus", modulus)?, 0.1 * positive("facet_size", facet_size)?.powi(dimension as i32))

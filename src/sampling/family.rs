@@ -99,8 +99,9 @@ impl<const D: usize> Family<D> {
     /// there are more than can be numbered.
     pub(crate) fn window(&self, region: &Aabb<D>, per_length: f64) -> Option<(Window, [f64; 2])> {
         let center = self.view(&region.center());
+        let rounding = region.rounding();
         let ends = |middle: f64, width: f64| {
-            let half = 0.5 * width + 1e-9 * (width + middle.abs());
+            let half = 0.5 * width + 1e-9 * width + rounding;
             [middle - half, middle + half]
         };
         let range = |axis: usize| {
@@ -117,9 +118,9 @@ impl<const D: usize> Family<D> {
         ([at(window.i.start - 1, 0), at(window.j.start - 1, 1)], [at(window.i.end, 0), at(window.j.end, 1)])
     }
 
-    /// Measure of the bounding rectangle of the projection of `region` across the lines (2D: its length).
-    pub(crate) fn projected_area(&self, region: &Aabb<D>) -> f64 {
-        (0..D - 1).map(|axis| self.width(region, axis)).product()
+    /// Sides of the bounding rectangle of the projection of `region` across the lines (2D: the first alone).
+    pub(crate) fn widths(&self, region: &Aabb<D>) -> [f64; 2] {
+        std::array::from_fn(|axis| if axis + 1 < D { self.width(region, axis) } else { 0.0 })
     }
 
     /// Extent of `region` along one of the axes.

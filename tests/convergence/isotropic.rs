@@ -43,7 +43,7 @@ fn unbiased<const D: usize>(scene: &Scene<D>, depth: f64, count: usize) {
             .map(|seed| {
                 let mut options: Options = isotropic(depth / x, count, seed);
                 if let Estimator::Fibers(fibers) = &mut options.estimator {
-                    fibers.balance = false;
+                    fibers.momentum_correction = false;
                 }
                 contact.set_options(options).unwrap();
                 let found = contact.evaluate(&scene.coords).unwrap();

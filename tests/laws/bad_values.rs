@@ -30,7 +30,7 @@ fn options_out_of_range() {
         refused(fibers(FiberOptions { pattern, ..FiberOptions::default() }), "fiber_length");
     }
     for bad in [0.999, 0.0, f64::NAN, f64::INFINITY] {
-        refused(Options::new(EnergyLaw::Volume { k: 1.0, m: bad }), "exponent");
+        refused(Options::new(EnergyLaw::Volume { stiffness: 1.0, exponent: bad }), "exponent");
     }
     refused(fibers(FiberOptions { resolution: Resolution::Count(0), ..FiberOptions::default() }), "fiber_count");
     refused(Options { threads: 0, ..exact() }, "threads");

@@ -20,7 +20,7 @@ fn force_is_energy_gradient<const D: usize>(scene: &Scene<D>, options: Options, 
 }
 
 fn with_law(options: Options, k: f64, m: f64) -> Options {
-    Options { law: EnergyLaw::Volume { k, m }, ..options }
+    Options { law: EnergyLaw::Volume { stiffness: k, exponent: m }, ..options }
 }
 
 #[test]

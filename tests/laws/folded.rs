@@ -15,7 +15,8 @@ fn what_lies_there_minus_once_is_not_inside() {
         let mut coords = scene.coords.clone();
         let node = coords.iter().position(|x| (x[0], x[1]) == (0.0, 0.75)).unwrap();
         coords[node] = place;
-        let fibers = FiberOptions { resolution: Resolution::Spacing(1e-5), balance: false, ..Default::default() };
+        let fibers =
+            FiberOptions { resolution: Resolution::Spacing(1e-5), momentum_correction: false, ..Default::default() };
         let [exact, lines] = [Estimator::Exact, Estimator::Fibers(fibers)].map(|estimator| {
             let options = Options { estimator, check_cells: false, ..Options::new(EnergyLaw::fiber(1.0)) };
             scene.contact(options).evaluate(&coords).unwrap()

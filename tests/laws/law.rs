@@ -12,7 +12,7 @@ const LAWS: [(f64, f64); 6] = [(1.0, 1.0), (3.0, 1.0), (1e6, 1.25), (0.5, 2.0), 
 #[test]
 fn traction_is_the_slope_of_the_energy() {
     for (k, m) in LAWS {
-        let law = EnergyLaw::Volume { k, m };
+        let law = EnergyLaw::Volume { stiffness: k, exponent: m };
         for volume in [1e-9, 1e-3, 0.5, 7.0] {
             let expected = k * f64::powf(volume, m);
             assert!((law.energy(volume) / expected - 1.0).abs() < 1e-14);
@@ -25,7 +25,7 @@ fn traction_is_the_slope_of_the_energy() {
         assert_eq!((law.energy(0.0), law.energy(-1e-20)), (0.0, 0.0));
         assert_eq!(law.energy_gradient(0.0), if m == 1.0 { k } else { 0.0 });
     }
-    assert_eq!(EnergyLaw::volume(2.5), EnergyLaw::Volume { k: 2.5, m: 1.0 });
+    assert_eq!(EnergyLaw::volume(2.5), EnergyLaw::Volume { stiffness: 2.5, exponent: 1.0 });
 }
 
 /// Forces of any law are those of k = 1, m = 1, times one number per pair.
@@ -35,7 +35,7 @@ fn forces_are_traction_times_gradient() {
     for options in [exact(), lines(0.02, 1)] {
         let of_volume = scene.evaluate(options);
         for (k, m) in LAWS {
-            let law = EnergyLaw::Volume { k, m };
+            let law = EnergyLaw::Volume { stiffness: k, exponent: m };
             let found = scene.evaluate(Options { law, ..options });
             let traction = k * m * of_volume.volume.powf(m - 1.0);
             assert!((found.pairs[0].pressure / traction - 1.0).abs() < 1e-14);
@@ -55,13 +55,13 @@ fn stiffness_from_a_pressure_resists_that_pressure() {
     for m in [1.0, 1.5, 2.0, 3.0] {
         let square = |y: f64| rectangle_tri3([0.0, y], [0.5, y + 1.0], [2, 2], Diagonals::Same);
         let k = suggest_stiffness(StiffnessFrom::PeakPressure { pressure, overlap: 0.5 * depth }, 2, m).unwrap();
-        let law = EnergyLaw::Volume { k, m };
+        let law = EnergyLaw::Volume { stiffness: k, exponent: m };
         let contact = Scene::of(&[&square(0.0), &square(1.0 - depth)]).evaluate(Options { law, ..exact() });
         // The overlap is a difference of coordinates of 1.
         assert!((contact.bodies[1].force[1] / (1.2 * pressure * 0.5) - 1.0).abs() < 1e-12);
         let cube = |z: f64| cuboid_hex8([0.0, 0.0, z], [0.5, 0.4, z + 1.0], [2; 3]);
         let k = suggest_stiffness(StiffnessFrom::PeakPressure { pressure, overlap: 0.2 * depth }, 3, m).unwrap();
-        let law = EnergyLaw::Volume { k, m };
+        let law = EnergyLaw::Volume { stiffness: k, exponent: m };
         let contact = Scene::of(&[&cube(0.0), &cube(1.0 - depth)]).evaluate(Options { law, ..exact() });
         assert!((contact.bodies[1].force[2] / (1.2 * pressure * 0.2) - 1.0).abs() < 1e-12);
     }
@@ -74,7 +74,7 @@ fn stiffness_from_a_modulus_resists_it_at_a_tenth_of_a_facet() {
     for (dimension, overlap) in [(2, 0.025 * 0.25), (3, 0.025 * 0.0625)] {
         for m in [1.0, 1.5, 2.0, 3.0] {
             let k = suggest_stiffness(StiffnessFrom::Modulus { modulus, facet_size }, dimension, m).unwrap();
-            let traction = EnergyLaw::Volume { k, m }.energy_gradient(overlap);
+            let traction = EnergyLaw::Volume { stiffness: k, exponent: m }.energy_gradient(overlap);
             assert!((traction / modulus - 1.0).abs() < 1e-13, "{traction}");
         }
     }

@@ -143,7 +143,7 @@ fn of_obstacles() {
     let triangle =
         Shape::Polytope { points: vec![[-1.0, -1.0], [1.0, -1.0], [0.1, 0.05]], facets: vec![[0, 1], [1, 2], [2, 0]] };
     for shape in [Shape::HalfSpace, triangle] {
-        let volume = EnergyLaw::Volume { k: 2.0, m: 2.0 };
+        let volume = EnergyLaw::Volume { stiffness: 2.0, exponent: 2.0 };
         for options in [exactly(EnergyLaw::fiber(2.0)), uncorrected(EnergyLaw::fiber(2.0), 1e-2, 5), exactly(volume)] {
             let mut contact = Scene::of(&[&block]).contact(options);
             let at = |x: [f64; 2]| Pose::at([x[0], x[1] + 0.1]);
@@ -193,7 +193,7 @@ fn of_the_volume_law_in_2d() {
         let size = [1.0, 1e-2, 1e2][seed as usize % 3];
         let scene = plane_scene(seed).mapped(|x| x.map(|x| x * size));
         for m in [1.0, 2.0] {
-            let law = EnergyLaw::Volume { k: 2.0, m };
+            let law = EnergyLaw::Volume { stiffness: 2.0, exponent: m };
             let found = deviation(&scene.contact(exactly(law)), &scene.coords, size, 1);
             assert!(found < 1e-6, "seed {seed}, m {m}, exact: {found}");
             let lines = Options { law, ..consistent_lines(0.03 * size, seed) };
@@ -208,7 +208,7 @@ fn of_the_volume_law_in_3d() {
     for seed in 0..2 {
         let scene = solid_scene(seed);
         for m in [1.0, 2.0] {
-            let law = EnergyLaw::Volume { k: 2.0, m };
+            let law = EnergyLaw::Volume { stiffness: 2.0, exponent: m };
             let found = deviation(&scene.contact(exactly(law)), &scene.coords, 1.0, 3);
             assert!(found < 1e-6, "seed {seed}, m {m}, exact: {found}");
             let lines = Options { law, ..consistent_lines(0.07, seed) };

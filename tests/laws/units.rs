@@ -7,7 +7,8 @@ use fmc_contact::{EnergyLaw, FiberOptions, FiberPattern, LineWeights, Options};
 
 /// With laws whose lengths are in that unit.
 fn estimators(unit: f64) -> Vec<Options> {
-    let consistent = FiberOptions { weights: LineWeights::Consistent, balance: false, ..FiberOptions::default() };
+    let consistent =
+        FiberOptions { weights: LineWeights::Consistent, momentum_correction: false, ..FiberOptions::default() };
     let isotropic = FiberOptions { pattern: FiberPattern::Isotropic { length: None }, ..FiberOptions::default() };
     let by_all = by_laws([exact(), fibers(FiberOptions::default()), fibers(isotropic)], &laws(unit));
     by_all.into_iter().chain([fibers(consistent)]).collect()

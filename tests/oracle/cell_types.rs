@@ -129,7 +129,7 @@ fn hexahedra_are_their_24_tetrahedra() {
         gradient.extend_from_slice(&of_b[..b.coords.len()]);
         let forces: Vec<[f64; 3]> = contact.forces.iter().map(|f| f.map(|f| -f)).collect();
         assert!(distance(&forces, &gradient) < ROUNDING * norm(&gradient));
-        // Those tetrahedra, given as cells, are the same body. (A balance correction would see other nodes.)
+        // Those tetrahedra, given as cells, are the same body. (A momentum correction would see other nodes.)
         for options in [exact(), consistent_lines(0.03, 5)] {
             let whole = Scene::of(&[&a, &b]).evaluate(options);
             let parts = Scene::of(&[&tetrahedra_a, &tetrahedra_b]).evaluate(options);
@@ -143,7 +143,7 @@ fn hexahedra_are_their_24_tetrahedra() {
 fn hexahedra_or_tetrahedra_against_a_ball() {
     let box_of = |make: fn([f64; 3], [f64; 3], [usize; 3]) -> Mesh<3>| make([0.0; 3], [1.0, 0.8, 0.6], [3, 3, 2]);
     let ball = ball_tet4(0.5, 2, 1).translated([0.9, 0.7, 0.5]);
-    // (A balance correction would see other nodes on the block.)
+    // (A momentum correction would see other nodes on the block.)
     for options in [exact(), consistent_lines(0.02, 3)] {
         let of_hexahedra = Scene::of(&[&box_of(cuboid_hex8), &ball]).evaluate(options);
         let of_tetrahedra = Scene::of(&[&box_of(cuboid_tet4), &ball]).evaluate(options);

@@ -11,7 +11,7 @@ const STEP: f64 = 1e-6;
 
 /// Derivatives of V agree to 1e-7 of the largest, on every node that carries force and on every tenth other.
 fn gradient_matches<const D: usize>(scene: &Scene<D>, size: f64) {
-    let law = EnergyLaw::Volume { k: 3.0, m: 1.0 };
+    let law = EnergyLaw::Volume { stiffness: 3.0, exponent: 1.0 };
     let contact: Contact<D> = scene.contact(Options { law, ..exact() });
     let differences = Differences { steps: &[STEP * size], tolerance: 1e-7, loaded: 1, others: 10 };
     differences.check(&contact, &scene.coords);

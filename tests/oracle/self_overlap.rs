@@ -59,7 +59,7 @@ fn body_against_itself_is_like_two_bodies() {
         let (two, one) = (two.evaluate(options), one.evaluate(with_self_contact(options)));
         assert!((one.energy / two.energy - 1.0).abs() < 1e-12);
         assert_eq!(one.bodies.len(), 1);
-        // The lines are the same, but the balance correction and the sums run otherwise.
+        // The lines are the same, but the momentum correction and the sums run otherwise.
         assert!((one.volume / two.volume - 1.0).abs() < 1e-12);
         let tolerance = if options.estimator == Estimator::Exact { 1e-12 } else { 1e-3 };
         assert!(distance(&one.forces, &two.forces) < tolerance * norm(&two.forces));

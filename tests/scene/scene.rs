@@ -111,7 +111,7 @@ pub(crate) fn consistent_lines(spacing: f64, seed: u64) -> Options {
         weights: LineWeights::Consistent,
         resolution: Resolution::Spacing(spacing),
         seed,
-        balance: false,
+        momentum_correction: false,
         ..FiberOptions::default()
     })
 }

@@ -13,7 +13,10 @@ pub(crate) fn laws(size: f64) -> [EnergyLaw; 3] {
 
 /// Those whose energy is a sum over lines, each by its own length.
 pub(crate) fn local_laws(size: f64) -> [EnergyLaw; 2] {
-    [EnergyLaw::fiber(3.0), EnergyLaw::Fiber { k: 2.0, profile: FiberProfile::Linear { epsilon: 0.05 * size } }]
+    [
+        EnergyLaw::fiber(3.0),
+        EnergyLaw::Fiber { stiffness: 2.0, profile: FiberProfile::Linear { smoothing_length: 0.05 * size } },
+    ]
 }
 
 /// Whether the estimator takes the law: isotropic fibers have no direction along which a depth could be measured.
@@ -47,7 +50,7 @@ pub(crate) fn uncorrected(law: EnergyLaw, spacing: f64, seed: u64) -> Options {
         weights: if law.is_fiber() { LineWeights::default() } else { LineWeights::Consistent },
         resolution: Resolution::Spacing(spacing),
         seed,
-        balance: false,
+        momentum_correction: false,
         ..FiberOptions::default()
     };
     Options { law, ..fibers(lines) }

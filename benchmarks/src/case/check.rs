@@ -171,9 +171,9 @@ impl Check<'_> {
         if !(contact.exponent.is_finite() && contact.exponent >= 1.0) {
             self.flaw(&key.then("exponent"), format!("it must be at least 1, not {}", contact.exponent));
         }
-        self.maybe_positive(&key.then("epsilon"), contact.epsilon);
-        if (contact.law == LawName::FiberLinear) != contact.epsilon.is_some() {
-            self.flaw(&key.then("epsilon"), "it belongs to the law \"fiber-linear\", and to it alone".into());
+        self.maybe_positive(&key.then("smoothing_length"), contact.smoothing_length);
+        if (contact.law == LawName::FiberLinear) != contact.smoothing_length.is_some() {
+            self.flaw(&key.then("smoothing_length"), "it belongs to the law \"fiber-linear\", and to it alone".into());
         }
         self.maybe_positive(&key.then("spacing"), contact.spacing);
         self.maybe_positive(&key.then("fiber_length"), contact.fiber_length);

@@ -15,7 +15,7 @@ pub struct Contact {
     pub stiffness: f64,
     /// Length over which the pressure of `fiber-linear` grows to k, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub epsilon: Option<f64>,
+    pub smoothing_length: Option<f64>,
     /// Exponent m of `volume`, at least 1.
     #[serde(default = "one")]
     pub exponent: f64,
@@ -45,7 +45,7 @@ pub struct Contact {
     pub new_fibers_every_step: bool,
     /// Whether the forces of a sampled overlap are corrected so that their sum and moment vanish.
     #[serde(default = "yes")]
-    pub balance: bool,
+    pub momentum_correction: bool,
     /// Whether the gap to polygons is taken where the surface was and their force acts along y, as closed forms assume;
     /// in 2D, of an equilibrium.
     #[serde(default)]
@@ -115,11 +115,11 @@ impl Contact {
     /// Options of the module; the result does not depend on `threads`.
     pub fn options(&self, threads: usize) -> Options {
         let law = match self.law {
-            LawName::Volume => EnergyLaw::Volume { k: self.stiffness, m: self.exponent },
+            LawName::Volume => EnergyLaw::Volume { stiffness: self.stiffness, exponent: self.exponent },
             LawName::Fiber => EnergyLaw::fiber(self.stiffness),
             LawName::FiberLinear => {
-                let profile = FiberProfile::Linear { epsilon: self.epsilon.unwrap_or(0.0) };
-                EnergyLaw::Fiber { k: self.stiffness, profile }
+                let profile = FiberProfile::Linear { smoothing_length: self.smoothing_length.unwrap_or(0.0) };
+                EnergyLaw::Fiber { stiffness: self.stiffness, profile }
             }
         };
         let estimator = match self.estimator {
@@ -139,7 +139,7 @@ impl Contact {
                     (None, None) => Resolution::Auto,
                 },
                 seed: self.seed,
-                balance: self.balance,
+                momentum_correction: self.momentum_correction,
             }),
         };
         let Self { self_contact, check_cells, .. } = *self;

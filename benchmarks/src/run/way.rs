@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use std::path::Path as Folder;
 
 /// ε of the linear law at first, by the size of the bodies.
-const FIRST_EPSILON: f64 = 1e-3;
+const FIRST_SMOOTHING: f64 = 1e-3;
 
 /// Solves of the method of multipliers, at most.
 const MOST_SOLVES: usize = 20;
@@ -107,11 +107,14 @@ fn lead<const D: usize>(
     reached: &mut dyn FnMut(&Equilibrium<D>),
 ) -> Result<(), StaticsError> {
     match equilibrium.problem().contact.law {
-        EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } => {
-            let first = epsilon.max(FIRST_EPSILON * equilibrium.size());
-            equilibrium.set_law(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon: first } })?;
+        EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+            let first = smoothing_length.max(FIRST_SMOOTHING * equilibrium.size());
+            equilibrium.set_law(EnergyLaw::Fiber {
+                stiffness: k,
+                profile: FiberProfile::Linear { smoothing_length: first },
+            })?;
             equilibrium.follow_telling(path, watch, reached)?;
-            equilibrium.continue_epsilon(epsilon, watch)
+            equilibrium.continue_smoothing(smoothing_length, watch)
         }
         _ => {
             equilibrium.follow_telling(path, watch, reached)?;

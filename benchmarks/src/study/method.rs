@@ -40,7 +40,7 @@ impl Method {
                 fibers: contact.fibers.filter(|_| spacing.is_none()),
                 spacing: spacing.or(contact.spacing),
                 new_fibers_every_step: false,
-                balance: true,
+                momentum_correction: true,
                 ..contact
             },
             Method::Isotropic => Contact {
@@ -49,7 +49,7 @@ impl Method {
                 fibers: Some(segments),
                 spacing: None,
                 new_fibers_every_step: true,
-                balance: false,
+                momentum_correction: false,
                 ..contact
             },
         }

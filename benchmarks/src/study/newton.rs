@@ -75,7 +75,7 @@ impl SolverStudy {
         // For V² the same penetration as that of the case's own law.
         let laws = [
             ("w = k V", EnergyLaw::volume(1.2 * peak)),
-            ("w = k V²", EnergyLaw::Volume { k: 0.5 * peak / contact.volume, m: 2.0 }),
+            ("w = k V²", EnergyLaw::Volume { stiffness: 0.5 * peak / contact.volume, exponent: 2.0 }),
             ("fiber", EnergyLaw::fiber(self.case.contact.stiffness)),
         ];
         for (name, law) in laws {

@@ -29,14 +29,20 @@ impl Method {
 
     /// The estimator. `length` is that of an isotropic fiber.
     ///
-    /// The balance correction is off: it would turn the derivative of the turning cube into zero whatever the estimate.
+    /// The momentum correction is off: it would turn the derivative of the turning cube into zero whatever the estimate.
     pub fn estimator(self, resolution: Resolution, seed: u64, length: f64) -> Estimator {
         let pattern = match self {
             Method::Isotropic => FiberPattern::Isotropic { length: Some(length) },
             Method::Lines => FiberPattern::Lines,
             Method::Exact => return Estimator::Exact,
         };
-        Estimator::Fibers(FiberOptions { pattern, resolution, seed, balance: false, ..FiberOptions::default() })
+        Estimator::Fibers(FiberOptions {
+            pattern,
+            resolution,
+            seed,
+            momentum_correction: false,
+            ..FiberOptions::default()
+        })
     }
 
     /// Points in its colour, which tells methods apart for colour-blind readers too (Okabe and Ito), and with its sign.

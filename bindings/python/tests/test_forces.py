@@ -63,7 +63,7 @@ def test_force_is_minus_the_gradient_of_the_energy(cubes, law, estimator, h):
     # Lines that are kept make an energy of many small steps; the difference must stay between two of them.
     coords, conn = cubes
     coords = coords + 0.02 * np.random.default_rng(1).standard_normal(coords.shape)
-    contact = Contact(coords, conn, "hexahedron", stiffness=K, law=law, estimator=estimator, balance=False)
+    contact = Contact(coords, conn, "hexahedron", stiffness=K, law=law, estimator=estimator, momentum_correction=False)
     contact.keep_patches(coords)
     forces = contact.evaluate(coords).forces
     direction = np.random.default_rng(2).standard_normal(coords.shape)

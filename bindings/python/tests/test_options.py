@@ -17,7 +17,7 @@ CHANGES = {
     "stiffness": 5.0,
     "law": "fiber",
     "exponent": 2.5,
-    "epsilon": 0.25,
+    "smoothing_length": 0.25,
     "estimator": "exact",
     "pattern": "isotropic",
     "weights": "consistent",
@@ -25,7 +25,7 @@ CHANGES = {
     "fiber_length": 0.5,
     "fiber_count": 1000,
     "seed": 2**64 - 1,
-    "balance": False,
+    "momentum_correction": False,
     "self_contact": True,
     "check_cells": False,
     "threads": 3,
@@ -54,9 +54,9 @@ def test_every_keyword_sets_its_option_and_no_other(key):
 
 
 def test_numbers_of_numpy_are_numbers():
-    numbers = {"stiffness": np.float32(0.5), "seed": np.int64(4), "balance": np.bool_(0)}
+    numbers = {"stiffness": np.float32(0.5), "seed": np.int64(4), "momentum_correction": np.bool_(0)}
     options = described(changed(defaults(), numbers))
-    assert (options["stiffness"], options["seed"], options["balance"]) == (0.5, 4, False)
+    assert (options["stiffness"], options["seed"], options["momentum_correction"]) == (0.5, 4, False)
 
 
 @pytest.mark.parametrize("value", [0.1, 1e-300, 1.7976931348623157e308, 1 / 3])
@@ -100,7 +100,7 @@ def test_what_each_option_does(squares):
     # w = k V^m, here of an overlap of 0.08.
     assert evaluated(squares, exponent=2, estimator="exact").energy == pytest.approx(K * 0.08**2)
     # psi(L) = k (sqrt(L^2 + e^2) - e) over the height 0.8, L = 0.1.
-    smooth = evaluated(squares, law="fiber", epsilon=0.1, estimator="exact")
+    smooth = evaluated(squares, law="fiber", smoothing_length=0.1, estimator="exact")
     assert smooth.energy == pytest.approx(0.8 * K * (np.sqrt(0.02) - 0.1))
     finer = evaluated(squares, spacing=plain.pairs[0].spacing / 4)
     assert finer.fiber_count == pytest.approx(4 * plain.fiber_count, rel=0.1)
@@ -110,7 +110,7 @@ def test_what_each_option_does(squares):
     assert isotropic.volume == pytest.approx(0.08, rel=0.1)
     assert not same_bits(evaluated(squares, weights="consistent").forces, plain.forces)
     assert np.abs(plain.forces.sum(0)).max() < 1e-9
-    assert not same_bits(evaluated(squares, balance=False).forces, plain.forces)
+    assert not same_bits(evaluated(squares, momentum_correction=False).forces, plain.forces)
     assert same_bits(evaluated(squares, threads=2).forces, plain.forces)
     coords, conn = squares
     assert same_bits(evaluated((coords, conn + 1), index_base=1).forces, plain.forces)

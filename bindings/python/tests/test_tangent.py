@@ -35,7 +35,7 @@ def test_tangent_is_minus_the_derivative_of_the_forces(squares, law, estimator):
     coords, conn = squares
     coords = turned(coords, 20) + 0.01 * np.random.default_rng(3).standard_normal(coords.shape)
     exponent = {"exponent": 2} if law == "volume" else {}
-    contact = Contact(coords, conn, "quad", stiffness=K, law=law, estimator=estimator, balance=False, **exponent)
+    contact = Contact(coords, conn, "quad", stiffness=K, law=law, estimator=estimator, momentum_correction=False, **exponent)
     assert contact.keep_patches(coords) == (1 if law == "fiber" else 0)
     tangent = contact.tangent(coords)
     assert sparse.issparse(tangent) and tangent.format == "csr" and tangent.shape == (16, 16)

@@ -54,7 +54,7 @@ def test_force_is_minus_the_slope_of_the_energy(kind, order):
 
     interpolate(u)
     direction.interpolate(lambda p: np.stack([np.cos((2.0 + a) * p[0] + p[dim - 1]) for a in range(dim)]))
-    contact = DolfinxContact(V, stiffness=1e4, estimator="exact", balance=False)
+    contact = DolfinxContact(V, stiffness=1e4, estimator="exact", momentum_correction=False)
     contact.keep_patches(u)
     step, energies = 1e-6, []
     for sign in (-1, 1):
@@ -117,7 +117,7 @@ def test_tangent_of_two_spaces_is_minus_the_slope_of_their_forces(whole):
     y, more = block("quad", 2, [0.1, 0.98], [0.9, 1.98])
     y[:, 1] += 0.4 * (y[:, 0] - 0.47) ** 2
     spaces = [vector_space(mesh_from_cells(MPI.COMM_WORLD, *one, "quad")) for one in ((x, cells), (y, more))]
-    contact = DolfinxContact(spaces, stiffness=1e4, estimator="exact", balance=False, whole_mesh=whole)
+    contact = DolfinxContact(spaces, stiffness=1e4, estimator="exact", momentum_correction=False, whole_mesh=whole)
     us = [interpolate(fem.Function(one)).x.array.copy() for one in spaces]
     contact.keep_patches(*us)
     sizes = [len(u) for u in us]

@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let velocity = vec![[0.0, -SPEED]; model.node_count()];
 
     // 2. The contact: pressure = k × penetration. Stiffer than a spring of a few cells, it would only ring.
-    let law = EnergyLaw::Fiber { k: 0.4 * MATERIAL.young / cell, profile: FiberProfile::Quadratic };
+    let law = EnergyLaw::Fiber { stiffness: 0.4 * MATERIAL.young / cell, profile: FiberProfile::Quadratic };
     let contact = Options { estimator: Estimator::Exact, ..Options::new(law) };
     let wall = Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0; 2]) };
 

@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let load = model.surface_load(&flat, |_, _| [0.0, -FORCE / (2.0 * RADIUS)]);
 
     // 3. How it touches: pressure = k × penetration, measured exactly; the plane y ≤ 0.
-    let law = EnergyLaw::Fiber { k: 2e5, profile: FiberProfile::Quadratic };
+    let law = EnergyLaw::Fiber { stiffness: 2e5, profile: FiberProfile::Quadratic };
     let contact = Options { estimator: Estimator::Exact, ..Options::new(law) };
     let plane = Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0; 2]) };
     let problem = Problem { supports, load, obstacles: vec![plane], ..Problem::new(model, contact) };

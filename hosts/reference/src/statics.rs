@@ -11,7 +11,7 @@
 //! [`Equilibrium`] is solved by Newton's method with a line search on Π, see [`NewtonSettings`]. An iteration linearises
 //! the bodies and solves for the contact as it is, on the equations on which it acts: sparse factors of the bodies, once for
 //! linear ones, leave a dense Schur complement there. [`Path`] leads there in load steps that halve and grow. Bodies that
-//! only contact holds are first brought into light contact. [`Equilibrium::continue_epsilon`] makes the linear fiber law
+//! only contact holds are first brought into light contact. [`Equilibrium::continue_smoothing`] makes the linear fiber law
 //! sharp, and [`Equilibrium::augment`] drives the penetration of the quadratic one to nothing. [`FixedPoint`] is the loop
 //! of Wang, Xu and Xue (Algorithm 2), to compare.
 //!

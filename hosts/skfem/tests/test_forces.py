@@ -8,7 +8,7 @@ from fmc_contact_skfem import SkfemContact
 from fmc_contact_skfem.field import cells_of, mesh_from_cells
 from scenes import ELEMENTS, blocks, by_axis, displacement, joined
 
-OPTIONS = dict(stiffness=1e4, estimator="exact", balance=False)
+OPTIONS = dict(stiffness=1e4, estimator="exact", momentum_correction=False)
 
 
 @pytest.mark.parametrize("element", [e for e in ELEMENTS if "1" in e])

@@ -14,16 +14,16 @@ pub enum EnergyLaw {
     /// Pa/m² in 2D and Pa/m³ in 3D.
     Volume {
         /// Stiffness, positive.
-        k: f64,
+        stiffness: f64,
         /// Exponent, at least 1.
-        m: f64,
+        exponent: f64,
     },
     /// w = Σ ω ψ(L) over lines along the mean contact normal, with ω the measure across them for which each stands and
     /// L the length of its part inside both bodies: the penetration depth. The energy is local, and its traction ψ'(L)
     /// varies over the patch.
     Fiber {
         /// Stiffness, positive: Pa/length for [`FiberProfile::Quadratic`], Pa for [`FiberProfile::Linear`].
-        k: f64,
+        stiffness: f64,
         /// ψ.
         profile: FiberProfile,
     },
@@ -38,30 +38,30 @@ pub enum FiberProfile {
     /// ψ = k (√(L² + ε²) − ε): for ε → 0 the paper's m = 1, pressure k wherever there is overlap; smooth for ε > 0.
     Linear {
         /// Smoothing length ε > 0, over which the pressure grows to k.
-        epsilon: f64,
+        smoothing_length: f64,
     },
 }
 
 impl EnergyLaw {
     /// w = k V.
     pub fn volume(k: f64) -> Self {
-        EnergyLaw::Volume { k, m: 1.0 }
+        EnergyLaw::Volume { stiffness: k, exponent: 1.0 }
     }
 
     /// w = Σ ω ½ k L²: pressure = k × penetration, k in Pa/length.
     pub fn fiber(k: f64) -> Self {
-        EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic }
+        EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
     }
 
     /// Energy of `measure`: of the overlap volume V, or, for the fiber law, ψ of a length L.
     pub fn energy(&self, measure: f64) -> f64 {
         let x = measure.max(0.0);
         match *self {
-            EnergyLaw::Volume { k, m } => k * x.powf(m),
-            EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } => 0.5 * k * x * x,
+            EnergyLaw::Volume { stiffness: k, exponent: m } => k * x.powf(m),
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } => 0.5 * k * x * x,
             // √(L² + ε²) − ε without cancellation.
-            EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } => {
-                k * x * (x / (x.hypot(epsilon) + epsilon))
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+                k * x * (x / (x.hypot(smoothing_length) + smoothing_length))
             }
         }
     }
@@ -70,10 +70,12 @@ impl EnergyLaw {
     pub fn energy_gradient(&self, measure: f64) -> f64 {
         let x = measure.max(0.0);
         match *self {
-            EnergyLaw::Volume { k, m: 1.0 } => k,
-            EnergyLaw::Volume { k, m } => k * m * x.powf(m - 1.0),
-            EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } => k * x,
-            EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } => k * (x / x.hypot(epsilon)),
+            EnergyLaw::Volume { stiffness: k, exponent: 1.0 } => k,
+            EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * x.powf(m - 1.0),
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } => k * x,
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+                k * (x / x.hypot(smoothing_length))
+            }
         }
     }
 
@@ -81,12 +83,12 @@ impl EnergyLaw {
     pub fn energy_hessian(&self, measure: f64) -> f64 {
         let x = measure.max(0.0);
         match *self {
-            EnergyLaw::Volume { m: 1.0, .. } => 0.0,
-            EnergyLaw::Volume { k, m } => k * m * (m - 1.0) * x.powf(m - 2.0),
-            EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } => k,
-            EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } => {
-                let r = x.hypot(epsilon);
-                k * (epsilon / r) * (epsilon / r) / r
+            EnergyLaw::Volume { exponent: 1.0, .. } => 0.0,
+            EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * (m - 1.0) * x.powf(m - 2.0),
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } => k,
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+                let r = x.hypot(smoothing_length);
+                k * (smoothing_length / r) * (smoothing_length / r) / r
             }
         }
     }
@@ -107,10 +109,12 @@ impl EnergyLaw {
             }
         };
         match *self {
-            EnergyLaw::Volume { k, m } => positive("stiffness", k, 0.0).and(positive("exponent", m, 1.0)),
-            EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } => positive("stiffness", k, 0.0),
-            EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } => {
-                positive("stiffness", k, 0.0).and(positive("epsilon", epsilon, 0.0))
+            EnergyLaw::Volume { stiffness: k, exponent: m } => {
+                positive("stiffness", k, 0.0).and(positive("exponent", m, 1.0))
+            }
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } => positive("stiffness", k, 0.0),
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+                positive("stiffness", k, 0.0).and(positive("smoothing_length", smoothing_length, 0.0))
             }
         }
     }
@@ -122,13 +126,13 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_the_energy() {
-        let linear = FiberProfile::Linear { epsilon: 1e-2 };
+        let linear = FiberProfile::Linear { smoothing_length: 1e-2 };
         for law in [
-            EnergyLaw::Volume { k: 3.0, m: 2.0 },
-            EnergyLaw::Volume { k: 3.0, m: 1.5 },
+            EnergyLaw::Volume { stiffness: 3.0, exponent: 2.0 },
+            EnergyLaw::Volume { stiffness: 3.0, exponent: 1.5 },
             EnergyLaw::volume(3.0),
             EnergyLaw::fiber(3.0),
-            EnergyLaw::Fiber { k: 3.0, profile: linear },
+            EnergyLaw::Fiber { stiffness: 3.0, profile: linear },
         ] {
             for x in [1e-3, 0.02, 0.7] {
                 // Central differences: truncation (h/x)² and rounding 1e-16 x/h.

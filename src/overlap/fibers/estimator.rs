@@ -70,11 +70,11 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
     }
 
     fn imbalance_of_volume(&self) -> Option<f64> {
-        self.options.balance.then_some(0.0)
+        self.options.momentum_correction.then_some(0.0)
     }
 
     fn imbalance_of_points(&self) -> Option<f64> {
-        self.options.balance.then_some(0.0)
+        self.options.momentum_correction.then_some(0.0)
     }
 
     fn prefers_facets(&self) -> bool {

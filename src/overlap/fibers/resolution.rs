@@ -46,18 +46,25 @@ pub(crate) fn line_spacing<const D: usize>(
     region: &Aabb<D>,
     facet_size: f64,
 ) -> Result<f64, Error> {
-    let projected = families.iter().map(|f| f.projected_area(region));
+    let widths = || families.iter().map(|f| f.widths(region));
+    // A region as long and narrow as a needle has hardly any area; its lines are counted along it.
+    let spread_over = |lines: f64, widths: &mut dyn Iterator<Item = [f64; 2]>| {
+        let (area, length) = widths
+            .fold((0.0, 0.0), |(area, length), [u, v]| (area + if D == 2 { u } else { u * v }, length + u.max(v)));
+        root::<D>(area / lines).max(length / lines)
+    };
     let spacing = match resolution {
         Resolution::Spacing(spacing) => spacing,
-        Resolution::Count(count) => root::<D>(projected.sum::<f64>() / count as f64),
+        Resolution::Count(count) => spread_over(count as f64, &mut widths()),
         Resolution::Auto => {
-            let (total, largest) = projected.fold((0.0, 0.0), |(sum, most): (f64, f64), s| (sum + s, most.max(s)));
-            let wanted = (FACET_PART[D - 2] * facet_size).min(root::<D>(largest / FEWEST_LINES[D - 2]));
+            let of_one = widths().map(|of_one| spread_over(FEWEST_LINES[D - 2], &mut [of_one].into_iter()));
+            let wanted = (FACET_PART[D - 2] * facet_size).min(of_one.fold(0.0, f64::max));
             // Rounding down may still double the number.
-            round_down_to_power(wanted.max(root::<D>(2.0 * total / MOST_AUTOMATIC)))
+            round_down_to_power(wanted.max(spread_over(MOST_AUTOMATIC / 2.0, &mut widths())))
         }
     };
-    let needed: f64 = families.iter().map(|f| f.projected_area(region) / spacing.powi(D as i32 - 1)).sum();
+    let rows = |width: f64| width / spacing + 1.0;
+    let needed: f64 = widths().map(|[u, v]| if D == 2 { rows(u) } else { rows(u) * rows(v) }).sum();
     if needed < MOST_FIBERS { Ok(spacing) } else { Err(Error::TooManyFibers { needed, limit: MOST_FIBERS }) }
 }
 
@@ -76,5 +83,32 @@ pub(crate) fn segment_count<const D: usize>(
         Ok(needed.max(1.0) as u64)
     } else {
         Err(Error::TooManyFibers { needed, limit: MOST_FIBERS })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Vector;
+
+    /// Lines laid in a region of this size with a corner at `x`.
+    fn lines(resolution: Resolution, x: f64, size: [f64; 3]) -> usize {
+        let families = Family::<3>::all(0);
+        let min = Vector::<3>::repeat(x);
+        let region = Aabb { min, max: min + Vector::from(size) };
+        let spacing = line_spacing(resolution, &families, &region, 0.1).expect("lines");
+        families.iter().map(|f| f.window(&region, 1.0 / spacing).expect("a window").0.line_count()).sum()
+    }
+
+    /// Lines asked for by number are about as many in any region, however narrow, and however small at its place.
+    #[test]
+    fn needles_and_specks_take_no_more_lines_than_other_regions() {
+        for (resolution, most) in [(Resolution::Count(300), 900), (Resolution::Auto, 40_000)] {
+            for small in [1.0, 1e-3, 1e-6, 1e-10, 1e-13] {
+                let needle = lines(resolution, 0.0, [small, 1.0, small]);
+                let speck = lines(resolution, 1.0, [small; 3]);
+                assert!(needle <= most && speck <= most, "{small:e}, {resolution:?}: {needle} and {speck} lines");
+            }
+        }
     }
 }

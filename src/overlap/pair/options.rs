@@ -57,7 +57,7 @@ pub struct FiberOptions {
     /// A fiber is a pure function of seed, family and index; another seed is another random shift.
     pub seed: u64,
     /// The smallest change of the nodal forces that makes their sum and their moment vanish, per pair. On by default.
-    pub balance: bool,
+    pub momentum_correction: bool,
 }
 
 impl Default for FiberOptions {
@@ -67,7 +67,7 @@ impl Default for FiberOptions {
             weights: LineWeights::default(),
             resolution: Resolution::default(),
             seed: 0,
-            balance: true,
+            momentum_correction: true,
         }
     }
 }

@@ -32,7 +32,7 @@ pub(crate) struct EstimatorArgs {
 
     /// Makes the fiber law k (sqrt(L^2 + E^2) - E): the pressure grows to k over the length E [length]
     #[arg(long, value_name = "E", value_parser = positive)]
-    pub(crate) epsilon: Option<f64>,
+    pub(crate) smoothing_length: Option<f64>,
 
     /// About this many fibers per pair of bodies [default: from the facets in contact]
     #[arg(long, value_name = "N", conflicts_with = "spacing", value_parser = count)]
@@ -60,7 +60,7 @@ pub(crate) struct EstimatorArgs {
 
     /// Leave out the smallest change of the nodal forces that makes their sum and their moment vanish
     #[arg(long)]
-    pub(crate) no_balance: bool,
+    pub(crate) no_momentum_correction: bool,
 }
 
 /// `--estimator`
@@ -102,7 +102,7 @@ impl EstimatorArgs {
         ensure!(!exact || self.fibers.is_none(), "--fibers has no effect with --estimator exact");
         ensure!(!exact || self.spacing.is_none(), "--spacing has no effect with --estimator exact");
         let fiber_law = self.law == LawKind::Fiber;
-        ensure!(fiber_law || self.epsilon.is_none(), "--epsilon needs --law fiber");
+        ensure!(fiber_law || self.smoothing_length.is_none(), "--smoothing-length needs --law fiber");
         ensure!(!fiber_law || self.m == 1.0, "--m has no effect with --law fiber");
         let segments = !exact && self.pattern == PatternKind::Isotropic;
         ensure!(segments || self.fiber_length.is_none(), "--fiber-length needs --pattern isotropic");
@@ -112,10 +112,12 @@ impl EstimatorArgs {
     /// Options of an evaluation with this stiffness.
     pub(crate) fn options(&self, stiffness: f64) -> Options {
         let law = match self.law {
-            LawKind::Volume => EnergyLaw::Volume { k: stiffness, m: self.m },
+            LawKind::Volume => EnergyLaw::Volume { stiffness: stiffness, exponent: self.m },
             LawKind::Fiber => EnergyLaw::Fiber {
-                k: stiffness,
-                profile: self.epsilon.map_or(FiberProfile::Quadratic, |epsilon| FiberProfile::Linear { epsilon }),
+                stiffness,
+                profile: self
+                    .smoothing_length
+                    .map_or(FiberProfile::Quadratic, |smoothing_length| FiberProfile::Linear { smoothing_length }),
             },
         };
         Options {
@@ -146,7 +148,7 @@ impl EstimatorArgs {
                 (None, None) => Resolution::Auto,
             },
             seed: self.seed,
-            balance: !self.no_balance,
+            momentum_correction: !self.no_momentum_correction,
         }
     }
 }

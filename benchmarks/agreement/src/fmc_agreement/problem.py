@@ -117,12 +117,12 @@ class Problem:
         }
         if law == "volume":
             options["exponent"] = given["exponent"]
-        elif "epsilon" in given:
-            options["epsilon"] = given["epsilon"]
+        elif "smoothing_length" in given:
+            options["smoothing_length"] = given["smoothing_length"]
         if estimator == "fibers":
-            options |= {key: given[key] for key in ("pattern", "weights", "seed", "balance", "spacing") if key in given}
+            options |= {key: given[key] for key in ("pattern", "weights", "seed", "momentum_correction", "spacing") if key in given}
             if self.is_static and law != "volume":
-                options["balance"] = False
+                options["momentum_correction"] = False
         return options
 
     def add_obstacles(self, contact: Any) -> None:

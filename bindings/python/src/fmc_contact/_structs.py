@@ -41,13 +41,13 @@ class fmc_options(Structure):
         ("estimator", c_int32),
         ("pattern", c_int32),
         ("weights", c_int32),
-        ("balance", c_int32),
+        ("momentum_correction", c_int32),
         ("self_contact", c_int32),
         ("check_cells", c_int32),
         ("threads", c_int32),
         ("index_base", c_int32),
         ("reserved_flags", c_int32),
-        ("epsilon", c_double),
+        ("smoothing_length", c_double),
         ("reserved", c_uint64 * 15),
     ]
 

@@ -134,8 +134,8 @@ class Contact(Obstacles):
         indefinite, for use far from a solution. ``obstacles`` appends the translations of the obstacles, as nodes after
         the last. For the law ``"volume"`` all nodes of a pair are coupled: see ``tangent_parts`` for large ones.
 
-        With the law ``"fiber"``, ``keep_patches`` and ``balance=False`` it is the derivative of the forces; the
-        momentum correction (``balance=True``), which is small, is not differentiated.
+        With the law ``"fiber"``, ``keep_patches`` and ``momentum_correction=False`` it is the derivative of the forces; the
+        momentum correction (``momentum_correction=True``), which is small, is not differentiated.
 
         Errors: those of ``evaluate``; ``UnsupportedError`` for a law or an estimator without tangent.
         """

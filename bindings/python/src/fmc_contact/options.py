@@ -11,7 +11,7 @@ import numpy as np
 from ._library import check, library
 from ._structs import CHOICES, fmc_options
 
-_SWITCHES = ("balance", "self_contact", "check_cells")
+_SWITCHES = ("momentum_correction", "self_contact", "check_cells")
 _HIDDEN = ("struct_size", "reserved_flags", "reserved")
 
 
@@ -26,7 +26,7 @@ class Options(TypedDict, total=False):
     is the library's, ``"fiber"``."""
     exponent: float
     """m >= 1, for the law ``"volume"`` only; 1."""
-    epsilon: float
+    smoothing_length: float
     """Smoothing length over which the pressure of the law ``"fiber"`` grows to k; 0: pressure k times penetration."""
     estimator: str
     """``"fibers"``: sampled, for any shape. ``"exact"``: for straight-sided meshes and flat-sided obstacles."""
@@ -42,7 +42,7 @@ class Options(TypedDict, total=False):
     """Approximate number of fibers per pair; 0: chosen from the facets in contact. Excludes ``spacing``."""
     seed: int
     """Seed of the random shift of the pattern; 0."""
-    balance: bool
+    momentum_correction: bool
     """Whether the forces are corrected so that their sum and moment vanish; True."""
     self_contact: bool
     """Whether self-contact, the overlap of each body with itself, is evaluated; False."""

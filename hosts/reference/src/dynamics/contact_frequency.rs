@@ -29,15 +29,15 @@ pub(super) fn before_contact<const D: usize>(
     inverse_mass: &[[f64; D]],
 ) -> Option<f64> {
     match contact.options().law {
-        EnergyLaw::Volume { k, m: 2.0 } => {
+        EnergyLaw::Volume { stiffness: k, exponent: 2.0 } => {
             let areas = surface_areas(contact.surface(), coords);
             let mobility: f64 = areas.iter().zip(inverse_mass).map(|(a, w)| a * a * largest(w)).sum();
             Some((2.0 * k * partner_count(contact) * mobility).sqrt())
         }
-        EnergyLaw::Fiber { k, profile } => {
+        EnergyLaw::Fiber { stiffness: k, profile } => {
             let steepest = match profile {
                 FiberProfile::Quadratic => k,
-                FiberProfile::Linear { epsilon } => k / epsilon,
+                FiberProfile::Linear { smoothing_length } => k / smoothing_length,
                 _ => return None,
             };
             let meets_bodies = contact.surface().body_count() > 1 || contact.options().self_contact;
@@ -67,7 +67,7 @@ pub(super) fn in_contact<const D: usize>(
     inverse_mass: &[[f64; D]],
 ) -> Result<Option<f64>, Error> {
     let (k, m) = match contact.options().law {
-        EnergyLaw::Volume { k, m } if m >= 2.0 => (k, m),
+        EnergyLaw::Volume { stiffness: k, exponent: m } if m >= 2.0 => (k, m),
         EnergyLaw::Volume { .. } => return Ok(None),
         _ => return Ok(before_contact(contact, coords, inverse_mass)),
     };

@@ -33,7 +33,7 @@ impl<const D: usize> Equilibrium<D> {
     /// Those of [`StaticsError`]; the last equilibrium is kept.
     pub fn augment(&mut self, target: f64, most: usize, watch: Watch) -> Result<Augmentation, StaticsError> {
         let mut penetrations = vec![self.true_contact()?.penetration];
-        let EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } = self.problem.contact.law else {
+        let EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } = self.problem.contact.law else {
             let error =
                 fmc_contact::Error::Unsupported { what: "augmentation of another law than the quadratic fiber law" };
             return Err(error.into());

@@ -17,13 +17,14 @@ impl<const D: usize> Equilibrium<D> {
     ///
     /// # Errors
     /// Those of [`StaticsError`]; the last equilibrium is kept, with its ε in force. Other laws are left alone.
-    pub fn continue_epsilon(&mut self, target: f64, watch: Watch) -> Result<(), StaticsError> {
+    pub fn continue_smoothing(&mut self, target: f64, watch: Watch) -> Result<(), StaticsError> {
         let mut stride = STRIDE;
-        while let EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } = self.problem.contact.law
-            && epsilon > target
+        while let EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } =
+            self.problem.contact.law
+            && smoothing_length > target
         {
-            let next = (stride * epsilon).max(target);
-            self.set_law(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon: next } })?;
+            let next = (stride * smoothing_length).max(target);
+            self.set_law(EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length: next } })?;
             match self.newton(self.displacement.clone(), self.load, watch) {
                 Ok((u, balance)) => {
                     self.accept(u, balance, self.load);
@@ -31,7 +32,10 @@ impl<const D: usize> Equilibrium<D> {
                 }
                 Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
                 Err(error) => {
-                    self.set_law(EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } })?;
+                    self.set_law(EnergyLaw::Fiber {
+                        stiffness: k,
+                        profile: FiberProfile::Linear { smoothing_length },
+                    })?;
                     stride = stride.sqrt();
                     if stride > LEAST_STRIDE {
                         return Err(self.too_soft(&self.balance).unwrap_or(error));

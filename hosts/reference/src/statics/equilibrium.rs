@@ -62,7 +62,7 @@ impl<const D: usize> Equilibrium<D> {
         }
         // Corrected forces would not be the gradient of the energy any more.
         if let (Estimator::Fibers(fibers), true) = (&mut problem.contact.estimator, problem.contact.law.is_fiber()) {
-            fibers.balance = false;
+            fibers.momentum_correction = false;
         }
         let mut contact = Contact::new(problem.model.surface()?, problem.contact)?;
         for obstacle in problem.obstacles.iter().filter(|_| problem.linearised.is_none()) {

@@ -43,7 +43,7 @@ pub enum StaticsError {
         /// Penetration, length.
         penetration: f64,
         /// ε of the law, length.
-        epsilon: f64,
+        smoothing_length: f64,
     },
     /// The matrix is not positive definite although everything is supported: the bodies buckle or tear.
     Unstable {
@@ -85,11 +85,11 @@ impl fmt::Display for StaticsError {
             Self::Separated { body, motion } => {
                 write!(f, "'{body}' is separated from the other bodies: its load drives it off, by {motion}")
             }
-            Self::PeakPressureAboveStiffness { stiffness, penetration, epsilon } => write!(
+            Self::PeakPressureAboveStiffness { stiffness, penetration, smoothing_length } => write!(
                 f,
                 "the contact pressure exceeds the stiffness k = {stiffness:e} of the linear law, so that the bodies pass \
-                 through one another: the penetration is {penetration:.2e}, with epsilon = {epsilon:.1e}; raise k above \
-                 the peak pressure"
+                 through one another: the penetration is {penetration:.2e}, with a smoothing length of \
+                 {smoothing_length:.1e}; raise k above the peak pressure"
             ),
             Self::Unstable { load } => write!(f, "the bodies are not stable at load {load:.4}: they buckle"),
             Self::Inverted { load, cell } => {

@@ -95,8 +95,10 @@ impl<const D: usize> Equilibrium<D> {
         let penetration = balance.contact.penetration;
         match self.problem.contact.law {
             // k L/√(L² + ε²) is k to 0.5 % at L = 10 ε: what resists more is elastic, or nothing.
-            EnergyLaw::Fiber { k, profile: FiberProfile::Linear { epsilon } } if penetration > 10.0 * epsilon => {
-                Some(StaticsError::PeakPressureAboveStiffness { stiffness: k, penetration, epsilon })
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
+                if penetration > 10.0 * smoothing_length =>
+            {
+                Some(StaticsError::PeakPressureAboveStiffness { stiffness: k, penetration, smoothing_length })
             }
             _ => None,
         }

@@ -83,7 +83,7 @@ impl<const D: usize> Equilibrium<D> {
     fn advance(&mut self, load: f64, watch: Watch) -> Result<State<D>, StaticsError> {
         let start = self.predicted(load, watch)?;
         let soft = self.soft_stiffness();
-        let EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } = self.problem.contact.law else {
+        let EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } = self.problem.contact.law else {
             let start = self.approach(start, load)?;
             return self.newton(start, load, watch);
         };
@@ -135,7 +135,9 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Whether the penetration calls for a pressure beyond Young's modulus, which nothing could bear.
     fn is_too_deep(&mut self, u: &[[f64; D]]) -> bool {
-        let EnergyLaw::Fiber { k, profile: FiberProfile::Quadratic } = self.problem.contact.law else { return false };
+        let EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } = self.problem.contact.law else {
+            return false;
+        };
         self.contact.release_patches();
         let young = self.problem.model.parts().iter().map(|part| part.material.young).fold(f64::INFINITY, f64::min);
         self.touch(u, &self.shown(u)).is_ok_and(|contact| contact.penetration * k > young)

@@ -9,7 +9,7 @@ const STEP: f64 = 1.2e-3;
 
 fn fibers(spacing: f64) -> Options {
     let fibers = FiberOptions { resolution: Resolution::Spacing(spacing), ..FiberOptions::default() };
-    Options { estimator: Estimator::Fibers(fibers), ..Options::new(EnergyLaw::Volume { k: K, m: 2.0 }) }
+    Options { estimator: Estimator::Fibers(fibers), ..Options::new(EnergyLaw::Volume { stiffness: K, exponent: 2.0 }) }
 }
 
 fn largest_error(samples: &[Sample<2>]) -> f64 {

@@ -16,7 +16,7 @@ pub(crate) fn part<const D: usize>(name: &str, cell_type: CellType, mesh: Mesh<D
 
 /// w = k Vᵐ, exact.
 pub(crate) fn exact(k: f64, m: f64) -> Options {
-    Options { estimator: Estimator::Exact, ..Options::new(EnergyLaw::Volume { k, m }) }
+    Options { estimator: Estimator::Exact, ..Options::new(EnergyLaw::Volume { stiffness: k, exponent: m }) }
 }
 
 /// A square on its tip, its velocity (0.3, −3), above a block that is free to move; neo-Hookean. They are 0.01 apart and

@@ -147,7 +147,7 @@ fn blocks_in_3d() {
 
 #[test]
 fn the_linear_law_passes_too() {
-    let law = EnergyLaw::Fiber { k: 2.0 * PRESSURE, profile: FiberProfile::Linear { epsilon: 1e-5 } };
+    let law = EnergyLaw::Fiber { stiffness: 2.0 * PRESSURE, profile: FiberProfile::Linear { smoothing_length: 1e-5 } };
     let error = stress_error(CellType::Quad4, plane(CellType::Quad4), exact(law));
     assert!(error < 1e-9, "{error:.2e}");
 }

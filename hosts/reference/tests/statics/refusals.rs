@@ -37,12 +37,12 @@ fn a_disc_that_is_lifted_is_separated() {
 
 #[test]
 fn pressure_above_the_stiffness_goes_through() {
-    let law = EnergyLaw::Fiber { k: 5.0, profile: FiberProfile::Linear { epsilon: 8e-3 } };
+    let law = EnergyLaw::Fiber { stiffness: 5.0, profile: FiberProfile::Linear { smoothing_length: 8e-3 } };
     let mut equilibrium = Equilibrium::new(hertz(4.0, exact(law))).unwrap();
     let mut watch = |_: &Iteration| ControlFlow::Continue(());
     // At this ε the disc sinks in until its contact is wide enough; it stays there however small ε becomes.
     let error = equilibrium.follow(Default::default(), &mut watch);
-    let error = error.and_then(|()| equilibrium.continue_epsilon(8e-6, &mut watch)).unwrap_err();
+    let error = error.and_then(|()| equilibrium.continue_smoothing(8e-6, &mut watch)).unwrap_err();
     assert!(matches!(error, StaticsError::PeakPressureAboveStiffness { stiffness: 5.0, .. }), "{error}");
     assert!(error.to_string().contains("raise k above the peak pressure"));
 }
