@@ -66,7 +66,7 @@ fn of_chunk<const D: usize>(
         let slope = slope(point.length);
         for (end, last) in point.ends.iter().zip(&mut last) {
             let SurfacePoint::Facet { of_b, facet, weights } = *end else { continue };
-            if !sums.get(*last).is_some_and(|sum| (sum.of_b, sum.facet) == (of_b, facet)) {
+            if sums.get(*last).is_none_or(|sum| (sum.of_b, sum.facet) != (of_b, facet)) {
                 *last = *places.entry((of_b, facet)).or_insert_with(|| {
                     let area = area_vector(&pair.side(of_b).corners(facet as usize));
                     let normal = area.try_normalize(0.0).unwrap_or_else(Vector::zeros);

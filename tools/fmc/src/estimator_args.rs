@@ -112,7 +112,7 @@ impl EstimatorArgs {
     /// Options of an evaluation with this stiffness.
     pub(crate) fn options(&self, stiffness: f64) -> Options {
         let law = match self.law {
-            LawKind::Volume => EnergyLaw::Volume { stiffness: stiffness, exponent: self.m },
+            LawKind::Volume => EnergyLaw::Volume { stiffness, exponent: self.m },
             LawKind::Fiber => EnergyLaw::Fiber {
                 stiffness,
                 profile: self
