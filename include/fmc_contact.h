@@ -95,11 +95,11 @@ typedef enum {
   FMC_ERROR_SIGNED_DISTANCE = 25,
   // The spacing is too small for the bodies.
   FMC_ERROR_TOO_MANY_FIBERS = 26,
-  // The threads could not be started.
+  // The threads could not be started, or more than 1024 were asked for.
   FMC_ERROR_THREADS = 27,
   // The context is in use by another call: from another thread, or from a callback of this one.
   FMC_ERROR_BUSY = 28,
-  // A volume, energy or force exceeds the range of a double.
+  // A volume, energy, force or entry of the tangent exceeds the range of a double.
   FMC_ERROR_OVERFLOW = 29,
   // A panic was caught: a defect of this library. The text says what and where.
   FMC_ERROR_PANIC = 30,
@@ -197,6 +197,9 @@ typedef enum {
   FMC_WARNING_UNRESOLVED_OVERLAP = 2,
   // One body lies inside the other and is not pushed out.
   FMC_WARNING_SWALLOWED_BODY = 3,
+  // The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
+  // its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
+  FMC_WARNING_PATCH_LEFT_OUT = 4,
 } fmc_warning;
 
 // Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.

@@ -151,7 +151,7 @@ pub enum Error {
         /// Its value, infinite or NaN.
         value: f64,
     },
-    /// The threads could not be started.
+    /// The threads could not be started, or more than 1024 were asked for.
     Threads {
         /// Number asked for.
         threads: usize,
@@ -223,7 +223,9 @@ impl fmt::Display for Error {
             Error::Overflow { quantity, value } => {
                 write!(f, "the {quantity} is {value}: beyond the range of a double")
             }
-            Error::Threads { threads } => write!(f, "{threads} threads could not be started"),
+            Error::Threads { threads } => {
+                write!(f, "{threads} threads could not be started; 'threads' may be 1 to 1024")
+            }
         }
     }
 }

@@ -107,12 +107,16 @@ pub enum fmc_warning {
     FMC_WARNING_UNRESOLVED_OVERLAP = 2,
     /// One body lies inside the other and is not pushed out.
     FMC_WARNING_SWALLOWED_BODY = 3,
+    /// The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
+    /// its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
+    FMC_WARNING_PATCH_LEFT_OUT = 4,
 }
 
 fn warning_code(warning: &Warning) -> i32 {
     let code = match warning {
         Warning::CoarseFibers { .. } => fmc_warning::FMC_WARNING_COARSE_FIBERS,
         Warning::UnresolvedOverlap { .. } => fmc_warning::FMC_WARNING_UNRESOLVED_OVERLAP,
+        Warning::PatchLeftOut { .. } => fmc_warning::FMC_WARNING_PATCH_LEFT_OUT,
         Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
     };
     code as i32

@@ -64,11 +64,11 @@ pub enum fmc_status {
     FMC_ERROR_SIGNED_DISTANCE = 25,
     /// The spacing is too small for the bodies.
     FMC_ERROR_TOO_MANY_FIBERS = 26,
-    /// The threads could not be started.
+    /// The threads could not be started, or more than 1024 were asked for.
     FMC_ERROR_THREADS = 27,
     /// The context is in use by another call: from another thread, or from a callback of this one.
     FMC_ERROR_BUSY = 28,
-    /// A volume, energy or force exceeds the range of a double.
+    /// A volume, energy, force or entry of the tangent exceeds the range of a double.
     FMC_ERROR_OVERFLOW = 29,
     /// A panic was caught: a defect of this library. The text says what and where.
     FMC_ERROR_PANIC = 30,

@@ -146,10 +146,16 @@ impl<const D: usize> Contact<D> {
     }
 }
 
+/// Most threads of one contact: more than the largest machines have cores, and few enough for any to start.
+const MOST_THREADS: usize = 1024;
+
 /// Threads of one contact; none are started for one.
 fn pool(threads: usize) -> Result<Option<rayon::ThreadPool>, Error> {
     if threads == 1 {
         return Ok(None);
+    }
+    if threads > MOST_THREADS {
+        return Err(Error::Threads { threads });
     }
     let name = |index| format!("fmc-contact-{index}");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).thread_name(name).build();

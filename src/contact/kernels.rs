@@ -71,7 +71,9 @@ fn tangent_in<const D: usize>(
         let obstacle = if let Partner::Obstacle(obstacle) = measured.pair.partners[1] { obstacle } else { 0 };
         contact.law.tangent(measured, part, (coords.len() + obstacle) as u32)
     })?;
-    Ok(Tangent::sum(tangents))
+    let tangent = Tangent::sum(tangents);
+    tangent.check()?;
+    Ok(tangent)
 }
 
 fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {

@@ -1,6 +1,7 @@
 //! Second derivative of the contact energy.
 
 use super::laws::energy_law::EnergyLaw;
+use crate::Error;
 use crate::overlap::{Block, ContactPoints, Overlap, Pair, merged};
 
 /// Which part of the second derivative.
@@ -37,6 +38,16 @@ pub struct RankOne<const D: usize> {
 }
 
 impl<const D: usize> Tangent<D> {
+    /// Checks that all entries are finite.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let of_blocks = self.blocks.iter().flat_map(|block| block.value.as_flattened());
+        let of_rank_one = self.rank_one.iter().flat_map(|part| part.vector.as_flattened().iter().chain([&part.factor]));
+        match of_blocks.chain(of_rank_one).find(|x| !x.is_finite()) {
+            Some(value) => Err(Error::Overflow { quantity: "tangent", value: *value }),
+            None => Ok(()),
+        }
+    }
+
     /// Entries of the blocks as (row, column, value), degree of freedom `node * D + axis`; without the rank-one parts.
     pub fn triplets(&self) -> impl Iterator<Item = (usize, usize, f64)> {
         self.blocks.iter().flat_map(|block| {

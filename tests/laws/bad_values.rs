@@ -2,6 +2,7 @@
 
 use crate::bad_meshes::refused;
 use crate::scene::{Scene, exact, fibers, lines};
+use fmc_contact::contact::TangentPart;
 use fmc_contact::{
     Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, Obstacle, Options, Pose, Resolution, Shape,
 };
@@ -140,6 +141,34 @@ fn more_fibers_than_can_be_counted() {
         };
         assert!(needed > limit);
     }
+}
+
+/// What a machine cannot do in a moment is refused at once, and so is what lies beyond the range of a double.
+#[test]
+fn threads_lines_and_lengths_have_limits() {
+    let scene =
+        Scene::of(&[&rectangle_quad4([0.0; 2], [1.0; 2], [1, 1]), &rectangle_quad4([0.5; 2], [1.5; 2], [1, 1])]);
+    for threads in [1025, 100_000, usize::MAX] {
+        let refused = Contact::new(scene.surface(), Options { threads, ..exact() });
+        assert!(matches!(refused, Err(Error::Threads { threads: found }) if found == threads));
+    }
+    let many = FiberOptions { resolution: Resolution::Count(900_000_000), ..FiberOptions::default() };
+    assert!(matches!(scene.contact(fibers(many)).evaluate(&scene.coords), Err(Error::TooManyFibers { .. })));
+    let pattern = FiberPattern::Isotropic { length: Some(1e300) };
+    let long = FiberOptions { pattern, resolution: Resolution::Count(1000), ..FiberOptions::default() };
+    assert!(matches!(scene.contact(fibers(long)).evaluate(&scene.coords), Err(Error::Overflow { .. })));
+}
+
+#[test]
+fn tangents_are_finite_or_refused() {
+    let scene =
+        Scene::of(&[&rectangle_quad4([0.0; 2], [1.0; 2], [1, 1]), &rectangle_quad4([0.5; 2], [1.5; 2], [1, 1])]);
+    // 3 k is a double, 6 k is none.
+    let law = EnergyLaw::Volume { stiffness: 5e307, exponent: 3.0 };
+    let contact = scene.contact(Options { law, ..lines(0.05, 1) });
+    assert!(contact.evaluate(&scene.coords).is_ok());
+    let refused = contact.tangent(&scene.coords, TangentPart::Full);
+    assert!(matches!(refused, Err(Error::Overflow { quantity: "tangent", .. })));
 }
 
 /// After any error a contact is as it was before.

@@ -10,6 +10,7 @@ mod bad_meshes;
 mod bad_values;
 mod balance;
 mod coinciding;
+mod corners;
 mod energy_gradient;
 mod fiber_law;
 mod folded;

@@ -70,6 +70,10 @@ impl<const D: usize> FiberPair<'_, D> {
                 let count = segment_count(self.options.resolution, &starts, facet_size)?;
                 let bundles = segment_bundles(self.options.seed, count, &starts, length);
                 let volume_per_length = starts.volume() / (count as f64 * length);
+                if !volume_per_length.is_finite() {
+                    let quantity = "volume in which fibers of that length start";
+                    return Err(Error::Overflow { quantity, value: starts.volume() });
+                }
                 work(&Layout { region, facet_size, tolerance, spacing: length, volume_per_length, bundles }).map(Some)
             }
         }

@@ -19,8 +19,8 @@ const FEWEST_LINES: [f64; 2] = [512.0, 1024.0];
 /// want, and a warning says so where they are further apart than the facets are wide.
 const MOST_AUTOMATIC: f64 = 4e6;
 
-/// Most fibers of one pair. A hundred times what the finest study needs; it takes about a minute.
-pub(crate) const MOST_FIBERS: f64 = 1e9;
+/// Most fibers of one pair. Ten times what the finest study needs; it takes some ten seconds.
+pub(crate) const MOST_FIBERS: f64 = 1e8;
 
 /// Mean size of some facets of `side`: the root of their mean measure; infinite without facets.
 pub(crate) fn facet_size<const D: usize>(side: &FacetSide<D>, facets: &[u32]) -> f64 {

@@ -3,6 +3,7 @@
 use super::partner::Partner;
 use super::surface_point::SurfacePoint;
 use crate::configuration::FacetSide;
+use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Surface, Vector};
 use rayon::prelude::*;
@@ -86,6 +87,14 @@ impl<'a, const D: usize> Pair<'a, D> {
         work: impl Fn(&[T]) -> U + Send + Sync,
     ) -> Vec<U> {
         if self.parallel { items.par_chunks(size).map(work).collect() } else { items.chunks(size).map(work).collect() }
+    }
+
+    /// Place of a point of the boundary.
+    pub(crate) fn position(&self, point: &SurfacePoint<D>) -> Vector<D> {
+        match *point {
+            SurfacePoint::Facet { of_b, facet, weights } => place(&self.side(of_b).corners(facet as usize), &weights),
+            SurfacePoint::Point { point, .. } => point,
+        }
     }
 
     /// Whether the body is measured against itself.

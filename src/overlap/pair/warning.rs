@@ -28,6 +28,21 @@ pub enum Warning {
         /// Fibers that lie in the overlap.
         fibers: usize,
     },
+    /// The law `fiber` does not count a patch of the contact, since another of the same overlap is much shallower or
+    /// larger: the two bodies push apart there by less than they should, or not at all. Two bodies in place of one that
+    /// has both walls, or the law `volume`, count it.
+    PatchLeftOut {
+        /// First body of the pair.
+        a: Partner,
+        /// Second body of the pair.
+        b: Partner,
+        /// Unit normal of the patch, outwards of the first body; the third component is 0 in the plane.
+        normal: [f64; 3],
+        /// Its area (2D: length).
+        area: f64,
+        /// Its mean penetration.
+        depth: f64,
+    },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
         /// The body inside.
@@ -47,6 +62,11 @@ impl fmt::Display for Warning {
             Warning::UnresolvedOverlap { a, b, fibers } => {
                 write!(f, "{a} and {b}: the overlap was met by {fibers} fibers only")
             }
+            Warning::PatchLeftOut { a, b, normal: [x, y, z], area, depth } => write!(
+                f,
+                "{a} and {b}: a patch of the contact is not counted beside a shallower or larger one; its area is {area:.3e}, \
+                 its penetration {depth:.3e}, its normal ({x:.3}, {y:.3}, {z:.3})"
+            ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }
     }

@@ -2,11 +2,13 @@
 
 use super::directions::{Ends, directions};
 use super::labels::{are_alike, at_vertices};
+use super::partition::LeftOut;
 use super::sample::ContactSample;
 use crate::geometry::Vector;
 use crate::geometry::components::Components;
 use crate::overlap::pair::sides::{Counterpart, Pair};
 use crate::overlap::pair::surface_point::SurfacePoint;
+use nalgebra::{Matrix3, Vector3};
 
 /// A patch with less than this part of the largest one's measure lies at the edge of another: such as the side walls of
 /// a block that is a little way in.
@@ -104,27 +106,65 @@ pub(super) struct Cluster<const D: usize> {
     /// Root of the overlap to which it belongs.
     overlap: u32,
     ends: Vec<Ends<D>>,
+    resultant: Vector<D>,
     measure: f64,
     /// Σ measure L.
     depths: f64,
+    /// Σ measure x and Σ measure x xᵀ of the samples' ends.
+    first: Vector3<f64>,
+    second: Matrix3<f64>,
 }
 
 impl<const D: usize> Cluster<D> {
     pub(super) fn new(overlap: u32) -> Self {
-        Self { overlap, ends: Vec::new(), measure: 0.0, depths: 0.0 }
+        Self {
+            overlap,
+            ends: Vec::new(),
+            resultant: Vector::zeros(),
+            measure: 0.0,
+            depths: 0.0,
+            first: Vector3::zeros(),
+            second: Matrix3::zeros(),
+        }
     }
 
-    pub(super) fn add(&mut self, ends: Ends<D>, length: f64) {
+    /// Adds a sample; places are given relative to any one origin for all.
+    pub(super) fn add(&mut self, ends: Ends<D>, places: [Vector<D>; 2], length: f64) {
         self.ends.push(ends);
-        for (_, measure) in ends {
+        for ((normal, measure), place) in ends.into_iter().zip(places) {
+            self.resultant += normal * measure;
             self.measure += measure;
             self.depths += measure * length;
+            let x = Vector3::from_fn(|i, _| if i < D { place[i] } else { 0.0 });
+            self.first += x * measure;
+            self.second += x * x.transpose() * measure;
         }
     }
 
     /// Mean length of its samples.
     fn depth(&self) -> f64 {
         self.depths / self.measure
+    }
+
+    /// Least extent across its mean normal, that of a rectangle with the same moments.
+    fn extent(&self) -> f64 {
+        let n = Vector3::from_fn(|i, _| if i < D { self.resultant[i] } else { 0.0 });
+        let mean = self.first / self.measure;
+        let spread = self.second / self.measure - mean * mean.transpose();
+        let Some(n) = n.try_normalize(0.0) else { return f64::INFINITY };
+        let across = Matrix3::identity() - n * n.transpose();
+        let mut variances = (across * spread * across).symmetric_eigenvalues();
+        variances.as_mut_slice().sort_unstable_by(f64::total_cmp);
+        // In 2D a second one belongs to no axis of the plane.
+        let least = if D == 2 { variances[2] } else { variances[1] };
+        (12.0 * least.max(0.0)).sqrt()
+    }
+
+    /// What is left out with it: nothing worth a word where it is deeper than wide, as the way out sideways is.
+    pub(super) fn left_out(&self) -> Option<LeftOut<D>> {
+        let [area, depth] = [0.5 * self.measure, self.depth()];
+        let normal = self.resultant.try_normalize(0.0)?;
+        (self.extent() > depth).then_some(LeftOut { normal, area, depth })
     }
 }
 

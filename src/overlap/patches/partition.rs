@@ -19,6 +19,19 @@ pub(crate) struct Patches<const D: usize> {
     pub(crate) labels: [Labels; 2],
     /// For facets at a border: the part of every direction at every corner.
     pub(crate) blends: Vec<Vec<[f64; D]>>,
+    /// Patches of the contact that are not among them.
+    pub(crate) left_out: Vec<LeftOut<D>>,
+}
+
+/// A patch that is left out beside others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LeftOut<const D: usize> {
+    /// Unit normal, outwards of the first side.
+    pub(crate) normal: Vector<D>,
+    /// Measure.
+    pub(crate) area: f64,
+    /// Mean penetration.
+    pub(crate) depth: f64,
 }
 
 /// The direction of every facet of one side that may come into contact.

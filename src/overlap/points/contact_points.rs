@@ -99,6 +99,11 @@ impl<const D: usize> ContactPoints<D> {
             spacing: self.spacing,
             warnings: self.warnings.clone(),
         };
+        overlap.warnings.extend(self.patches.left_out.iter().map(|patch| {
+            let mut normal = [0.0; 3];
+            normal[..D].copy_from_slice(patch.normal.as_slice());
+            Warning::PatchLeftOut { a, b, normal, area: patch.area, depth: patch.depth }
+        }));
         overlap.warnings.extend(swallowed(a, b, assembly.side_areas()));
         (overlap.nodes, overlap.gradient, overlap.of_b) = assembly.into_nodes(pair.surface);
         overlap

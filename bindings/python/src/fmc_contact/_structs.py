@@ -25,7 +25,7 @@ CHOICES = {
 """Options that take one of a few values: names by number."""
 
 PARTNERS = {0: "body", 1: "obstacle"}
-WARNINGS = {1: "coarse_fibers", 2: "unresolved_overlap", 3: "swallowed_body"}
+WARNINGS = {1: "coarse_fibers", 2: "unresolved_overlap", 3: "swallowed_body", 4: "patch_left_out"}
 
 
 class fmc_options(Structure):

@@ -56,7 +56,7 @@ class Pair:
 class ContactWarning:
     """A caution about a result, which is valid all the same.
 
-    ``kind`` is ``"coarse_fibers"``, ``"unresolved_overlap"`` or ``"swallowed_body"``; ``text`` a sentence.
+    ``kind`` is ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"`` or ``"patch_left_out"``; ``text`` a sentence.
     """
 
     kind: str
