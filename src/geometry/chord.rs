@@ -9,10 +9,13 @@ pub(crate) struct Hit<const D: usize> {
     pub(crate) normal: Vector<D>,
 }
 
-/// SearchInterval from `enter` to `leave`; empty chords are `None`.
+/// A line whose slope against a plane is smaller is parallel to it: where it meets the plane may be no double.
+const PARALLEL: f64 = 1e-290;
+
+/// The part of a line from `enter` to `leave`; empty chords are `None`.
 pub(crate) type Chord<const D: usize> = Option<[Hit<D>; 2]>;
 
-/// SearchInterval of the line `o + t d` inside a shape in its own frame; `d` has unit length.
+/// The part of the line `o + t d` inside a shape in its own frame; `d` has unit length.
 ///
 /// What is made of facets, and what has a signed distance only, has no chord here: it is met as a surface or by
 /// marching.
@@ -46,14 +49,14 @@ pub(crate) fn chord<const D: usize>(shape: &Shape<D>, o: &Vector<D>, d: &Vector<
     }
 }
 
-/// SearchInterval inside both; empty where they only touch.
+/// The part inside both; empty where they only touch.
 fn common<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
     let ([p, q], [r, s]) = (a?, b?);
     let (enter, leave) = (if p.t >= r.t { p } else { r }, if q.t <= s.t { q } else { s });
     (enter.t < leave.t).then_some([enter, leave])
 }
 
-/// SearchInterval inside one or the other, for parts of one convex shape.
+/// The part inside one or the other, for parts of one convex shape.
 fn hull<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
     match (a, b) {
         (Some([p, q]), Some([r, s])) => Some([if p.t <= r.t { p } else { r }, if q.t >= s.t { q } else { s }]),
@@ -63,15 +66,16 @@ fn hull<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
 
 /// low ≤ x[axis] ≤ high.
 fn slab<const D: usize>(o: &Vector<D>, d: &Vector<D>, axis: usize, low: f64, high: f64) -> Chord<D> {
+    let slope = d[axis];
+    if slope.abs() <= PARALLEL {
+        let is_inside = low <= o[axis] && o[axis] <= high;
+        return is_inside.then_some([everywhere(f64::NEG_INFINITY), everywhere(f64::INFINITY)]);
+    }
     let mut normal = Vector::zeros();
     normal[axis] = 1.0;
-    let (down, up) =
-        (Hit { t: (low - o[axis]) / d[axis], normal: -normal }, Hit { t: (high - o[axis]) / d[axis], normal });
-    match d[axis] {
-        s if s > 0.0 => Some([down, up]),
-        s if s < 0.0 => Some([up, down]),
-        _ => (low <= o[axis] && o[axis] <= high).then_some([everywhere(f64::NEG_INFINITY), everywhere(f64::INFINITY)]),
-    }
+    let down = Hit { t: (low - o[axis]) / slope, normal: -normal };
+    let up = Hit { t: (high - o[axis]) / slope, normal };
+    Some(if slope > 0.0 { [down, up] } else { [up, down] })
 }
 
 /// An end that is never reached.

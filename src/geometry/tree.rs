@@ -29,6 +29,9 @@ struct Node<const D: usize> {
     leaf: u32,
 }
 
+/// Centres nearer to one another than this are one place: a quotient by less may be no double.
+const SMALLEST: f64 = 1e-290;
+
 /// Items below a node from which on its two halves are refitted by different threads.
 const SHARED: u32 = 1 << 13;
 
@@ -41,7 +44,8 @@ impl<const D: usize> Tree<D> {
             Aabb { min: a.min.inf(&c), max: a.max.sup(&c) }
         });
         // One scale for all axes, so that a flat set is not split across its thickness.
-        let scale = f64::from(1u32 << BITS) / centers.extent().amax();
+        let extent = centers.extent().amax();
+        let scale = if extent > SMALLEST { f64::from(1u32 << BITS) / extent } else { 0.0 };
         let code = |b: &Aabb<D>| morton(&((center(b) - centers.min) * scale));
         // The item's number breaks ties, so that the tree is a function of its input.
         let mut order: Vec<(u64, u32)> = boxes.iter().enumerate().map(|(i, b)| (code(b), i as u32)).collect();
@@ -225,7 +229,7 @@ const BITS: u32 = 21;
 fn morton<const D: usize>(x: &Vector<D>) -> u64 {
     let mut code = 0;
     for axis in 0..D {
-        // Centres on the upper bound, and NaN where all centres coincide, go to one end.
+        // Centres on the upper bound go with those just below it.
         let mut spread = (x[axis] as u64).min((1 << BITS) - 1);
         // Every step halves the groups of bits and moves them apart, to twice (2D) or three times their places.
         let steps: [(u32, u64); 5] = if D == 2 {

@@ -61,8 +61,9 @@ fn below_plane<const D: usize>(pose: &Pose<D>, within: &Aabb<D>) -> Option<Aabb<
     }
     let mut found = *within;
     for i in 0..D {
-        let room = (level - least) / normal[i].abs();
-        if room < within.extent()[i] {
+        // Not the quotient first: the plane may be parallel to the axis.
+        if level - least < normal[i].abs() * within.extent()[i] {
+            let room = (level - least) / normal[i].abs();
             if normal[i] > 0.0 {
                 found.max[i] = within.min[i] + room;
             } else {

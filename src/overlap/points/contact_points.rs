@@ -1,4 +1,4 @@
-//! ContactPoints one by one, for energies that are taken fiber by fiber.
+//! Sums over the contact points of a pair, for energies that are taken point by point.
 //!
 //! A span is a part of a line inside both sides; where the line runs along the normal of the contact, its length is
 //! the penetration depth. Both estimators return the same: sampled lines, or the points of a quadrature.

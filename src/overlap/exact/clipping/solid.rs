@@ -53,7 +53,7 @@ impl<const D: usize> Solid<'_, D> {
             let x = side.corners(facet as usize);
             let mut corners = [middle; 4];
             corners[..D].copy_from_slice(&x);
-            // ProjectedFacet from inside the facet's corners run clockwise: in 3D they make a negative volume with the
+            // Seen from inside, the facet's corners run clockwise: in 3D they make a negative volume with the
             // middle.
             if D == 3 {
                 corners.swap(0, 1);
