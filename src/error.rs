@@ -175,19 +175,20 @@ impl fmt::Display for Error {
             }
             Error::NonFiniteCoordinate { node, axis } => write!(f, "coordinate {axis} of node {node} is not finite"),
             Error::RepeatedNode { cell, node } => write!(f, "cell or facet {cell} names node {node} twice"),
-            Error::InvertedCell { cell } => write!(f, "cell {cell} is inverted"),
+            Error::InvertedCell { cell } => write!(
+                f,
+                "cell {cell} is inverted: its nodes are numbered against the others, or a step of the host was too large"
+            ),
             Error::ZeroMeasure { cell } => write!(f, "cell or facet {cell} has zero measure"),
             Error::OpenSurface { facet, nodes } => {
-                write!(f, "the surface is open: facet {facet} has no neighbour at nodes {} and {}", nodes[0], nodes[1])
+                write!(f, "the surface is open: facet {facet} has no neighbour at {}", at(*nodes))
             }
             Error::NonManifold { facet, nodes } => {
-                write!(f, "facet or cell {facet} is the third to meet at nodes {} and {}", nodes[0], nodes[1])
+                write!(f, "facet or cell {facet} is the third to meet at {}", at(*nodes))
             }
-            Error::InconsistentOrientation { facet, nodes } => write!(
-                f,
-                "facet or cell {facet} is oriented against its neighbour at nodes {} and {}",
-                nodes[0], nodes[1]
-            ),
+            Error::InconsistentOrientation { facet, nodes } => {
+                write!(f, "facet or cell {facet} is oriented against its neighbour at {}", at(*nodes))
+            }
             Error::InvertedSurface { body } => {
                 write!(f, "the facets of body {body} point inwards: they enclose a negative volume")
             }
@@ -217,7 +218,8 @@ impl fmt::Display for Error {
             Error::TooManyFibers { needed, limit } => {
                 write!(
                     f,
-                    "the spacing is too small: {needed:.3e} fibers or crossings would be needed, the limit is {limit:.3e}"
+                    "the spacing is too small for these bodies: {needed:.3e} fibers or crossings would be needed, the \
+                     limit is {limit:.3e}; so it is, too, after a step of the host that has run away"
                 )
             }
             Error::Overflow { quantity, value } => {
@@ -227,6 +229,14 @@ impl fmt::Display for Error {
                 write!(f, "{threads} threads could not be started; 'threads' may be 1 to 1024")
             }
         }
+    }
+}
+
+/// An edge of the surface, in the plane a node.
+fn at(nodes: [usize; 2]) -> String {
+    match nodes {
+        [first, second] if first == second => format!("node {first}"),
+        [first, second] => format!("nodes {first} and {second}"),
     }
 }
 

@@ -291,7 +291,7 @@ static void contexts(void) {
                     fmc_context_add_signed_distance(context, NULL, NULL, &pose, &index));
   const int32_t edges[6] = {0, 1, 1, 2, 2, 0};
   const fmc_coords polygon = {coords, 3, 0, 0};
-  EXPECT_IN_CONTEXT(FMC_ERROR_OPEN_SURFACE, "nodes",
+  EXPECT_IN_CONTEXT(FMC_ERROR_OPEN_SURFACE, "node 0",
                     fmc_context_add_polytope(context, &polygon, edges, 2, NULL, &index));
   EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'points'",
                     fmc_context_add_polytope(context, NULL, edges, 3, NULL, &index));

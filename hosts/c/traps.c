@@ -112,7 +112,7 @@ static fmc_options options_of(int way) {
   fmc_options options;
   if (fmc_options_init(&options) != FMC_OK) failed("options");
   options.stiffness = 1e4;
-  options.fiber_count = 100;
+  if (way != 2 && way != 3) options.fiber_count = 100;
   options.law = way & 1 ? FMC_LAW_FIBER : FMC_LAW_VOLUME;
   options.estimator = way == 2 || way == 3 ? FMC_ESTIMATOR_EXACT : FMC_ESTIMATOR_FIBERS;
   if (way == 4) options.pattern = FMC_PATTERN_ISOTROPIC;

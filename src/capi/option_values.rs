@@ -84,6 +84,7 @@ impl fmc_options {
     pub(super) fn to_options(self) -> Result<Options, Failure> {
         self.checked_index_base()?;
         let law = self.law()?;
+        self.check_effects()?;
         let estimator = match ESTIMATOR.name(self.estimator)? {
             "exact" => Estimator::Exact,
             _ => Estimator::Fibers(self.fibers()?),
@@ -97,6 +98,30 @@ impl fmc_options {
             check_cells: CHECK_CELLS.is_on(self.check_cells)?,
             ..Options::new(law)
         })
+    }
+
+    /// Refuses options that would have no effect beside others: whoever sets one means something by it.
+    fn check_effects(&self) -> Result<(), Failure> {
+        let is_sampled = ESTIMATOR.name(self.estimator)? == "fibers";
+        let is_isotropic = PATTERN.name(self.pattern)? == "isotropic";
+        let is_volume = LAW.name(self.law)? == "volume";
+        let is_weighted = WEIGHTS.name(self.weights)? != "balance";
+        let idle = [
+            ("spacing", self.spacing != 0.0 && !is_sampled, "the estimator 'fibers'"),
+            ("fiber_count", self.fiber_count != 0 && !is_sampled, "the estimator 'fibers'"),
+            ("seed", self.seed != 0 && !is_sampled, "the estimator 'fibers'"),
+            ("pattern", is_isotropic && !is_sampled, "the estimator 'fibers'"),
+            ("weights", is_weighted && !is_sampled, "the estimator 'fibers'"),
+            ("weights", is_weighted && !is_volume, "the law 'volume'"),
+            ("weights", is_weighted && is_isotropic, "the pattern 'lines'"),
+            ("fiber_length", self.fiber_length != 0.0 && !(is_sampled && is_isotropic), "the pattern 'isotropic'"),
+        ];
+        match idle.into_iter().find(|(_, is_idle, _)| *is_idle) {
+            Some((key, _, owner)) => {
+                Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{key}' belongs to {owner}")))
+            }
+            None => Ok(()),
+        }
     }
 
     fn law(&self) -> Result<EnergyLaw, Failure> {
@@ -188,6 +213,19 @@ mod tests {
             |o| o.exponent = 2.0,
         ] {
             assert_eq!(refused(change).0, FMC_ERROR_UNKNOWN_OPTION);
+        }
+        for (change, text) in [
+            ((|o| (o.estimator, o.spacing) = (1, 0.1)) as fn(&mut fmc_options), "'spacing' belongs to the estimator"),
+            (|o| (o.estimator, o.fiber_count) = (1, 9), "'fiber_count' belongs to the estimator 'fibers'"),
+            (|o| (o.estimator, o.seed) = (1, 9), "'seed' belongs to the estimator 'fibers'"),
+            (|o| (o.estimator, o.pattern) = (1, 1), "'pattern' belongs to the estimator 'fibers'"),
+            (|o| (o.law, o.estimator, o.weights) = (0, 1, 1), "'weights' belongs to the estimator 'fibers'"),
+            (|o| o.weights = 1, "'weights' belongs to the law 'volume'"),
+            (|o| (o.law, o.pattern, o.weights) = (0, 1, 1), "'weights' belongs to the pattern 'lines'"),
+            (|o| o.fiber_length = 0.1, "'fiber_length' belongs to the pattern 'isotropic'"),
+        ] {
+            let (status, found) = refused(change);
+            assert!(status == FMC_ERROR_UNKNOWN_OPTION && found.contains(text), "{found}");
         }
         assert_eq!(refused(|o| o.struct_size = 8).0, FMC_ERROR_STRUCT_SIZE);
         assert_eq!(

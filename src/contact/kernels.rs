@@ -81,7 +81,10 @@ fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Res
 }
 
 fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
-    let traces = contact.for_each_pair(coords, |measured| measured.estimator.trace(measured.pair).map(Some))?;
+    let traces = contact.for_each_pair(coords, |measured| match contact.law.is_local() {
+        true => Ok(measured.contact_points(false)?.map(|points| points.trace(measured.pair))),
+        false => measured.estimator.trace(measured.pair).map(Some),
+    })?;
     Ok(traces.into_iter().flatten().collect())
 }
 

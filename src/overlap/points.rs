@@ -8,3 +8,4 @@ pub(crate) mod end_motion;
 mod facet_sums;
 pub(crate) mod hessian;
 pub(crate) mod silhouette_hessian;
+pub(crate) mod trace;

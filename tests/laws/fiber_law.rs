@@ -252,3 +252,18 @@ fn isotropic_fibers_are_refused() {
     let refused = Contact::new(plane_scene(0).surface(), options).err();
     assert!(matches!(refused, Some(Error::Unsupported { .. })));
 }
+
+/// Lines that are shown are those from which forces come.
+#[test]
+fn lines_of_local_laws_are_those_that_are_shown() {
+    let scene = Scene::of(&[
+        &rectangle_tri3([-1.0, -1.0], [1.0, 0.0], [4, 2], Diagonals::Same),
+        &rectangle_tri3([-0.5, -0.01], [0.5, 1.0], [3, 3], Diagonals::Same),
+    ]);
+    let contact = scene.contact(uncorrected(EnergyLaw::fiber(1.0), 0.01, 1));
+    let traces = contact.trace(&scene.coords).unwrap();
+    let found = contact.evaluate(&scene.coords).unwrap();
+    assert_eq!(traces.iter().map(|t| t.crossings.len()).sum::<usize>(), found.crossing_count);
+    // All of them upright, along the normal of the contact.
+    assert!(traces.iter().all(|t| (t.end[0] - t.start[0]).abs() < 1e-3 * (t.end[1] - t.start[1]).abs()));
+}
