@@ -43,7 +43,7 @@ impl Window {
 /// ⌈x⌉ for numbers of lines. The library function is a call where the processor's baseline lacks the instruction.
 pub(crate) fn ceil(x: f64) -> i64 {
     let towards_zero = x as i64;
-    towards_zero + i64::from(x > towards_zero as f64)
+    towards_zero.saturating_add(i64::from(x > towards_zero as f64))
 }
 
 /// Value on an edge from `p` to `q` where coordinate `axis` is `at`; exact at the ends, monotone between.

@@ -244,12 +244,18 @@ impl Check<'_> {
         if figures.copies == 0 {
             self.flaw(&Key::parse("figures.copies"), "it must be at least 1".into());
         }
+        if figures.profile.iter().flatten().any(|x| !x.is_finite()) {
+            self.flaw(&Key::parse("figures.profile"), "its numbers must be finite".into());
+        }
         let known = figures.kind.keys();
         for (index, expected) in self.case.expected.iter().enumerate() {
             let key = Key::parse("expected").then(index);
             if !known.contains(&expected.figure.as_str()) {
                 let message = format!("there is no figure '{}' here; there are: {}", expected.figure, known.join(", "));
                 self.flaw(&key.then("figure"), message);
+            }
+            if !expected.value.is_finite() {
+                self.flaw(&key.then("value"), "it must be finite".into());
             }
             self.maybe_positive(&key.then("relative"), expected.relative);
             self.maybe_positive(&key.then("absolute"), expected.absolute);

@@ -58,7 +58,7 @@ def test_indices_come_as_numbers(squares):
         assert caught.value.indices == indices
     with pytest.raises(errors.OpenSurfaceError) as caught:
         Contact.from_facets(coords[:3], [[0, 1], [1, 2]], **OPTIONS)
-    assert set(caught.value.indices) == {"facet", "node"} and len(caught.value.indices["node"]) == 2
+    assert set(caught.value.indices) == {"facet", "node"} and len(caught.value.indices["node"]) == 1
     with pytest.raises(errors.DimensionError) as caught:
         contact_force(coords, [("quad", conn), ("tetra", conn)], **OPTIONS)
     assert caught.value.indices == {"block": (1,)}
@@ -127,7 +127,7 @@ def test_after_an_error_a_contact_is_as_it_was(squares):
         (errors.BadPoseError, "no direction", lambda: contact.add_half_space((0, 0), (0, 0))),
         (errors.BadPoseError, "obstacle 0", lambda: contact.add_ball(1, Pose((0, 0), [[2, 0], [0, 1]]))),
         (errors.BadPoseError, "obstacle 0", lambda: contact.add_ball(1, Pose((0, 0), scale=0))),
-        (errors.OpenSurfaceError, "nodes", lambda: contact.add_polytope(coords[:3], [[0, 1], [1, 2]])),
+        (errors.OpenSurfaceError, "at node", lambda: contact.add_polytope(coords[:3], [[0, 1], [1, 2]])),
         (errors.ObstacleOutOfRangeError, "no obstacle 0", lambda: contact.set_pose(0, (0, 0))),
         (IndexError, "no obstacle -1", lambda: contact.set_pose(-1, (0, 0))),
         (ValueError, "the pose has 3 axes, the contact 2", lambda: contact.add_ball(1, (0, 0, 0))),

@@ -15,13 +15,15 @@ from scenes import K
 
 SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
 CUBE = np.vstack([np.c_[SQUARE, np.zeros(4)], np.c_[SQUARE, np.ones(4)]])
-FINE = {"stiffness": K, "law": "volume", "fiber_count": 20000}
+LAW = {"stiffness": K, "law": "volume"}
+FINE = LAW | {"fiber_count": 20000}
 
 
 def body(dim, **options):
+    options = (LAW if options.get("estimator") == "exact" else FINE) | options
     if dim == 2:
-        return Contact(SQUARE, [[0, 1, 2, 3]], "quad", **{**FINE, **options})
-    return Contact(CUBE, [list(range(8))], "hexahedron", **{**FINE, **options})
+        return Contact(SQUARE, [[0, 1, 2, 3]], "quad", **options)
+    return Contact(CUBE, [list(range(8))], "hexahedron", **options)
 
 
 def centre(dim, height):
