@@ -23,6 +23,14 @@ fn line_of(text: &str, passage: &str) -> usize {
     1 + text.lines().position(|line| line.contains(passage)).unwrap()
 }
 
+/// A curve that is compared has numbers: a run that met an infinite one never ended.
+#[test]
+fn curves_are_finite() {
+    let text = include_str!("../../cases/wedge.toml").replacen("[0.01, 322]", "[0.01, inf]", 1);
+    let complaint = complaint(&text);
+    assert!(complaint.contains("figures.profile") && complaint.contains("finite"), "{complaint}");
+}
+
 #[test]
 fn every_mistake_has_its_line_and_key() {
     // What stands in the file, what is put there, the key that is blamed, a word of the advice.
@@ -50,6 +58,7 @@ fn every_mistake_has_its_line_and_key() {
         ("end = 0.9", "end = 0.9\ncontact_substeps = 0", "time.contact_substeps", "1 to"),
         ("end = 0.9", "", "time", "end"),
         ("body = \"bar\"", "body = \"rod\"", "supports.0.body", "there are: bar"),
+        ("value = 300.0", "value = inf", "expected.0.value", "finite"),
         ("figure = \"pressure_mean\"", "figure = \"pressure\"", "expected.0.figure", "pressure_mean"),
     ];
     for (passage, by, key, advice) in mistakes {
