@@ -160,6 +160,19 @@ fn options(from: &Options, is_ordinary: bool) -> fmc_options {
         Some(spacing) if !spacing.0.is_finite() || spacing.0 < 0.0 => options.spacing = spacing.0,
         _ => {}
     }
+    // What would have no effect is refused; often enough it is left out.
+    if !from.seed.is_multiple_of(8) {
+        let (is_sampled, is_volume, is_isotropic) = (options.estimator == 0, options.law == 0, options.pattern == 1);
+        if !is_sampled {
+            (options.spacing, options.fiber_count, options.seed, options.pattern) = (0.0, 0, 0, 0);
+        }
+        if !is_sampled || !is_volume || is_isotropic {
+            options.weights = 0;
+        }
+        if !is_sampled || !is_isotropic {
+            options.fiber_length = 0.0;
+        }
+    }
     options
 }
 
