@@ -2,11 +2,11 @@
 
 use crate::balance::balanced;
 use crate::scene::energy_gradient::Differences;
-use crate::scene::table::{by_laws, exactly, laws, local_laws, uncorrected};
+use crate::scene::table::{by_laws, exactly, laws, local_laws};
 use crate::scene::{Scene, exact, lines, norm, size_sum};
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{EnergyLaw, Obstacle, Options, Pose, Shape};
-use fmc_shapes::{Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
+use fmc_shapes::{Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4};
 
 fn square(x: f64, y: f64) -> Mesh<2> {
     rectangle_quad4([x, y], [x + 1.0, y + 1.0], [1, 1])
