@@ -228,8 +228,8 @@ typedef struct {
   double fiber_length;
   // Approximate number of fibers per pair; 0, the default: chosen from the facets in contact. Excludes `spacing`.
   uint64_t fiber_count;
-  // Seed of the random shift of the pattern. Default 0. This and the four above are refused where they would have no
-  // effect, as with the estimator "exact".
+  // Seed of the random shift of the pattern. Default 0. This, `spacing`, `fiber_length`, `fiber_count`, `pattern`
+  // and `weights` are refused where they would have no effect, as with the estimator "exact".
   uint64_t seed;
   // A value of `fmc_law`. Default `FMC_LAW_FIBER`.
   int32_t law;

@@ -83,8 +83,8 @@ impl fmc_options {
     /// The options of the crate, which checks the numbers.
     pub(super) fn to_options(self) -> Result<Options, Failure> {
         self.checked_index_base()?;
-        let law = self.law()?;
         self.check_effects()?;
+        let law = self.law()?;
         let estimator = match ESTIMATOR.name(self.estimator)? {
             "exact" => Estimator::Exact,
             _ => Estimator::Fibers(self.fibers()?),
@@ -107,6 +107,8 @@ impl fmc_options {
         let is_volume = LAW.name(self.law)? == "volume";
         let is_weighted = WEIGHTS.name(self.weights)? != "balance";
         let idle = [
+            ("exponent", self.exponent != 1.0 && !is_volume, "the law 'volume'"),
+            ("smoothing_length", self.smoothing_length != 0.0 && is_volume, "the law 'fiber'"),
             ("spacing", self.spacing != 0.0 && !is_sampled, "the estimator 'fibers'"),
             ("fiber_count", self.fiber_count != 0 && !is_sampled, "the estimator 'fibers'"),
             ("seed", self.seed != 0 && !is_sampled, "the estimator 'fibers'"),
@@ -126,18 +128,13 @@ impl fmc_options {
 
     fn law(&self) -> Result<EnergyLaw, Failure> {
         let k = self.stiffness;
-        let law = LAW.name(self.law)?;
-        if law == "fiber" && self.exponent != 1.0 {
-            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, "option 'exponent' belongs to the law 'volume'"));
-        }
-        match (law, self.smoothing_length) {
-            ("fiber", 0.0) => Ok(EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }),
+        Ok(match (LAW.name(self.law)?, self.smoothing_length) {
+            ("fiber", 0.0) => EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic },
             ("fiber", smoothing_length) => {
-                Ok(EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } })
+                EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
             }
-            (_, 0.0) => Ok(EnergyLaw::Volume { stiffness: k, exponent: self.exponent }),
-            _ => Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, "option 'smoothing_length' belongs to the law 'fiber'")),
-        }
+            _ => EnergyLaw::Volume { stiffness: k, exponent: self.exponent },
+        })
     }
 
     fn fibers(&self) -> Result<FiberOptions, Failure> {

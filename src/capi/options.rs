@@ -66,8 +66,8 @@ pub struct fmc_options {
     pub fiber_length: f64,
     /// Approximate number of fibers per pair; 0, the default: chosen from the facets in contact. Excludes `spacing`.
     pub fiber_count: u64,
-    /// Seed of the random shift of the pattern. Default 0. This and the four above are refused where they would have no
-    /// effect, as with the estimator "exact".
+    /// Seed of the random shift of the pattern. Default 0. This, `spacing`, `fiber_length`, `fiber_count`, `pattern`
+    /// and `weights` are refused where they would have no effect, as with the estimator "exact".
     pub seed: u64,
     /// A value of `fmc_law`. Default `FMC_LAW_FIBER`.
     pub law: i32,

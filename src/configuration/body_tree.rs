@@ -1,11 +1,9 @@
 //! The boxes of all bodies, to find those that meet.
 
+use super::facet_tree::LOOSE;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::tree::Tree;
-
-/// The tree is built anew once its leaves are this much looser than when it was built, as that of facets.
-const LOOSE: f64 = 1.5;
 
 /// A tree over the bodies' boxes, kept from one evaluation to the next.
 #[derive(Default)]

@@ -9,6 +9,7 @@
 
 use crate::Error;
 use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::facet::determinant;
 use crate::geometry::inverted::CHUNK;
@@ -77,17 +78,13 @@ impl<const D: usize> CellCheck<D> {
 
     /// A bound of how far any two nodes have moved apart; no number where a node has none.
     fn parted(&self, coords: &[[f64; D]]) -> f64 {
-        let (mut least, mut most, mut sums) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D], [0.0; D]);
+        let (mut moved, mut sum) = (Aabb::<D>::empty(), Vector::<D>::zeros());
         for (x, from) in coords.iter().zip(&self.reference) {
-            for axis in 0..D {
-                let moved = x[axis] - from[axis];
-                least[axis] = if moved < least[axis] { moved } else { least[axis] };
-                most[axis] = if moved > most[axis] { moved } else { most[axis] };
-                sums[axis] += moved;
-            }
+            let way = Vector::from(*x) - Vector::from(*from);
+            moved.include(&way);
+            sum += way;
         }
-        let apart = Vector::<D>::from_fn(|axis, _| most[axis] - least[axis]).norm();
-        if sums.iter().all(|sum| sum.is_finite()) { apart } else { f64::NAN }
+        if sum.iter().all(|sum| sum.is_finite()) { moved.extent().norm() } else { f64::NAN }
     }
 }
 

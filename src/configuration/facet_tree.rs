@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 /// A tree is built anew once its leaves are this much looser than when it was built: it costs as much as some ten
 /// refits, and queries of a tree twice as loose take about twice the time.
-const LOOSE: f64 = 1.5;
+pub(super) const LOOSE: f64 = 1.5;
 
 /// Boxes are made anew once displacements differ by more than this part of a leaf's mean extent: so much wider queries
 /// take them.

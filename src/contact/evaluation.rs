@@ -137,7 +137,8 @@ impl<const D: usize> Contact<D> {
         kernels::overlaps(self, coords)
     }
 
-    /// The fibers that cross an overlap, to look at; none for `exact`.
+    /// Lines to look at: with the law `fiber` those from which its forces come; with the law `volume` the fibers that
+    /// cross an overlap, none for `exact`.
     ///
     /// # Errors
     /// As [`Self::evaluate`].

@@ -106,38 +106,25 @@ pub(super) struct Cluster<const D: usize> {
     /// Root of the overlap to which it belongs.
     overlap: u32,
     ends: Vec<Ends<D>>,
-    resultant: Vector<D>,
+    /// Number of the sample of each of these.
+    samples: Vec<usize>,
     measure: f64,
     /// Σ measure L.
     depths: f64,
-    /// Σ measure x and Σ measure x xᵀ of the samples' ends.
-    first: Vector3<f64>,
-    second: Matrix3<f64>,
 }
 
 impl<const D: usize> Cluster<D> {
     pub(super) fn new(overlap: u32) -> Self {
-        Self {
-            overlap,
-            ends: Vec::new(),
-            resultant: Vector::zeros(),
-            measure: 0.0,
-            depths: 0.0,
-            first: Vector3::zeros(),
-            second: Matrix3::zeros(),
-        }
+        Self { overlap, ends: Vec::new(), samples: Vec::new(), measure: 0.0, depths: 0.0 }
     }
 
-    /// Adds a sample; places are given relative to any one origin for all.
-    pub(super) fn add(&mut self, ends: Ends<D>, places: [Vector<D>; 2], length: f64) {
+    /// Adds a sample, which has this number.
+    pub(super) fn add(&mut self, ends: Ends<D>, sample: usize, length: f64) {
         self.ends.push(ends);
-        for ((normal, measure), place) in ends.into_iter().zip(places) {
-            self.resultant += normal * measure;
+        self.samples.push(sample);
+        for (_, measure) in ends {
             self.measure += measure;
             self.depths += measure * length;
-            let x = Vector3::from_fn(|i, _| if i < D { place[i] } else { 0.0 });
-            self.first += x * measure;
-            self.second += x * x.transpose() * measure;
         }
     }
 
@@ -146,12 +133,22 @@ impl<const D: usize> Cluster<D> {
         self.depths / self.measure
     }
 
-    /// Least extent across its mean normal, that of a rectangle with the same moments.
-    fn extent(&self) -> f64 {
-        let n = Vector3::from_fn(|i, _| if i < D { self.resultant[i] } else { 0.0 });
-        let mean = self.first / self.measure;
-        let spread = self.second / self.measure - mean * mean.transpose();
-        let Some(n) = n.try_normalize(0.0) else { return f64::INFINITY };
+    /// Least extent across `normal`, that of a rectangle with the same moments.
+    fn extent(&self, normal: &Vector<D>, pair: &Pair<D>, samples: &[ContactSample<D>]) -> f64 {
+        let padded = |x: Vector<D>| Vector3::from_fn(|i, _| if i < D { x[i] } else { 0.0 });
+        let n = padded(*normal);
+        // Moments about a place in the patch.
+        let origin = pair.position(&samples[self.samples[0]].ends[0]);
+        let (mut first, mut second) = (Vector3::zeros(), Matrix3::zeros());
+        for sample in self.samples.iter().map(|&sample| &samples[sample]) {
+            for (end, measure) in sample.ends.iter().zip(sample.measures) {
+                let x = padded(pair.position(end) - origin);
+                first += x * measure;
+                second += x * x.transpose() * measure;
+            }
+        }
+        let mean = first / self.measure;
+        let spread = second / self.measure - mean * mean.transpose();
         let across = Matrix3::identity() - n * n.transpose();
         let mut variances = (across * spread * across).symmetric_eigenvalues();
         variances.as_mut_slice().sort_unstable_by(f64::total_cmp);
@@ -161,10 +158,11 @@ impl<const D: usize> Cluster<D> {
     }
 
     /// What is left out with it: nothing worth a word where it is deeper than wide, as the way out sideways is.
-    pub(super) fn left_out(&self) -> Option<LeftOut<D>> {
+    pub(super) fn left_out(&self, pair: &Pair<D>, samples: &[ContactSample<D>]) -> Option<LeftOut<D>> {
         let [area, depth] = [0.5 * self.measure, self.depth()];
-        let normal = self.resultant.try_normalize(0.0)?;
-        (self.extent() > depth).then_some(LeftOut { normal, area, depth })
+        let resultant: Vector<D> = self.ends.iter().flatten().map(|(normal, measure)| normal * *measure).sum();
+        let normal = resultant.try_normalize(0.0)?;
+        (self.extent(&normal, pair, samples) > depth).then_some(LeftOut { normal, area, depth })
     }
 }
 

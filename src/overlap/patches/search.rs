@@ -50,8 +50,6 @@ pub(crate) fn find<const D: usize>(
     let mut groups = touching.components(pair, &counted, ALIKE);
     let mut overlaps = touching.components(pair, &all, -2.0);
     let mut clusters: Vec<Cluster<D>> = Vec::new();
-    // Moments about a place in the contact.
-    let origin = pair.position(&samples[0].ends[0]);
     let mut cluster_of_root = vec![u32::MAX; touching.facets.len()];
     for &sample in &counted {
         let Some(facet) = touching.ends[sample].iter().find_map(|end| end.facet) else { continue };
@@ -61,14 +59,13 @@ pub(crate) fn find<const D: usize>(
             clusters.push(Cluster::new(overlaps.find(facet).0));
         }
         let [p, q] = &touching.ends[sample];
-        let ContactSample { ends, measures, length } = &samples[sample];
-        let places = ends.each_ref().map(|end| pair.position(end) - origin);
-        clusters[*place as usize].add([(p.normal, measures[0]), (q.normal, measures[1])], places, *length);
+        let ContactSample { measures, length, .. } = &samples[sample];
+        clusters[*place as usize].add([(p.normal, measures[0]), (q.normal, measures[1])], sample, *length);
     }
     let mut patches = Patches::default();
     let labels_of_clusters = number(&clusters, reach == Reach::Region, &mut patches.directions);
     let left_out = clusters.iter().zip(&labels_of_clusters).filter(|(_, labels)| labels.is_empty());
-    patches.left_out = left_out.filter_map(|(cluster, _)| cluster.left_out()).collect();
+    patches.left_out = left_out.filter_map(|(cluster, _)| cluster.left_out(pair, samples)).collect();
     if patches.directions.len() < 2 {
         // Samples on rigid shapes alone belong to no cluster.
         let direction = patches.directions.first().copied().unwrap_or(touching.ends[0][0].normal);

@@ -173,7 +173,6 @@ impl<const D: usize> Projection<D> {
         }
         // Empty as long as all of the piece is seen.
         let mut visible: Vec<(Corners<D>, f64)> = Vec::new();
-        let mut is_divided = false;
         for &Near { facet: other, bounds: sides, t } in near {
             // Before or behind all that lies between the two, or beside it.
             let [least, largest] = self.ranges[other as usize];
@@ -184,9 +183,9 @@ impl<const D: usize> Projection<D> {
             {
                 continue;
             }
-            let is_clear = |bounds: &[[f64; D]], least: f64| match is_divided {
-                true => visible.iter().all(|(piece, _)| is_clear(piece, bounds, least)),
-                false => is_clear(piece, bounds, least),
+            let is_clear = |bounds: &[[f64; D]], least: f64| match visible.is_empty() {
+                true => is_clear(piece, bounds, least),
+                false => visible.iter().all(|(piece, _)| is_clear(piece, bounds, least)),
             };
             // Neighbours share an edge, but for rounding.
             if is_clear(&sides, SLIVER) {
@@ -207,9 +206,8 @@ impl<const D: usize> Projection<D> {
             if is_clear(bounds, 0.0) {
                 continue;
             }
-            if !is_divided {
+            if visible.is_empty() {
                 visible.push((piece.to_vec(), 1.0));
-                is_divided = true;
             }
             let divided = visible.into_iter().flat_map(|(piece, share)| {
                 let (inside, rest) = divide(piece, bounds);
@@ -221,9 +219,9 @@ impl<const D: usize> Projection<D> {
                 return;
             }
         }
-        match is_divided {
-            true => visible.iter().for_each(|(piece, share)| visit(piece, *share)),
-            false => visit(piece, 1.0),
+        match visible.is_empty() {
+            true => visit(piece, 1.0),
+            false => visible.iter().for_each(|(piece, share)| visit(piece, *share)),
         }
     }
 }
