@@ -71,7 +71,7 @@ def is_met(row: dict[str, Any]) -> bool:
 
 
 def markdown(all_rows: list[dict[str, Any]]) -> str:
-    """The table of the README."""
+    """The table of docs/hosts.md."""
     lines = [
         "| case | host | displacement | force | same bits | checks met | iterations | time | in contact |",
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- |",
