@@ -200,6 +200,9 @@ typedef enum {
   // The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
   // its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
   FMC_WARNING_PATCH_LEFT_OUT = 4,
+  // Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
+  // gives the imbalance. Forces may be wrong by as much.
+  FMC_WARNING_UNBALANCED = 5,
 } fmc_warning;
 
 // Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.

@@ -18,6 +18,7 @@ pub(crate) mod inside;
 pub(crate) mod inverted;
 mod march;
 mod obstacle;
+pub(crate) mod orientation;
 pub(crate) mod plane;
 mod pose;
 pub(crate) mod quadrature;

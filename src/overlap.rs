@@ -12,7 +12,7 @@ pub(crate) mod patches;
 pub(crate) mod points;
 
 pub(crate) use by_options::estimator;
-pub(crate) use estimator::OverlapEstimator;
+pub(crate) use estimator::{Imbalance, OverlapEstimator};
 pub use pair::fiber_trace::FiberTrace;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
 pub use pair::overlap::{Overlap, PoseGradient};
@@ -23,4 +23,4 @@ pub(crate) use patches::partition::Patches;
 pub(crate) use patches::search::{Reach, find as find_patches};
 pub use points::block_sum::Block;
 pub(crate) use points::block_sum::merged;
-pub(crate) use points::contact_points::ContactPoints;
+pub(crate) use points::contact_points::{ContactPoints, PointGradient};

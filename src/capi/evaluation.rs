@@ -110,6 +110,9 @@ pub enum fmc_warning {
     /// The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
     /// its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
     FMC_WARNING_PATCH_LEFT_OUT = 4,
+    /// Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
+    /// gives the imbalance. Forces may be wrong by as much.
+    FMC_WARNING_UNBALANCED = 5,
 }
 
 fn warning_code(warning: &Warning) -> i32 {
@@ -117,6 +120,7 @@ fn warning_code(warning: &Warning) -> i32 {
         Warning::CoarseFibers { .. } => fmc_warning::FMC_WARNING_COARSE_FIBERS,
         Warning::UnresolvedOverlap { .. } => fmc_warning::FMC_WARNING_UNRESOLVED_OVERLAP,
         Warning::PatchLeftOut { .. } => fmc_warning::FMC_WARNING_PATCH_LEFT_OUT,
+        Warning::Unbalanced { .. } => fmc_warning::FMC_WARNING_UNBALANCED,
         Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
     };
     code as i32

@@ -53,20 +53,22 @@ impl<const D: usize> FacetSide<'_, D> {
     ///
     /// Counted along the line through `x` parallel to the last axis. On the boundary it may be either.
     pub(crate) fn winding_number(&self, x: &Vector<D>) -> i32 {
-        self.winding_number_without(x, None)
+        self.winding_number_along(x, D - 1, None)
     }
 
-    /// The same, for a point of a facet that does not count: the winding number just below it.
-    pub(crate) fn winding_number_without(&self, x: &Vector<D>, but: Option<u32>) -> i32 {
+    /// The same, counted along the line through `x` parallel to this axis; for a point of a facet, which then does not
+    /// count, the number just below it. Where a facet comes as near as rounding and
+    /// is parallel to the line, it may be either: a line across the facets that are near is safe.
+    pub(crate) fn winding_number_along(&self, x: &Vector<D>, axis: usize, but: Option<u32>) -> i32 {
         // A crossing is found by interpolation, which may be off by rounding along the line.
-        let top = x[D - 1] + self.aabb.rounding();
+        let top = x[axis] + self.aabb.rounding();
         let reaches = |b: &Aabb<D>| {
-            b.min[D - 1] <= top && (0..D - 1).fold(true, |all, i| all & (b.min[i] <= x[i]) & (x[i] <= b.max[i]))
+            b.min[axis] <= top && (0..D).fold(true, |all, i| all & (i == axis || b.min[i] <= x[i] && x[i] <= b.max[i]))
         };
         let mut count = 0;
         self.tree.visit(reaches, |facet| {
             if Some(facet) != but {
-                count += winding_step(&self.facets[facet as usize], self.points, x);
+                count += winding_step(&self.facets[facet as usize], self.points, x, axis);
             }
         });
         count

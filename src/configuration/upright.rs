@@ -39,7 +39,7 @@ impl<const D: usize> FacetSide<'_, D> {
             }
         }
         flattest.into_iter().flatten().all(|(flatness, facet, point)| {
-            let below = self.winding_number_without(&point, Some(facet));
+            let below = self.winding_number_along(&point, D - 1, Some(facet));
             // Above the facet the line is inside once more, or once less.
             let above = if area_vector(&self.corners(facet as usize))[D - 1] > 0.0 { below - 1 } else { below + 1 };
             flatness > STEEP && below >= 0 && above >= 0

@@ -5,7 +5,7 @@
 //! node gives in proportion to what it carries, δ_a = |g_a| (λ + μ × x_a), and λ, μ follow from 3 (2D) or 6 equations.
 
 use crate::geometry::{Vector, moment};
-use crate::overlap::PoseGradient;
+use crate::overlap::{Imbalance, Overlap, Pair, Partner, PoseGradient, Warning};
 use nalgebra::{SMatrix, SVector};
 use std::iter::Sum;
 
@@ -20,8 +20,20 @@ struct Carrier<const D: usize> {
     of_b: bool,
 }
 
+/// Corrects the gradient of an overlap, and warns of an imbalance that was not to be expected.
+pub(crate) fn balance<const D: usize>(overlap: &mut Overlap<D>, pair: &Pair<D>, expected: Imbalance) {
+    let Overlap { nodes, of_b, gradient, pose_gradient, .. } = overlap;
+    let imbalance = correct(nodes, of_b, gradient, pose_gradient, pair.coords, expected);
+    overlap.warnings.extend(imbalance.map(|imbalance| unbalanced(pair.partners, imbalance)));
+}
+
+/// A word about forces that do not balance.
+pub(crate) fn unbalanced([a, b]: [Partner; 2], imbalance: f64) -> Warning {
+    Warning::Unbalanced { a, b, imbalance }
+}
+
 /// Corrects the gradient of one pair, on nodes at `coords` and on the pose of an obstacle. `of_b` is the side of every
-/// node. What is balanced up to `tolerance` is left as it is.
+/// node. What is balanced but for rounding is left as it is. Returns an imbalance that was not to be expected.
 ///
 /// An obstacle takes part as one more node at the point where its resultant acts. A mode that no node resists (turning
 /// about the line through all of them) is left as it is.
@@ -31,14 +43,14 @@ pub(crate) fn correct<const D: usize>(
     gradient: &mut [Vector<D>],
     pose_gradient: &mut Option<PoseGradient<D>>,
     coords: &[[f64; D]],
-    tolerance: f64,
-) {
+    expected: Imbalance,
+) -> Option<f64> {
     let mut carriers: Vec<Carrier<D>> = (nodes.iter().zip(gradient.iter()).zip(of_b))
         .map(|((&node, &value), &of_b)| Carrier { arm: coords[node as usize].into(), size: value.norm(), value, of_b })
         .collect();
     let weight = sum_by_side(&carriers, |c| c.size);
     if weight <= 0.0 {
-        return;
+        return None;
     }
     let center = sum_by_side(&carriers, |c| c.arm * c.size) / weight;
     carriers.iter_mut().for_each(|c| c.arm -= center);
@@ -53,11 +65,13 @@ pub(crate) fn correct<const D: usize>(
     // Arms in units of the largest, so that the system has one scale.
     let unit = carriers.iter().filter(|c| c.size > 0.0).map(|c| c.arm.norm()).fold(0.0, f64::max);
     if unit <= 0.0 {
-        return;
+        return None;
     }
     carriers.iter_mut().for_each(|c| c.arm /= unit);
-    if residual(&carriers, &couple.map(|c| c / unit)).amax() <= tolerance * weight {
-        return;
+    let imbalance = residual(&carriers, &couple.map(|c| c / unit)).amax() / weight;
+    let unexpected = (imbalance > expected.doubtful).then_some(imbalance);
+    if imbalance <= expected.rounding {
+        return unexpected;
     }
     let system = sum_by_side(&carriers, |c| {
         let modes = modes(&c.arm);
@@ -89,6 +103,7 @@ pub(crate) fn correct<const D: usize>(
             *sum += m;
         }
     }
+    unexpected
 }
 
 /// ΣF and ΣM, along the modes; `couple` is what the obstacle carries beside its force.

@@ -8,15 +8,20 @@ use super::crossing::{Projected, Window, for_each_crossing};
 ///
 /// Counted along the line through `x` parallel to the last axis. On the boundary it may be either.
 pub(crate) fn winding_number<const D: usize>(facets: &[[u32; D]], points: &[Vector<D>], x: &Vector<D>) -> i32 {
-    facets.iter().map(|facet| winding_step(facet, points, x)).sum()
+    facets.iter().map(|facet| winding_step(facet, points, x, D - 1)).sum()
 }
 
-/// What one facet contributes to the winding number at `x`.
-pub(crate) fn winding_step<const D: usize>(facet: &[u32; D], points: &[Vector<D>], x: &Vector<D>) -> i32 {
+/// What one facet contributes to the winding number at `x`, counted along the line through `x` parallel to `axis`.
+pub(crate) fn winding_step<const D: usize>(facet: &[u32; D], points: &[Vector<D>], x: &Vector<D>, axis: usize) -> i32 {
     let mut p: [Projected; D] = [[0.0; 3]; D];
     for (p, &v) in p.iter_mut().zip(facet) {
         let y = points[v as usize] - x;
-        *p = if D == 2 { [y[0], 0.0, y[1]] } else { [y[0], y[1], y[D - 1]] };
+        // A right-handed frame, the axis last.
+        *p = match (D, axis) {
+            (2, 1) => [y[0], 0.0, y[1]],
+            (2, _) => [-y[1], 0.0, y[0]],
+            _ => [y[(axis + 1) % 3], y[(axis + 2) % 3], y[axis]],
+        };
     }
     let mut step = 0;
     for_each_crossing::<D>(std::array::from_fn(|k| &p[k]), &Window::single(), |_, _, t, leaves| {

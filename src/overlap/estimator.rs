@@ -42,12 +42,21 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
     /// Lines that cross the overlap, to look at; none where there are no lines.
     fn trace(&self, pair: &Pair<D>) -> Result<Vec<FiberTrace<D>>, Error>;
 
-    /// Imbalance of the forces of a volume law, in parts of their sizes, that is put right; `None`: none is.
-    fn imbalance_of_volume(&self) -> Option<f64>;
+    /// What is expected of the balance of the forces of a volume law, which is put right; `None`: it is not.
+    fn imbalance_of_volume(&self) -> Option<Imbalance>;
 
     /// The same for a local law.
-    fn imbalance_of_points(&self) -> Option<f64>;
+    fn imbalance_of_points(&self) -> Option<Imbalance>;
 
     /// Whether obstacles with flat sides are to come as facets where they need not.
     fn prefers_facets(&self) -> bool;
+}
+
+/// What is expected of ΣF and ΣM, in parts of the sizes of forces and of their moments.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Imbalance {
+    /// Up to this the forces stay as they are.
+    pub(crate) rounding: f64,
+    /// From this on there is a warning.
+    pub(crate) doubtful: f64,
 }

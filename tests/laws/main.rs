@@ -24,6 +24,7 @@ mod patches;
 mod resolution;
 mod resting;
 mod same_bits;
+mod shared_grids;
 mod shared_walls;
 mod tangent;
 mod through_nodes;

@@ -4,7 +4,7 @@ use super::energy_law::EnergyLaw;
 use super::pair_energy::PairEnergy;
 use super::pair_law::{Measured, PairLaw};
 use crate::Error;
-use crate::contact::momentum_correction::correct;
+use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::overlap::Overlap;
 
@@ -14,8 +14,8 @@ pub(super) struct FiberLaw(pub(super) EnergyLaw);
 impl<const D: usize> PairLaw<D> for FiberLaw {
     fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
         let Some(points) = measured.contact_points(false)? else { return Ok(None) };
-        let correction = measured.estimator.imbalance_of_points();
-        Ok(Some(PairEnergy::of_points(&points, measured.pair, &self.0, correction)))
+        let expected = measured.estimator.imbalance_of_points();
+        Ok(Some(PairEnergy::of_points(&points, measured.pair, &self.0, expected)))
     }
 
     fn tangent(
@@ -32,8 +32,8 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         let points = measured.contact_points(false)?;
         let mut overlap = points.map(|points| points.overlap(measured.pair)).filter(Overlap::has_content);
         // Overlaps are corrected as those of the volume law are.
-        if let (Some(o), Some(tolerance)) = (&mut overlap, measured.estimator.imbalance_of_volume()) {
-            correct(&o.nodes, &o.of_b, &mut o.gradient, &mut o.pose_gradient, measured.pair.coords, tolerance);
+        if let (Some(o), Some(expected)) = (&mut overlap, measured.estimator.imbalance_of_volume()) {
+            balance(o, measured.pair, expected);
         }
         Ok(overlap)
     }

@@ -1,9 +1,9 @@
 //! Energy of one pair and its gradient, whichever law it follows.
 
 use super::energy_law::EnergyLaw;
-use crate::contact::momentum_correction::correct;
+use crate::contact::momentum_correction::{correct, unbalanced};
 use crate::geometry::Vector;
-use crate::overlap::{ContactPoints, Overlap, Pair, PoseGradient};
+use crate::overlap::{ContactPoints, Imbalance, Overlap, Pair, PointGradient, PoseGradient};
 
 /// Energy of one pair, its gradient on nodes and pose, and the overlap from which it comes.
 pub(crate) struct PairEnergy<const D: usize> {
@@ -36,17 +36,19 @@ impl<const D: usize> PairEnergy<D> {
         }
     }
 
-    /// Σ ω ψ(L); with a `correction`, an imbalance of the forces beyond it is put right.
+    /// Σ ω ψ(L); an imbalance of the forces beyond rounding is put right where something is `expected` of it.
     pub(crate) fn of_points(
         points: &ContactPoints<D>,
         pair: &Pair<D>,
         law: &EnergyLaw,
-        correction: Option<f64>,
+        expected: Option<Imbalance>,
     ) -> Self {
         let slope = |length: f64| law.energy_gradient(length);
-        let (mut gradient, overlap) = points.gradient_and_overlap(pair, &|length| law.energy(length), &slope);
-        if let Some(tolerance) = correction {
-            correct(&gradient.nodes, &gradient.of_b, &mut gradient.values, &mut gradient.pose, pair.coords, tolerance);
+        let (mut gradient, mut overlap) = points.gradient_and_overlap(pair, &|length| law.energy(length), &slope);
+        if let Some(expected) = expected {
+            let PointGradient { nodes, of_b, values, pose } = &mut gradient;
+            let imbalance = correct(nodes, of_b, values, pose, pair.coords, expected);
+            overlap.warnings.extend(imbalance.map(|imbalance| unbalanced(pair.partners, imbalance)));
         }
         let across = points.sum(|_| 1.0);
         Self {

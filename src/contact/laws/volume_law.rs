@@ -4,7 +4,7 @@ use super::energy_law::EnergyLaw;
 use super::pair_energy::PairEnergy;
 use super::pair_law::{Measured, PairLaw};
 use crate::Error;
-use crate::contact::momentum_correction::correct;
+use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::overlap::Overlap;
 
@@ -34,8 +34,8 @@ impl<const D: usize> PairLaw<D> for VolumeLaw {
 
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {
         let mut overlap = measured.estimator.overlap(measured.pair)?.filter(Overlap::has_content);
-        if let (Some(o), Some(tolerance)) = (&mut overlap, measured.estimator.imbalance_of_volume()) {
-            correct(&o.nodes, &o.of_b, &mut o.gradient, &mut o.pose_gradient, measured.pair.coords, tolerance);
+        if let (Some(o), Some(expected)) = (&mut overlap, measured.estimator.imbalance_of_volume()) {
+            balance(o, measured.pair, expected);
         }
         Ok(overlap)
     }

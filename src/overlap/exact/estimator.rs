@@ -2,7 +2,7 @@
 
 use super::clipping::volume::ExactPair;
 use crate::Error;
-use crate::overlap::estimator::OverlapEstimator;
+use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
@@ -13,8 +13,15 @@ use crate::overlap::points::contact_points::ContactPoints;
 
 /// What rounding leaves of ΣF and ΣM in exact overlaps, in parts of Σ|F| and of Σ|F| times the size of the contact.
 /// Sums over some thousand nodes stay below 1e-14. Where facets are parallel within rounding, the curves in which they
-/// cross are found differently from either side, and much more can be left.
+/// cross are known to fewer digits.
 const ROUNDING: f64 = 1e-13;
+
+/// More than this is not rounding: a facet was taken to be on the wrong side.
+const DOUBTFUL: f64 = 1e-7;
+
+/// Contact points have the moments that turning directions would have to carry, some 1e-4 of the forces. More than this
+/// comes from patches that cannot be told apart; it is not put right.
+const UNBALANCED: f64 = 1e-2;
 
 /// Overlaps by clipping.
 pub(crate) struct ExactEstimator;
@@ -53,12 +60,12 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         Ok(Vec::new())
     }
 
-    fn imbalance_of_volume(&self) -> Option<f64> {
-        Some(ROUNDING)
+    fn imbalance_of_volume(&self) -> Option<Imbalance> {
+        Some(Imbalance { rounding: ROUNDING, doubtful: DOUBTFUL })
     }
 
-    fn imbalance_of_points(&self) -> Option<f64> {
-        None
+    fn imbalance_of_points(&self) -> Option<Imbalance> {
+        Some(Imbalance { rounding: f64::INFINITY, doubtful: UNBALANCED })
     }
 
     fn prefers_facets(&self) -> bool {

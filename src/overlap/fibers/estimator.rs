@@ -2,7 +2,7 @@
 
 use super::layout::FiberPair;
 use crate::Error;
-use crate::overlap::estimator::OverlapEstimator;
+use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::options::FiberOptions;
 use crate::overlap::pair::overlap::Overlap;
@@ -31,6 +31,9 @@ impl<const D: usize> FiberEstimator<D> {
         FiberPair { pair, families: &self.families, options: &self.options }
     }
 }
+
+/// Sampling leaves an imbalance, of any size where few lines meet the overlap.
+const EXPECTED: Imbalance = Imbalance { rounding: 0.0, doubtful: f64::INFINITY };
 
 impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
     fn overlap(&self, pair: &Pair<D>) -> Result<Option<Overlap<D>>, Error> {
@@ -69,12 +72,12 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         self.of(pair).trace()
     }
 
-    fn imbalance_of_volume(&self) -> Option<f64> {
-        self.options.momentum_correction.then_some(0.0)
+    fn imbalance_of_volume(&self) -> Option<Imbalance> {
+        self.options.momentum_correction.then_some(EXPECTED)
     }
 
-    fn imbalance_of_points(&self) -> Option<f64> {
-        self.options.momentum_correction.then_some(0.0)
+    fn imbalance_of_points(&self) -> Option<Imbalance> {
+        self.options.momentum_correction.then_some(EXPECTED)
     }
 
     fn prefers_facets(&self) -> bool {

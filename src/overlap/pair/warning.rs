@@ -43,6 +43,16 @@ pub enum Warning {
         /// Its mean penetration.
         depth: f64,
     },
+    /// Forces or moments of the pair do not add up to zero, as those of an exact overlap should: a facet was taken to lie
+    /// on the wrong side, or patches of the contact could not be told apart. Forces may be wrong by as much.
+    Unbalanced {
+        /// First body of the pair.
+        a: Partner,
+        /// Second body of the pair.
+        b: Partner,
+        /// Size of the sum by the sum of sizes.
+        imbalance: f64,
+    },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
         /// The body inside.
@@ -67,6 +77,9 @@ impl fmt::Display for Warning {
                 "{a} and {b}: a patch of the contact is not counted beside a shallower or larger one; its area is {area:.3e}, \
                  its penetration {depth:.3e}, its normal ({x:.3}, {y:.3}, {z:.3})"
             ),
+            Warning::Unbalanced { a, b, imbalance } => {
+                write!(f, "{a} and {b}: the forces between them do not balance, by {imbalance:.1e} of their size")
+            }
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }
     }

@@ -129,3 +129,27 @@ pub(crate) fn merged<const D: usize>(mut parts: Vec<Vec<Block<D>>>) -> Vec<Block
     });
     blocks
 }
+
+/// The symmetric part of a matrix of sorted blocks; the same bits where it is symmetric but for rounding.
+pub(crate) fn symmetric_part<const D: usize>(blocks: Vec<Block<D>>) -> Vec<Block<D>> {
+    let largest = blocks.iter().flat_map(|block| block.value.as_flattened()).fold(0.0f64, |m, x| m.max(x.abs()));
+    let is_mirrored = |block: &Block<D>| {
+        let mirror = blocks.binary_search_by_key(&(block.col, block.row), |other| (other.row, other.col));
+        let at = |i: usize, j: usize| mirror.map_or(0.0, |k| blocks[k].value[j][i]);
+        (0..D).all(|i| (0..D).all(|j| (block.value[i][j] - at(i, j)).abs() <= SYMMETRIC * largest))
+    };
+    if blocks.iter().all(is_mirrored) {
+        return blocks;
+    }
+    let half = |value: &[[f64; D]; D]| value.map(|row| row.map(|x| 0.5 * x));
+    let transposed = |m: [[f64; D]; D]| std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]));
+    let halves = blocks.iter().map(|block| Block { value: half(&block.value), ..*block }).collect();
+    let mut mirrored: Vec<Block<D>> = (blocks.iter())
+        .map(|block| Block { row: block.col, col: block.row, value: transposed(half(&block.value)) })
+        .collect();
+    mirrored.sort_unstable_by_key(|block| (block.row, block.col));
+    merged(vec![halves, mirrored])
+}
+
+/// Two entries that differ by no more than this part of the largest are equal but for rounding.
+const SYMMETRIC: f64 = 1e-9;

@@ -26,6 +26,15 @@ pub(crate) struct Clipper<const D: usize> {
     ends: Vec<[f64; D]>,
 }
 
+/// How a facet stands to a body.
+pub(crate) enum Inside<const D: usize> {
+    Part(Clipped<D>),
+    /// It lies on the boundary, from outside.
+    Touching,
+    /// No cell that was looked at has a part of it.
+    Nothing,
+}
+
 impl<const D: usize> Clipped<D> {
     /// A facet that is covered all over, `cover` times.
     pub(crate) fn whole(facet: u32, of_b: bool, corners: &[Vector<D>; D], cover: i32) -> Self {
@@ -35,7 +44,7 @@ impl<const D: usize> Clipped<D> {
 }
 
 impl<const D: usize> Clipper<D> {
-    /// What a facet has inside `solid`, `None` if nothing. The cell `except` does not count.
+    /// What a facet has inside `solid`. The cell `except` does not count.
     pub(crate) fn inside(
         &mut self,
         facet: u32,
@@ -44,29 +53,34 @@ impl<const D: usize> Clipper<D> {
         solid: &Solid<D>,
         tolerance: f64,
         except: Option<u32>,
-    ) -> Option<Clipped<D>> {
+    ) -> Inside<D> {
         let area = area_vector(corners);
-        let (mut sums, mut cancelled) = ([0.0; D], false);
+        let (mut sums, mut cancelled, mut touches) = ([0.0; D], false, false);
         self.ends.clear();
         let (piece, ends) = (&mut self.piece, &mut self.ends);
-        let slab = Slab::new(corners, &area, tolerance);
+        // Facets are near if their boxes are, each wider by the tolerance: the walk must start from every such one.
+        let slab = Slab::new(corners, &area, 3.0 * tolerance);
         solid.for_each_near(&slab, &mut self.walk, &mut self.found, |simplex, origin| {
             if Some(origin) == except {
                 return;
             }
-            if let Some(part) = simplex.clip(corners, &area, tolerance, piece) {
+            touches |= simplex.clip(corners, &area, tolerance, piece, |piece, part| {
                 for (sum, moment) in sums.iter_mut().zip(piece.moments()) {
                     *sum += simplex.sign * part * moment;
                 }
                 ends.extend_from_slice(piece.corners());
                 // Where pieces are subtracted from one another, their corners are not those of the overlap.
                 cancelled |= simplex.sign < 0.0;
-            }
+            });
         });
         let ends = if cancelled { Vec::new() } else { ends.iter().map(|w| place(corners, w)).collect() };
         let measure = area.norm();
         let share = FacetShare { facet, of_b, shares: sums.map(|w| w * measure) };
-        (sums.iter().sum::<f64>() > 0.0).then_some(Clipped { share, ends: Some(ends) })
+        match sums.iter().sum::<f64>() > 0.0 {
+            true => Inside::Part(Clipped { share, ends: Some(ends) }),
+            false if touches => Inside::Touching,
+            false => Inside::Nothing,
+        }
     }
 
     /// What a facet of the first side has below a plane, `None` if nothing.

@@ -7,7 +7,7 @@
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::Piece;
-use crate::geometry::facet::determinant;
+use crate::geometry::orientation::{DOUBTFUL, bound, orientation, precise_orientation, size};
 
 /// A triangle (2D) or tetrahedron (3D); face k lies opposite to corner k.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,7 @@ impl<const D: usize> Simplex<D> {
                 flipped = !flipped;
             }
         }
-        let volume = determinant::<D>(&std::array::from_fn(|k| all[k + 1] - all[0]));
+        let volume = orientation(&std::array::from_fn(|k| all[k]), &all[D]);
         let turn = volume.signum();
         (volume != 0.0).then_some(Self { corners: all, boundary, turn, sign: if flipped { -turn } else { turn } })
     }
@@ -50,51 +50,76 @@ impl<const D: usize> Simplex<D> {
         Aabb::of(&self.corners[..=D])
     }
 
-    /// Cuts the piece of a facet inside out of it, and returns how much of it counts; `None` if it is empty.
+    /// Calls `visit` with the piece of a facet inside, and how much of it counts; not at all if it is empty. Returns
+    /// whether it is empty because the facet lies on the boundary, from outside.
     ///
-    /// Distances up to the tolerance are rounding and count as zero. A facet that lies in a face of the simplex counts
-    /// half, so that the two simplices at an inner face make one whole, and identical bodies share; but it counts
-    /// nothing where it lies on the outside of a body's boundary: the bodies touch there.
+    /// A facet in an inner face counts half, so that the two simplices there make one whole. Along the boundary of the
+    /// body a few roundings count: a facet that faces it is inside from that depth on, so that bodies which touch feel
+    /// nothing; one that looks the same way is taken half with the boundary farther out by the tolerance, half with it
+    /// farther in. So of two facets that coincide each counts half, and with any noise on their coordinates one has
+    /// just what the other has not. A corner of a facet that crosses a face at an angle is on the face if it is that
+    /// close to it.
     pub(crate) fn clip(
         &self,
         facet: &[Vector<D>; D],
         area: &Vector<D>,
         tolerance: f64,
         piece: &mut Piece<D>,
-    ) -> Option<f64> {
+        mut visit: impl FnMut(&Piece<D>, f64),
+    ) -> bool {
         let mut part = 1.0;
         let mut cuts = [[0.0; D]; 4];
-        let mut cut_count = 0;
+        let mut shifts = [0.0; 4];
+        let mut count = 0;
         for k in 0..=D {
-            let (outward, point) = self.plane(k);
-            let tolerance = tolerance * outward.norm();
-            // Distances in units of the normal's length, the least and the largest: few branches, which are hard to
-            // foretell here.
-            let (mut distance, mut least, mut largest) = ([0.0; D], f64::INFINITY, f64::NEG_INFINITY);
-            for (s, x) in distance.iter_mut().zip(facet) {
-                let exact = outward.dot(&(x - point));
-                *s = if exact.abs() <= tolerance { 0.0 } else { exact };
-                (least, largest) = (least.min(*s), largest.max(*s));
+            let Heights { outward, mut heights, is_close } = self.heights(k, facet);
+            let (rounding, mut shift, mut touches) = (TOUCHING * tolerance * outward.norm(), 0.0, false);
+            if !is_close {
+                heights = heights.map(|height| if height.abs() <= rounding { 0.0 } else { height });
+            } else if self.boundary >> k & 1 == 1 {
+                if self.sign * outward.dot(area) > 0.0 {
+                    shift = rounding;
+                } else {
+                    touches = heights.iter().all(|height| height.abs() <= 2.0 * rounding);
+                    heights = heights.map(|height| height + self.sign * rounding);
+                }
             }
-            if least >= 0.0 {
-                let same_way = outward.dot(area) > 0.0;
-                if largest > 0.0 || self.boundary >> k & 1 == 1 && !same_way {
-                    return None;
+            // The least and the largest: few branches, which are hard to foretell here.
+            let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
+            for s in heights {
+                (least, largest) = (least.min(s), largest.max(s));
+            }
+            if least >= shift {
+                if largest > 0.0 {
+                    return touches;
                 }
                 part = 0.5;
-            } else if largest > 0.0 {
-                cuts[cut_count] = distance;
-                cut_count += 1;
+            } else if largest > -shift {
+                (cuts[count], shifts[count]) = (heights, shift);
+                count += 1;
             }
         }
-        piece.reset();
-        cuts[..cut_count].iter().all(|distance| piece.cut(distance)).then_some(part)
+        let (cuts, shifts) = (&cuts[..count], &shifts[..count]);
+        let mut visit_shifted = |by: f64, part: f64| {
+            piece.reset();
+            let mut shifted = cuts.iter().zip(shifts).map(|(heights, shift)| heights.map(|height| height + by * shift));
+            if shifted.all(|heights| piece.cut(&heights)) {
+                visit(piece, part);
+            }
+        };
+        if shifts.iter().all(|&shift| shift == 0.0) {
+            visit_shifted(0.0, part);
+        } else {
+            [-1.0, 1.0].into_iter().for_each(|by| visit_shifted(by, 0.5 * part));
+        }
+        false
     }
 
-    /// Outward normal of face k, of any length, and a point of the face.
+    /// Heights of some corners above face k.
     ///
-    /// Followed by corner k, its points make up the simplex turned by (−1)^(D−k).
-    fn plane(&self, k: usize) -> (Vector<D>, Vector<D>) {
+    /// Where all are close to the face, where they cross it follows from digits that rounding has taken: they are
+    /// computed anew. Any two simplices at a face do so together.
+    fn heights(&self, k: usize, corners: &[Vector<D>; D]) -> Heights<D> {
         let points: [Vector<D>; D] = std::array::from_fn(|p| self.corners[p + usize::from(p >= k)]);
         let e = points[1] - points[0];
         let mut normal = Vector::<D>::zeros();
@@ -107,9 +132,38 @@ impl<const D: usize> Simplex<D> {
             normal[1] = e[2] * f[0] - e[0] * f[2];
             normal[2] = e[0] * f[1] - e[1] * f[0];
         }
-        (normal * if (D - k).is_multiple_of(2) { -self.turn } else { self.turn }, points[0])
+        // Followed by corner k, the points make up the simplex turned by (−1)^(D−k).
+        let outward = if (D - k).is_multiple_of(2) { -self.turn } else { self.turn };
+        let (mut largest, mut farthest) = (0.0f64, 0.0f64);
+        let mut heights = [0.0; D];
+        for (height, x) in heights.iter_mut().zip(corners) {
+            let from = x - points[0];
+            *height = outward * normal.dot(&from);
+            largest = largest.max(height.abs());
+            farthest = farthest.max(size(&from));
+        }
+        // Others cross the plane at an angle of more than this, and rounding moves the crossing by 1e5 times itself at
+        // most.
+        let is_close = largest <= DOUBTFUL * bound(&points, farthest);
+        if is_close {
+            heights = corners.each_ref().map(|x| outward * precise_orientation(&points, x));
+        }
+        Heights { outward: normal * outward, heights, is_close }
     }
 }
+
+/// A facet's corners above a face of a simplex.
+struct Heights<const D: usize> {
+    /// Outward normal of the face, of any length.
+    outward: Vector<D>,
+    /// In units of the normal's length.
+    heights: [f64; D],
+    /// Whether the facet lies in the face's plane but for a hundred-thousandth of its size.
+    is_close: bool,
+}
+
+/// Part of the tolerance by which faces that coincide may differ: a few roundings of a coordinate.
+const TOUCHING: f64 = 1.0 / 16.0;
 
 /// Whether `x` comes after `y`, by the first coordinate that differs.
 fn is_after<const D: usize>(x: &Vector<D>, y: &Vector<D>) -> bool {
@@ -120,12 +174,14 @@ fn is_after<const D: usize>(x: &Vector<D>, y: &Vector<D>) -> bool {
 mod tests {
     use super::*;
 
-    /// Part of a facet inside a simplex with all faces on the boundary, or none.
+    /// Part of a facet inside a simplex, with all faces or none on the boundary.
     fn part<const D: usize>(corners: &[Vector<D>], boundary: bool, facet: &[Vector<D>; D], area: &Vector<D>) -> f64 {
-        let mut piece = Piece::default();
-        let simplex = Simplex::new(corners, if boundary { 15 } else { 0 }, false);
-        let part = simplex.and_then(|s| s.clip(facet, area, 0.0, &mut piece));
-        part.map_or(0.0, |part| part * piece.moments().iter().sum::<f64>())
+        let mut found = 0.0;
+        if let Some(simplex) = Simplex::new(corners, if boundary { 15 } else { 0 }, false) {
+            let add = |piece: &Piece<D>, part: f64| found += part * piece.moments().iter().sum::<f64>();
+            simplex.clip(facet, area, 1e-14, &mut Piece::default(), add);
+        }
+        found
     }
 
     #[test]

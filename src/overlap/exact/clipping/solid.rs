@@ -43,9 +43,7 @@ impl<const D: usize> Solid<'_, D> {
     }
 
     /// A body bounded by facets only, as signed simplices from its middle to every facet; those that meet `region`.
-    ///
-    /// A simplex thinner than the tolerance is left out: its volume is rounding, and so are the planes of its faces.
-    pub(crate) fn from_facets(side: &FacetSide<D>, region: &Aabb<D>, tolerance: f64) -> Self {
+    pub(crate) fn from_facets(side: &FacetSide<D>, region: &Aabb<D>) -> Self {
         let (mut simplices, mut origins) = (Vec::new(), Vec::new());
         let middle = side.aabb.center();
         let point = Aabb { min: middle, max: middle };
@@ -58,12 +56,7 @@ impl<const D: usize> Solid<'_, D> {
             if D == 3 {
                 corners.swap(0, 1);
             }
-            let aabb = Aabb::of(&corners);
-            let is_thin = || {
-                let normal = crate::geometry::facet::area_vector(&x);
-                normal.dot(&(middle - x[0])).abs() <= tolerance * normal.norm()
-            };
-            if !aabb.meets(region) || is_thin() {
+            if !Aabb::of(&corners[..=D]).meets(region) {
                 continue;
             }
             // Opposite to the last corner, the middle, lies the facet.

@@ -11,10 +11,10 @@
 //! pieces). Exact for straight-sided cells and flat-sided obstacles; quadrilateral faces are split about their
 //! centroid.
 
-use super::clipper::{Clipped, Clipper};
+use super::clipper::{Clipped, Clipper, Inside};
 use super::near_facets::{Facets, NearFacets};
 use super::solid::Solid;
-use super::winding::windings;
+use super::winding::{winding_about, windings};
 use crate::Error;
 use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
@@ -60,10 +60,10 @@ impl<const D: usize> ExactPair<'_, D> {
                 let tolerance = a.aabb.rounding();
                 let solid = match (&self.pair.surface.cells, self.pair.partners[0]) {
                     (Some(cells), Partner::Body(body)) => Solid::from_cells(cells, body, self.pair.coords),
-                    _ => Solid::from_facets(a, &a.aabb.inflated(tolerance), tolerance),
+                    _ => Solid::from_facets(a, &a.aabb.inflated(tolerance)),
                 };
                 let facets: Vec<u32> = (0..a.facets.len() as u32).collect();
-                let shares = self.clip(a, &facets, &solid, tolerance, true, false);
+                let shares = self.clip(a, &facets, &solid, tolerance, true, false, |_, _| None);
                 Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: None }))
             }
             Counterpart::Facets(b) => {
@@ -132,10 +132,14 @@ impl<const D: usize> ExactPair<'_, D> {
                 _ => {
                     let boxes = facets.boxes.iter().zip(&facets.is_near).filter(|f| *f.1);
                     let around = boxes.fold(Aabb::empty(), |sum, f| sum.union(f.0));
-                    Solid::from_facets(other, &around, tolerance)
+                    Solid::from_facets(other, &around)
                 }
             };
-            clipped = self.clip(side, &near, &solid, tolerance, false, of_b);
+            let whole = |facet: u32, corners: &[Vector<D>; D]| {
+                let winding = winding_about(other, corners);
+                (winding > 0).then(|| Clipped::whole(facet, of_b, corners, winding))
+            };
+            clipped = self.clip(side, &near, &solid, tolerance, false, of_b, whole);
         }
         let windings = windings(side, facets, other, &region.inflated(tolerance));
         let mut clipped = clipped.into_iter().peekable();
@@ -150,7 +154,9 @@ impl<const D: usize> ExactPair<'_, D> {
         shares
     }
 
-    /// What each of some facets of `side` has inside `solid`. With `own`, a facet's own cell does not count.
+    /// What each of some facets of `side` has inside `solid`. With `own`, a facet's own cell does not count. `whole`
+    /// decides about facets in no cell: the boundary that they are near may not reach to where they are.
+    #[allow(clippy::too_many_arguments)]
     fn clip(
         &self,
         side: &FacetSide<D>,
@@ -159,10 +165,16 @@ impl<const D: usize> ExactPair<'_, D> {
         tolerance: f64,
         own: bool,
         of_b: bool,
+        whole: impl Fn(u32, &[Vector<D>; D]) -> Option<Clipped<D>> + Sync,
     ) -> Vec<Clipped<D>> {
         let clip = |clipper: &mut Clipper<D>, &facet: &u32| {
             let own_cell = own.then(|| self.cell_of(facet));
-            clipper.inside(facet, of_b, &side.corners(facet as usize), solid, tolerance, own_cell)
+            let corners = side.corners(facet as usize);
+            match clipper.inside(facet, of_b, &corners, solid, tolerance, own_cell) {
+                Inside::Part(clipped) => Some(clipped),
+                Inside::Touching => None,
+                Inside::Nothing => whole(facet, &corners),
+            }
         };
         if self.pair.parallel {
             let work = facets.par_iter().with_min_len(CHUNK).map_init(Clipper::default, clip);

@@ -12,7 +12,8 @@
 //! δ(∂V/∂x_a)|_C = ∫_C N_a n_f [n_g·(δx_g − δx_f) / sin θ] dl
 //! ```
 //!
-//! It grows without bound as the facets become parallel: in flat contact there is no usable tangent. Not for a body
+//! It grows without bound as the facets become parallel: in flat contact there is no usable tangent. Where faces lie
+//! flush the force has a jump, and no derivative: what is left of both terms has a symmetric part, which is returned. Not for a body
 //! against itself, nor for bodies that are folded.
 
 use super::clipper::Clipped;
@@ -24,7 +25,7 @@ use crate::geometry::convex_piece::{whole, zeros};
 use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
 use crate::overlap::pair::sides::Counterpart;
-use crate::overlap::points::block_sum::{Block, BlockSum, product};
+use crate::overlap::points::block_sum::{Block, BlockSum, product, symmetric_part};
 use crate::overlap::points::end_motion::nodes_of;
 
 /// Below this sine of the angle between two facets they do not cross in a curve.
@@ -61,7 +62,7 @@ impl<const D: usize> ExactPair<'_, D> {
             _ => Vec::new(),
         };
         parts.into_iter().for_each(|part| sum.add_sum(part));
-        Ok(sum.into_blocks())
+        Ok(symmetric_part(sum.into_blocks()))
     }
 
     /// Sums over chunks of some items, in their order.

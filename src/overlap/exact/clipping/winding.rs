@@ -1,7 +1,7 @@
 //! Winding numbers of a body about the facets of another that keep clear of its boundary.
 //!
 //! Such a facet is all inside or all outside, and so are its neighbours that keep clear as well: the count is the same
-//! at the corner that they share. One point decides for all connected facets; and where they reach out of the
+//! at the corner that they share. One facet decides for all connected facets; and where they reach out of the
 //! region in which the two bodies can overlap, they are outside.
 
 use super::near_facets::Facets;
@@ -9,13 +9,14 @@ use crate::configuration::FacetSide;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::components::Components;
+use crate::geometry::facet::area_vector;
 
 /// What is known of facets that hang together.
 #[derive(Clone, Copy)]
 enum Cover {
     Unseen,
     Outside,
-    /// Number of the point that decides.
+    /// Number of the facet that decides.
     Asked(usize),
 }
 
@@ -45,7 +46,7 @@ pub(crate) fn windings<const D: usize>(
             cover[groups.find(vertices(f)[0] - first).0 as usize] = Cover::Outside;
         }
     }
-    let mut points: Vec<Vector<D>> = Vec::new();
+    let mut deciding: Vec<usize> = Vec::new();
     let group: Vec<Cover> = (0..facets.numbers.len())
         .map(|f| {
             if facets.is_near[f] {
@@ -53,12 +54,33 @@ pub(crate) fn windings<const D: usize>(
             }
             let cover = &mut cover[groups.find(vertices(f)[0] - first).0 as usize];
             if matches!(cover, Cover::Unseen) {
-                *cover = Cover::Asked(points.len());
-                points.push(facets.corners[f][0]);
+                *cover = Cover::Asked(deciding.len());
+                deciding.push(f);
             }
             *cover
         })
         .collect();
-    let counts: Vec<i32> = points.iter().map(|x| other.winding_number(x)).collect();
-    group.iter().map(|cover| if let Cover::Asked(point) = cover { counts[*point] } else { 0 }).collect()
+    let counts: Vec<i32> = deciding.iter().map(|&f| winding_about(other, &facets.corners[f])).collect();
+    group.iter().map(|cover| if let Cover::Asked(number) = cover { counts[*number] } else { 0 }).collect()
 }
+
+/// Winding number of `side` about a facet that its boundary does not cross.
+///
+/// Counted across the facet, from points within it that no grid has at its nodes: a line from an edge would run along
+/// faces that may be as near as rounding. All of them must say that the facet is inside, since one may be met by a
+/// corner of the body that touches the facet there.
+pub(crate) fn winding_about<const D: usize>(side: &FacetSide<D>, corners: &[Vector<D>; D]) -> i32 {
+    let axis = area_vector(corners).iamax();
+    let mut least = i32::MAX;
+    for first in 0..D {
+        let point = (0..D).fold(Vector::zeros(), |x, k| x + corners[(first + k) % D] * PARTS[D - 2][k]);
+        least = least.min(side.winding_number_along(&point, axis, None));
+        if least <= 0 {
+            break;
+        }
+    }
+    least
+}
+
+/// Parts of the corners in a point of a facet, in 2D and in 3D.
+const PARTS: [[f64; 3]; 2] = [[0.413_7, 0.586_3, 0.0], [0.213_7, 0.339_1, 0.447_2]];
