@@ -1,6 +1,7 @@
 //! Energy laws and the forces of all pairs.
 
 mod evaluation;
+mod fields;
 mod forces;
 mod kept_patches;
 mod kernels;
@@ -14,6 +15,7 @@ mod stiffness;
 mod tangent;
 
 pub use evaluation::{Contact, contact_force};
+pub use fields::{NodalContact, NodeStatus, PointOfContact, SideOfPoint};
 pub use forces::{ContactForces, PairForces, Resultant};
 pub use laws::{EnergyLaw, FiberProfile};
 pub use options::Options;

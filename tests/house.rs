@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 25] = [
+const ROOMS: [&str; 26] = [
     "error",
     "dimension",
     "geometry",
@@ -30,6 +30,7 @@ const ROOMS: [&str; 25] = [
     "contact/tangent",
     "contact/momentum_correction",
     "contact/laws",
+    "contact/fields",
     "contact",
     "capi",
 ];

@@ -1,5 +1,6 @@
 //! From coordinates to overlaps.
 
+use super::fields::{NodalContact, PointOfContact};
 use super::forces::ContactForces;
 use super::kernels::{self, estimator, pair_law};
 use super::laws::PairLaw;
@@ -135,6 +136,23 @@ impl<const D: usize> Contact<D> {
     /// As [`Self::evaluate`].
     pub fn overlaps(&self, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
         kernels::overlaps(self, coords)
+    }
+
+    /// Pressure, gap, area and normal at every node at `coords`.
+    ///
+    /// # Errors
+    /// As [`Self::evaluate`].
+    pub fn nodal_contact(&self, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
+        kernels::nodal_contact(self, coords)
+    }
+
+    /// The contact points at `coords`, in the order of the pairs, from which a local law sums its forces: place,
+    /// pressure, area and both sides of each. Empty with the law `volume`, which has one pressure for a whole pair.
+    ///
+    /// # Errors
+    /// As [`Self::evaluate`].
+    pub fn contact_points(&self, coords: &[[f64; D]]) -> Result<Vec<PointOfContact<D>>, Error> {
+        kernels::contact_points(self, coords)
     }
 
     /// Lines to look at: with the law `fiber` those from which its forces come; with the law `volume` the fibers that

@@ -1,6 +1,7 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
 use super::Contact;
+use super::fields::{NodalContact, PointOfContact, points_of_contact};
 use super::forces::ContactForces;
 use super::laws::{self, PairLaw};
 use super::options::Options;
@@ -44,6 +45,8 @@ macro_rules! forces { ($d:expr) => { ContactForces<$d> }; }
 macro_rules! tangents { ($d:expr) => { Tangent<$d> }; }
 macro_rules! overlap_list { ($d:expr) => { Vec<Overlap<$d>> }; }
 macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
+macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
+macro_rules! point_list { ($d:expr) => { Vec<PointOfContact<$d>> }; }
 macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
 
 kernel! { /// Forces.
@@ -54,6 +57,10 @@ kernel! { /// Overlaps of all pairs.
 overlaps = overlaps_in() -> overlap_list }
 kernel! { /// Lines that cross an overlap.
 trace = trace_in() -> traces }
+kernel! { /// The contact at the nodes.
+nodal_contact = nodal_contact_in() -> nodal }
+kernel! { /// The contact points.
+contact_points = contact_points_in() -> point_list }
 kernel! { /// Patches of all pairs, for all facets.
 patches = patches_in() -> patch_list }
 
@@ -86,6 +93,31 @@ fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result
         false => measured.estimator.trace(measured.pair).map(Some),
     })?;
     Ok(traces.into_iter().flatten().collect())
+}
+
+fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
+    let pressure = |penetration: f64| contact.law.pressure_at(penetration);
+    let pairs = contact.for_each_pair(coords, |measured| {
+        let Some(energy) = contact.law.energy(measured)? else { return Ok(None) };
+        let points = if contact.law.is_local() { measured.contact_points(false)? } else { None };
+        Ok(Some((energy, points.map(|points| points.nodal_sums(measured.pair, &pressure)))))
+    })?;
+    NodalContact::assemble(coords.len(), &pairs)
+}
+
+fn contact_points_in<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+) -> Result<Vec<PointOfContact<D>>, Error> {
+    if !contact.law.is_local() {
+        return Ok(Vec::new());
+    }
+    let points = contact.for_each_pair(coords, |measured| {
+        let points = measured.contact_points(false)?;
+        let pressure = |penetration: f64| contact.law.pressure_at(penetration);
+        Ok(points.map(|points| points_of_contact(&points, measured.pair, pressure)))
+    })?;
+    Ok(points.into_iter().flatten().collect())
 }
 
 fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<PatchesByPair<D>, Error> {

@@ -13,6 +13,7 @@ mod coinciding;
 mod corners;
 mod energy_gradient;
 mod fiber_law;
+mod fields;
 mod folded;
 mod gaps;
 mod glued;

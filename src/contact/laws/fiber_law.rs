@@ -41,4 +41,8 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
     fn is_local(&self) -> bool {
         true
     }
+
+    fn pressure_at(&self, penetration: f64) -> f64 {
+        self.0.energy_gradient(penetration)
+    }
 }

@@ -26,6 +26,11 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
 
     /// Whether it acts at contact points, along the directions of patches.
     fn is_local(&self) -> bool;
+
+    /// Pressure at a contact point; of a law that acts there.
+    fn pressure_at(&self, _penetration: f64) -> f64 {
+        0.0
+    }
 }
 
 /// Patches that were found at the coordinates in force, by pair.

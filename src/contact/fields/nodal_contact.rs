@@ -1,0 +1,111 @@
+//! Pressure, gap, area and normal at the nodes.
+
+use crate::Error;
+use crate::contact::laws::PairEnergy;
+use crate::geometry::Vector;
+use crate::overlap::NodalSum;
+
+/// Whether a node is in contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NodeStatus {
+    /// No facet at the node is in contact.
+    #[default]
+    Apart,
+    /// A facet at the node is in contact.
+    Touching,
+}
+
+/// The contact at every node of the mesh, in the order of the coordinates; zero where nothing touches.
+///
+/// Pressure, area and normal are those of the nodal force: F = −p A n, to rounding, so that their sum is the resultant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodalContact<const D: usize> {
+    /// Contact pressure: the mean of that of the law over the part of the facets in contact, weighted with the node's
+    /// shape function (∫ N p dA / ∫ N dA). With the law `volume` that of the pair.
+    pub pressure: Vec<f64>,
+    /// Minus the penetration, the mean over the same part; with the law `volume` minus the mean of the pair, V by its
+    /// area of contact. Never positive: distances of what is apart are not measured.
+    pub gap: Vec<f64>,
+    /// Area (2D: length) on which the pressure acts: ∫ N dA over the part in contact, up to the curvature of the surface.
+    pub area: Vec<f64>,
+    /// Unit normal, outwards of the node's body, against the nodal force.
+    pub normal: Vec<[f64; D]>,
+    /// Whether there is contact.
+    pub status: Vec<NodeStatus>,
+}
+
+/// Sums at one node.
+#[derive(Clone, Copy)]
+struct Sums<const D: usize> {
+    force: Vector<D>,
+    area: f64,
+    pressure: f64,
+    penetration: f64,
+    /// Pressure of the pair, for nodes that carry force at edges alone.
+    of_pair: f64,
+    touches: bool,
+}
+
+impl<const D: usize> NodalContact<D> {
+    /// Sums up, in the order of the pairs; pairs whose law does not act at contact points come without sums.
+    pub(crate) fn assemble(node_count: usize, pairs: &[(PairEnergy<D>, Option<Vec<NodalSum>>)]) -> Result<Self, Error> {
+        let none =
+            Sums { force: Vector::zeros(), area: 0.0, pressure: 0.0, penetration: 0.0, of_pair: 0.0, touches: false };
+        let mut nodes = vec![none; node_count];
+        for (energy, sums) in pairs {
+            let depth = energy.overlap.volume / energy.overlap.contact_area.max(f64::MIN_POSITIVE);
+            for (&node, gradient) in energy.nodes.iter().zip(&energy.gradient) {
+                let sum = &mut nodes[node as usize];
+                sum.force -= gradient;
+                sum.of_pair = sum.of_pair.max(energy.pressure);
+                let size = gradient.norm();
+                if size > 0.0 && sums.is_none() && energy.pressure > 0.0 {
+                    let area = size / energy.pressure;
+                    sum.add(area, size, area * depth);
+                }
+            }
+            for found in sums.iter().flatten() {
+                nodes[found.node as usize].add(found.area, found.pressure, found.penetration);
+            }
+        }
+        let field = Self {
+            pressure: nodes.iter().map(Sums::pressure).collect(),
+            gap: nodes.iter().map(|sum| if sum.area > 0.0 { -sum.penetration / sum.area } else { 0.0 }).collect(),
+            area: nodes.iter().map(|sum| quotient(sum.force.norm(), sum.pressure())).collect(),
+            normal: nodes
+                .iter()
+                .map(|sum| (-sum.force).try_normalize(0.0).unwrap_or_else(Vector::zeros).into())
+                .collect(),
+            status: (nodes.iter())
+                .map(|sum| if sum.touches { NodeStatus::Touching } else { NodeStatus::Apart })
+                .collect(),
+        };
+        let numbers = field.pressure.iter().chain(&field.gap).chain(&field.area);
+        match numbers.copied().find(|x| !x.is_finite()) {
+            Some(value) => Err(Error::Overflow { quantity: "contact at a node", value }),
+            None => Ok(field),
+        }
+    }
+}
+
+impl<const D: usize> Sums<D> {
+    fn add(&mut self, area: f64, pressure: f64, penetration: f64) {
+        self.area += area;
+        self.pressure += pressure;
+        self.penetration += penetration;
+        self.touches |= area > 0.0;
+    }
+
+    fn pressure(&self) -> f64 {
+        match quotient(self.pressure, self.area) {
+            0.0 if self.force.norm() > 0.0 => self.of_pair,
+            mean => mean,
+        }
+    }
+}
+
+/// a / b, 0 where b is not positive.
+fn quotient(a: f64, b: f64) -> f64 {
+    if b > 0.0 { a / b } else { 0.0 }
+}
