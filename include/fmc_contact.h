@@ -205,6 +205,14 @@ typedef enum {
   FMC_WARNING_UNBALANCED = 5,
 } fmc_warning;
 
+// Whether a node is in contact.
+typedef enum {
+  // No facet at the node is in contact.
+  FMC_NODE_APART = 0,
+  // A facet at the node is in contact.
+  FMC_NODE_TOUCHING = 1,
+} fmc_node_status;
+
 // Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
 //
 // Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
@@ -399,6 +407,47 @@ typedef struct {
   uint64_t reserved[8];
 } fmc_pair;
 
+// One end of a contact point: where, and the shape functions of the boundary face there.
+typedef struct {
+  // A value of `fmc_partner`.
+  int32_t kind;
+  // How many of `nodes` and `weights` are used; 0 for an obstacle.
+  int32_t node_count;
+  // Index for `fmc_context_body` or `fmc_context_obstacle`.
+  size_t index;
+  // Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
+  int64_t cell;
+  // Nodes of the boundary face, counted from the option `index_base`.
+  int64_t nodes[4];
+  // Values of their shape functions: a force at this end goes to the nodes by these parts.
+  double weights[4];
+  // The end; in 2D the last entry is 0.
+  double position[3];
+} fmc_contact_side;
+
+// A piece of a line inside both sides of a pair, from the boundary of one to that of the other, and the area for which
+// it stands.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Number of the patch within the pair; points of one patch have one normal, up to its sign.
+  size_t patch;
+  // Middle of the piece; in 2D the last entry is 0.
+  double position[3];
+  // Unit vector along the line, outwards of the first side; in 2D the last entry is 0.
+  double normal[3];
+  // Minus the penetration, the length of the piece.
+  double gap;
+  // Contact pressure.
+  double pressure;
+  // Area (2D: length) across the line.
+  double area;
+  // The ends, in the order of the pair's sides.
+  fmc_contact_side sides[2];
+  // Zero.
+  uint64_t reserved[8];
+} fmc_contact_point;
+
 // Position, rotation and scale of an obstacle: a point X of the shape is at position + scale rotation X.
 //
 // In 2D the first two entries of the position and the upper left two by two of the rotation are read.
@@ -452,9 +501,9 @@ const char *fmc_version(void);
 // Version of the binary interface of the library: `FMC_ABI_VERSION` of the header it was built with. Threads: any.
 int32_t fmc_abi_version(void);
 
-// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic",
-// "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent", "threads". 0 for
-// unknown names and for NULL. Threads: any.
+// 1 if the library has the feature of this name, else 0: "2d", "3d", "contact_points", "exact", "fiber_law", "fibers",
+// "isotropic", "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent",
+// "threads". 0 for unknown names and for NULL. Threads: any.
 int32_t fmc_has_feature(const char *name);
 
 // Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for any other number.
@@ -700,6 +749,40 @@ fmc_status fmc_context_pair(const fmc_context *context, size_t index, fmc_pair *
 // One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
 // evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
 fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t *code, const char **text);
+
+// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
+// Every output may be NULL. All but `normal` have one entry per node, `node_count` of them, which is that of the mesh;
+// `normal` has `dim` per node, in dense rows.
+//
+// `pressure` is the mean of the law's over the part of the facets at the node that is in contact, weighted with the
+// node's shape function, int N p dA / int N dA; with the law "volume" that of the pair. `gap` is minus the penetration,
+// the mean over the same part, and never positive: distances of what is apart are not measured. `area` (2D: length) is
+// int N dA, up to the curvature of the surface. `normal` is a unit vector, outwards of the node's body. The nodal force
+// is -pressure * area * normal, to rounding. `status` has values of `fmc_node_status`.
+//
+// It measures the contact anew, and changes no other result of the context. Errors: as `fmc_context_evaluate`; nothing
+// is written then. Threads: one call at a time on a context.
+fmc_status fmc_context_nodal_contact(fmc_context *context,
+                                     const fmc_coords *coords,
+                                     double *pressure,
+                                     double *gap,
+                                     double *area,
+                                     double *normal,
+                                     int32_t *status,
+                                     size_t node_count);
+
+// Finds the contact points at `coords`, from which the law "fiber" sums its forces, and keeps them in the context
+// until the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which
+// has one pressure for a whole pair; it may be NULL.
+//
+// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_find_contact_points(fmc_context *context, const fmc_coords *coords, size_t *count);
+
+// Writes the contact points that were found to the host's array, with room for `capacity`, in the order of the pairs.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_contact_points(const fmc_context *context, fmc_contact_point *points, size_t capacity);
 
 // Sets a pose to the origin, without rotation and with scale 1.
 //

@@ -15,6 +15,7 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod boundary;
+mod contact_points;
 mod context;
 mod creation;
 mod dimension;
@@ -24,6 +25,7 @@ mod getters;
 mod kept_tangent;
 mod last_error;
 mod mesh;
+mod nodal_contact;
 mod obstacle;
 mod option_keys;
 mod option_values;

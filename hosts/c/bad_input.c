@@ -268,6 +268,34 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_NULL_POINTER, "'context' is NULL", fmc_context_evaluate(NULL, &x, &f, 0, &result));
   EXPECT_TRUE(strstr(fmc_context_error(NULL), "'context' is NULL") != NULL);
 
+  /* Nodes and points of the contact. */
+  double pressure[NODES];
+  size_t point_count = 99;
+  fmc_contact_point points[1];
+  memset(pressure, 7, sizeof pressure);
+#define AT_NODES(c, p, n) fmc_context_nodal_contact(context, c, p, NULL, NULL, NULL, NULL, n)
+  EXPECT_IN_CONTEXT(FMC_ERROR_LENGTH, "room for 7 nodes, the mesh has 8", AT_NODES(&x, pressure, 7));
+  EXPECT_IN_CONTEXT(FMC_ERROR_LENGTH, "'coords' has 7 nodes", AT_NODES(&too_few, pressure, NODES));
+  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", AT_NODES(NULL, pressure, NODES));
+  EXPECT_IN_CONTEXT(FMC_ERROR_INVERTED_CELL, "cell 1", AT_NODES(&broken, pressure, NODES));
+  EXPECT(FMC_ERROR_MISALIGNED_POINTER, "'gap'",
+         fmc_context_nodal_contact(context, &x, NULL, (double *)((char *)pressure + 1), NULL, NULL, NULL, NODES));
+  EXPECT_OK(AT_NODES(&x, NULL, NODES));
+  const double untouched = pressure[0];
+  EXPECT_TRUE(memcmp(&untouched, &pressure[NODES - 1], sizeof untouched) == 0);
+  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", fmc_context_find_contact_points(context, NULL, NULL));
+  EXPECT_IN_CONTEXT(FMC_ERROR_INVERTED_CELL, "cell 1", fmc_context_find_contact_points(context, &broken, &point_count));
+  EXPECT_OK(fmc_context_find_contact_points(context, &x, &point_count));
+  EXPECT_TRUE(point_count == 0); /* The law "volume" has none. */
+  EXPECT_OK(fmc_context_contact_points(context, NULL, 0));
+  fmc_options by_lines = o;
+  by_lines.law = FMC_LAW_FIBER;
+  EXPECT_OK(fmc_context_set_options(context, &by_lines));
+  EXPECT_OK(fmc_context_find_contact_points(context, &x, &point_count));
+  EXPECT(FMC_ERROR_BUFFER_TOO_SMALL, "room for 1 contact points", fmc_context_contact_points(context, points, 1));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'points'", fmc_context_contact_points(context, NULL, point_count));
+  EXPECT_OK(fmc_context_set_options(context, &o));
+
   /* Options. */
   o.stiffness = -1;
   EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'stiffness' is -1", fmc_context_set_options(context, &o));

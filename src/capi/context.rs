@@ -1,6 +1,7 @@
 //! The context: a mesh in contact that is evaluated again and again.
 
 use super::boundary::{entry, guarded, quietly};
+use super::contact_points::fmc_contact_point;
 use super::evaluation::{Evaluation, fmc_result};
 use super::failure::{Failure, c_text};
 use super::kept_tangent::Kept;
@@ -39,6 +40,7 @@ pub(super) struct State {
     pub(super) session: Box<dyn Session>,
     pub(super) evaluation: Evaluation,
     pub(super) tangent: Kept,
+    pub(super) points: Vec<fmc_contact_point>,
     pub(super) index_base: i32,
     error: CString,
     log: fmc_log_callback,
@@ -57,6 +59,7 @@ impl State {
             session,
             evaluation: Evaluation::default(),
             tangent: Kept::default(),
+            points: Vec::new(),
             index_base,
             error: CString::default(),
             log: None,

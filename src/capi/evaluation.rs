@@ -169,12 +169,16 @@ fn resultant<const D: usize>(found: &Resultant<D>) -> fmc_resultant {
     fmc_resultant { id: found.id, force, moment: found.moment, node_count: found.node_count }
 }
 
-fn pair(found: &PairForces) -> fmc_pair {
-    let side = |partner| match partner {
+/// Kind and index of a partner.
+pub(super) fn side_of(partner: Partner) -> (i32, usize) {
+    match partner {
         Partner::Body(index) => (fmc_partner::FMC_PARTNER_BODY as i32, index),
         Partner::Obstacle(index) => (fmc_partner::FMC_PARTNER_OBSTACLE as i32, index),
-    };
-    let ((a_kind, a), (b_kind, b)) = (side(found.a), side(found.b));
+    }
+}
+
+fn pair(found: &PairForces) -> fmc_pair {
+    let ((a_kind, a), (b_kind, b)) = (side_of(found.a), side_of(found.b));
     fmc_pair {
         struct_size: size_of::<fmc_pair>(),
         a_kind,

@@ -1,8 +1,10 @@
 //! A mesh in contact, with its dimension hidden.
 
+use super::contact_points::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
 use super::kept_tangent::Kept;
+use super::nodal_contact::NodalLists;
 use super::pose::fmc_pose;
 use super::shape::ShapeOf;
 use super::view::{check_node_count, fmc_coords, fmc_forces};
@@ -40,6 +42,22 @@ pub(super) trait Session: Send + Sync {
     /// # Safety
     /// The host guarantees the view.
     unsafe fn tangent(&mut self, coords: &fmc_coords, part: TangentPart, index_base: i32) -> Result<Kept, Failure>;
+
+    /// The contact at the nodes.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn nodal_contact(&mut self, coords: &fmc_coords, index_base: i32) -> Result<NodalLists, Failure>;
+
+    /// The contact points.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn contact_points(
+        &mut self,
+        coords: &fmc_coords,
+        index_base: i32,
+    ) -> Result<Vec<fmc_contact_point>, Failure>;
 
     /// Evaluates, and writes the forces, if wanted, on success.
     ///
@@ -105,6 +123,25 @@ impl<const D: usize> Session for Resident<D> {
         let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
         let tangent = self.contact.tangent(rows, part).map_err(Failure::counted_from(index_base))?;
         Kept::new(&tangent, node_count)
+    }
+
+    unsafe fn nodal_contact(&mut self, coords: &fmc_coords, index_base: i32) -> Result<NodalLists, Failure> {
+        check_node_count(coords.node_count, self.contact.surface().node_count())?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        Ok(self.contact.nodal_contact(rows).map_err(Failure::counted_from(index_base))?.into())
+    }
+
+    unsafe fn contact_points(
+        &mut self,
+        coords: &fmc_coords,
+        index_base: i32,
+    ) -> Result<Vec<fmc_contact_point>, Failure> {
+        check_node_count(coords.node_count, self.contact.surface().node_count())?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        let points = self.contact.contact_points(rows).map_err(Failure::counted_from(index_base))?;
+        Ok(points.iter().map(|point| fmc_contact_point::new(point, index_base)).collect())
     }
 
     unsafe fn evaluate(

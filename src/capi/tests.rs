@@ -1,5 +1,6 @@
 //! The C functions called as C calls them, where a C program could not look.
 
+use super::contact_points::fmc_contact_point;
 use super::context::{State, fmc_context, fmc_context_error, fmc_context_evaluate};
 use super::creation::{fmc_context_free, fmc_context_new_from_cells};
 use super::evaluation::{Evaluation, fmc_result, fmc_resultant};
@@ -7,6 +8,7 @@ use super::failure::Failure;
 use super::getters::fmc_context_body;
 use super::kept_tangent::Kept;
 use super::mesh::{fmc_cell_block, fmc_cell_type};
+use super::nodal_contact::NodalLists;
 use super::options::fmc_options;
 use super::pose::fmc_pose;
 use super::session::{Counts, Session};
@@ -14,7 +16,7 @@ use super::shape::ShapeOf;
 use super::status::fmc_status;
 use super::status::fmc_status::*;
 use super::view::{fmc_coords, fmc_forces};
-use crate::contact::TangentPart;
+use crate::contact::{NodalContact, TangentPart};
 use crate::{Bodies, CellBlock, CellType, EnergyLaw, Options, contact_force};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -96,6 +98,14 @@ impl Session for Brittle {
 
     unsafe fn tangent(&mut self, _: &fmc_coords, _: TangentPart, _: i32) -> Result<Kept, Failure> {
         Ok(Kept::default())
+    }
+
+    unsafe fn nodal_contact(&mut self, _: &fmc_coords, _: i32) -> Result<NodalLists, Failure> {
+        Ok(NodalContact::<2> { pressure: vec![], gap: vec![], area: vec![], normal: vec![], status: vec![] }.into())
+    }
+
+    unsafe fn contact_points(&mut self, _: &fmc_coords, _: i32) -> Result<Vec<fmc_contact_point>, Failure> {
+        Ok(Vec::new())
     }
 
     unsafe fn evaluate(

@@ -13,6 +13,7 @@ pub const FMC_ABI_VERSION: i32 = 2;
 const FEATURES: &[&str] = &[
     "2d",
     "3d",
+    "contact_points",
     "exact",
     "fiber_law",
     "fibers",
@@ -22,6 +23,7 @@ const FEATURES: &[&str] = &[
     #[cfg(feature = "shapes")]
     "shapes",
     "signed_distance",
+    "tangent",
     "threads",
 ];
 
@@ -42,9 +44,9 @@ pub extern "C" fn fmc_abi_version() -> i32 {
     FMC_ABI_VERSION
 }
 
-/// 1 if the library has the feature of this name, else 0: "2d", "3d", "exact", "fiber_law", "fibers", "isotropic",
-/// "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent", "threads". 0 for
-/// unknown names and for NULL. Threads: any.
+/// 1 if the library has the feature of this name, else 0: "2d", "3d", "contact_points", "exact", "fiber_law", "fibers",
+/// "isotropic", "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent",
+/// "threads". 0 for unknown names and for NULL. Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_has_feature(name: *const c_char) -> i32 {
     quietly(0, || {
@@ -52,4 +54,27 @@ pub unsafe extern "C" fn fmc_has_feature(name: *const c_char) -> i32 {
         let name = unsafe { text("name", name) };
         name.is_ok_and(|name| FEATURES.contains(&name)).into()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The names in the documentation of `fmc_has_feature`, as hosts read it.
+    #[test]
+    fn every_feature_that_the_header_names_is_there() {
+        let header = include_str!("../../include/fmc_contact.h");
+        let (before, _) = header.split_once("int32_t fmc_has_feature").expect("the function");
+        let comment: Vec<&str> = before.lines().rev().take_while(|line| line.starts_with("//")).collect();
+        let comment = comment.into_iter().rev().collect::<Vec<_>>().join(" ");
+        let names: Vec<&str> = comment.split('"').skip(1).step_by(2).collect();
+        assert!(names.len() >= 12, "{names:?}");
+        for name in &names {
+            let text = std::ffi::CString::new(*name).expect("no zero");
+            // SAFETY: a text that ends in zero.
+            let found = unsafe { fmc_has_feature(text.as_ptr()) };
+            assert!(found == 1 || *name == "shapes" && cfg!(not(feature = "shapes")), "{name}");
+        }
+        assert!(FEATURES.iter().all(|name| names.contains(name)), "{names:?}");
+    }
 }

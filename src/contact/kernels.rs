@@ -109,11 +109,8 @@ fn contact_points_in<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
 ) -> Result<Vec<PointOfContact<D>>, Error> {
-    if !contact.law.is_local() {
-        return Ok(Vec::new());
-    }
     let points = contact.for_each_pair(coords, |measured| {
-        let points = measured.contact_points(false)?;
+        let points = if contact.law.is_local() { measured.contact_points(false)? } else { None };
         let pressure = |penetration: f64| contact.law.pressure_at(penetration);
         Ok(points.map(|points| points_of_contact(&points, measured.pair, pressure)))
     })?;

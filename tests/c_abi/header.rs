@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 22] = [
     "version",
     "status",
     "failure",
@@ -20,6 +20,8 @@ const SOURCES: [&str; 20] = [
     "tangent",
     "evaluation",
     "getters",
+    "nodal_contact",
+    "contact_points",
     "pose",
     "part",
     "obstacle",

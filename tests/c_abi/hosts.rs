@@ -93,6 +93,17 @@ fn obstacles_by_shape_and_by_callback() {
 }
 
 #[test]
+fn pressure_at_nodes_and_points() {
+    let printed = output("fields.c", Link::Shared);
+    // k times the depth, on the left side of the second square; the sums are the resultant.
+    assert!(
+        printed.contains("node 4  pressure 1000.00  gap -0.1000  area 0.4000  normal (-1.00, 0.00)\n"),
+        "{printed}"
+    );
+    assert!(printed.ends_with("force on the second square: 800.00, from its nodes 800.00, from the points 800.00\n"));
+}
+
+#[test]
 fn newton_with_the_contact_tangent() {
     let printed = output("newton.c", Link::Shared);
     // Linear where contact is closed: one step, and one to see that it was enough.

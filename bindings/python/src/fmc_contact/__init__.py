@@ -4,7 +4,7 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    contact_force, Contact  ->  mesh, obstacles, options, result, tangent  ->  _handle, _arrays  ->  _library
+    contact_force, Contact  ->  mesh, obstacles, options, result, fields, tangent  ->  _handle, _arrays  ->  _library
                                                                            ->  _signatures, _structs  ->  errors
 """
 
@@ -12,6 +12,7 @@ from . import errors
 from ._library import library as _shared
 from .contact import Contact
 from .errors import FmcError
+from .fields import ContactPoints, NodalContact
 from .options import Options
 from .part import Part
 from .pose import Pose
@@ -30,8 +31,10 @@ def has_feature(name: str) -> bool:
 
 __all__ = [
     "Contact",
+    "ContactPoints",
     "ContactWarning",
     "FmcError",
+    "NodalContact",
     "Options",
     "Pair",
     "Part",

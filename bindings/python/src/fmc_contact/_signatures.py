@@ -9,6 +9,7 @@ import numpy as np
 from ._structs import (
     fmc_cell_block,
     fmc_cell_block_i64,
+    fmc_contact_point,
     fmc_coords,
     fmc_forces,
     fmc_options,
@@ -113,6 +114,12 @@ FUNCTIONS = {
     "fmc_context_obstacle": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),
     "fmc_context_pair": (STATUS, [Context, c_size_t, POINTER(fmc_pair)]),
     "fmc_context_warning": (STATUS, [Context, c_size_t, POINTER(c_int32), POINTER(c_char_p)]),
+    "fmc_context_nodal_contact": (
+        STATUS,
+        [Context, _COORDS, Float64Array, Float64Array, Float64Array, Float64Array, Int32Array, c_size_t],
+    ),
+    "fmc_context_find_contact_points": (STATUS, [Context, _COORDS, _COUNT]),
+    "fmc_context_contact_points": (STATUS, [Context, POINTER(fmc_contact_point), c_size_t]),
     "fmc_pose_init": (STATUS, [_POSE]),
     "fmc_pose_along": (STATUS, [c_int32, Float64Array, Float64Array, _POSE]),
     "fmc_context_add_half_space": (STATUS, [Context, _POSE, _COUNT]),

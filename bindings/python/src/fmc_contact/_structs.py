@@ -25,7 +25,7 @@ CHOICES = {
 """Options that take one of a few values: names by number."""
 
 PARTNERS = {0: "body", 1: "obstacle"}
-WARNINGS = {1: "coarse_fibers", 2: "unresolved_overlap", 3: "swallowed_body", 4: "patch_left_out"}
+WARNINGS = {1: "coarse_fibers", 2: "unresolved_overlap", 3: "swallowed_body", 4: "patch_left_out", 5: "unbalanced"}
 
 
 class fmc_options(Structure):
@@ -123,6 +123,32 @@ class fmc_pair(Structure):
         ("contact_area", c_double),
         ("penetration", c_double),
         ("spacing", c_double),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_contact_side(Structure):
+    _fields_ = [
+        ("kind", c_int32),
+        ("node_count", c_int32),
+        ("index", c_size_t),
+        ("cell", c_int64),
+        ("nodes", c_int64 * 4),
+        ("weights", c_double * 4),
+        ("position", c_double * 3),
+    ]
+
+
+class fmc_contact_point(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("patch", c_size_t),
+        ("position", c_double * 3),
+        ("normal", c_double * 3),
+        ("gap", c_double),
+        ("pressure", c_double),
+        ("area", c_double),
+        ("sides", fmc_contact_side * 2),
         ("reserved", c_uint64 * 8),
     ]
 

@@ -13,6 +13,7 @@ from ._arrays import View, coords_view, forces_view
 from ._library import library
 from ._signatures import LOG
 from ._structs import FMC_ADD, fmc_result
+from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .obstacles import Obstacles
 from .options import changed, defaults, described
 from .result import Result, gather
@@ -152,6 +153,20 @@ class Contact(Obstacles):
             # An obstacle that is there has a node of its own after those of the mesh.
             nodes = self.node_count + (self.obstacle_count if obstacles else 0)
             return assemble(self._handle, view, nodes * self.dim, semidefinite)
+
+    def nodal_contact(self, coords: ArrayLike) -> NodalContact:
+        """Pressure, gap, area and normal at every node at ``coords``, and whether it touches. Errors: those of
+        ``evaluate``."""
+        view = coords_view(coords, self.dim)
+        with self._handle:
+            return nodal_contact(self._handle, view, self.node_count, self.dim)
+
+    def contact_points(self, coords: ArrayLike) -> ContactPoints:
+        """The points from which the law ``"fiber"`` sums its forces at ``coords``, with both sides of each; none with
+        the law ``"volume"``. Errors: those of ``evaluate``."""
+        view = coords_view(coords, self.dim)
+        with self._handle:
+            return contact_points(self._handle, view, self.dim)
 
     def keep_patches(self, coords: ArrayLike) -> int:
         """Finds the patches of the law ``"fiber"`` at ``coords`` and keeps direction and spacing of their lines, so

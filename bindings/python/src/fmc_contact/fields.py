@@ -1,0 +1,106 @@
+"""The contact at nodes and at points, for output, post-processing and other methods of solution."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_size_t
+from dataclasses import dataclass
+
+import numpy as np
+
+from ._arrays import View
+from ._handle import Handle
+from ._library import library
+from ._structs import fmc_contact_point
+
+
+@dataclass(frozen=True, eq=False)
+class NodalContact:
+    """The contact at every node, n of them in the order of the coordinates; zero where nothing touches.
+
+    The nodal force is ``-(pressure * area)[:, None] * normal``, to rounding.
+    """
+
+    pressure: np.ndarray
+    """Contact pressure, (n,): the mean of that of the law over the part of the facets at the node that is in contact,
+    weighted with the node's shape function; with the law ``"volume"`` that of the pair."""
+    gap: np.ndarray
+    """Minus the penetration, (n,), the mean over the same part. Never positive: distances of what is apart are not
+    measured."""
+    area: np.ndarray
+    """Area (2D: length) on which the pressure acts, (n,)."""
+    normal: np.ndarray
+    """Unit normal, (n, dim), outwards of the node's body."""
+    touching: np.ndarray
+    """Whether a facet at the node is in contact, (n,), bool."""
+
+
+@dataclass(frozen=True, eq=False)
+class ContactPoints:
+    """The m points from which a local law (``"fiber"``) sums its forces: pieces of lines inside both sides of a pair.
+
+    Axis 1 of the arrays of sides is the side, first and second. Empty with the law ``"volume"``.
+    """
+
+    position: np.ndarray
+    """Middle of the piece, (m, dim)."""
+    normal: np.ndarray
+    """Unit vector along the line, outwards of the first side, (m, dim)."""
+    gap: np.ndarray
+    """Minus the penetration, the length of the piece, (m,)."""
+    pressure: np.ndarray
+    """Contact pressure, (m,)."""
+    area: np.ndarray
+    """Area (2D: length) across the line for which the point stands, (m,)."""
+    patch: np.ndarray
+    """Number of the patch within the pair, (m,): points of one patch have one normal, up to its sign."""
+    is_obstacle: np.ndarray
+    """Whether a side is an obstacle, (m, 2)."""
+    partner: np.ndarray
+    """Index of each side in ``Result.bodies`` or ``Result.obstacles``, (m, 2)."""
+    cell: np.ndarray
+    """Cell of each side, counted over all blocks, (m, 2); -1 for an obstacle and for surfaces without cells."""
+    ends: np.ndarray
+    """Where the line meets the boundary of each side, (m, 2, dim)."""
+    nodes: np.ndarray
+    """Nodes of the boundary face of each side, (m, 2, 4); -1 where there is none."""
+    weights: np.ndarray
+    """Values of their shape functions at the end, (m, 2, 4): a force there goes to the nodes by these parts."""
+
+    def __len__(self) -> int:
+        return len(self.gap)
+
+
+def nodal_contact(handle: Handle, coords: View, node_count: int, dim: int) -> NodalContact:
+    """Measures the contact at ``coords``."""
+    pressure, gap, area = (np.empty(node_count) for _ in range(3))
+    normal, status = np.empty((node_count, dim)), np.empty(node_count, np.int32)
+    handle.call(
+        library.fmc_context_nodal_contact, byref(coords.struct), pressure, gap, area, normal, status, node_count
+    )
+    return NodalContact(pressure, gap, area, normal, status != 0)
+
+
+def contact_points(handle: Handle, coords: View, dim: int) -> ContactPoints:
+    """Finds the contact points at ``coords``."""
+    count = c_size_t()
+    handle.call(library.fmc_context_find_contact_points, byref(coords.struct), byref(count))
+    found = (fmc_contact_point * count.value)()
+    handle.call(library.fmc_context_contact_points, found, count.value)
+    kind = np.dtype(fmc_contact_point)
+    points = np.frombuffer(found, kind) if count.value else np.empty(0, kind)
+    sides = points["sides"]
+    unused = np.arange(4) >= sides["node_count"][..., None]
+    return ContactPoints(
+        points["position"][:, :dim].copy(),
+        points["normal"][:, :dim].copy(),
+        points["gap"].copy(),
+        points["pressure"].copy(),
+        points["area"].copy(),
+        points["patch"].copy(),
+        sides["kind"] == 1,
+        sides["index"].copy(),
+        sides["cell"].copy(),
+        sides["position"][..., :dim].copy(),
+        np.where(unused, -1, sides["nodes"]),
+        sides["weights"].copy(),
+    )

@@ -1,0 +1,110 @@
+//! The contact at the nodes, for output and for the host's own use.
+
+use super::boundary::entry;
+use super::context::{fmc_context, write};
+use super::failure::Failure;
+use super::pointer::{check, reference};
+use super::status::fmc_status;
+use super::status::fmc_status::FMC_ERROR_LENGTH;
+use super::view::fmc_coords;
+use crate::contact::{NodalContact, NodeStatus};
+
+/// Whether a node is in contact.
+#[repr(C)]
+pub enum fmc_node_status {
+    /// No facet at the node is in contact.
+    FMC_NODE_APART = 0,
+    /// A facet at the node is in contact.
+    FMC_NODE_TOUCHING = 1,
+}
+
+/// The contact at the nodes, with its dimension hidden: one list per quantity.
+pub(super) struct NodalLists {
+    pressure: Vec<f64>,
+    gap: Vec<f64>,
+    area: Vec<f64>,
+    normal: Vec<f64>,
+    status: Vec<i32>,
+}
+
+impl<const D: usize> From<NodalContact<D>> for NodalLists {
+    fn from(field: NodalContact<D>) -> Self {
+        let status = |status: &NodeStatus| match status {
+            NodeStatus::Apart => fmc_node_status::FMC_NODE_APART as i32,
+            NodeStatus::Touching => fmc_node_status::FMC_NODE_TOUCHING as i32,
+        };
+        Self {
+            normal: field.normal.as_flattened().to_vec(),
+            status: field.status.iter().map(status).collect(),
+            pressure: field.pressure,
+            gap: field.gap,
+            area: field.area,
+        }
+    }
+}
+
+/// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
+/// Every output may be NULL. All but `normal` have one entry per node, `node_count` of them, which is that of the mesh;
+/// `normal` has `dim` per node, in dense rows.
+///
+/// `pressure` is the mean of the law's over the part of the facets at the node that is in contact, weighted with the
+/// node's shape function, int N p dA / int N dA; with the law "volume" that of the pair. `gap` is minus the penetration,
+/// the mean over the same part, and never positive: distances of what is apart are not measured. `area` (2D: length) is
+/// int N dA, up to the curvature of the surface. `normal` is a unit vector, outwards of the node's body. The nodal force
+/// is -pressure * area * normal, to rounding. `status` has values of `fmc_node_status`.
+///
+/// It measures the contact anew, and changes no other result of the context. Errors: as `fmc_context_evaluate`; nothing
+/// is written then. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_nodal_contact(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    pressure: *mut f64,
+    gap: *mut f64,
+    area: *mut f64,
+    normal: *mut f64,
+    status: *mut i32,
+    node_count: usize,
+) -> fmc_status {
+    entry(|| {
+        for (name, output) in [("pressure", pressure), ("gap", gap), ("area", area), ("normal", normal)] {
+            aligned(name, output)?;
+        }
+        aligned("status", status)?;
+        // SAFETY: the host passes a context and a view.
+        let lists = unsafe {
+            write(context, |state| {
+                let expected = state.session.counts().nodes;
+                if node_count != expected {
+                    let text = format!("the outputs have room for {node_count} nodes, the mesh has {expected}");
+                    return Err(Failure::new(FMC_ERROR_LENGTH, text));
+                }
+                state.session.nodal_contact(reference("coords", coords)?, state.index_base)
+            })
+        }?;
+        // SAFETY: the outputs, where given, have room for the nodes of the mesh, whose number was checked.
+        unsafe {
+            copy(&lists.pressure, pressure);
+            copy(&lists.gap, gap);
+            copy(&lists.area, area);
+            copy(&lists.normal, normal);
+            copy(&lists.status, status);
+        }
+        Ok(())
+    })
+}
+
+fn aligned<T>(name: &str, output: *mut T) -> Result<(), Failure> {
+    if output.is_null() { Ok(()) } else { check(name, output.cast_const()) }
+}
+
+/// Writes a list, unless the host declined it.
+///
+/// # Safety
+/// The host guarantees that `output`, if it is not NULL, has room for the list.
+unsafe fn copy<T: Copy>(list: &[T], output: *mut T) {
+    if !output.is_null() {
+        // SAFETY: passed on to the caller; the list is our own and cannot overlap it.
+        unsafe { std::ptr::copy_nonoverlapping(list.as_ptr(), output, list.len()) };
+    }
+}
