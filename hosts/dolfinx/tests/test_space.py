@@ -152,3 +152,26 @@ def test_a_component_that_is_held_gets_no_force():
     assert len(touched) > 1 and held[touched[0]] == 0.0
     free[touched[0]] = 0.0
     assert (held == free).all()
+
+
+@pytest.mark.parametrize("kind", NAMES)
+@pytest.mark.parametrize("order", [1, 2])
+def test_nodal_pressure_as_a_function(kind, order):
+    V = space(kind, order)
+    u = fem.Function(V)
+    contact = DolfinxContact(V, stiffness=1e4, estimator="exact")
+    field = contact.nodal_contact(u)
+    pressure, normal = contact.function(field.pressure, "pressure"), contact.function(field.normal)
+    assert pressure.name == "pressure" and field.touching.any()
+    dim = NAMES[kind]
+    places = pressure.function_space.tabulate_dof_coordinates()[:, :dim]
+    at_blocks = V.tabulate_dof_coordinates()[:, :dim]
+    shown = 0
+    for x, p, n in zip(contact.coords(u), field.pressure, field.normal):
+        here = np.flatnonzero(np.abs(places - x).max(axis=1) < 1e-9)
+        if p > 0 and len(here):
+            shown += 1
+            assert pressure.x.array[here] == pytest.approx(p)
+            block = np.flatnonzero(np.abs(at_blocks - x).max(axis=1) < 1e-9)
+            assert normal.x.array.reshape(-1, dim)[block[0]] == pytest.approx(n)
+    assert shown >= 2 and np.count_nonzero(pressure.x.array) == shown

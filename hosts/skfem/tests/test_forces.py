@@ -156,3 +156,27 @@ def test_obstacles_of_the_contact_below():
     result = contact.evaluate(np.zeros(basis.N))
     # A strip of unit width and depth 0.01: pressure k times depth, here 100.
     assert result.obstacles[wall].force[1] == pytest.approx(-100.0, rel=0.03)
+
+
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_nodal_pressure_at_vertices(element):
+    bases = blocks(element)
+    u = displacement(bases)
+    contact = SkfemContact(joined(bases), stiffness=1e4, estimator="exact")
+    field = contact.nodal_contact(u)
+    coords = contact.coords(u)
+    pressures, places = contact.at_vertices(field.pressure), contact.at_vertices(coords)
+    assert field.touching.any()
+    seen = 0
+    for basis, pressure, place, (_, offset) in zip(bases, pressures, places, joined(bases)):
+        assert pressure.shape == (basis.mesh.nvertices,)
+        moved = basis.mesh.p.T + u[basis.nodal_dofs + offset].T
+        pressed = pressure > 0
+        # Vertices inside are not shown where the boundary alone is.
+        np.testing.assert_allclose(place[pressed], moved[pressed], atol=1e-12)
+        seen += pressed.sum()
+    assert seen == (contact.at_vertices(field.pressure > 0)[0].sum() + contact.at_vertices(field.pressure > 0)[1].sum())
+    assert seen >= 2
+    # The force on the upper block, from the pressure at all points.
+    carried = -(field.pressure * field.area)[:, None] * field.normal
+    np.testing.assert_allclose(carried, contact.evaluate(u).forces, atol=1e-9)

@@ -51,6 +51,19 @@ class Skin:
             return forces
         return np.concatenate([part.to_nodes(at) for part, at in zip(self._parts, _cut(forces, self._first_point))])
 
+    def at_nodes(self, values: np.ndarray) -> np.ndarray:
+        """What the points have, (points, ...), at the nodes; every node must be a point."""
+        if self.prolongation is None:
+            return values
+        rows = np.flatnonzero(np.diff(self.prolongation.indptr) == 1)
+        nodes = self.prolongation.indices[self.prolongation.indptr[rows]]
+        # One entry is a one: shape functions add up to it.
+        point_of = np.full(self.prolongation.shape[1], -1)
+        point_of[nodes] = rows
+        if (point_of < 0).any():
+            raise ValueError("some nodes are no points of the contact: make divisions a multiple of the order")
+        return values[point_of]
+
     def tangent_to_nodes(self, tangent: Triplets, dim: int) -> Triplets:
         """A matrix of points, row and column ``point * dim + axis``, as one of nodes."""
         if self.prolongation is None:

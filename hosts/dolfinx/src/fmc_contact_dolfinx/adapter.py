@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Sequence
 
 import numpy as np
-from fmc_contact import Contact, Result
+from fmc_contact import Contact, NodalContact, Result
 from fmc_contact.skin import Skin, Triplets
 
 from .space import Displacement, LayoutError
@@ -101,6 +101,36 @@ class DolfinxContact:
         every rank. Errors: those of ``Contact.evaluate``, on all ranks."""
         coords = self.coords(*displacements)
         return together(self.comm, lambda: self.contact.evaluate(coords))
+
+    def nodal_contact(self, *displacements: Any) -> NodalContact:
+        """Pressure, gap, area and normal on the points of ``coords``, the same on every rank. Errors: those of
+        ``Contact.evaluate``, on all ranks."""
+        coords = self.coords(*displacements)
+        return together(self.comm, lambda: self.contact.nodal_contact(coords))
+
+    def function(self, values: np.ndarray, name: str = "contact") -> Any:
+        """An array of ``nodal_contact`` as a function for output, zero inside; a list of such for several spaces.
+
+        Numbers, (points,), on the scalar space below the displacement's; vectors, (points, dim), on that itself. Ghosts
+        are up to date. Collective.
+        """
+        from dolfinx import fem
+
+        values = np.asarray(values, float)
+        is_scalar = values.ndim == 1
+        rows = np.zeros((len(values), self.dim))
+        rows[:, : 1 if is_scalar else self.dim] = values[:, None] if is_scalar else values
+        on_nodes = rows if self._skin is None else self._skin.at_nodes(rows)
+        found = []
+        for shown, first in zip(self._shown, self._first):
+            function = fem.Function(shown.displacement.space, name=name)
+            shown.replica.add_rows(function.x.array, on_nodes.take(first + shown.replica.rows, axis=0))
+            function.x.scatter_forward()
+            if is_scalar:
+                function = function.sub(0).collapse()
+                function.name = name
+            found.append(function)
+        return found[0] if len(found) == 1 else found
 
     def keep_patches(self, *displacements: Any) -> int:
         """Keeps the directions of the law ``"fiber"``, so that forces are the gradient of one energy: for the start

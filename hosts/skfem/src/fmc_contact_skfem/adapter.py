@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Sequence
 
 import numpy as np
-from fmc_contact import Contact, Result
+from fmc_contact import Contact, NodalContact, Result
 from fmc_contact.skin import Skin, Triplets
 from numpy.typing import ArrayLike
 from scipy.sparse import csr_matrix
@@ -64,6 +64,7 @@ class SkfemContact:
         self._undeformed = np.concatenate([one.basis.mesh.p.T for one in fields])
         first = np.cumsum([0] + [len(one.dofs) for one in fields])
         blocks = [(one.cell_type, one.conn + start) for one, start in zip(fields, first)]
+        self._vertices = [(len(f.dofs), start + np.arange(len(f.dofs)), slice(None)) for f, start in zip(fields, first)]
         return Contact(self._undeformed, blocks, bodies=bodies, **options)
 
     def _from_faces(
@@ -73,6 +74,10 @@ class SkfemContact:
         self._dofs = np.concatenate([one.dofs for one in boundaries])
         self._undeformed = np.concatenate([one.coords for one in boundaries])
         self._skin = Skin([one.trace for one in boundaries])
+        corners = [(one.trace.corner_ids, start) for one, start in zip(boundaries, self._skin.first_node)]
+        self._vertices = [
+            (one.basis.mesh.p.shape[1], start + np.arange(len(ids)), ids) for one, (ids, start) in zip(fields, corners)
+        ]
         if bodies is not None:
             first = np.cumsum([0] + [len(one.conn) for one in fields])
             bodies = np.asarray(bodies)[np.concatenate([b.cells + start for b, start in zip(boundaries, first)])]
@@ -101,6 +106,23 @@ class SkfemContact:
         on_nodes = forces if self._skin is None else self._skin.to_nodes(forces)
         total[self._dofs.ravel()] = on_nodes.ravel()
         return total
+
+    def nodal_contact(self, u: np.ndarray) -> NodalContact:
+        """Pressure, gap, area and normal at a displacement, on the points of ``coords``. Errors: those of
+        ``Contact.evaluate``."""
+        return self.contact.nodal_contact(self.coords(u))
+
+    def at_vertices(self, values: np.ndarray) -> list[np.ndarray]:
+        """An array of ``nodal_contact``, (points, ...), at the vertices of each basis' mesh, (vertices, ...) for every
+        basis, zero inside: for ``mesh.save(..., point_data=...)``."""
+        values = np.asarray(values)
+        on_nodes = values if self._skin is None else self._skin.at_nodes(values)
+        found = []
+        for count, nodes, vertices in self._vertices:
+            array = np.zeros((count, *values.shape[1:]), values.dtype)
+            array[vertices] = on_nodes[nodes]
+            found.append(array)
+        return found
 
     def tangent(self, u: np.ndarray, semidefinite: bool = False) -> csr_matrix:
         """Minus the derivative of ``force``, (size, size): to be added to a stiffness matrix. ``semidefinite``
