@@ -85,7 +85,7 @@ pub(crate) struct ForceArgs {
     #[arg(long, value_name = "SHAPE", verbatim_doc_comment)]
     obstacle: Vec<ObstacleSpec>,
 
-    /// Folder for forces.vtu (meshes with nodal forces) and fibers.vtu (fibers and crossings), to be opened in ParaView
+    /// Folder for forces.vtu (meshes with nodal forces, pressures and gaps) and fibers.vtu (fibers and crossings), to be opened in ParaView
     #[arg(long, value_name = "DIR", default_value = "out/force")]
     out: PathBuf,
 
@@ -141,10 +141,11 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     let forces = contact.evaluate(&assembly.coords).map_err(explained)?;
     let seconds = start.elapsed().as_secs_f64();
     let traces = contact.trace(&assembly.coords).map_err(explained)?;
+    let at_nodes = contact.nodal_contact(&assembly.coords).map_err(explained)?;
 
     std::fs::create_dir_all(&args.out).with_context(|| format!("{} cannot be created", args.out.display()))?;
     let pictures = [args.out.join("forces.vtu"), args.out.join("fibers.vtu")];
-    pictures::forces(&assembly, &division, &forces.forces).write(&pictures[0])?;
+    pictures::forces(&assembly, &division, &forces.forces, &at_nodes).write(&pictures[0])?;
     fiber_grid(&traces, args.fibers_shown).write(&pictures[1])?;
 
     let obstacles: Vec<&str> = args.obstacle.iter().map(|obstacle| obstacle.text.as_str()).collect();

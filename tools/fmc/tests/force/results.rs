@@ -147,7 +147,9 @@ fn written_forces_are_read_back() {
     assert!(close(number(&again["volume"]), 0.005, 0.005));
     assert_eq!(again["bodies"][1]["name"], "forces.vtu, group 1");
     let forces = std::fs::read_to_string(folder("written_forces").join("out/forces.vtu")).unwrap();
-    assert!(forces.contains("Name=\"contact_force\" NumberOfComponents=\"3\""));
+    for (name, components) in [("force", 3), ("pressure", 1), ("gap", 1), ("area", 1), ("normal", 3)] {
+        assert!(forces.contains(&format!("Name=\"contact_{name}\" NumberOfComponents=\"{components}\"")), "{name}");
+    }
 }
 
 #[test]
