@@ -4,11 +4,10 @@
 
 use super::{Mark, Panel, Series, Sign};
 use anyhow::{Context, anyhow};
+use fmc_mesh_io::write_whole;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::Path;
 
 /// Width and height of a picture in SVG; a PNG has `PNG_SCALE` times as many pixels.
@@ -44,11 +43,13 @@ pub(super) fn draw(directory: &Path, name: &str, title: &str, panels: &[Panel]) 
 
 /// Pixels of red, green and blue as a file.
 fn write_png(path: &Path, size: (u32, u32), pixels: &[u8]) -> anyhow::Result<()> {
-    let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), size.0, size.1);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, size.0, size.1);
     encoder.set_color(png::ColorType::Rgb);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels)?;
-    Ok(writer.finish()?)
+    writer.finish()?;
+    write_whole(path, bytes)
 }
 
 type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;

@@ -11,6 +11,7 @@ use super::stamp::Stamp;
 use crate::case::{Case, Document};
 use crate::run::{self, Ending, Progress, RunOptions, Summary};
 use anyhow::{Context, Result};
+use fmc_mesh_io::write_whole;
 use fmc_solid::statics::Iteration;
 use std::fs;
 use std::ops::ControlFlow;
@@ -43,8 +44,7 @@ pub fn carry_out(
         }
         fs::create_dir_all(folder).with_context(|| format!("{} cannot be made", folder.display()))?;
         let path = folder.join(STARTED);
-        fs::write(&path, serde_json::to_string(stamp)?)
-            .with_context(|| format!("{} cannot be written", path.display()))?;
+        write_whole(&path, serde_json::to_string(stamp)?)?;
     }
     let ended = match &job.work {
         Work::Kernel(name) => kernel::run(name, stamp.clone(), folder, setting).map(Some),

@@ -9,6 +9,7 @@ use super::plan::Plan;
 use super::record::{Outcome, Record};
 use anyhow::{Context, Result};
 use askama::Template;
+use fmc_mesh_io::write_whole;
 use std::path::Path;
 
 use template::{Example as ExampleView, Page, Section as SectionView, SummaryRow, Verdict};
@@ -58,9 +59,7 @@ pub fn write(
         sections,
     };
     let text = page.render().context("the page cannot be made")?;
-    let partial = path.with_extension("partial");
-    std::fs::write(&partial, text).with_context(|| format!("{} cannot be written", partial.display()))?;
-    std::fs::rename(&partial, path).with_context(|| format!("{} cannot be written", path.display()))
+    write_whole(path, text)
 }
 
 fn example_view(plan: &Plan, example: &Example, records: &[Record], runs: &Path) -> Result<ExampleView> {

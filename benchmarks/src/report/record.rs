@@ -2,7 +2,8 @@
 
 use super::stamp::Stamp;
 use crate::run::Summary;
-use anyhow::{Context, Result};
+use anyhow::Result;
+use fmc_mesh_io::write_whole;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::Path;
@@ -171,11 +172,7 @@ impl Record {
     /// # Errors
     /// If it cannot be written.
     pub fn save(&self, folder: &Path) -> Result<()> {
-        let (path, partial) = (folder.join(FILE), folder.join("record.partial"));
-        let written = fs::write(&partial, serde_json::to_string_pretty(self)? + "\n");
-        written
-            .and_then(|()| fs::rename(&partial, &path))
-            .with_context(|| format!("{} cannot be written", path.display()))
+        write_whole(&folder.join(FILE), serde_json::to_string_pretty(self)? + "\n")
     }
 
     /// Whether it finished and every check holds.

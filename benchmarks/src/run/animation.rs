@@ -4,10 +4,9 @@ use super::canvas::Canvas;
 use crate::chart;
 use anyhow::{Context, Result, anyhow};
 use fmc_mesh_io as mesh;
+use fmc_mesh_io::write_whole;
 use fmc_solid::fem::Model;
 use gif::{DisposalMethod, Encoder, Frame, Repeat};
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 /// Time that a frame and the last frame stay, in hundredths of a second.
@@ -44,8 +43,8 @@ pub(super) fn write<const D: usize>(
     let canvas = Canvas::new(title, low, high, brightest(&shapes));
     let size = (canvas.size.0 as u16, canvas.size.1 as u16);
     let cannot = || format!("{} cannot be written", path.display());
-    let file = BufWriter::new(File::create(path).with_context(cannot)?);
-    let mut encoder = Encoder::new(file, size.0, size.1, &[]).with_context(cannot)?;
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, size.0, size.1, &[]).with_context(cannot)?;
     encoder.set_repeat(Repeat::Infinite).with_context(cannot)?;
     let mut before: Vec<u8> = Vec::new();
     for (number, shape) in shapes.iter().enumerate() {
@@ -55,7 +54,8 @@ pub(super) fn write<const D: usize>(
         encoder.write_frame(&frame).with_context(cannot)?;
         before = pixels;
     }
-    Ok(())
+    drop(encoder);
+    write_whole(path, bytes)
 }
 
 /// Reads a frame back.

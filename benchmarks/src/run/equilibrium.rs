@@ -8,7 +8,7 @@ use super::{Figure, Profile, fibers, fields, indentation, patch};
 use crate::case::{Case, Document, FigureKind};
 use crate::chart::{self, Axis, Mark, Panel, Series};
 use anyhow::{Context, Result};
-use fmc_mesh_io::fiber_grid;
+use fmc_mesh_io::{fiber_grid, write_whole};
 use fmc_solid::statics::{Equilibrium, Iteration, StaticsError};
 use std::fmt::Write;
 use std::fs;
@@ -99,7 +99,7 @@ fn run_in<const D: usize>(
     let seconds = clock.elapsed().as_secs_f64() - writing;
     let write = |name: &str, text: &str| {
         let path = out.join(name);
-        fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
+        write_whole(&path, text)
     };
     write("iterations.csv", &table(&log))?;
     write("load_steps.csv", &way.table())?;
@@ -174,7 +174,7 @@ impl FieldSeries {
         }
         text += "</Collection>\n</VTKFile>\n";
         let path = out.join("fields.pvd");
-        fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
+        write_whole(&path, text)
     }
 }
 

@@ -1,6 +1,7 @@
 //! When fields are written, and the list that ParaView opens.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
+use fmc_mesh_io::write_whole;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -47,7 +48,7 @@ impl Frames {
         }
         text += "</Collection>\n</VTKFile>\n";
         let path = folder.join("fields.pvd");
-        std::fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
+        write_whole(&path, text)
     }
 }
 

@@ -1,6 +1,5 @@
 //! From the first step to the last file.
 
-#[cfg(feature = "plots")]
 use super::animation;
 use super::figures::Motion;
 use super::frames::Frames;
@@ -9,6 +8,8 @@ use super::summary::{Costs, Summary};
 use super::{fields, plots};
 use crate::case::{Case, Document};
 use anyhow::{Context, Result, bail};
+#[cfg(feature = "plots")]
+use fmc_mesh_io::write_whole;
 use fmc_solid::dynamics::{Sample, Simulation, Step};
 use std::fs;
 use std::ops::ControlFlow;
@@ -99,8 +100,7 @@ fn run_in<const D: usize>(
             }
             let summary = run.summary(document, case);
             let path = run.out.join("summary.json");
-            fs::write(&path, serde_json::to_string_pretty(&summary)? + "\n")
-                .with_context(|| format!("{} cannot be written", path.display()))?;
+            write_whole(&path, serde_json::to_string_pretty(&summary)? + "\n")?;
             remove(&run.out, &CHECKPOINT)?;
             Ok(Ending::Finished(Box::new(summary)))
         }
@@ -219,8 +219,7 @@ impl<const D: usize> Run<D> {
     fn save(&self) -> Result<()> {
         let [state, costs] = CHECKPOINT.map(|name| self.out.join(name));
         self.simulation.save(&state)?;
-        fs::write(&costs, serde_json::to_string(&self.costs)?)
-            .with_context(|| format!("{} cannot be written", costs.display()))
+        write_whole(&costs, serde_json::to_string(&self.costs)?)
     }
 
     fn summary(&self, document: &Document, case: &Case) -> Summary {

@@ -5,6 +5,7 @@ use crate::chart::{self, Axis, Mark, Panel, Series};
 use crate::run::{Figure, solve};
 use anyhow::{Context, Result, ensure};
 use comfy_table::{CellAlignment, Table, presets::ASCII_MARKDOWN};
+use fmc_mesh_io::write_whole;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -171,7 +172,7 @@ impl Refined {
             }
         }
         let path = folder.join("convergence.csv");
-        std::fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))?;
+        write_whole(&path, text)?;
         let panel = |of_fibers: bool, label: &str| {
             let of_kind = || rows.iter().filter(move |row| row.is_of_fibers == of_fibers);
             let names = of_kind().next().map_or(Vec::new(), |row| row.errors.iter().map(|(name, _)| *name).collect());

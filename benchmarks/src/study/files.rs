@@ -3,6 +3,7 @@
 use super::Attempt;
 use crate::chart::{self, Axis, Mark, Panel, Series};
 use anyhow::{Context, Result};
+use fmc_mesh_io::write_whole;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -24,7 +25,7 @@ pub fn write(folder: &Path, title: &str, attempts: &[Attempt]) -> Result<()> {
     std::fs::create_dir_all(folder).with_context(|| format!("{} cannot be made", folder.display()))?;
     for (name, text) in [("impact.csv", outcomes(attempts)), ("energy.csv", energies(attempts))] {
         let path = folder.join(name);
-        std::fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))?;
+        write_whole(&path, text)?;
     }
     chart::draw(folder, "energy", &format!("{title}: total energy"), &panels(attempts))
 }

@@ -5,6 +5,7 @@ use crate::chart::{self, Axis, Panel, Series};
 use anyhow::{Context, Result, ensure};
 use comfy_table::{CellAlignment, Table, presets::ASCII_MARKDOWN};
 use fmc_contact::EnergyLaw;
+use fmc_mesh_io::write_whole;
 use fmc_solid::statics::{Equilibrium, FixedPoint, Iteration, Problem, StaticsError};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -221,7 +222,7 @@ impl Solution {
             }
         }
         let path = folder.join("solvers.csv");
-        std::fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))?;
+        write_whole(&path, text)?;
         // Exact overlap shows what is the solver's.
         let shown = solutions.iter().filter(|solution| solution.name.contains("exact") && solution.residuals.len() > 1);
         let series = shown.enumerate().map(|(index, solution)| {

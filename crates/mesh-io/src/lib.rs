@@ -16,9 +16,11 @@ mod gmsh_stream;
 mod vtu;
 mod vtu_array;
 mod vtu_write;
+mod whole_file;
 
 pub use fibers::{fiber_grid, read_fibers};
 pub use vtu_write::{VtkCell, VtuWriter, in_space};
+pub use whole_file::write_whole;
 
 /// Cells of one type, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! Writes VTU files: inline base64, which every version of ParaView reads and which is XML.
 
-use anyhow::{Context, Result};
+use crate::whole_file::write_whole;
+use anyhow::Result;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use fmc_contact::CellType;
@@ -111,7 +112,7 @@ impl VtuWriter {
             self.point_data,
             self.cell_data,
         );
-        std::fs::write(path, text).with_context(|| format!("{} cannot be written", path.display()))
+        write_whole(path, text)
     }
 }
 

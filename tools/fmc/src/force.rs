@@ -9,7 +9,7 @@ use assembly::Assembly;
 use clap::Args;
 use division::{DivideBy, Division};
 use fmc_contact::Contact;
-use fmc_mesh_io::{Kind, Mesh, fiber_grid};
+use fmc_mesh_io::{Kind, Mesh, fiber_grid, write_whole};
 use obstacle::ObstacleSpec;
 use placement::{Rotation, Translation};
 use report::Report;
@@ -180,7 +180,7 @@ fn write_json(path: &Path, report: &Report) -> Result<()> {
     if path == Path::new("-") {
         return print(&json);
     }
-    std::fs::write(path, json).with_context(|| format!("{} cannot be written", path.display()))
+    write_whole(path, json)
 }
 
 /// Prints, and takes a reader that has seen enough (`| head`) for success.

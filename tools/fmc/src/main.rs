@@ -53,6 +53,11 @@ fn main() -> ExitCode {
         Command::Verify(args) => commands::verify::run(&args),
     };
     result.unwrap_or_else(|error| {
+        // Who reads no further, as `head` does, has what it wants.
+        let cause = error.chain().find_map(|cause| cause.downcast_ref::<std::io::Error>());
+        if cause.is_some_and(|cause| cause.kind() == std::io::ErrorKind::BrokenPipe) {
+            return ExitCode::SUCCESS;
+        }
         eprintln!("error: {error:#}");
         ExitCode::from(2)
     })

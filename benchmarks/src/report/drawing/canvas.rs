@@ -1,6 +1,7 @@
 //! Polygons and lines to pixels.
 
 use anyhow::{Context, Result};
+use fmc_mesh_io::write_whole;
 use std::path::Path;
 use tiny_skia::{Color, FillRule, LineJoin, Paint, PathBuilder, Pixmap, Stroke as Pen, Transform};
 
@@ -101,7 +102,7 @@ impl Drawing {
             pixmap.fill_path(&path, &paint(dot.color), FillRule::Winding, Transform::identity(), None);
         }
         let bytes = pixmap.encode_png().context("a picture cannot be encoded")?;
-        std::fs::write(path, bytes).with_context(|| format!("{} cannot be written", path.display()))
+        write_whole(path, bytes)
     }
 }
 

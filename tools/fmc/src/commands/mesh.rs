@@ -3,6 +3,7 @@
 use anyhow::{Context, Result};
 use fmc_benchmarks::case::{Case, Document, Load};
 use fmc_contact::CellType;
+use fmc_mesh_io::write_whole;
 use fmc_solid::fem::Model;
 use serde_json::{Value, json};
 use std::io::Write;
@@ -46,7 +47,7 @@ pub(crate) fn run(args: &MeshArgs) -> Result<()> {
     };
     let text = serde_json::to_string(&value)? + "\n";
     match &args.out {
-        Some(path) => std::fs::write(path, text).with_context(|| format!("{} cannot be written", path.display())),
+        Some(path) => write_whole(path, text),
         None => Ok(write!(std::io::stdout(), "{text}")?),
     }
 }

@@ -5,6 +5,7 @@ use anyhow::{Context, Result, ensure};
 use clap::value_parser;
 use fmc_benchmarks::verify::{Method, Row, SEEDS, Verification, table};
 use fmc_contact::Resolution;
+use fmc_mesh_io::write_whole;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -101,7 +102,7 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<ExitCode> {
         if json_only {
             writeln!(std::io::stdout(), "{text}")?;
         } else {
-            std::fs::write(path, text + "\n").with_context(|| format!("cannot write {}", path.display()))?;
+            write_whole(path, text + "\n")?;
         }
     }
     if !json_only {

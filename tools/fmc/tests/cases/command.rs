@@ -19,6 +19,20 @@ fn list_names_every_case() {
     assert_eq!((&star["nodes"], &star["cells"], &star["dimension"]), (&1261.into(), &1142.into(), &2.into()));
 }
 
+/// As in `fmc list | head -1`: nobody reads on.
+#[test]
+fn a_reader_that_has_seen_enough_is_no_error() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_fmc"))
+        .arg("list")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!((ended.status.code(), String::from_utf8_lossy(&ended.stderr).as_ref()), (Some(0), ""));
+}
+
 #[test]
 fn exit_status_tells_checks_from_mistakes() {
     let folder = Folder::new("status");
