@@ -15,9 +15,11 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod boundary;
+mod compressed_rows;
 mod context;
 mod creation;
 mod dimension;
+mod evaluate_tangent;
 mod evaluation;
 mod failure;
 mod getters;
@@ -35,6 +37,7 @@ mod pose;
 mod session;
 mod shape;
 mod signed_distance;
+mod stable_step;
 mod stateless;
 mod status;
 mod stiffness;

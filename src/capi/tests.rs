@@ -98,6 +98,21 @@ impl Session for Brittle {
         Ok(Kept::default())
     }
 
+    unsafe fn stable_step(&mut self, _: &fmc_coords, _: &[f64], _: i32) -> Result<f64, Failure> {
+        Ok(f64::INFINITY)
+    }
+
+    unsafe fn evaluate_tangent(
+        &mut self,
+        _: &fmc_coords,
+        _: TangentPart,
+        _: Option<&fmc_forces>,
+        _: bool,
+        _: i32,
+    ) -> Result<(Evaluation, Kept), Failure> {
+        Ok((Evaluation::default(), Kept::default()))
+    }
+
     unsafe fn evaluate(
         &mut self,
         _: &fmc_coords,

@@ -22,6 +22,7 @@ const FEATURES: &[&str] = &[
     #[cfg(feature = "shapes")]
     "shapes",
     "signed_distance",
+    "tangent",
     "threads",
 ];
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 23] = [
     "version",
     "status",
     "failure",
@@ -18,6 +18,9 @@ const SOURCES: [&str; 20] = [
     "context",
     "patches",
     "tangent",
+    "compressed_rows",
+    "evaluate_tangent",
+    "stable_step",
     "evaluation",
     "getters",
     "pose",
