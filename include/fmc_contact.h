@@ -27,13 +27,15 @@
 // library at run time.
 #define FMC_ABI_VERSION 2
 
-// Flag of `fmc_context_evaluate`: add the forces to what the host's array holds instead of overwriting it.
+// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
+// instead of overwriting it.
 #define FMC_ADD 1
 
 // Level of a log message: something the user should know about a result that is an answer all the same.
 #define FMC_LOG_WARNING 1
 
-// Flag of `fmc_context_tangent`: without the terms that can be indefinite, for use far from a solution.
+// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
+// far from a solution.
 #define FMC_SEMIDEFINITE 2
 
 // Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
@@ -758,9 +760,9 @@ fmc_status fmc_context_evaluate_tangent(fmc_context *context,
                                         size_t *rank_one_count);
 
 // Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q), q
-// being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, some 5 % above it. `masses` are lumped
-// masses, one for every node of the mesh, positive where a node feels contact, and infinite for nodes that the host
-// holds. Obstacles are held. Infinite where nothing touches.
+// being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, a few per cent above it. Infinite where
+// nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node feels contact, and
+// infinite for nodes that the host holds. Obstacles are held.
 //
 // A host whose own limit is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit is that of the motion
 // linearised at `coords`: contact that begins within a step is not in it, nor is the force of the law "volume" with an
@@ -768,7 +770,10 @@ fmc_status fmc_context_evaluate_tangent(fmc_context *context,
 // sqrt(mass * length / force).
 //
 // Errors: as `fmc_context_tangent`, and `FMC_ERROR_NOT_POSITIVE_MASS`. Threads: one call at a time on a context.
-fmc_status fmc_context_stable_step(fmc_context *context, const fmc_coords *coords, const double *masses, double *step);
+fmc_status fmc_context_stable_step(fmc_context *context,
+                                   const fmc_coords *coords,
+                                   const double *masses,
+                                   double *step);
 
 // Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
 //

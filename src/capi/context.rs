@@ -15,7 +15,8 @@ use crate::contact::Pattern;
 use std::ffi::{CString, c_char, c_void};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
 
-/// Flag of `fmc_context_evaluate`: add the forces to what the host's array holds instead of overwriting it.
+/// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
+/// instead of overwriting it.
 pub const FMC_ADD: u32 = 1;
 
 /// Level of a log message: something the user should know about a result that is an answer all the same.

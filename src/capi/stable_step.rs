@@ -7,9 +7,9 @@ use super::status::fmc_status;
 use super::view::fmc_coords;
 
 /// Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q), q
-/// being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, up to 5 % above it. `masses` are lumped
-/// masses, one for every node of the mesh, positive where a node feels contact, and infinite for nodes that the host
-/// holds. Obstacles are held. Infinite where nothing touches.
+/// being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, a few per cent above it. Infinite where
+/// nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node feels contact, and
+/// infinite for nodes that the host holds. Obstacles are held.
 ///
 /// A host whose own limit is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit is that of the motion
 /// linearised at `coords`: contact that begins within a step is not in it, nor is the force of the law "volume" with an

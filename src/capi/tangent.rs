@@ -11,7 +11,8 @@ use super::status::fmc_status::{
 use super::view::fmc_coords;
 use crate::contact::TangentPart;
 
-/// Flag of `fmc_context_tangent`: without the terms that can be indefinite, for use far from a solution.
+/// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
+/// far from a solution.
 pub const FMC_SEMIDEFINITE: u32 = 2;
 
 /// The part that `flags` ask for, which may hold no other than the `known` ones.

@@ -113,7 +113,9 @@ def matrix(handle: Handle, part_count: int, obstacles: bool, dim: int, blocks: b
         return bsr_matrix((values.reshape(-1, dim, dim), cols, offsets), shape=(size, size))
     parts = gather(handle, part_count, obstacles)
     if blocks:
-        return parts.csr().tobsr((dim, dim))
+        found = parts.csr().tobsr((dim, dim))
+        found.sort_indices()
+        return found
     try:
         return parts.csr()
     except ImportError:
