@@ -27,14 +27,25 @@
 // library at run time.
 #define FMC_ABI_VERSION 2
 
-// Flag of `fmc_context_evaluate`: add the forces to what the host's array holds instead of overwriting it.
+// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
+// instead of overwriting it.
 #define FMC_ADD 1
 
 // Level of a log message: something the user should know about a result that is an answer all the same.
 #define FMC_LOG_WARNING 1
 
-// Flag of `fmc_context_tangent`: without the terms that can be indefinite, for use far from a solution.
-#define FMC_SEMIDEFINITE 1
+// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
+// far from a solution.
+#define FMC_SEMIDEFINITE 2
+
+// Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
+#define FMC_BLOCKS 4
+
+// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
+#define FMC_OBSTACLES 8
+
+// Flag of `fmc_context_tangent_csr`: `row_offsets` and `cols` count from 1, as in Fortran.
+#define FMC_FROM_ONE 16
 
 // Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
 // offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
@@ -111,6 +122,8 @@ typedef enum {
   FMC_ERROR_NON_FINITE_HEIGHT = 33,
   // A compound has no parts.
   FMC_ERROR_EMPTY_COMPOUND = 34,
+  // The mass of a node that feels contact is not positive.
+  FMC_ERROR_NOT_POSITIVE_MASS = 35,
 } fmc_status;
 
 // Contact energy.
@@ -683,7 +696,8 @@ const char *fmc_context_error(const fmc_context *context);
 fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coords, size_t *direction_count);
 
 // Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
-// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_entries`.
+// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
+// `fmc_context_tangent_entries`.
 //
 // Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 // is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
@@ -706,8 +720,9 @@ fmc_status fmc_context_tangent(fmc_context *context,
 // Writes the entries of the tangent to the host's arrays, each with room for `capacity`: entry i is `values[i]` at row
 // `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-// context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
+// freedom than 32 bits number, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes
+// it.
 fmc_status fmc_context_tangent_entries(const fmc_context *context,
                                        int32_t *rows,
                                        int32_t *cols,
@@ -731,6 +746,83 @@ fmc_status fmc_context_tangent_rank_one(const fmc_context *context,
                                         double *factor,
                                         double *vector,
                                         size_t length);
+
+// Sizes of the last tangent in compressed rows, for `fmc_context_tangent_csr` with the same flags: rows, those without
+// entries included, and entries, which are numbers, or blocks with `FMC_BLOCKS`. Either output may be NULL. Before the
+// first tangent there are no rows.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_BUSY`. Threads: several
+// at once on one context, as long as no call changes it.
+fmc_status fmc_context_tangent_csr_size(const fmc_context *context,
+                                        uint32_t flags,
+                                        size_t *row_count,
+                                        size_t *entry_count);
+
+// The last tangent in compressed rows (CSR), without its terms of rank one, which `fmc_context_tangent_rank_one` gives:
+// the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns
+// `cols`, each column once. Rows and columns are degrees of freedom, `node * dim + axis`.
+//
+// `flags`: `FMC_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
+// are nodes; `FMC_OBSTACLES`; `FMC_FROM_ONE`. As elsewhere in the tangent, the option `index_base` has no effect.
+// `row_offsets` has room for one number more than there are rows, `cols` for `capacity` entries, and `values` for as
+// many, or, with `FMC_BLOCKS`, `capacity * dim * dim` numbers.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_BUFFER_TOO_SMALL`,
+// `FMC_ERROR_LENGTH` where a number does not fit into 32 bits, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_tangent_csr(const fmc_context *context,
+                                   uint32_t flags,
+                                   int32_t *row_offsets,
+                                   int32_t *cols,
+                                   double *values,
+                                   size_t capacity);
+
+// `fmc_context_tangent_csr` with 64-bit offsets and columns.
+fmc_status fmc_context_tangent_csr_i64(const fmc_context *context,
+                                       uint32_t flags,
+                                       int64_t *row_offsets,
+                                       int64_t *cols,
+                                       double *values,
+                                       size_t capacity);
+
+// Keeps the pattern of `fmc_context_tangent_csr`, with `keep` 1: from the last tangent on it only grows, places that
+// have no entry any more hold zeros, and as long as `fmc_context_tangent_csr_size` gives the same numbers, the pattern
+// is the same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
+// tangent has its own pattern, which is the default. Values, and the other functions of the tangent, do not change.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for another number, `FMC_ERROR_BUSY`. Threads: one call
+// at a time on a context.
+fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
+
+// `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
+// bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
+//
+// `flags`: `FMC_ADD` and `FMC_SEMIDEFINITE`. All outputs may be NULL, and are written only on success.
+//
+// Errors: those of the two. Threads: one call at a time on a context.
+fmc_status fmc_context_evaluate_tangent(fmc_context *context,
+                                        const fmc_coords *coords,
+                                        uint32_t flags,
+                                        const fmc_forces *forces,
+                                        fmc_result *result,
+                                        size_t *entry_count,
+                                        size_t *rank_one_count);
+
+// Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q), q
+// being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, a few per cent above it. Infinite where
+// nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node feels contact, and
+// infinite for nodes that the host holds. Obstacles are held.
+//
+// A host whose own limit is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit is that of the motion
+// linearised at `coords`: contact that begins within a step is not in it, nor is the force of the law "volume" with an
+// exponent below 2, which jumps. The tangent and the results that are kept stay. Unit: that of
+// sqrt(mass * length / force).
+//
+// Errors: as `fmc_context_tangent`, and `FMC_ERROR_NOT_POSITIVE_MASS`. Threads: one call at a time on a context.
+fmc_status fmc_context_stable_step(fmc_context *context,
+                                   const fmc_coords *coords,
+                                   const double *masses,
+                                   double *step);
 
 // Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
 //

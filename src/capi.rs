@@ -15,10 +15,13 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod boundary;
+mod compressed_rows;
+mod contact_point;
 mod contact_points;
 mod context;
 mod creation;
 mod dimension;
+mod evaluate_tangent;
 mod evaluation;
 mod failure;
 mod getters;
@@ -37,6 +40,7 @@ mod pose;
 mod session;
 mod shape;
 mod signed_distance;
+mod stable_step;
 mod stateless;
 mod status;
 mod stiffness;

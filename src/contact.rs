@@ -1,23 +1,31 @@
 //! Energy laws and the forces of all pairs.
 
+mod compressed_rows;
 mod evaluation;
 mod fields;
 mod forces;
 mod kept_patches;
 mod kernels;
+mod lanczos;
 mod laws;
+mod mass_scaled;
 mod momentum_correction;
 mod options;
 mod pairs;
+mod pattern;
 mod rigid;
+mod stable_step;
 mod state;
 mod stiffness;
 mod tangent;
 
+pub use compressed_rows::CompressedRows;
+pub(crate) use compressed_rows::compressed;
 pub use evaluation::{Contact, contact_force};
 pub use fields::{NodalContact, NodeStatus, PointOfContact, SideOfPoint};
 pub use forces::{ContactForces, PairForces, Resultant};
 pub use laws::{EnergyLaw, FiberProfile};
 pub use options::Options;
+pub use pattern::Pattern;
 pub use stiffness::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 pub use tangent::{RankOne, Tangent, TangentPart};

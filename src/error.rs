@@ -94,6 +94,13 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
+    /// The mass of a node that feels contact is not positive.
+    NotPositiveMass {
+        /// Node.
+        node: usize,
+        /// Its mass.
+        value: f64,
+    },
     /// A rotation is not orthonormal with determinant +1, or a position or scale is not finite.
     BadPose {
         /// Obstacle.
@@ -194,6 +201,9 @@ impl fmt::Display for Error {
             }
             Error::Empty => write!(f, "there are no cells and no facets"),
             Error::NotPositive { name, value } => write!(f, "'{name}' is {value}, which is not allowed"),
+            Error::NotPositiveMass { node, value } => {
+                write!(f, "node {node} feels contact, and its mass is {value}: a positive one is needed")
+            }
             Error::BadPose { obstacle } => {
                 write!(f, "the pose of obstacle {obstacle} is not a finite position, a rotation and a positive scale")
             }

@@ -8,3 +8,4 @@ mod stream;
 pub(crate) use family::Family;
 pub use pattern::FiberPattern;
 pub(crate) use segment::Segment;
+pub(crate) use stream::uniforms;

@@ -20,7 +20,7 @@ fn checked(status: fmc_status) -> fmc_status {
         // SAFETY: a text that is valid until the next failure.
         panic!("{}", unsafe { CStr::from_ptr(fmc_last_error()) }.to_string_lossy());
     }
-    assert!((OK..PANIC).contains(&status), "status {status}");
+    assert!((OK..=LAST).contains(&status), "status {status}");
     status
 }
 
@@ -270,6 +270,14 @@ impl Host {
         match call {
             Call::Evaluate { read, write, add, hole } => self.evaluate(*read, *write, *add, *hole),
             Call::Tangent { read, flags, hole } => self.tangent(*read, *flags, *hole),
+            Call::Rows { read, flags, hole } => self.rows(*read, *flags, *hole),
+            Call::KeepPattern { keep } => {
+                // SAFETY: the host's own context.
+                let status = checked(unsafe { fmc_context_keep_pattern(self.context, i32::from(*keep % 3)) });
+                assert_eq!(status == OK, keep % 3 < 2);
+            }
+            Call::StableStep { mass, hole } => self.stable_step(mass.0, *hole),
+            Call::Fields { read, hole } => self.fields(*read, *hole),
             Call::KeepPatches { forget, hole } => self.keep_patches(*forget, *hole),
             Call::SetOptions(from) => self.set_options(&options(from, self.mesh.is_ordinary())),
             Call::SetByName { key, value } => self.set_by_name(*key, value),
@@ -349,7 +357,7 @@ impl Host {
         unsafe {
             let coords = unless(hole, 0, (&raw const view).cast_mut());
             let entries = unless(hole, 1, &raw mut entry_count);
-            let flags = u32::from(flags % 3);
+            let flags = u32::from(flags % 4);
             let status = checked(fmc_context_tangent(self.context, coords, flags, entries, &raw mut rank_one_count));
             if status != OK {
                 assert_eq!((entry_count, rank_one_count), (77, 77));
@@ -381,6 +389,106 @@ impl Host {
                 let status = fmc_context_tangent_rank_one(self.context, index, &raw mut factor, x.ptr(), length);
                 assert!(checked(status) != OK || index < rank_one_count);
             }
+        }
+    }
+
+    /// Forces and tangent in one call, and the tangent in compressed rows of either width.
+    fn rows(&mut self, read: Layout, flags: u8, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
+        let forces = Array::new(&vec![0.0; self.mesh.coords.len()], self.mesh.dim, Layout::Rows);
+        let (mut result, mut parts) = (no_result(), 77usize);
+        let (view, forces_view, dim) = (coords.view, forces.view, self.mesh.dim);
+        // SAFETY: as in `tangent`.
+        unsafe {
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let forces = unless(hole, 1, (&raw const forces_view).cast_mut());
+            let both = u32::from(flags % 8);
+            let result = unless(hole, 2, &raw mut result);
+            let status =
+                fmc_context_evaluate_tangent(self.context, coords, both, forces, result, null_mut(), &raw mut parts);
+            assert!(checked(status) == OK || parts == 77);
+            let flags = u32::from(flags >> 3) << 2;
+            let (mut row_count, mut count) = (0usize, 0usize);
+            let sizes = (&raw mut row_count, &raw mut count);
+            if checked(fmc_context_tangent_csr_size(self.context, flags, sizes.0, sizes.1)) != OK {
+                assert!(flags & !28 != 0);
+                return;
+            }
+            let numbers = count * if flags & 4 != 0 { dim * dim } else { 1 };
+            let (offsets, cols) = (Guarded::new(&vec![-1i32; row_count + 1]), Guarded::new(&vec![-1i32; count]));
+            let (wide, wide_cols) = (Guarded::new(&vec![-1i64; row_count + 1]), Guarded::new(&vec![-1i64; count]));
+            let values = [0, 1].map(|_| Guarded::new(&vec![f64::from_bits(CANARY); numbers]));
+            let [first, second] = [values[0].ptr(), values[1].ptr()];
+            if count > 0 {
+                let few = count - 1;
+                let status = fmc_context_tangent_csr(self.context, flags, offsets.ptr(), cols.ptr(), first, few);
+                assert_ne!(checked(status), OK, "room for too few");
+                assert!(offsets.values().iter().chain(&cols.values()).all(|&at| at == -1));
+            }
+            let status = fmc_context_tangent_csr(self.context, flags, offsets.ptr(), cols.ptr(), first, count);
+            assert_eq!(checked(status), OK);
+            let status = fmc_context_tangent_csr_i64(self.context, flags, wide.ptr(), wide_cols.ptr(), second, count);
+            assert_eq!(checked(status), OK);
+            let widened = |narrow: &Guarded<i32>| narrow.values().into_iter().map(i64::from).collect::<Vec<_>>();
+            assert!(widened(&offsets) == wide.values() && widened(&cols) == wide_cols.values());
+            let bits = |values: &Guarded<f64>| values.values().into_iter().map(f64::to_bits).collect::<Vec<_>>();
+            assert!(bits(&values[0]) == bits(&values[1]) && !bits(&values[0]).contains(&CANARY));
+            let base = i64::from(flags & 16 != 0);
+            let (wide, cols) = (wide.values(), wide_cols.values());
+            assert!(wide[0] == base && wide[row_count] == count as i64 + base);
+            for row in wide.windows(2) {
+                let cols = &cols[(row[0] - base) as usize..(row[1] - base) as usize];
+                assert!(
+                    cols.is_sorted_by(|a, b| a < b)
+                        && cols.iter().all(|col| (base..row_count as i64 + base).contains(col))
+                );
+            }
+        }
+    }
+
+    fn fields(&mut self, read: Layout, hole: Hole) {
+        let array = Array::new(&self.mesh.coords, self.mesh.dim, read);
+        let (view, n, mut count) = (array.view, self.mesh.node_count(), 77usize);
+        let numbers = |each: usize| Guarded::new(&vec![f64::from_bits(CANARY); n * each]);
+        let (pressure, gap, area, normal) = (numbers(1), numbers(1), numbers(1), numbers(self.mesh.dim));
+        let touches = Guarded::new(&vec![7; n]);
+        // SAFETY: as in `evaluate`; points go where there is room for so many.
+        unsafe {
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let (p, s) = (unless(hole, 1, pressure.ptr()), unless(hole, 2, touches.ptr()));
+            let room = if hole == 3 { n + 1 } else { n };
+            let status =
+                fmc_context_nodal_contact(self.context, coords, p, gap.ptr(), area.ptr(), normal.ptr(), s, room);
+            let is_ok = checked(status) == OK;
+            assert!(!is_ok || room == n);
+            assert_eq!(gap.values().iter().chain(&normal.values()).any(|v| v.to_bits() == CANARY), !is_ok);
+            assert!(is_ok && hole != 2 || touches.values().iter().all(|s| *s == 7));
+            assert!(!is_ok || hole == 2 || touches.values().iter().all(|s| (0..=1).contains(s)));
+            let count_at = unless(hole, 4, &raw mut count);
+            if checked(fmc_context_find_contact_points(self.context, coords, count_at)) != OK || hole == 4 {
+                assert_eq!(count, 77);
+                return;
+            }
+            let blank = std::mem::MaybeUninit::<fmc_contact_point>::zeroed().assume_init();
+            let points = Guarded::new(&vec![blank; count]);
+            if count > 0 {
+                assert_ne!(checked(fmc_context_contact_points(self.context, points.ptr(), count - 1)), OK);
+            }
+            assert_eq!(checked(fmc_context_contact_points(self.context, points.ptr(), count)), OK);
+            assert!(points.values().iter().all(|point| point.struct_size == size_of::<fmc_contact_point>()));
+        }
+    }
+
+    fn stable_step(&mut self, mass: f64, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let masses = Guarded::new(&vec![mass; self.mesh.node_count()]);
+        let (view, mut step) = (coords.view, -77.0);
+        // SAFETY: as in `evaluate`, with a mass for every node.
+        unsafe {
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let masses = unless(hole, 1, masses.ptr());
+            let status = fmc_context_stable_step(self.context, coords, masses, unless(hole, 2, &raw mut step));
+            assert!(if checked(status) == OK { step > 0.0 } else { step == -77.0 }, "{step}");
         }
     }
 
@@ -479,6 +587,32 @@ impl Host {
                         fmc_context_add_polytope(context, &points.view, facets.ptr(), count, place, index)
                     }
                 }
+                Shape::ConvexHull(points) => {
+                    let dim = self.mesh.dim;
+                    let points: Vec<f64> = points.iter().take(12).flat_map(|x| x[..dim].iter().map(|x| x.0)).collect();
+                    let points = Array::new(&points, dim, Layout::Rows);
+                    fmc_context_add_convex_hull(context, &points.view, place, index)
+                }
+                Shape::HeightField { count, heights, thickness } => {
+                    let counts = Guarded::new(&[usize::from(count % 5), 2][..self.mesh.dim - 1]);
+                    let lengths = Guarded::new(&[2.0, 1.0][..self.mesh.dim - 1]);
+                    let heights = heights.map(|x| x.0);
+                    let heights = Guarded::new(&heights[..counts.values().iter().product()]);
+                    let (counts, lengths) = (unless(hole, 1, counts.ptr()), lengths.ptr());
+                    fmc_context_add_height_field(context, counts, lengths, heights.ptr(), thickness.0, place, index)
+                }
+                Shape::Compound(parts) => {
+                    let part = |(shape, size): &(u8, Number)| {
+                        let mut part = std::mem::MaybeUninit::<fmc_part>::zeroed();
+                        assert_eq!(fmc_part_init(part.as_mut_ptr()), OK);
+                        let mut part = part.assume_init();
+                        part.shape = i32::from(shape % 9);
+                        (part.radius, part.half_height, part.half_extents) = (size.0, 0.5, [size.0; 3]);
+                        part
+                    };
+                    let parts = Guarded::new(&parts.iter().take(4).map(part).collect::<Vec<_>>());
+                    fmc_context_add_compound(context, parts.ptr(), parts.values().len(), place, index)
+                }
                 Shape::SignedDistance { radius, fault } => {
                     let radius = if radius.0.is_finite() { radius.0.abs().min(2.0) } else { 1.0 };
                     let own = Box::new(Distance { dim: self.mesh.dim, radius, fault: *fault, context });
@@ -510,7 +644,7 @@ impl Host {
             if checked(fmc_context_warning(self.context, index, &raw mut code, unless(hole, 3, &raw mut text))) == OK
                 && hole != 4
             {
-                assert!((1..=3).contains(&code) && !CStr::from_ptr(text).to_bytes().is_empty());
+                assert!((1..=5).contains(&code) && !CStr::from_ptr(text).to_bytes().is_empty());
             }
             let [nodes, facets, bodies] = &mut counts;
             assert_eq!(checked(fmc_context_counts(self.context, nodes, facets, unless(hole, 4, bodies))), OK);

@@ -17,6 +17,8 @@ pub const OK: fmc_status = 0;
 pub const BUSY: fmc_status = 28;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
+/// The last status that exists.
+pub const LAST: fmc_status = 35;
 
 /// Opaque.
 #[repr(C)]
@@ -109,6 +111,32 @@ pub struct fmc_resultant {
 
 /// As in the header.
 #[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fmc_contact_side {
+    pub kind: i32,
+    pub node_count: i32,
+    pub index: usize,
+    pub cell: i64,
+    pub nodes: [i64; 4],
+    pub weights: [f64; 4],
+    pub position: [f64; 3],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fmc_contact_point {
+    pub struct_size: usize,
+    pub patch: usize,
+    pub position: [f64; 3],
+    pub normal: [f64; 3],
+    pub gap: f64,
+    pub pressure: f64,
+    pub area: f64,
+    pub sides: [fmc_contact_side; 2],
+    pub reserved: [u64; 8],
+}
+
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_pair {
     pub struct_size: usize,
@@ -133,6 +161,20 @@ pub struct fmc_pose {
     pub position: [f64; 3],
     pub rotation: [f64; 9],
     pub scale: f64,
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_part {
+    pub shape: i32,
+    pub facet_count: usize,
+    pub radius: f64,
+    pub half_height: f64,
+    pub half_extents: [f64; 3],
+    pub points: *const fmc_view,
+    pub facets: *const i32,
+    pub pose: fmc_pose,
 }
 
 /// As in the header.
@@ -257,6 +299,64 @@ unsafe extern "C" {
         vector: *mut f64,
         length: usize,
     ) -> fmc_status;
+    pub fn fmc_context_tangent_csr_size(
+        context: *const fmc_context,
+        flags: u32,
+        row_count: *mut usize,
+        entry_count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_tangent_csr(
+        context: *const fmc_context,
+        flags: u32,
+        row_offsets: *mut i32,
+        cols: *mut i32,
+        values: *mut f64,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_tangent_csr_i64(
+        context: *const fmc_context,
+        flags: u32,
+        row_offsets: *mut i64,
+        cols: *mut i64,
+        values: *mut f64,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_nodal_contact(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        pressure: *mut f64,
+        gap: *mut f64,
+        area: *mut f64,
+        normal: *mut f64,
+        status: *mut i32,
+        node_count: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_find_contact_points(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_contact_points(
+        context: *const fmc_context,
+        points: *mut fmc_contact_point,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_keep_pattern(context: *mut fmc_context, keep: i32) -> fmc_status;
+    pub fn fmc_context_evaluate_tangent(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        flags: u32,
+        forces: *const fmc_view,
+        result: *mut fmc_result,
+        entry_count: *mut usize,
+        rank_one_count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_stable_step(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        masses: *const f64,
+        step: *mut f64,
+    ) -> fmc_status;
     pub fn fmc_context_body(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_obstacle(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_pair(context: *const fmc_context, index: usize, pair: *mut fmc_pair) -> fmc_status;
@@ -319,6 +419,29 @@ unsafe extern "C" {
         points: *const fmc_view,
         facets: *const i64,
         facet_count: usize,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_convex_hull(
+        context: *mut fmc_context,
+        points: *const fmc_view,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_add_height_field(
+        context: *mut fmc_context,
+        counts: *const usize,
+        lengths: *const f64,
+        heights: *const f64,
+        thickness: f64,
+        pose: *const fmc_pose,
+        obstacle: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_part_init(part: *mut fmc_part) -> fmc_status;
+    pub fn fmc_context_add_compound(
+        context: *mut fmc_context,
+        parts: *const fmc_part,
+        part_count: usize,
         pose: *const fmc_pose,
         obstacle: *mut usize,
     ) -> fmc_status;

@@ -81,6 +81,16 @@ pub enum Shape {
         facets: Vec<u8>,
         is_wide: bool,
     },
+    /// Points of any kind.
+    ConvexHull(Vec<[Number; 3]>),
+    /// Heights over a grid of so many points by 2.
+    HeightField {
+        count: u8,
+        heights: [Number; 8],
+        thickness: Number,
+    },
+    /// Parts by number of the shape and size.
+    Compound(Vec<(u8, Number)>),
     /// A ball by its signed distance, and how the callback misbehaves.
     SignedDistance {
         radius: Number,
@@ -109,6 +119,10 @@ pub enum Fault {
 pub enum Call {
     Evaluate { read: Layout, write: Layout, add: bool, hole: Hole },
     Tangent { read: Layout, flags: u8, hole: Hole },
+    Rows { read: Layout, flags: u8, hole: Hole },
+    KeepPattern { keep: u8 },
+    StableStep { mass: Number, hole: Hole },
+    Fields { read: Layout, hole: Hole },
     KeepPatches { forget: bool, hole: Hole },
     SetOptions(Options),
     SetByName { key: u8, value: [u8; 6] },

@@ -73,15 +73,17 @@ static int add(fmc_context *context, int shape, int *dim, const fmc_pose *pose) 
 /* Everything that a host calls in one step. */
 static void step(int dim, const fmc_coords *x, const fmc_cell_block *block, const fmc_options *options, int shape,
                  const fmc_pose *pose, fmc_context **context) {
-  double forces[48];
+  double forces[48], masses[16], stable;
   const fmc_forces f = {forces, x->node_count, dim, 1};
   if (!good(fmc_context_new_from_cells(dim, x, block, 1, NULL, options, context))) return;
   if (!add(*context, shape, &dim, pose)) return;
+  for (size_t node = 0; node < x->node_count; node++) masses[node] = 0.1 + (double)node;
   for (int round = 0; round < 2; round++) {
     size_t entries, rank_one;
     if (!good(fmc_context_evaluate(*context, x, &f, 0, NULL))) return;
     good(fmc_context_tangent(*context, x, 0, &entries, &rank_one));
     good(fmc_context_tangent(*context, x, FMC_SEMIDEFINITE, &entries, &rank_one));
+    good(fmc_context_stable_step(*context, x, masses, &stable));
     if (!good(fmc_context_keep_patches(*context, x, NULL))) return;
   }
 }

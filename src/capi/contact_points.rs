@@ -1,96 +1,13 @@
 //! Contact points: found first, and copied into the host's array then.
 
 use super::boundary::entry;
+use super::contact_point::fmc_contact_point;
 use super::context::{fmc_context, read, write};
-use super::evaluation::side_of;
 use super::failure::Failure;
 use super::pointer::{Output, check, reference};
 use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;
 use super::view::fmc_coords;
-use crate::contact::{PointOfContact, SideOfPoint};
-
-/// One end of a contact point: where, and the shape functions of the boundary face there.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct fmc_contact_side {
-    /// A value of `fmc_partner`.
-    pub kind: i32,
-    /// How many of `nodes` and `weights` are used; 0 for an obstacle.
-    pub node_count: i32,
-    /// Index for `fmc_context_body` or `fmc_context_obstacle`.
-    pub index: usize,
-    /// Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
-    pub cell: i64,
-    /// Nodes of the boundary face, counted from the option `index_base`.
-    pub nodes: [i64; 4],
-    /// Values of their shape functions: a force at this end goes to the nodes by these parts.
-    pub weights: [f64; 4],
-    /// The end; in 2D the last entry is 0.
-    pub position: [f64; 3],
-}
-
-/// A piece of a line inside both sides of a pair, from the boundary of one to that of the other, and the area for which
-/// it stands.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct fmc_contact_point {
-    /// Size of this struct, as the library wrote it.
-    pub struct_size: usize,
-    /// Number of the patch within the pair; points of one patch have one normal, up to its sign.
-    pub patch: usize,
-    /// Middle of the piece; in 2D the last entry is 0.
-    pub position: [f64; 3],
-    /// Unit vector along the line, outwards of the first side; in 2D the last entry is 0.
-    pub normal: [f64; 3],
-    /// Minus the penetration, the length of the piece.
-    pub gap: f64,
-    /// Contact pressure.
-    pub pressure: f64,
-    /// Area (2D: length) across the line.
-    pub area: f64,
-    /// The ends, in the order of the pair's sides.
-    pub sides: [fmc_contact_side; 2],
-    /// Zero.
-    pub reserved: [u64; 8],
-}
-
-impl fmc_contact_point {
-    pub(super) fn new<const D: usize>(point: &PointOfContact<D>, index_base: i32) -> Self {
-        let [first, second] = [0, 1].map(|k| {
-            let (kind, index) = side_of(point.partners[k]);
-            side(&point.sides[k], kind, index, index_base)
-        });
-        Self {
-            struct_size: size_of::<Self>(),
-            patch: point.patch,
-            position: padded(&point.position),
-            normal: padded(&point.normal),
-            gap: point.gap,
-            pressure: point.pressure,
-            area: point.area,
-            sides: [first, second],
-            reserved: [0; 8],
-        }
-    }
-}
-
-fn side<const D: usize>(side: &SideOfPoint<D>, kind: i32, index: usize, index_base: i32) -> fmc_contact_side {
-    let number = |k: usize| if k < side.node_count { i64::from(side.nodes[k]) + i64::from(index_base) } else { 0 };
-    fmc_contact_side {
-        kind,
-        node_count: side.node_count as i32,
-        index,
-        cell: side.cell.map_or(-1, |cell| cell as i64),
-        nodes: std::array::from_fn(number),
-        weights: side.weights,
-        position: padded(&side.position),
-    }
-}
-
-fn padded<const D: usize>(x: &[f64; D]) -> [f64; 3] {
-    std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
-}
 
 /// Finds the contact points at `coords`, from which the law "fiber" sums its forces, and keeps them in the context
 /// until the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which

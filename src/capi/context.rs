@@ -1,7 +1,7 @@
 //! The context: a mesh in contact that is evaluated again and again.
 
 use super::boundary::{entry, guarded, quietly};
-use super::contact_points::fmc_contact_point;
+use super::contact_point::fmc_contact_point;
 use super::evaluation::{Evaluation, fmc_result};
 use super::failure::{Failure, c_text};
 use super::kept_tangent::Kept;
@@ -12,10 +12,12 @@ use super::session::Session;
 use super::status::fmc_status;
 use super::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_UNKNOWN_OPTION};
 use super::view::{fmc_coords, fmc_forces};
+use crate::contact::Pattern;
 use std::ffi::{CString, c_char, c_void};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
 
-/// Flag of `fmc_context_evaluate`: add the forces to what the host's array holds instead of overwriting it.
+/// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
+/// instead of overwriting it.
 pub const FMC_ADD: u32 = 1;
 
 /// Level of a log message: something the user should know about a result that is an answer all the same.
@@ -41,6 +43,8 @@ pub(super) struct State {
     pub(super) evaluation: Evaluation,
     pub(super) tangent: Kept,
     pub(super) points: Vec<fmc_contact_point>,
+    /// Of the compressed rows, while it is kept.
+    pub(super) pattern: Option<Pattern>,
     pub(super) index_base: i32,
     error: CString,
     log: fmc_log_callback,
@@ -60,11 +64,20 @@ impl State {
             evaluation: Evaluation::default(),
             tangent: Kept::default(),
             points: Vec::new(),
+            pattern: None,
             index_base,
             error: CString::default(),
             log: None,
             log_user: LogUser(std::ptr::null_mut()),
         }
+    }
+
+    /// Keeps a tangent until the next one, and its places if the pattern is kept.
+    pub(super) fn keep_tangent(&mut self, tangent: Kept) {
+        if let Some(pattern) = &mut self.pattern {
+            pattern.add(tangent.places.iter().copied());
+        }
+        self.tangent = tangent;
     }
 }
 
@@ -208,29 +221,46 @@ pub unsafe extern "C" fn fmc_context_evaluate(
 ) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context, both views and an output, or NULL where it may.
-        let (log, user, messages) = unsafe {
-            write(context, |state| {
-                let output = Output::optional("result", result)?;
+        unsafe {
+            evaluated(context, result, |state| {
                 if flags & !FMC_ADD != 0 {
                     return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}")));
                 }
                 let (coords, forces) = (reference("coords", coords)?, optional("forces", forces)?);
-                let evaluation = state.session.evaluate(coords, forces, flags & FMC_ADD != 0, state.index_base)?;
-                output.write(evaluation.result);
-                state.evaluation = evaluation;
-                let messages = if state.log.is_some() { state.evaluation.warnings.clone() } else { Vec::new() };
-                Ok((state.log, state.log_user, messages))
+                state.session.evaluate(coords, forces, flags & FMC_ADD != 0, state.index_base)
             })
-        }?;
-        // The lock is free again, so that the callback may ask the context for more.
-        for (_, text) in messages {
-            if let Some(log) = log {
-                // SAFETY: the host gave a function that keeps to its contract, and its own pointer.
-                unsafe { log(user.0, FMC_LOG_WARNING, text.as_ptr()) };
-            }
         }
-        Ok(())
     })
+}
+
+/// Keeps and writes what `body` finds, and hands its warnings to the host's callback.
+///
+/// # Safety
+/// The host guarantees a living context, and that `result`, if it is not NULL, may be written.
+pub(super) unsafe fn evaluated(
+    context: *mut fmc_context,
+    result: *mut fmc_result,
+    body: impl FnOnce(&mut State) -> Result<Evaluation, Failure>,
+) -> Result<(), Failure> {
+    // SAFETY: passed on to the caller.
+    let (log, user, messages) = unsafe {
+        write(context, |state| {
+            let output = Output::optional("result", result)?;
+            let evaluation = body(state)?;
+            output.write(evaluation.result);
+            state.evaluation = evaluation;
+            let messages = if state.log.is_some() { state.evaluation.warnings.clone() } else { Vec::new() };
+            Ok((state.log, state.log_user, messages))
+        })
+    }?;
+    // The lock is free again, so that the callback may ask the context for more.
+    for (_, text) in messages {
+        if let Some(log) = log {
+            // SAFETY: the host gave a function that keeps to its contract, and its own pointer.
+            unsafe { log(user.0, FMC_LOG_WARNING, text.as_ptr()) };
+        }
+    }
+    Ok(())
 }
 
 /// Text of the last call that failed on this context, "" if none did; never NULL. It names the offending indices.

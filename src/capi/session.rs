@@ -1,6 +1,6 @@
 //! A mesh in contact, with its dimension hidden.
 
-use super::contact_points::fmc_contact_point;
+use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
 use super::kept_tangent::Kept;
@@ -9,7 +9,7 @@ use super::pose::fmc_pose;
 use super::shape::ShapeOf;
 use super::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::TangentPart;
-use crate::{Contact, Obstacle, Options, Pose, Surface};
+use crate::{Contact, ContactForces, Error, Obstacle, Options, Pose, Surface};
 
 /// Number of nodes, facets and bodies.
 pub(super) struct Counts {
@@ -58,6 +58,24 @@ pub(super) trait Session: Send + Sync {
         coords: &fmc_coords,
         index_base: i32,
     ) -> Result<Vec<fmc_contact_point>, Failure>;
+    /// Largest time step of central differences.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure>;
+
+    /// [`Self::evaluate`] and [`Self::tangent`] in one.
+    ///
+    /// # Safety
+    /// The host guarantees both views.
+    unsafe fn evaluate_tangent(
+        &mut self,
+        coords: &fmc_coords,
+        part: TangentPart,
+        forces: Option<&fmc_forces>,
+        add: bool,
+        index_base: i32,
+    ) -> Result<(Evaluation, Kept), Failure>;
 
     /// Evaluates, and writes the forces, if wanted, on success.
     ///
@@ -81,6 +99,32 @@ pub(super) struct Resident<const D: usize> {
 impl<const D: usize> Resident<D> {
     pub(super) fn new(surface: Surface<D>, options: Options) -> Result<Self, Failure> {
         Ok(Self { contact: Contact::new(surface, options)?, scratch: Vec::new() })
+    }
+
+    /// Evaluates by `work`, and writes the forces, if wanted, on success.
+    ///
+    /// # Safety
+    /// The host guarantees both views.
+    unsafe fn evaluated<T>(
+        &mut self,
+        coords: &fmc_coords,
+        forces: Option<&fmc_forces>,
+        add: bool,
+        index_base: i32,
+        work: impl FnOnce(&Contact<D>, &[[f64; D]]) -> Result<(ContactForces<D>, T), Error>,
+    ) -> Result<(Evaluation, T), Failure> {
+        let node_count = self.contact.surface().node_count();
+        check_node_count(coords.node_count, node_count)?;
+        let output = forces.map(|forces| forces.output::<D>(node_count)).transpose()?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        let (found, more) = work(&self.contact, rows).map_err(Failure::counted_from(index_base))?;
+        let evaluation = Evaluation::from(&found);
+        if let Some(output) = output {
+            // SAFETY: the output was checked for as many rows; the caller guarantees that it may be written.
+            unsafe { output.write(&found.forces, add) };
+        }
+        Ok((evaluation, more))
     }
 }
 
@@ -122,7 +166,32 @@ impl<const D: usize> Session for Resident<D> {
         // SAFETY: passed on to the caller.
         let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
         let tangent = self.contact.tangent(rows, part).map_err(Failure::counted_from(index_base))?;
-        Kept::new(&tangent, node_count)
+        Ok(Kept::new(&tangent, node_count, self.contact.obstacle_count()))
+    }
+
+    unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure> {
+        check_node_count(coords.node_count, self.contact.surface().node_count())?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        self.contact.stable_step(rows, masses).map_err(Failure::counted_from(index_base))
+    }
+
+    unsafe fn evaluate_tangent(
+        &mut self,
+        coords: &fmc_coords,
+        part: TangentPart,
+        forces: Option<&fmc_forces>,
+        add: bool,
+        index_base: i32,
+    ) -> Result<(Evaluation, Kept), Failure> {
+        let [nodes, obstacles] = [self.contact.surface().node_count(), self.contact.obstacle_count()];
+        // SAFETY: passed on to the caller.
+        unsafe {
+            self.evaluated(coords, forces, add, index_base, |contact, rows| {
+                let (found, tangent) = contact.evaluate_with_tangent(rows, part)?;
+                Ok((found, Kept::new(&tangent, nodes, obstacles)))
+            })
+        }
     }
 
     unsafe fn nodal_contact(&mut self, coords: &fmc_coords, index_base: i32) -> Result<NodalLists, Failure> {
@@ -151,17 +220,10 @@ impl<const D: usize> Session for Resident<D> {
         add: bool,
         index_base: i32,
     ) -> Result<Evaluation, Failure> {
-        let node_count = self.contact.surface().node_count();
-        check_node_count(coords.node_count, node_count)?;
-        let output = forces.map(|forces| forces.output::<D>(node_count)).transpose()?;
         // SAFETY: passed on to the caller.
-        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
-        let found = self.contact.evaluate(rows).map_err(Failure::counted_from(index_base))?;
-        let evaluation = Evaluation::from(&found);
-        if let Some(output) = output {
-            // SAFETY: the output was checked for as many rows; the caller guarantees that it may be written.
-            unsafe { output.write(&found.forces, add) };
-        }
-        Ok(evaluation)
+        let found = unsafe {
+            self.evaluated(coords, forces, add, index_base, |contact, rows| Ok((contact.evaluate(rows)?, ())))
+        }?;
+        Ok(found.0)
     }
 }

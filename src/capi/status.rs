@@ -80,6 +80,8 @@ pub enum fmc_status {
     FMC_ERROR_NON_FINITE_HEIGHT = 33,
     /// A compound has no parts.
     FMC_ERROR_EMPTY_COMPOUND = 34,
+    /// The mass of a node that feels contact is not positive.
+    FMC_ERROR_NOT_POSITIVE_MASS = 35,
 }
 
 use fmc_status::*;
@@ -121,6 +123,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_TOO_FEW_HEIGHTS, c"FMC_ERROR_TOO_FEW_HEIGHTS"),
     (FMC_ERROR_NON_FINITE_HEIGHT, c"FMC_ERROR_NON_FINITE_HEIGHT"),
     (FMC_ERROR_EMPTY_COMPOUND, c"FMC_ERROR_EMPTY_COMPOUND"),
+    (FMC_ERROR_NOT_POSITIVE_MASS, c"FMC_ERROR_NOT_POSITIVE_MASS"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -139,6 +142,7 @@ impl From<&Error> for fmc_status {
             Error::InvertedSurface { .. } => FMC_ERROR_INVERTED_SURFACE,
             Error::Empty => FMC_ERROR_EMPTY,
             Error::NotPositive { .. } => FMC_ERROR_NOT_POSITIVE,
+            Error::NotPositiveMass { .. } => FMC_ERROR_NOT_POSITIVE_MASS,
             Error::BadPose { .. } => FMC_ERROR_BAD_POSE,
             Error::ObstacleOutOfRange { .. } => FMC_ERROR_OBSTACLE_OUT_OF_RANGE,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
@@ -172,7 +176,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_EMPTY_COMPOUND);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NOT_POSITIVE_MASS);
     }
 
     #[test]
@@ -192,6 +196,7 @@ mod tests {
             Error::InvertedSurface { body: 0 },
             Error::Empty,
             Error::NotPositive { name: "stiffness", value: 0.0 },
+            Error::NotPositiveMass { node: 0, value: 0.0 },
             Error::BadPose { obstacle: 0 },
             Error::ObstacleOutOfRange { obstacle: 0, count: 0 },
             Error::DegenerateHull { point_count: 3 },

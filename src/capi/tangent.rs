@@ -11,11 +11,21 @@ use super::status::fmc_status::{
 use super::view::fmc_coords;
 use crate::contact::TangentPart;
 
-/// Flag of `fmc_context_tangent`: without the terms that can be indefinite, for use far from a solution.
-pub const FMC_SEMIDEFINITE: u32 = 1;
+/// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
+/// far from a solution.
+pub const FMC_SEMIDEFINITE: u32 = 2;
+
+/// The part that `flags` ask for, which may hold no other than the `known` ones.
+pub(super) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
+    if flags & !known != 0 {
+        return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}")));
+    }
+    Ok(if flags & FMC_SEMIDEFINITE != 0 { TangentPart::Semidefinite } else { TangentPart::Full })
+}
 
 /// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
-/// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_entries`.
+/// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
+/// `fmc_context_tangent_entries`.
 ///
 /// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 /// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
@@ -40,16 +50,13 @@ pub unsafe extern "C" fn fmc_context_tangent(
     entry(|| {
         let entries = Output::optional("entry_count", entry_count)?;
         let parts = Output::optional("rank_one_count", rank_one_count)?;
-        let part = match flags {
-            0 => TangentPart::Full,
-            FMC_SEMIDEFINITE => TangentPart::Semidefinite,
-            _ => return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}"))),
-        };
+        let part = part_of(flags, FMC_SEMIDEFINITE)?;
         // SAFETY: the host passes a context and a view.
         let counts = unsafe {
             write(context, |state| {
-                state.tangent = state.session.tangent(reference("coords", coords)?, part, state.index_base)?;
-                Ok((state.tangent.entries.len(), state.tangent.rank_one.len()))
+                let tangent = state.session.tangent(reference("coords", coords)?, part, state.index_base)?;
+                state.keep_tangent(tangent);
+                Ok((state.tangent.entry_count(), state.tangent.rank_one.len()))
             })
         }?;
         // SAFETY: the outputs, where given, may be written.
@@ -64,8 +71,9 @@ pub unsafe extern "C" fn fmc_context_tangent(
 /// Writes the entries of the tangent to the host's arrays, each with room for `capacity`: entry i is `values[i]` at row
 /// `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-/// context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
+/// freedom than 32 bits number, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes
+/// it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tangent_entries(
     context: *const fmc_context,
@@ -77,22 +85,28 @@ pub unsafe extern "C" fn fmc_context_tangent_entries(
     entry(|| {
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let entries = &state.tangent.entries;
-        if capacity < entries.len() {
-            let text = format!("there is room for {capacity} entries, the tangent has {}", entries.len());
+        let kept = &state.tangent;
+        let count = kept.entry_count();
+        if capacity < count {
+            let text = format!("there is room for {capacity} entries, the tangent has {count}");
             return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
         }
-        if entries.is_empty() {
+        if count == 0 {
             return Ok(());
+        }
+        let dofs = (kept.node_count + kept.obstacle_count) * kept.dim;
+        if i32::try_from(dofs).is_err() {
+            let text = format!("{dofs} degrees of freedom cannot be numbered in 32 bits");
+            return Err(Failure::new(FMC_ERROR_LENGTH, text));
         }
         check("rows", rows.cast_const())?;
         check("cols", cols.cast_const())?;
         check("values", values.cast_const())?;
-        for (index, &(row, col, value)) in entries.iter().enumerate() {
+        for (index, (row, col, value)) in kept.entries().enumerate() {
             // SAFETY: the host guarantees `capacity` entries, of which there are no more than that.
             unsafe {
-                rows.add(index).write(row);
-                cols.add(index).write(col);
+                rows.add(index).write(row as i32);
+                cols.add(index).write(col as i32);
                 values.add(index).write(value);
             }
         }
@@ -115,8 +129,9 @@ pub unsafe extern "C" fn fmc_context_tangent_product(
     entry(|| {
         // SAFETY: the host passes a context and `length` numbers.
         let (state, x) = unsafe { (read(context)?, slice("x", x, length, 1)?) };
-        if length < state.tangent.dof_count {
-            let text = format!("'x' has {length} entries, the mesh has {} degrees of freedom", state.tangent.dof_count);
+        if length < state.tangent.dof_count() {
+            let dofs = state.tangent.dof_count();
+            let text = format!("'x' has {length} entries, the mesh has {dofs} degrees of freedom");
             return Err(Failure::new(FMC_ERROR_LENGTH, text));
         }
         if length == 0 {
@@ -154,8 +169,8 @@ pub unsafe extern "C" fn fmc_context_tangent_rank_one(
             let text = format!("there is no part {index} of rank one, only {}", kept.rank_one.len());
             Failure::new(FMC_ERROR_INDEX_OUT_OF_RANGE, text)
         })?;
-        if length < kept.dof_count {
-            let text = format!("'vector' has {length} entries, the mesh has {} degrees of freedom", kept.dof_count);
+        if length < kept.dof_count() {
+            let text = format!("'vector' has {length} entries, the mesh has {} degrees of freedom", kept.dof_count());
             return Err(Failure::new(FMC_ERROR_LENGTH, text));
         }
         check("vector", vector.cast_const())?;

@@ -1,6 +1,6 @@
 //! The C functions called as C calls them, where a C program could not look.
 
-use super::contact_points::fmc_contact_point;
+use super::contact_point::fmc_contact_point;
 use super::context::{State, fmc_context, fmc_context_error, fmc_context_evaluate};
 use super::creation::{fmc_context_free, fmc_context_new_from_cells};
 use super::evaluation::{Evaluation, fmc_result, fmc_resultant};
@@ -106,6 +106,21 @@ impl Session for Brittle {
 
     unsafe fn contact_points(&mut self, _: &fmc_coords, _: i32) -> Result<Vec<fmc_contact_point>, Failure> {
         Ok(Vec::new())
+    }
+
+    unsafe fn stable_step(&mut self, _: &fmc_coords, _: &[f64], _: i32) -> Result<f64, Failure> {
+        Ok(f64::INFINITY)
+    }
+
+    unsafe fn evaluate_tangent(
+        &mut self,
+        _: &fmc_coords,
+        _: TangentPart,
+        _: Option<&fmc_forces>,
+        _: bool,
+        _: i32,
+    ) -> Result<(Evaluation, Kept), Failure> {
+        Ok((Evaluation::default(), Kept::default()))
     }
 
     unsafe fn evaluate(

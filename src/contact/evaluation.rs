@@ -129,6 +129,19 @@ impl<const D: usize> Contact<D> {
         kernels::tangent(self, coords, part)
     }
 
+    /// Forces and tangent at `coords` in one call: the bits of [`Self::evaluate`] and [`Self::tangent`], in little more
+    /// than the time of the tangent alone, since bodies are measured once.
+    ///
+    /// # Errors
+    /// As [`Self::tangent`].
+    pub fn evaluate_with_tangent(
+        &self,
+        coords: &[[f64; D]],
+        part: TangentPart,
+    ) -> Result<(ContactForces<D>, Tangent<D>), Error> {
+        kernels::evaluate_with_tangent(self, coords, part)
+    }
+
     /// Overlaps of all overlapping pairs at `coords`, with their gradients, ordered by pair. With the fiber law they
     /// are measured along its lines.
     ///

@@ -3,7 +3,8 @@
 use super::Contact;
 use super::fields::{NodalContact, PointOfContact, points_of_contact};
 use super::forces::ContactForces;
-use super::laws::{self, PairLaw};
+use super::laws::{self, Measured, PairLaw};
+use super::mass_scaled::largest_step;
 use super::options::Options;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
@@ -43,6 +44,12 @@ macro_rules! kernel {
 
 macro_rules! forces { ($d:expr) => { ContactForces<$d> }; }
 macro_rules! tangents { ($d:expr) => { Tangent<$d> }; }
+macro_rules! both { ($d:expr) => { (ContactForces<$d>, Tangent<$d>) }; }
+macro_rules! numbers {
+    ($d:expr) => {
+        f64
+    };
+}
 macro_rules! overlap_list { ($d:expr) => { Vec<Overlap<$d>> }; }
 macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
 macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
@@ -53,6 +60,10 @@ kernel! { /// Forces.
 evaluate = evaluate_in() -> forces }
 kernel! { /// Second derivative of the energy.
 tangent = tangent_in(part: TangentPart) -> tangents }
+kernel! { /// Forces and second derivative of the energy.
+evaluate_with_tangent = evaluate_with_tangent_in(part: TangentPart) -> both }
+kernel! { /// Time step.
+stable_step = stable_step_in(masses: &[f64]) -> numbers }
 kernel! { /// Overlaps of all pairs.
 overlaps = overlaps_in() -> overlap_list }
 kernel! { /// Lines that cross an overlap.
@@ -74,13 +85,34 @@ fn tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<Tangent<D>, Error> {
-    let tangents = contact.for_each_pair(coords, |measured| {
-        let obstacle = if let Partner::Obstacle(obstacle) = measured.pair.partners[1] { obstacle } else { 0 };
-        contact.law.tangent(measured, part, (coords.len() + obstacle) as u32)
+    let tangents =
+        contact.for_each_pair(coords, |measured| contact.law.tangent(measured, part, obstacle_node(measured)))?;
+    Tangent::sum(tangents).checked()
+}
+
+/// Number of the translation of the pair's obstacle, if it has one, in the tangent.
+fn obstacle_node<const D: usize>(measured: &Measured<D>) -> u32 {
+    let obstacle = if let Partner::Obstacle(obstacle) = measured.pair.partners[1] { obstacle } else { 0 };
+    (measured.pair.coords.len() + obstacle) as u32
+}
+
+fn evaluate_with_tangent_in<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    part: TangentPart,
+) -> Result<(ContactForces<D>, Tangent<D>), Error> {
+    let found = contact.for_each_pair(coords, |measured| {
+        let found = contact.law.energy_and_tangent(measured, part, obstacle_node(measured))?;
+        Ok((found.0.is_some() || found.1.is_some()).then_some(found))
     })?;
-    let tangent = Tangent::sum(tangents);
-    tangent.check()?;
-    Ok(tangent)
+    let (energies, tangents): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    let energies: Vec<_> = energies.into_iter().flatten().collect();
+    let forces = ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &energies)?;
+    Ok((forces, Tangent::sum(tangents.into_iter().flatten().collect()).checked()?))
+}
+
+fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
+    largest_step(&tangent_in(contact, coords, TangentPart::Full)?, masses)
 }
 
 fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {

@@ -38,13 +38,14 @@ pub struct RankOne<const D: usize> {
 }
 
 impl<const D: usize> Tangent<D> {
-    /// Checks that all entries are finite.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    /// The tangent, if all entries are finite.
+    pub(super) fn checked(self) -> Result<Self, Error> {
         let of_blocks = self.blocks.iter().flat_map(|block| block.value.as_flattened());
         let of_rank_one = self.rank_one.iter().flat_map(|part| part.vector.as_flattened().iter().chain([&part.factor]));
-        match of_blocks.chain(of_rank_one).find(|x| !x.is_finite()) {
-            Some(value) => Err(Error::Overflow { quantity: "tangent", value: *value }),
-            None => Ok(()),
+        let beyond = of_blocks.chain(of_rank_one).copied().find(|x| !x.is_finite());
+        match beyond {
+            Some(value) => Err(Error::Overflow { quantity: "tangent", value }),
+            None => Ok(self),
         }
     }
 

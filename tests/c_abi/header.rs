@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 26] = [
     "version",
     "status",
     "failure",
@@ -18,9 +18,13 @@ const SOURCES: [&str; 22] = [
     "context",
     "patches",
     "tangent",
+    "compressed_rows",
+    "evaluate_tangent",
+    "stable_step",
     "evaluation",
     "getters",
     "nodal_contact",
+    "contact_point",
     "contact_points",
     "pose",
     "part",

@@ -111,6 +111,11 @@ fn newton_with_the_contact_tangent() {
 }
 
 #[test]
+fn rows_of_the_tangent() {
+    assert_eq!(output("tangent_rows.c", Link::Shared), "0 failures\n");
+}
+
+#[test]
 fn floating_point_traps_stay_silent() {
     // Valgrind knows no traps, and would take minutes.
     let printed = succeed(&mut Command::new(compile("traps.c", &scratch("traps"), Link::Shared)));

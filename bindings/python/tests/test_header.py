@@ -31,7 +31,7 @@ STRUCTS = {
 }
 # Pointers that stand for an array (by the argument's name) take numpy arrays; the others one struct or number.
 ARRAYS = {"double": _signatures.Float64Array, "int32_t": _signatures.Int32Array, "int64_t": _signatures.Int64Array}
-SCALARS = {"volume", "stiffness", "factor", "code"}
+SCALARS = {"volume", "stiffness", "factor", "code", "step"}
 
 
 def pointee(kind):
@@ -134,7 +134,7 @@ def enumeration(name):
 
 def test_numbers_of_the_header_are_those_of_the_package():
     assert re.search(r"#define FMC_ABI_VERSION (\d+)", CODE).group(1) == str(_structs.ABI_VERSION)
-    for flag in ("FMC_ADD", "FMC_SEMIDEFINITE"):
+    for flag in ("FMC_ADD", "FMC_SEMIDEFINITE", "FMC_BLOCKS", "FMC_OBSTACLES", "FMC_FROM_ONE"):
         assert re.search(rf"#define {flag} (\d+)", CODE).group(1) == str(getattr(_structs, flag))
     for option, values in _structs.CHOICES.items():
         prefix = f"FMC_{option.upper()}_"

@@ -5,7 +5,7 @@ from ctypes import c_size_t
 
 import numpy as np
 import pytest
-from fmc_contact import Contact
+from fmc_contact import Contact, errors
 from fmc_contact._library import check, library
 from scenes import K
 
@@ -116,3 +116,84 @@ def test_patches_are_kept_and_released(squares):
     assert np.abs(kept - free).max() > 1e-6 * K
     contact.release_patches()
     assert np.array_equal(contact.evaluate(turned(coords, 5)).forces, free)
+
+
+@pytest.mark.parametrize("law", ["fiber", "volume"])
+@pytest.mark.parametrize("obstacles", [False, True])
+def test_blocks_are_the_same_matrix(squares, law, obstacles):
+    coords, conn = squares
+    exponent = {"exponent": 2} if law == "volume" else {}
+    contact = Contact(coords, conn, "quad", stiffness=K, law=law, estimator="exact", **exponent)
+    contact.add_half_space((0, 0.05), (0, 1))
+    rows = contact.tangent(coords, obstacles=obstacles)
+    blocks = contact.tangent(coords, obstacles=obstacles, blocks=True)
+    assert rows.format == "csr" and blocks.format == "bsr" and blocks.blocksize == (2, 2)
+    assert rows.has_sorted_indices and blocks.has_sorted_indices and rows.indices.dtype == np.int32
+    assert blocks.shape == rows.shape and np.array_equal(blocks.toarray(), rows.toarray())
+    # The same from its triplets.
+    found, cols, values = contact.tangent_parts(coords, obstacles=obstacles).triplets()
+    assert np.array_equal(sparse.csr_matrix((values, (found, cols)), shape=rows.shape).toarray(), rows.toarray())
+
+
+def test_entries_of_the_library_are_those_of_the_rows(squares):
+    coords, conn = squares
+    contact = Contact(coords, conn, "quad", stiffness=K, law="fiber", estimator="exact")
+    found = contact.tangent_parts(coords)
+    count = len(found.values)
+    rows, cols, values = np.empty(count, np.int32), np.empty(count, np.int32), np.empty(count)
+    check(library.fmc_context_tangent_entries(contact._handle.pointer, rows, cols, values, c_size_t(count)))
+    order = np.lexsort((cols, rows))
+    assert np.array_equal(rows[order], found.rows) and np.array_equal(cols[order], found.cols)
+    assert np.array_equal(values[order], found.values)
+    offsets, wide = np.empty(17, np.int64), np.empty(count, np.int64)
+    check(library.fmc_context_tangent_csr_i64(contact._handle.pointer, 16, offsets, wide, values, c_size_t(count)))
+    assert np.array_equal(offsets, found.offsets + 1) and np.array_equal(wide, found.cols + 1)
+    assert np.array_equal(values, found.values)
+
+
+@pytest.mark.parametrize("law", ["fiber", "volume"])
+def test_both_at_once(squares, law):
+    coords, conn = squares
+    contact = Contact(coords, conn, "quad", stiffness=K, law=law, **({"exponent": 2} if law == "volume" else {}))
+    expected, matrix = contact.evaluate(coords), contact.tangent(coords, semidefinite=True)
+    out = np.ones((8, 2))
+    found, both = contact.evaluate_tangent(coords, out, add=True, semidefinite=True)
+    assert np.array_equal(both.toarray(), matrix.toarray()) and found.forces is out
+    assert np.array_equal(out, expected.forces + 1)
+    found, both = contact.evaluate_tangent(coords, blocks=True)
+    assert np.array_equal(found.forces, expected.forces) and found.energy == expected.energy and both.format == "bsr"
+    assert np.array_equal(both.toarray(), contact.tangent(coords).toarray())
+    with pytest.raises(ValueError, match="give the array as out"):
+        contact.evaluate_tangent(coords, add=True)
+
+
+def test_a_kept_pattern_only_grows(squares):
+    coords, conn = squares
+    contact = Contact(coords, conn, "quad", stiffness=K, law="fiber", estimator="exact")
+    before = contact.tangent(coords)
+    contact.keep_pattern()
+    apart = coords + np.where(np.arange(8) < 4, 0, 5)[:, None]
+    assert contact.tangent(apart).nnz == before.nnz and not contact.tangent(apart).toarray().any()
+    slid = coords + np.where(np.arange(8) < 4, 0, 0.3)[:, None] * [0, 1]
+    grown = contact.tangent(slid)
+    contact.release_pattern()
+    assert grown.nnz >= before.nnz and np.array_equal(grown.toarray(), contact.tangent(slid).toarray())
+    assert contact.tangent(apart).nnz == 0
+
+
+def test_stable_step(squares):
+    coords, conn = squares
+    contact = Contact(coords, conn, "quad", stiffness=K, law="volume", exponent=2, estimator="exact")
+    masses = np.linspace(1, 3, 8)
+    scales = np.repeat(masses, 2) ** -0.5
+    largest = np.linalg.eigvalsh(scales[:, None] * contact.tangent(coords).toarray() * scales).max()
+    step = contact.stable_step(coords, masses)
+    assert 0.9 < step / (2 / np.sqrt(largest)) <= 1
+    assert contact.stable_step(coords + np.where(np.arange(8) < 4, 0, 5)[:, None], masses) == np.inf
+    touched = int(np.flatnonzero(contact.evaluate(coords).forces.any(axis=1))[0])
+    masses[touched] = 0
+    with pytest.raises(errors.NotPositiveMassError, match="its mass is 0") as caught:
+        contact.stable_step(coords, masses)
+    assert caught.value.indices == {"node": (touched,)}
+    with pytest.raises(ValueError, match=r"masses has shape \(7,\)"):
+        contact.stable_step(coords, masses[1:])

@@ -2,20 +2,24 @@
 
 use super::energy_law::EnergyLaw;
 use super::pair_energy::PairEnergy;
-use super::pair_law::{Measured, PairLaw};
+use super::pair_law::{EnergyAndTangent, Measured, PairLaw};
 use crate::Error;
 use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::Overlap;
+use crate::overlap::{ContactPoints, Overlap};
 
 /// The fiber law, and any local law of the penetration.
 pub(super) struct FiberLaw(pub(super) EnergyLaw);
 
+impl FiberLaw {
+    fn energy_of<const D: usize>(&self, points: &ContactPoints<D>, measured: &Measured<D>) -> PairEnergy<D> {
+        PairEnergy::of_points(points, measured.pair, &self.0, measured.estimator.imbalance_of_points())
+    }
+}
+
 impl<const D: usize> PairLaw<D> for FiberLaw {
     fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
-        let Some(points) = measured.contact_points(false)? else { return Ok(None) };
-        let expected = measured.estimator.imbalance_of_points();
-        Ok(Some(PairEnergy::of_points(&points, measured.pair, &self.0, expected)))
+        Ok(measured.contact_points(false)?.map(|points| self.energy_of(&points, measured)))
     }
 
     fn tangent(
@@ -26,6 +30,18 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
     ) -> Result<Option<Tangent<D>>, Error> {
         let points = measured.contact_points(part == TangentPart::Full)?;
         Ok(points.map(|points| Tangent::of_points(&points, measured.pair, &self.0, part, obstacle_node)))
+    }
+
+    fn energy_and_tangent(
+        &self,
+        measured: &Measured<D>,
+        part: TangentPart,
+        obstacle_node: u32,
+    ) -> Result<EnergyAndTangent<D>, Error> {
+        // What the derivative asks for beside the points does not change them.
+        let Some(points) = measured.contact_points(part == TangentPart::Full)? else { return Ok((None, None)) };
+        let tangent = Tangent::of_points(&points, measured.pair, &self.0, part, obstacle_node);
+        Ok((Some(self.energy_of(&points, measured)), Some(tangent)))
     }
 
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {

@@ -21,6 +21,16 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
         obstacle_node: u32,
     ) -> Result<Option<Tangent<D>>, Error>;
 
+    /// Both, from one measurement where they can share it, with the bits of each alone.
+    fn energy_and_tangent(
+        &self,
+        measured: &Measured<D>,
+        part: TangentPart,
+        obstacle_node: u32,
+    ) -> Result<EnergyAndTangent<D>, Error> {
+        Ok((self.energy(measured)?, self.tangent(measured, part, obstacle_node)?))
+    }
+
     /// The overlap on which the law stands.
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error>;
 
@@ -32,6 +42,9 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
         0.0
     }
 }
+
+/// Energy with its gradient, and its second derivative, each `None` where the sides are apart.
+pub(crate) type EnergyAndTangent<const D: usize> = (Option<PairEnergy<D>>, Option<Tangent<D>>);
 
 /// Patches that were found at the coordinates in force, by pair.
 #[derive(Default)]

@@ -8,7 +8,10 @@ ABI_VERSION = 2
 """``FMC_ABI_VERSION`` of the header that these tables were written from."""
 
 FMC_ADD = 1
-FMC_SEMIDEFINITE = 1
+FMC_SEMIDEFINITE = 2
+FMC_BLOCKS = 4
+FMC_OBSTACLES = 8
+FMC_FROM_ONE = 16
 
 CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12}
 """Values of ``fmc_cell_type`` by the names of meshio."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import byref, c_size_t
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,12 +12,11 @@ from . import mesh
 from ._arrays import View, coords_view, forces_view
 from ._library import library
 from ._signatures import LOG
-from ._structs import FMC_ADD, fmc_result
+from ._structs import fmc_result
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
-from .obstacles import Obstacles
+from .linearised import Linearised
 from .options import changed, defaults, described
 from .result import Result, gather
-from .tangent import Tangent, assemble
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
     from .options import Options
 
 
-class Contact(Obstacles):
+class Contact(Linearised):
     """Boundary, search trees and obstacles of a mesh, kept between evaluations.
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
@@ -112,47 +111,13 @@ class Contact(Obstacles):
         ``StrideError``, ``BusyError``, and exceptions raised by a signed distance function.
         """
         view = coords_view(coords, self.dim)
-        if out is None:
-            if add:
-                raise ValueError("add is for forces that are there already: give the array as out")
-            forces = np.empty((self.dim, self.node_count) if view.is_columns else (self.node_count, self.dim))
-        else:
-            forces = out
+        forces, flags = self._forces(view, out, add)
         target, found = forces_view(forces, self.dim), fmc_result()
-        flags = FMC_ADD if add else 0
         with self._handle:
             self._handle.call(
                 library.fmc_context_evaluate, byref(view.struct), byref(target.struct), flags, byref(found)
             )
             return gather(self._handle, forces, found, self.dim)
-
-    def tangent(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False) -> Any:
-        """Second derivative of the contact energy, which is minus the derivative of the forces, to be added to a
-        stiffness matrix.
-
-        A symmetric ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; without scipy
-        ``(rows, cols, values)``, where duplicate entries are summed. ``semidefinite`` leaves out the terms that can be
-        indefinite, for use far from a solution. ``obstacles`` appends the translations of the obstacles, as nodes after
-        the last. For the law ``"volume"`` all nodes of a pair are coupled: see ``tangent_parts`` for large ones.
-
-        With the law ``"fiber"``, ``keep_patches`` and ``momentum_correction=False`` it is the derivative of the forces; the
-        momentum correction (``momentum_correction=True``), which is small, is not differentiated.
-
-        Errors: those of ``evaluate``; ``UnsupportedError`` for a law or an estimator without tangent.
-        """
-        tangent = self.tangent_parts(coords, semidefinite, obstacles)
-        try:
-            return tangent.csr()
-        except ImportError:
-            return tangent.triplets()
-
-    def tangent_parts(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False) -> Tangent:
-        """The same as separate entries and terms of rank one, for other matrix formats and as a linear operator."""
-        view = coords_view(coords, self.dim)
-        with self._handle:
-            # An obstacle that is there has a node of its own after those of the mesh.
-            nodes = self.node_count + (self.obstacle_count if obstacles else 0)
-            return assemble(self._handle, view, nodes * self.dim, semidefinite)
 
     def nodal_contact(self, coords: ArrayLike) -> NodalContact:
         """Pressure, gap, area and normal at every node at ``coords``, and whether it touches. Errors: those of

@@ -244,6 +244,12 @@ class EmptyCompoundError(FmcError, ValueError):
     status = 34
 
 
+class NotPositiveMassError(FmcError, ValueError):
+    """The mass of a node that feels contact is not positive."""
+
+    status = 35
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

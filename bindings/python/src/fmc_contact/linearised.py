@@ -1,0 +1,112 @@
+"""What implicit and explicit solvers ask for beside the forces: the tangent, and the time step that it allows."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_double, c_size_t
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import result, tangent
+from ._arrays import View, coords_view, forces_view, vector
+from ._library import library
+from ._structs import FMC_ADD, FMC_SEMIDEFINITE, fmc_result
+from .obstacles import Obstacles
+from .tangent import Tangent
+
+
+class Linearised(Obstacles):
+    """The part of ``Contact`` that deals with the second derivative of its energy."""
+
+    node_count: int
+
+    def tangent(
+        self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False, blocks: bool = False
+    ) -> Any:
+        """Second derivative of the contact energy, which is minus the derivative of the forces, to be added to a
+        stiffness matrix.
+
+        A symmetric ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; with ``blocks`` a
+        ``bsr_matrix`` of blocks (dim, dim). Without scipy ``(rows, cols, values)``, where duplicate entries are summed.
+        ``semidefinite`` leaves out the terms that can be indefinite, for use far from a solution. ``obstacles`` appends
+        the translations of the obstacles, as nodes after the last. For the law ``"volume"`` all nodes of a pair are
+        coupled: see ``tangent_parts`` for large ones.
+
+        With the law ``"fiber"``, ``keep_patches`` and ``momentum_correction=False`` it is the derivative of the forces; the
+        momentum correction (``momentum_correction=True``), which is small, is not differentiated.
+
+        Errors: those of ``evaluate``; ``UnsupportedError`` for a law or an estimator without tangent.
+        """
+        view = coords_view(coords, self.dim)
+        with self._handle:
+            return tangent.matrix(self._handle, self._linearise(view, semidefinite), obstacles, self.dim, blocks)
+
+    def tangent_parts(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False) -> Tangent:
+        """The same as separate entries and terms of rank one, for other matrix formats and as a linear operator."""
+        view = coords_view(coords, self.dim)
+        with self._handle:
+            return tangent.gather(self._handle, self._linearise(view, semidefinite), obstacles)
+
+    def _linearise(self, view: View, semidefinite: bool) -> int:
+        """Number of terms of rank one of the tangent, which the library then keeps."""
+        parts = c_size_t()
+        flags = FMC_SEMIDEFINITE if semidefinite else 0
+        self._handle.call(library.fmc_context_tangent, byref(view.struct), flags, None, byref(parts))
+        return parts.value
+
+    def evaluate_tangent(
+        self,
+        coords: ArrayLike,
+        out: np.ndarray | None = None,
+        add: bool = False,
+        semidefinite: bool = False,
+        obstacles: bool = False,
+        blocks: bool = False,
+    ) -> tuple[result.Result, Any]:
+        """``evaluate`` and ``tangent`` in one, with the same bits, in little more than the time of the second."""
+        view = coords_view(coords, self.dim)
+        forces, flags = self._forces(view, out, add)
+        target, found, parts = forces_view(forces, self.dim), fmc_result(), c_size_t()
+        flags |= FMC_SEMIDEFINITE if semidefinite else 0
+        views = byref(view.struct), flags, byref(target.struct)
+        with self._handle:
+            self._handle.call(library.fmc_context_evaluate_tangent, *views, byref(found), None, byref(parts))
+            matrix = tangent.matrix(self._handle, parts.value, obstacles, self.dim, blocks)
+            return result.gather(self._handle, forces, found, self.dim), matrix
+
+    def _forces(self, view: View, out: np.ndarray | None, add: bool) -> tuple[np.ndarray, int]:
+        """The array for the forces, and the flags."""
+        if out is not None:
+            return out, FMC_ADD if add else 0
+        if add:
+            raise ValueError("add is for forces that are there already: give the array as out")
+        return np.empty((self.dim, self.node_count) if view.is_columns else (self.node_count, self.dim)), 0
+
+    def keep_pattern(self) -> None:
+        """Keeps the pattern of the tangent's entries: from the last tangent on it only grows, and places that have no
+        entry any more hold zeros. As long as ``nnz`` of a matrix without terms of rank one stays the same, so does its
+        pattern, and with it a symbolic factorisation. For a load step."""
+        with self._handle:
+            self._handle.call(library.fmc_context_keep_pattern, 1)
+
+    def release_pattern(self) -> None:
+        """Releases a kept pattern: every tangent has its own."""
+        with self._handle:
+            self._handle.call(library.fmc_context_keep_pattern, 0)
+
+    def stable_step(self, coords: ArrayLike, masses: ArrayLike) -> float:
+        """Largest time step of central differences (leapfrog) for the contact alone, from the tangent at ``coords``;
+        up to 3 % below the limit. ``masses``, (n,), are lumped masses of the nodes: positive where a node feels contact,
+        infinite for nodes that are held. Obstacles are held. ``inf`` where nothing touches.
+
+        A solver whose own limit is h is stable with the step s, 1/s**2 = 1/h**2 + 1/stable_step**2. The limit is that of
+        the motion linearised at ``coords``: contact that begins within a step is not in it.
+
+        Errors: those of ``tangent``; ``NotPositiveMassError``, which names the node.
+        """
+        view, step = coords_view(coords, self.dim), c_double()
+        masses = vector(masses, self.node_count, "masses")
+        with self._handle:
+            self._handle.call(library.fmc_context_stable_step, byref(view.struct), masses, byref(step))
+        return step.value

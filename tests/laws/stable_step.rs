@@ -1,0 +1,82 @@
+//! The step of explicit hosts against dense eigenvalues.
+
+use crate::pairs::{plane_scene, solid_scene};
+use crate::scene::Scene;
+use crate::scene::table::{exactly, uncorrected};
+use fmc_contact::contact::TangentPart;
+use fmc_contact::{EnergyLaw, Error, Obstacle, Options, Pose, Shape};
+use fmc_shapes::{Splitmix, cuboid_hex8};
+use nalgebra::DMatrix;
+
+/// 2/√λ, λ the largest eigenvalue of M^(−1/2) K M^(−1/2) on the nodes of the mesh.
+fn limit<const D: usize>(
+    scene: &Scene<D>,
+    options: Options,
+    obstacle: Option<Obstacle<D>>,
+    masses: &[f64],
+) -> [f64; 2] {
+    let mut contact = scene.contact(options);
+    obstacle.map(|obstacle| contact.add_obstacle(obstacle).unwrap());
+    let tangent = contact.tangent(&scene.coords, TangentPart::Full).unwrap();
+    let count = scene.coords.len();
+    let mut matrix = DMatrix::zeros(count * D, count * D);
+    for col in 0..count * D {
+        let mut unit = vec![[0.0; D]; count];
+        unit[col / D][col % D] = 1.0;
+        for (row, value) in tangent.product(&unit).as_flattened().iter().enumerate() {
+            matrix[(row, col)] = value / (masses[row / D] * masses[col / D]).sqrt();
+        }
+    }
+    let largest = matrix.symmetric_eigenvalues().max();
+    [contact.stable_step(&scene.coords, masses).unwrap(), 2.0 / largest.sqrt()]
+}
+
+fn check<const D: usize>(scene: &Scene<D>, options: Options, obstacle: Option<Obstacle<D>>) {
+    let mut random = Splitmix::new(5);
+    for range in [[1.0, 1.0], [0.1, 10.0]] {
+        let masses: Vec<f64> = scene.coords.iter().map(|_| random.between(range[0], range[1])).collect();
+        let [step, limit] = limit(scene, options, obstacle.clone(), &masses);
+        assert!(step <= limit && step >= 0.9 * limit, "{step} against {limit}: {options:?}");
+    }
+}
+
+#[test]
+fn the_step_is_a_little_below_the_limit() {
+    let quadratic = EnergyLaw::Volume { stiffness: 2.0, exponent: 2.0 };
+    for law in [EnergyLaw::fiber(3.0), quadratic] {
+        for seed in 0..4 {
+            let pose = Pose::at([0.3; 2]);
+            check(&plane_scene(seed), exactly(law), None);
+            check(&plane_scene(seed), exactly(law), Some(Obstacle { shape: Shape::HalfSpace, pose }));
+            check(&plane_scene(seed), uncorrected(law, 0.02, seed), None);
+        }
+        check(&solid_scene(1), exactly(law), None);
+    }
+    // More unknowns in contact than the iteration takes steps.
+    let plate = |z: f64| cuboid_hex8([0.0, 0.0, z], [1.0, 1.0, z + 0.2], [8, 8, 1]);
+    let plates = Scene::of(&[&plate(0.0), &plate(0.19)]);
+    check(&plates, exactly(EnergyLaw::fiber(3.0)), None);
+}
+
+#[test]
+fn nothing_touches_or_a_mass_is_missing() {
+    let scene = plane_scene(0);
+    let contact = scene.contact(exactly(EnergyLaw::fiber(1.0)));
+    let forces = contact.evaluate(&scene.coords).unwrap().forces;
+    let touched = forces.iter().position(|force| *force != [0.0; 2]).unwrap();
+    let mut masses: Vec<f64> = forces.iter().map(|force| if *force == [0.0; 2] { 0.0 } else { 1.0 }).collect();
+    assert!(contact.stable_step(&scene.coords, &masses).unwrap().is_finite());
+    for mass in [0.0, -1.0, f64::NAN] {
+        masses[touched] = mass;
+        let refused = contact.stable_step(&scene.coords, &masses);
+        assert!(matches!(refused, Err(Error::NotPositiveMass { node, .. }) if node == touched), "{refused:?}");
+    }
+    let short = contact.stable_step(&scene.coords, &masses[1..]);
+    assert!(matches!(short, Err(Error::Length { array: "masses", .. })), "{short:?}");
+
+    let mut apart = scene.clone();
+    let second = apart.nodes_of(1);
+    apart.coords[second].iter_mut().for_each(|x| x[0] += 10.0);
+    let step = apart.contact(exactly(EnergyLaw::fiber(1.0))).stable_step(&apart.coords, &vec![0.0; masses.len()]);
+    assert_eq!(step, Ok(f64::INFINITY));
+}
