@@ -29,6 +29,7 @@ mod kept_tangent;
 mod last_error;
 mod mesh;
 mod nodal_contact;
+mod nodal_lists;
 mod obstacle;
 mod option_keys;
 mod option_values;

@@ -7,41 +7,6 @@ use super::pointer::{check, reference};
 use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_LENGTH;
 use super::view::fmc_coords;
-use crate::contact::{NodalContact, NodeStatus};
-
-/// Whether a node is in contact.
-#[repr(C)]
-pub enum fmc_node_status {
-    /// No facet at the node is in contact.
-    FMC_NODE_APART = 0,
-    /// A facet at the node is in contact.
-    FMC_NODE_TOUCHING = 1,
-}
-
-/// The contact at the nodes, with its dimension hidden: one list per quantity.
-pub(super) struct NodalLists {
-    pressure: Vec<f64>,
-    gap: Vec<f64>,
-    area: Vec<f64>,
-    normal: Vec<f64>,
-    status: Vec<i32>,
-}
-
-impl<const D: usize> From<NodalContact<D>> for NodalLists {
-    fn from(field: NodalContact<D>) -> Self {
-        let status = |status: &NodeStatus| match status {
-            NodeStatus::Apart => fmc_node_status::FMC_NODE_APART as i32,
-            NodeStatus::Touching => fmc_node_status::FMC_NODE_TOUCHING as i32,
-        };
-        Self {
-            normal: field.normal.as_flattened().to_vec(),
-            status: field.status.iter().map(status).collect(),
-            pressure: field.pressure,
-            gap: field.gap,
-            area: field.area,
-        }
-    }
-}
 
 /// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
 /// Every output may be NULL. All but `normal` have one entry per node, `node_count` of them, which is that of the mesh;

@@ -4,7 +4,7 @@ use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
 use super::kept_tangent::Kept;
-use super::nodal_contact::NodalLists;
+use super::nodal_lists::NodalLists;
 use super::pose::fmc_pose;
 use super::shape::ShapeOf;
 use super::view::{check_node_count, fmc_coords, fmc_forces};

@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::getters::fmc_context_body;
 use super::kept_tangent::Kept;
 use super::mesh::{fmc_cell_block, fmc_cell_type};
-use super::nodal_contact::NodalLists;
+use super::nodal_lists::NodalLists;
 use super::options::fmc_options;
 use super::pose::fmc_pose;
 use super::session::{Counts, Session};

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 26] = [
+const SOURCES: [&str; 27] = [
     "version",
     "status",
     "failure",
@@ -23,6 +23,7 @@ const SOURCES: [&str; 26] = [
     "stable_step",
     "evaluation",
     "getters",
+    "nodal_lists",
     "nodal_contact",
     "contact_point",
     "contact_points",

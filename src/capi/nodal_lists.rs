@@ -1,0 +1,37 @@
+//! The contact at the nodes as plain lists.
+
+use crate::contact::{NodalContact, NodeStatus};
+
+/// Whether a node is in contact.
+#[repr(C)]
+pub enum fmc_node_status {
+    /// No facet at the node is in contact.
+    FMC_NODE_APART = 0,
+    /// A facet at the node is in contact.
+    FMC_NODE_TOUCHING = 1,
+}
+
+/// The contact at the nodes, with its dimension hidden: one list per quantity.
+pub(super) struct NodalLists {
+    pub(super) pressure: Vec<f64>,
+    pub(super) gap: Vec<f64>,
+    pub(super) area: Vec<f64>,
+    pub(super) normal: Vec<f64>,
+    pub(super) status: Vec<i32>,
+}
+
+impl<const D: usize> From<NodalContact<D>> for NodalLists {
+    fn from(field: NodalContact<D>) -> Self {
+        let status = |status: &NodeStatus| match status {
+            NodeStatus::Apart => fmc_node_status::FMC_NODE_APART as i32,
+            NodeStatus::Touching => fmc_node_status::FMC_NODE_TOUCHING as i32,
+        };
+        Self {
+            normal: field.normal.as_flattened().to_vec(),
+            status: field.status.iter().map(status).collect(),
+            pressure: field.pressure,
+            gap: field.gap,
+            area: field.area,
+        }
+    }
+}
