@@ -1,5 +1,6 @@
 //! From the first step to the last file.
 
+#[cfg(feature = "plots")]
 use super::animation;
 use super::figures::Motion;
 use super::frames::Frames;
@@ -8,7 +9,6 @@ use super::summary::{Costs, Summary};
 use super::{fields, plots};
 use crate::case::{Case, Document};
 use anyhow::{Context, Result, bail};
-#[cfg(feature = "plots")]
 use fmc_mesh_io::write_whole;
 use fmc_solid::dynamics::{Sample, Simulation, Step};
 use std::fs;
