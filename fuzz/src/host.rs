@@ -456,16 +456,16 @@ impl Host {
         unsafe {
             let coords = unless(hole, 0, (&raw const view).cast_mut());
             let (p, s) = (unless(hole, 1, pressure.ptr()), unless(hole, 2, touches.ptr()));
-            let room = if hole == 3 { n + 1 } else { n };
+            let room = if hole == 6 { n + 1 } else { n };
             let status =
                 fmc_context_nodal_contact(self.context, coords, p, gap.ptr(), area.ptr(), normal.ptr(), s, room);
             let is_ok = checked(status) == OK;
             assert!(!is_ok || room == n);
             assert_eq!(gap.values().iter().chain(&normal.values()).any(|v| v.to_bits() == CANARY), !is_ok);
-            assert!(is_ok && hole != 2 || touches.values().iter().all(|s| *s == 7));
-            assert!(!is_ok || hole == 2 || touches.values().iter().all(|s| (0..=1).contains(s)));
+            assert!(is_ok && hole != 3 || touches.values().iter().all(|s| *s == 7));
+            assert!(!is_ok || hole == 3 || touches.values().iter().all(|s| (0..=1).contains(s)));
             let count_at = unless(hole, 4, &raw mut count);
-            if checked(fmc_context_find_contact_points(self.context, coords, count_at)) != OK || hole == 4 {
+            if checked(fmc_context_find_contact_points(self.context, coords, count_at)) != OK || hole == 5 {
                 assert_eq!(count, 77);
                 return;
             }
