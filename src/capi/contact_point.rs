@@ -1,6 +1,6 @@
 //! A contact point as a plain struct.
 
-use super::evaluation::side_of;
+use super::evaluation::{padded, side_of};
 use crate::contact::{PointOfContact, SideOfPoint};
 
 /// One end of a contact point: where, and the shape functions of the boundary face there.
@@ -79,8 +79,4 @@ fn side<const D: usize>(side: &SideOfPoint<D>, kind: i32, index: usize, index_ba
         weights: side.weights,
         position: padded(&side.position),
     }
-}
-
-fn padded<const D: usize>(x: &[f64; D]) -> [f64; 3] {
-    std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
 }

@@ -164,9 +164,12 @@ impl<const D: usize> From<&ContactForces<D>> for Evaluation {
 }
 
 fn resultant<const D: usize>(found: &Resultant<D>) -> fmc_resultant {
-    let mut force = [0.0; 3];
-    force[..D].copy_from_slice(&found.force);
-    fmc_resultant { id: found.id, force, moment: found.moment, node_count: found.node_count }
+    fmc_resultant { id: found.id, force: padded(&found.force), moment: found.moment, node_count: found.node_count }
+}
+
+/// A vector as one in space; in 2D the last entry is 0.
+pub(super) fn padded<const D: usize>(x: &[f64; D]) -> [f64; 3] {
+    std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
 }
 
 /// Kind and index of a partner.

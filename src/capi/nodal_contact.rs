@@ -3,7 +3,7 @@
 use super::boundary::entry;
 use super::context::{fmc_context, write};
 use super::failure::Failure;
-use super::pointer::{check, reference};
+use super::pointer::{Output, reference};
 use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_LENGTH;
 use super::view::fmc_coords;
@@ -33,9 +33,9 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
 ) -> fmc_status {
     entry(|| {
         for (name, output) in [("pressure", pressure), ("gap", gap), ("area", area), ("normal", normal)] {
-            aligned(name, output)?;
+            Output::optional(name, output)?;
         }
-        aligned("status", status)?;
+        Output::optional("status", status)?;
         // SAFETY: the host passes a context and a view.
         let lists = unsafe {
             write(context, |state| {
@@ -57,10 +57,6 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
         }
         Ok(())
     })
-}
-
-fn aligned<T>(name: &str, output: *mut T) -> Result<(), Failure> {
-    if output.is_null() { Ok(()) } else { check(name, output.cast_const()) }
 }
 
 /// Writes a list, unless the host declined it.

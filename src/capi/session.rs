@@ -101,6 +101,22 @@ impl<const D: usize> Resident<D> {
         Ok(Self { contact: Contact::new(surface, options)?, scratch: Vec::new() })
     }
 
+    /// What `work` makes of the contact at the host's coordinates.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn at<T>(
+        &mut self,
+        coords: &fmc_coords,
+        index_base: i32,
+        work: impl FnOnce(&mut Contact<D>, &[[f64; D]]) -> Result<T, Error>,
+    ) -> Result<T, Failure> {
+        check_node_count(coords.node_count, self.contact.surface().node_count())?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        work(&mut self.contact, rows).map_err(Failure::counted_from(index_base))
+    }
+
     /// Evaluates by `work`, and writes the forces, if wanted, on success.
     ///
     /// # Safety
@@ -111,14 +127,13 @@ impl<const D: usize> Resident<D> {
         forces: Option<&fmc_forces>,
         add: bool,
         index_base: i32,
-        work: impl FnOnce(&Contact<D>, &[[f64; D]]) -> Result<(ContactForces<D>, T), Error>,
+        work: impl FnOnce(&mut Contact<D>, &[[f64; D]]) -> Result<(ContactForces<D>, T), Error>,
     ) -> Result<(Evaluation, T), Failure> {
         let node_count = self.contact.surface().node_count();
         check_node_count(coords.node_count, node_count)?;
         let output = forces.map(|forces| forces.output::<D>(node_count)).transpose()?;
         // SAFETY: passed on to the caller.
-        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
-        let (found, more) = work(&self.contact, rows).map_err(Failure::counted_from(index_base))?;
+        let (found, more) = unsafe { self.at(coords, index_base, work) }?;
         let evaluation = Evaluation::from(&found);
         if let Some(output) = output {
             // SAFETY: the output was checked for as many rows; the caller guarantees that it may be written.
@@ -154,26 +169,19 @@ impl<const D: usize> Session for Resident<D> {
             self.contact.release_patches();
             return Ok(0);
         };
-        check_node_count(coords.node_count, self.contact.surface().node_count())?;
         // SAFETY: passed on to the caller.
-        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
-        self.contact.keep_patches(rows).map_err(Failure::counted_from(index_base))
+        unsafe { self.at(coords, index_base, |contact, rows| contact.keep_patches(rows)) }
     }
 
     unsafe fn tangent(&mut self, coords: &fmc_coords, part: TangentPart, index_base: i32) -> Result<Kept, Failure> {
-        let node_count = self.contact.surface().node_count();
-        check_node_count(coords.node_count, node_count)?;
         // SAFETY: passed on to the caller.
-        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
-        let tangent = self.contact.tangent(rows, part).map_err(Failure::counted_from(index_base))?;
-        Ok(Kept::new(&tangent, node_count, self.contact.obstacle_count()))
+        let tangent = unsafe { self.at(coords, index_base, |contact, rows| contact.tangent(rows, part)) }?;
+        Ok(Kept::new(&tangent, coords.node_count, self.contact.obstacle_count()))
     }
 
     unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure> {
-        check_node_count(coords.node_count, self.contact.surface().node_count())?;
         // SAFETY: passed on to the caller.
-        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
-        self.contact.stable_step(rows, masses).map_err(Failure::counted_from(index_base))
+        unsafe { self.at(coords, index_base, |contact, rows| contact.stable_step(rows, masses)) }
     }
 
     unsafe fn evaluate_tangent(
@@ -195,10 +203,8 @@ impl<const D: usize> Session for Resident<D> {
     }
 
     unsafe fn nodal_contact(&mut self, coords: &fmc_coords, index_base: i32) -> Result<NodalLists, Failure> {
-        check_node_count(coords.node_count, self.contact.surface().node_count())?;
         // SAFETY: passed on to the caller.
-        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
-        Ok(self.contact.nodal_contact(rows).map_err(Failure::counted_from(index_base))?.into())
+        Ok(unsafe { self.at(coords, index_base, |contact, rows| contact.nodal_contact(rows)) }?.into())
     }
 
     unsafe fn contact_points(
@@ -206,10 +212,8 @@ impl<const D: usize> Session for Resident<D> {
         coords: &fmc_coords,
         index_base: i32,
     ) -> Result<Vec<fmc_contact_point>, Failure> {
-        check_node_count(coords.node_count, self.contact.surface().node_count())?;
         // SAFETY: passed on to the caller.
-        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
-        let points = self.contact.contact_points(rows).map_err(Failure::counted_from(index_base))?;
+        let points = unsafe { self.at(coords, index_base, |contact, rows| contact.contact_points(rows)) }?;
         Ok(points.iter().map(|point| fmc_contact_point::new(point, index_base)).collect())
     }
 

@@ -57,8 +57,8 @@ impl<const D: usize> FacetSide<'_, D> {
     }
 
     /// The same, counted along the line through `x` parallel to this axis; for a point of a facet, which then does not
-    /// count, the number just below it. Where a facet comes as near as rounding and
-    /// is parallel to the line, it may be either: a line across the facets that are near is safe.
+    /// count, the number just below it. Where a facet comes as near as rounding and is parallel to the line, it may be
+    /// either: a line across the facets that are near is safe.
     pub(crate) fn winding_number_along(&self, x: &Vector<D>, axis: usize, but: Option<u32>) -> i32 {
         // A crossing is found by interpolation, which may be off by rounding along the line.
         let top = x[axis] + self.aabb.rounding();

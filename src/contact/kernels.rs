@@ -128,12 +128,7 @@ fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result
 }
 
 fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
-    let pressure = |penetration: f64| contact.law.pressure_at(penetration);
-    let pairs = contact.for_each_pair(coords, |measured| {
-        let Some(energy) = contact.law.energy(measured)? else { return Ok(None) };
-        let points = if contact.law.is_local() { measured.contact_points(false)? } else { None };
-        Ok(Some((energy, points.map(|points| points.nodal_sums(measured.pair, &pressure)))))
-    })?;
+    let pairs = contact.for_each_pair(coords, |measured| contact.law.energy_and_nodal_sums(measured))?;
     NodalContact::assemble(coords.len(), &pairs)
 }
 

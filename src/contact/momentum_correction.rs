@@ -5,7 +5,7 @@
 //! node gives in proportion to what it carries, δ_a = |g_a| (λ + μ × x_a), and λ, μ follow from 3 (2D) or 6 equations.
 
 use crate::geometry::{Vector, moment};
-use crate::overlap::{Imbalance, Overlap, Pair, Partner, PoseGradient, Warning};
+use crate::overlap::{Imbalance, Overlap, Pair, PoseGradient, Warning};
 use nalgebra::{SMatrix, SVector};
 use std::iter::Sum;
 
@@ -23,17 +23,12 @@ struct Carrier<const D: usize> {
 /// Corrects the gradient of an overlap, and warns of an imbalance that was not to be expected.
 pub(crate) fn balance<const D: usize>(overlap: &mut Overlap<D>, pair: &Pair<D>, expected: Imbalance) {
     let Overlap { nodes, of_b, gradient, pose_gradient, .. } = overlap;
-    let imbalance = correct(nodes, of_b, gradient, pose_gradient, pair.coords, expected);
-    overlap.warnings.extend(imbalance.map(|imbalance| unbalanced(pair.partners, imbalance)));
+    let warning = correct(nodes, of_b, gradient, pose_gradient, pair, expected);
+    overlap.warnings.extend(warning);
 }
 
-/// A word about forces that do not balance.
-pub(crate) fn unbalanced([a, b]: [Partner; 2], imbalance: f64) -> Warning {
-    Warning::Unbalanced { a, b, imbalance }
-}
-
-/// Corrects the gradient of one pair, on nodes at `coords` and on the pose of an obstacle. `of_b` is the side of every
-/// node. What is balanced but for rounding is left as it is. Returns an imbalance that was not to be expected.
+/// Corrects the gradient of one pair, on its nodes and on the pose of an obstacle. `of_b` is the side of every node.
+/// What is balanced but for rounding is left as it is. Warns of an imbalance that was not to be expected.
 ///
 /// An obstacle takes part as one more node at the point where its resultant acts. A mode that no node resists (turning
 /// about the line through all of them) is left as it is.
@@ -42,11 +37,16 @@ pub(crate) fn correct<const D: usize>(
     of_b: &[bool],
     gradient: &mut [Vector<D>],
     pose_gradient: &mut Option<PoseGradient<D>>,
-    coords: &[[f64; D]],
+    pair: &Pair<D>,
     expected: Imbalance,
-) -> Option<f64> {
+) -> Option<Warning> {
     let mut carriers: Vec<Carrier<D>> = (nodes.iter().zip(gradient.iter()).zip(of_b))
-        .map(|((&node, &value), &of_b)| Carrier { arm: coords[node as usize].into(), size: value.norm(), value, of_b })
+        .map(|((&node, &value), &of_b)| Carrier {
+            arm: pair.coords[node as usize].into(),
+            size: value.norm(),
+            value,
+            of_b,
+        })
         .collect();
     let weight = sum_by_side(&carriers, |c| c.size);
     if weight <= 0.0 {
@@ -69,8 +69,10 @@ pub(crate) fn correct<const D: usize>(
     }
     carriers.iter_mut().for_each(|c| c.arm /= unit);
     let imbalance = residual(&carriers, &couple.map(|c| c / unit)).amax() / weight;
-    let unexpected = (imbalance > expected.doubtful).then_some(imbalance);
-    if imbalance <= expected.rounding {
+    let [a, b] = pair.partners;
+    let unexpected = (imbalance > expected.doubtful).then_some(Warning::Unbalanced { a, b, imbalance });
+    // Forces that are no numbers have none either; whoever sums them up refuses them.
+    if imbalance.is_nan() || imbalance <= expected.rounding {
         return unexpected;
     }
     let system = sum_by_side(&carriers, |c| {

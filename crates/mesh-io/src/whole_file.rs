@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Writes a file beside its place, and moves it there once all of it is on the disk: a full disk or an interruption
+/// Writes a file beside its place, and moves it there once all of it is written: a full disk or an interruption
 /// leaves what stood there before.
 ///
 /// # Errors

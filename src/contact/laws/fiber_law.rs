@@ -2,7 +2,7 @@
 
 use super::energy_law::EnergyLaw;
 use super::pair_energy::PairEnergy;
-use super::pair_law::{EnergyAndTangent, Measured, PairLaw};
+use super::pair_law::{EnergyAndSums, EnergyAndTangent, Measured, PairLaw};
 use crate::Error;
 use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
@@ -42,6 +42,14 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         let Some(points) = measured.contact_points(part == TangentPart::Full)? else { return Ok((None, None)) };
         let tangent = Tangent::of_points(&points, measured.pair, &self.0, part, obstacle_node);
         Ok((Some(self.energy_of(&points, measured)), Some(tangent)))
+    }
+
+    fn energy_and_nodal_sums(&self, measured: &Measured<D>) -> Result<Option<EnergyAndSums<D>>, Error> {
+        let pressure = |penetration: f64| self.0.energy_gradient(penetration);
+        Ok(measured.contact_points(false)?.map(|points| {
+            let sums = points.nodal_sums(measured.pair, &pressure);
+            (self.energy_of(&points, measured), Some(sums))
+        }))
     }
 
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {

@@ -1,7 +1,7 @@
 //! Energy of one pair and its gradient, whichever law it follows.
 
 use super::energy_law::EnergyLaw;
-use crate::contact::momentum_correction::{correct, unbalanced};
+use crate::contact::momentum_correction::correct;
 use crate::geometry::Vector;
 use crate::overlap::{ContactPoints, Imbalance, Overlap, Pair, PointGradient, PoseGradient};
 
@@ -47,8 +47,7 @@ impl<const D: usize> PairEnergy<D> {
         let (mut gradient, mut overlap) = points.gradient_and_overlap(pair, &|length| law.energy(length), &slope);
         if let Some(expected) = expected {
             let PointGradient { nodes, of_b, values, pose } = &mut gradient;
-            let imbalance = correct(nodes, of_b, values, pose, pair.coords, expected);
-            overlap.warnings.extend(imbalance.map(|imbalance| unbalanced(pair.partners, imbalance)));
+            overlap.warnings.extend(correct(nodes, of_b, values, pose, pair, expected));
         }
         let across = points.sum(|_| 1.0);
         Self {

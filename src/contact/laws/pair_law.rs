@@ -3,7 +3,7 @@
 use super::pair_energy::PairEnergy;
 use crate::Error;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::{ContactPoints, Overlap, OverlapEstimator, Pair, Partner, Patches, Reach, find_patches};
+use crate::overlap::{ContactPoints, NodalSum, Overlap, OverlapEstimator, Pair, Partner, Patches, Reach, find_patches};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
@@ -31,6 +31,11 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
         Ok((self.energy(measured)?, self.tangent(measured, part, obstacle_node)?))
     }
 
+    /// Energy, and of a law that acts at contact points their sums at the nodes, from one measurement.
+    fn energy_and_nodal_sums(&self, measured: &Measured<D>) -> Result<Option<EnergyAndSums<D>>, Error> {
+        Ok(self.energy(measured)?.map(|energy| (energy, None)))
+    }
+
     /// The overlap on which the law stands.
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error>;
 
@@ -45,6 +50,9 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
 
 /// Energy with its gradient, and its second derivative, each `None` where the sides are apart.
 pub(crate) type EnergyAndTangent<const D: usize> = (Option<PairEnergy<D>>, Option<Tangent<D>>);
+
+/// Energy with its gradient, and sums at the nodes where there are contact points.
+pub(crate) type EnergyAndSums<const D: usize> = (PairEnergy<D>, Option<Vec<NodalSum>>);
 
 /// Patches that were found at the coordinates in force, by pair.
 #[derive(Default)]

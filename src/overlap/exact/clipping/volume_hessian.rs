@@ -13,8 +13,8 @@
 //! ```
 //!
 //! It grows without bound as the facets become parallel: in flat contact there is no usable tangent. Where faces lie
-//! flush the force has a jump, and no derivative: what is left of both terms has a symmetric part, which is returned. Not for a body
-//! against itself, nor for bodies that are folded.
+//! flush the force has a jump, and no derivative: what is left of both terms has a symmetric part, which is returned.
+//! Not for a body against itself, nor for bodies that are folded.
 
 use super::clipper::Clipped;
 use super::volume::{ExactPair, Found};
