@@ -17,6 +17,7 @@ mod height_field;
 pub(crate) mod inside;
 pub(crate) mod inverted;
 mod march;
+pub(crate) mod nearest_on_facet;
 mod obstacle;
 pub(crate) mod orientation;
 pub(crate) mod plane;

@@ -4,6 +4,7 @@
 //! · `exact` and `fibers` (the estimators, which do not know each other).
 
 mod by_options;
+pub(crate) mod depth_integral;
 pub(crate) mod estimator;
 pub(crate) mod exact;
 pub(crate) mod fibers;
@@ -12,6 +13,7 @@ pub(crate) mod patches;
 pub(crate) mod points;
 
 pub(crate) use by_options::estimator;
+pub(crate) use depth_integral::{DepthIntegral, SecondDerivative};
 pub(crate) use estimator::{Imbalance, OverlapEstimator};
 pub use pair::fiber_trace::FiberTrace;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};

@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 26] = [
+const ROOMS: [&str; 29] = [
     "error",
     "dimension",
     "geometry",
     "sampling",
+    "depth",
     "configuration",
     "overlap/pair/partner",
     "overlap/pair/surface_point",
@@ -20,8 +21,10 @@ const ROOMS: [&str; 26] = [
     "overlap/pair",
     "overlap/patches",
     "overlap/points",
+    "overlap/depth_integral",
     "overlap/estimator",
     "overlap/exact/clipping",
+    "overlap/exact/depth",
     "overlap/exact/projection",
     "overlap/exact",
     "overlap/fibers",

@@ -9,9 +9,10 @@ use super::rigid::{Rigid, check_pose};
 use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
+use crate::depth::DepthField;
 use crate::geometry::{Bodies, CellBlock, Obstacle, Pose, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 
 /// Contact between the bodies of one mesh, and with rigid obstacles.
 ///
@@ -28,6 +29,8 @@ pub struct Contact<const D: usize> {
     /// Patches of the fiber law that are kept, by pair.
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
     pub(super) state: Mutex<Option<Box<State<D>>>>,
+    /// Depth of the cells, found when it is asked for first.
+    pub(super) depth: OnceLock<Option<DepthField<D>>>,
 }
 
 impl<const D: usize> Contact<D> {
@@ -46,6 +49,7 @@ impl<const D: usize> Contact<D> {
             law: pair_law(&options)?,
             kept: Vec::new(),
             state: Mutex::new(None),
+            depth: OnceLock::new(),
         })
     }
 

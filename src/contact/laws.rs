@@ -3,6 +3,7 @@
 mod by_options;
 #[cfg(test)]
 mod constant_pressure;
+mod depth_law;
 pub(super) mod energy_law;
 mod fiber_law;
 mod pair_energy;

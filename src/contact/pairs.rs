@@ -95,7 +95,8 @@ impl<const D: usize> Contact<D> {
         // Outside the pool there is none to share the work with.
         let parallel = self.pool.is_some() && !counterpart.is_marched();
         let (surface, coords) = (&self.surface, configuration.coords());
-        let pair = Pair { partners, a, counterpart, pose, surface, coords, parallel };
+        let depth = self.depth_field();
+        let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, parallel };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
         work(&Measured { pair: &pair, estimator: &*self.estimator, kept, found })

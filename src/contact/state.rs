@@ -5,6 +5,7 @@ use super::laws::FoundPatches;
 use super::rigid::Placed;
 use crate::Error;
 use crate::configuration::Configuration;
+use crate::depth::DepthField;
 
 /// The bodies and the obstacles where they were evaluated last.
 pub(super) struct State<const D: usize> {
@@ -33,6 +34,14 @@ impl<const D: usize> Contact<D> {
         let result = brought.and_then(|()| work(&state));
         *lock() = Some(state);
         result
+    }
+
+    /// How deep the cells of bodies lie below their surfaces, where the law asks for it and there are cells.
+    pub(super) fn depth_field(&self) -> Option<&DepthField<D>> {
+        if !self.law.needs_depth() {
+            return None;
+        }
+        self.depth.get_or_init(|| DepthField::new(&self.surface)).as_ref()
     }
 
     fn bring(&self, state: &mut State<D>, coords: &[[f64; D]]) -> Result<(), Error> {

@@ -75,6 +75,11 @@ impl<const D: usize> Aabb<D> {
         128.0 * f64::EPSILON * self.min.amax().max(self.max.amax())
     }
 
+    /// Squared distance of a point from the box, 0 inside.
+    pub(crate) fn squared_distance(&self, x: &Vector<D>) -> f64 {
+        (0..D).map(|i| (self.min[i] - x[i]).max(x[i] - self.max[i]).max(0.0)).map(|d| d * d).sum()
+    }
+
     pub(crate) fn volume(&self) -> f64 {
         self.extent().iter().map(|e| e.max(0.0)).product()
     }

@@ -23,6 +23,26 @@ pub(crate) fn area_vector<const D: usize>(x: &[Vector<D>; D]) -> Vector<D> {
     a
 }
 
+/// Derivatives of the area vector with respect to the corners, row by row.
+pub(crate) fn area_slopes<const D: usize>(x: &[Vector<D>; D]) -> [[[f64; D]; D]; D] {
+    let mut slopes = [[[0.0; D]; D]; D];
+    if D == 2 {
+        for (slope, sign) in slopes.iter_mut().zip([-1.0, 1.0]) {
+            (slope[0][1], slope[1][0]) = (sign, -sign);
+        }
+        return slopes;
+    }
+    for (c, slope) in slopes.iter_mut().enumerate() {
+        // ½ w × (x_{c+1} − x_{c+2}) for a corner that moves by w.
+        let d = (x[(c + 1) % D] - x[(c + 2) % D]) * 0.5;
+        for i in 0..D {
+            let (j, k) = ((i + 1) % D, (i + 2) % D);
+            (slope[i][j], slope[i][k]) = (d[k], -d[j]);
+        }
+    }
+    slopes
+}
+
 /// Determinant of the matrix with these rows: twice the area, or six times the volume, of the simplex they span.
 pub(crate) fn determinant<const D: usize>(rows: &[Vector<D>; D]) -> f64 {
     let r = rows;

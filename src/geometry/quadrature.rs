@@ -4,6 +4,23 @@ pub(crate) fn mean<const D: usize>(piece: &[[f64; D]]) -> [f64; D] {
     std::array::from_fn(|a| piece.iter().map(|w| w[a]).sum::<f64>() / piece.len() as f64)
 }
 
+/// Calls `visit(corners, part of the facet's measure)` for the simplices that make up a convex piece: the interval
+/// itself, or the triangles about its first corner.
+pub(crate) fn for_each_simplex<const D: usize>(piece: &[[f64; D]], mut visit: impl FnMut([&[f64; D]; D], f64)) {
+    let p = &piece[0];
+    for k in 1..=piece.len() + 1 - D {
+        let corners: [&[f64; D]; D] = std::array::from_fn(|c| if c == 0 { p } else { &piece[k + c - 1] });
+        let part = match D {
+            2 => (corners[1][1] - p[1]).abs(),
+            _ => {
+                let (q, r) = (corners[1], corners[D - 1]);
+                ((q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1])).abs()
+            }
+        };
+        visit(corners, part);
+    }
+}
+
 /// Two Gauss points on an interval: degree 3.
 const ON_INTERVAL: [f64; 2] = [0.211_324_865_405_187_13, 0.788_675_134_594_812_9];
 

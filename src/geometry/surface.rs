@@ -8,7 +8,8 @@ use crate::Error;
 use crate::dimension::{recast, rows};
 use std::ops::Range;
 
-/// Boundary facets of the bodies of a mesh, oriented outwards. Topology only: coordinates are not kept.
+/// Boundary facets of the bodies of a mesh, oriented outwards: their topology. Of coordinates only those of the
+/// reference are kept, from which the law `depth` has its depths, where there are cells.
 ///
 /// Facets have *vertices*: the nodes on the surface and, for quadrilateral faces, the face centroid (mean of the four
 /// nodes), about which such a face is split into four triangles.
@@ -32,6 +33,8 @@ pub struct Surface<const D: usize> {
     one_sheet: Vec<bool>,
     /// Cells, where the surface was made from them.
     pub(crate) cells: Option<Cells>,
+    /// Coordinates of all nodes without deformation; empty where there are no cells.
+    reference: Vec<[f64; D]>,
 }
 
 impl<const D: usize> Surface<D> {
@@ -78,6 +81,7 @@ impl<const D: usize> Surface<D> {
         }
         surface.collect_vertices();
         surface.cells = Some(cells);
+        surface.reference = coords.to_vec();
         Ok(surface)
     }
 
@@ -147,6 +151,7 @@ impl<const D: usize> Surface<D> {
             vertices: Vec::new(),
             one_sheet: Vec::new(),
             cells: None,
+            reference: Vec::new(),
         }
     }
 
@@ -188,6 +193,22 @@ impl<const D: usize> Surface<D> {
         range.end = self.facets.len() + 1;
         self.facets.push(facet);
         self.facet_cell.push(cell);
+    }
+
+    /// Coordinates of all nodes without deformation: those from which the surface was made. Empty where there are no
+    /// cells.
+    pub(crate) fn reference(&self) -> &[[f64; D]] {
+        &self.reference
+    }
+
+    /// Nodes that move a vertex, with their weights: itself, or the four nodes about a centroid.
+    pub(crate) fn nodes_of_vertex(&self, vertex: u32) -> impl Iterator<Item = (u32, f64)> {
+        let (vertices, weight) = match (vertex as usize).checked_sub(self.nodes.len()) {
+            None => (&[vertex][..], 1.0),
+            Some(centroid) => (&self.centroids[centroid][..], 0.25),
+        };
+        let nodes: [u32; 4] = std::array::from_fn(|k| vertices.get(k).map_or(0, |&v| self.nodes[v as usize]));
+        nodes.into_iter().take(vertices.len()).map(move |node| (node, weight))
     }
 
     /// Positions of the vertices at `coords`.

@@ -125,6 +125,32 @@ impl<const D: usize> Tree<D> {
         }
     }
 
+    /// The least of `squared_distance` over all items, none of which is nearer to `x` than its box. Infinite without
+    /// items.
+    pub(crate) fn least_squared_distance(&self, x: &Vector<D>, squared_distance: impl Fn(u32) -> f64) -> f64 {
+        let mut least = f64::INFINITY;
+        let mut stack = Vec::with_capacity(64);
+        if let Some(root) = self.nodes.first() {
+            stack.push((root.aabb.squared_distance(x), 0u32));
+        }
+        while let Some((bound, node)) = stack.pop() {
+            let Node { start, end, right, .. } = &self.nodes[node as usize];
+            if bound >= least {
+                continue;
+            }
+            if *right == 0 {
+                let items = &self.items[*start as usize..*end as usize];
+                least = items.iter().map(|&i| squared_distance(i)).fold(least, f64::min);
+                continue;
+            }
+            let bound_of = |child: u32| (self.nodes[child as usize].aabb.squared_distance(x), child);
+            let (near, far) = (bound_of(node + 1), bound_of(*right));
+            // The nearer one is looked at first.
+            stack.extend(if near.0 <= far.0 { [far, near] } else { [near, far] });
+        }
+        least
+    }
+
     /// Visits every pair of items, the first of `self`, whose boxes meet; `boxes` are those that the trees were made
     /// of.
     pub(crate) fn visit_pairs(&self, other: &Self, boxes: [&[Aabb<D>]; 2], mut pair: impl FnMut(u32, u32)) {

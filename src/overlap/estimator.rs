@@ -1,5 +1,6 @@
 //! What every estimator can be asked for a pair of bodies.
 
+use super::depth_integral::{DepthIntegral, SecondDerivative};
 use super::pair::fiber_trace::FiberTrace;
 use super::pair::overlap::Overlap;
 use super::pair::sides::Pair;
@@ -29,6 +30,12 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
         patches: &Patches<D>,
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error>;
+
+    /// The depths of the sides below each other's surfaces, summed over the overlap, or `None` where they are apart.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] where the estimator has no such sum.
+    fn depth_integral(&self, pair: &Pair<D>, second: SecondDerivative) -> Result<Option<DepthIntegral<D>>, Error>;
 
     /// Distance between the lines along the directions of `patches`, where there are lines.
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error>;

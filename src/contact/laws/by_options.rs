@@ -1,5 +1,6 @@
 //! From the options to the law.
 
+use super::depth_law::DepthLaw;
 use super::energy_law::EnergyLaw;
 use super::fiber_law::FiberLaw;
 use super::pair_law::PairLaw;
@@ -9,6 +10,7 @@ use super::volume_law::VolumeLaw;
 pub(crate) fn pair_law<const D: usize>(law: &EnergyLaw) -> Box<dyn PairLaw<D>> {
     match law {
         EnergyLaw::Volume { .. } => Box::new(VolumeLaw(*law)),
+        EnergyLaw::Depth { stiffness } => Box::new(DepthLaw { stiffness: *stiffness }),
         EnergyLaw::Fiber { .. } => Box::new(FiberLaw(*law)),
     }
 }

@@ -27,6 +27,14 @@ pub enum EnergyLaw {
         /// ψ.
         profile: FiberProfile,
     },
+    /// w = k/2 ∫ (g_A + g_B) dx over the overlap, each body carrying the depth g of its material below its own surface;
+    /// against an obstacle w = k ∫ g dx with the depth below its surface. Where flat surfaces overlap by δ the pressure
+    /// is k δ on either, as with `Fiber`; but no direction is needed, and the energy has no step wherever corners, edges
+    /// and whole bodies go. Bodies need cells. Exact only.
+    Depth {
+        /// Stiffness, positive: Pa/length.
+        stiffness: f64,
+    },
 }
 
 /// Energy ψ of one line, per measure across it.
@@ -53,12 +61,20 @@ impl EnergyLaw {
         EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
     }
 
-    /// Energy of `measure`: of the overlap volume V, or, for the fiber law, ψ of a length L.
+    /// w = k/2 ∫ (g_A + g_B) dx: pressure = k × penetration, k in Pa/length.
+    pub fn depth(k: f64) -> Self {
+        EnergyLaw::Depth { stiffness: k }
+    }
+
+    /// Energy of `measure`: of the overlap volume V; for the fiber law ψ of a length L; for the depth law of a
+    /// penetration between flat surfaces, by area.
     pub fn energy(&self, measure: f64) -> f64 {
         let x = measure.max(0.0);
         match *self {
             EnergyLaw::Volume { stiffness: k, exponent: m } => k * x.powf(m),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } => 0.5 * k * x * x,
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                0.5 * k * x * x
+            }
             // √(L² + ε²) − ε without cancellation.
             EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
                 k * x * (x / (x.hypot(smoothing_length) + smoothing_length))
@@ -72,7 +88,9 @@ impl EnergyLaw {
         match *self {
             EnergyLaw::Volume { stiffness: k, exponent: 1.0 } => k,
             EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * x.powf(m - 1.0),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } => k * x,
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                k * x
+            }
             EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
                 k * (x / x.hypot(smoothing_length))
             }
@@ -85,7 +103,9 @@ impl EnergyLaw {
         match *self {
             EnergyLaw::Volume { exponent: 1.0, .. } => 0.0,
             EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * (m - 1.0) * x.powf(m - 2.0),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } => k,
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                k
+            }
             EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
                 let r = x.hypot(smoothing_length);
                 k * (smoothing_length / r) * (smoothing_length / r) / r
@@ -112,7 +132,9 @@ impl EnergyLaw {
             EnergyLaw::Volume { stiffness: k, exponent: m } => {
                 positive("stiffness", k, 0.0).and(positive("exponent", m, 1.0))
             }
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } => positive("stiffness", k, 0.0),
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                positive("stiffness", k, 0.0)
+            }
             EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
                 positive("stiffness", k, 0.0).and(positive("smoothing_length", smoothing_length, 0.0))
             }
@@ -132,6 +154,7 @@ mod tests {
             EnergyLaw::Volume { stiffness: 3.0, exponent: 1.5 },
             EnergyLaw::volume(3.0),
             EnergyLaw::fiber(3.0),
+            EnergyLaw::depth(3.0),
             EnergyLaw::Fiber { stiffness: 3.0, profile: linear },
         ] {
             for x in [1e-3, 0.02, 0.7] {

@@ -27,11 +27,7 @@ impl<const D: usize> PairEnergy<D> {
             nodes: overlap.nodes.clone(),
             gradient: overlap.gradient.iter().map(|g| g * pressure).collect(),
             of_b: overlap.of_b.clone(),
-            pose_gradient: overlap.pose_gradient.map(|pose| PoseGradient {
-                position: pose.position * pressure,
-                rotation: pose.rotation.map(|m| m * pressure),
-                scale: pose.scale * pressure,
-            }),
+            pose_gradient: overlap.pose_gradient.map(|pose| pose.scaled(pressure)),
             overlap,
         }
     }

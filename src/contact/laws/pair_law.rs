@@ -42,6 +42,11 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
     /// Whether it acts at contact points, along the directions of patches.
     fn is_local(&self) -> bool;
 
+    /// Whether it asks how deep the cells of bodies lie below their surfaces.
+    fn needs_depth(&self) -> bool {
+        false
+    }
+
     /// Pressure at a contact point; of a law that acts there.
     fn pressure_at(&self, _penetration: f64) -> f64 {
         0.0

@@ -1,7 +1,9 @@
 //! Exact clipping as an estimator.
 
 use super::clipping::volume::ExactPair;
+use super::depth::depth_integral;
 use crate::Error;
+use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
@@ -46,6 +48,10 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error> {
         ExactPair { pair }.contact_points(patches, derivative)
+    }
+
+    fn depth_integral(&self, pair: &Pair<D>, second: SecondDerivative) -> Result<Option<DepthIntegral<D>>, Error> {
+        depth_integral(pair, second)
     }
 
     fn spacing(&self, _: &Pair<D>, _: &Patches<D>) -> Result<Option<f64>, Error> {

@@ -2,6 +2,7 @@
 
 use super::layout::FiberPair;
 use crate::Error;
+use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::options::FiberOptions;
@@ -57,6 +58,10 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         _derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error> {
         self.of(pair).contact_points(patches)
+    }
+
+    fn depth_integral(&self, _: &Pair<D>, _: SecondDerivative) -> Result<Option<DepthIntegral<D>>, Error> {
+        Err(Error::Unsupported { what: "the law depth on sampled lines: use the estimator exact" })
     }
 
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {

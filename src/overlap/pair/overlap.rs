@@ -15,6 +15,17 @@ pub struct PoseGradient<const D: usize> {
     pub scale: f64,
 }
 
+impl<const D: usize> PoseGradient<D> {
+    /// Every derivative times a factor.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            position: self.position * factor,
+            rotation: self.rotation.map(|m| m * factor),
+            scale: self.scale * factor,
+        }
+    }
+}
+
 /// Overlap of one pair: what both estimators return.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Overlap<const D: usize> {

@@ -3,6 +3,7 @@
 use super::partner::Partner;
 use super::surface_point::SurfacePoint;
 use crate::configuration::FacetSide;
+use crate::depth::DepthField;
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Surface, Vector};
@@ -56,6 +57,8 @@ pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) surface: &'a Surface<D>,
     /// Coordinates of all nodes.
     pub(crate) coords: &'a [[f64; D]],
+    /// Depth of the bodies' cells, where the law needs it and there are cells.
+    pub(crate) depth: Option<&'a DepthField<D>>,
     /// Whether the threads of the pool that calls may share the work.
     pub(crate) parallel: bool,
 }

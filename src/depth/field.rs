@@ -1,0 +1,213 @@
+//! The depth field of all bodies.
+
+use super::cell_parts::{Corner, Part, cell_face, parts, weights};
+use super::distances::Distances;
+use crate::geometry::cells::Cells;
+use crate::geometry::facet::area_vector;
+use crate::geometry::{CellType, Surface, Vector};
+
+/// Depth below the surface of its body at every point of every cell.
+///
+/// It is linear between the nodes, at which it is the distance from the surface. This alone would vanish in cells all of
+/// whose nodes lie on the surface, which line every edge of a mesh of tetrahedra; so a part of a cell that has a facet,
+/// or that has all its corners on the surface, is divided about the centre of its inscribed ball. That has the same
+/// distance from all faces, so that the field has slope 1 below every facet.
+pub(crate) struct DepthField<const D: usize> {
+    /// Depth of every node.
+    nodes: Vec<f64>,
+    /// For every cell its number among `rims`, if it has one.
+    rim_of: Vec<u32>,
+    rims: Vec<Rim>,
+    /// One after the other for the parts of all rims that are divided.
+    incentres: Vec<Incentre>,
+    /// Whether a body's cells hang together by faces.
+    connected: Vec<bool>,
+}
+
+/// What is known of a cell that has nodes on the surface.
+struct Rim {
+    /// Depth at the middle of the cell, and at the middles of its faces.
+    middle: f64,
+    faces: [f64; 6],
+    /// Bit p is set where part p is divided; the first of its points among `incentres`.
+    divided: u32,
+    first: u32,
+}
+
+/// A point about which a part is divided.
+#[derive(Clone, Copy)]
+pub(super) struct Incentre {
+    /// Weights of the part's corners.
+    pub(super) weights: [f64; 4],
+    pub(super) depth: f64,
+}
+
+const NO_RIM: u32 = u32::MAX;
+
+impl<const D: usize> DepthField<D> {
+    /// The field of a surface that has cells; `None` for one that has none.
+    pub(crate) fn new(surface: &Surface<D>) -> Option<Self> {
+        let cells = surface.cells.as_ref()?;
+        let coords = surface.reference();
+        let distances = Distances::new(surface, coords);
+        let mut field = Self {
+            nodes: node_depths(surface, cells, coords, &distances),
+            rim_of: vec![NO_RIM; cells.len()],
+            rims: Vec::new(),
+            incentres: Vec::new(),
+            connected: connected_bodies(cells, surface.body_count()),
+        };
+        for cell in 0..cells.len() {
+            let is_rim = cells.nodes(cell).iter().any(|&n| field.nodes[n as usize] == 0.0);
+            if is_rim {
+                field.add_rim(cells, cell, coords, &distances);
+            }
+        }
+        Some(field)
+    }
+
+    fn add_rim(&mut self, cells: &Cells, cell: usize, coords: &[[f64; D]], distances: &Distances<D>) {
+        let (body, cell_type) = (cells.body[cell] as usize, cells.cell_type(cell));
+        let nodes = cells.nodes(cell);
+        let place = |weights: &[f64; 8]| {
+            let terms = nodes.iter().zip(weights).map(|(&n, &w)| Vector::<D>::from(coords[n as usize]) * w);
+            terms.fold(Vector::zeros(), |x, term| x + term)
+        };
+        let at_face = |face: usize, local: &[usize]| {
+            if cells.boundary[cell] >> face & 1 == 1 {
+                return 0.0;
+            }
+            let of_nodes = || local.iter().map(|&k| self.nodes[nodes[k] as usize]);
+            // Both cells at the face must say the same: one that has no node on the surface takes the mean.
+            if of_nodes().all(|depth| depth > 0.0) {
+                return of_nodes().sum::<f64>() / local.len() as f64;
+            }
+            distances.of_point(body, &place(&weights(cells, cell, Corner::Face(face))))
+        };
+        let mut rim = Rim { middle: 0.0, faces: [0.0; 6], divided: 0, first: self.incentres.len() as u32 };
+        let has_middle = nodes.len() > D + 1;
+        if has_middle {
+            for (face, local) in cell_type.faces().iter().enumerate() {
+                rim.faces[face] = at_face(face, local);
+            }
+            rim.middle = distances.of_point(body, &place(&weights(cells, cell, Corner::Middle)));
+        }
+        let mut incentres = Vec::new();
+        for (number, part) in parts(cell_type).enumerate() {
+            let has_facet =
+                (0..=D).any(|k| cell_face(cell_type, D, &part, k).is_some_and(|f| cells.boundary[cell] >> f & 1 == 1));
+            let is_flat = (0..=D).all(|k| self.corner_depth(cell_type, nodes, Some(&rim), part.corners[k]) == 0.0);
+            if !has_facet && !is_flat {
+                continue;
+            }
+            let corners: [Vector<D>; 4] = std::array::from_fn(|k| {
+                if k <= D { place(&weights(cells, cell, part.corners[k])) } else { Vector::zeros() }
+            });
+            let Some((weights, radius)) = incentre(&corners) else { continue };
+            let middle = (0..=D).fold(Vector::zeros(), |x, k| x + corners[k] * weights[k]);
+            let depth = if has_facet { radius } else { distances.of_point(body, &middle) };
+            incentres.push(Incentre { weights, depth });
+            rim.divided |= 1 << number;
+        }
+        self.incentres.extend(incentres);
+        self.rim_of[cell] = self.rims.len() as u32;
+        self.rims.push(rim);
+    }
+
+    /// Whether a body's cells hang together by faces.
+    pub(crate) fn is_connected(&self, body: usize) -> bool {
+        self.connected[body]
+    }
+
+    /// Depth at a corner of a part.
+    fn corner_depth(&self, cell_type: CellType, nodes: &[u32], rim: Option<&Rim>, corner: Corner) -> f64 {
+        let mean = |local: &mut dyn ExactSizeIterator<Item = usize>| {
+            let count = local.len();
+            local.map(|k| self.nodes[nodes[k] as usize]).sum::<f64>() / count as f64
+        };
+        match (corner, rim) {
+            (Corner::Node(k), _) => self.nodes[nodes[k] as usize],
+            (Corner::Face(face), Some(rim)) => rim.faces[face],
+            (Corner::Middle, Some(rim)) => rim.middle,
+            (Corner::Face(face), None) => mean(&mut cell_type.faces()[face].iter().copied()),
+            (Corner::Middle, None) => mean(&mut (0..nodes.len())),
+        }
+    }
+
+    /// Calls `visit(part, depths of its corners, point about which it is divided)` for every part of a cell.
+    pub(super) fn for_each_part(
+        &self,
+        cells: &Cells,
+        cell: usize,
+        mut visit: impl FnMut(&Part, [f64; 4], Option<&Incentre>),
+    ) {
+        let (nodes, cell_type) = (cells.nodes(cell), cells.cell_type(cell));
+        let rim = (self.rim_of[cell] != NO_RIM).then(|| &self.rims[self.rim_of[cell] as usize]);
+        let mut incentres = rim.map_or(&[][..], |rim| &self.incentres[rim.first as usize..]).iter();
+        for (number, part) in parts(cell_type).enumerate() {
+            let mut depths = [0.0; 4];
+            (0..=D).for_each(|k| depths[k] = self.corner_depth(cell_type, nodes, rim, part.corners[k]));
+            let divided = rim.is_some_and(|rim| rim.divided >> number & 1 == 1);
+            visit(&part, depths, if divided { incentres.next() } else { None });
+        }
+    }
+}
+
+/// Depth of every node that a cell has: 0 on the surface of a body.
+fn node_depths<const D: usize>(
+    surface: &Surface<D>,
+    cells: &Cells,
+    coords: &[[f64; D]],
+    distances: &Distances<D>,
+) -> Vec<f64> {
+    const UNSEEN: f64 = -1.0;
+    let mut depths = vec![UNSEEN; coords.len()];
+    surface.nodes.iter().for_each(|&n| depths[n as usize] = 0.0);
+    for cell in 0..cells.len() {
+        for &node in cells.nodes(cell) {
+            let depth = &mut depths[node as usize];
+            if *depth == UNSEEN {
+                *depth = distances.of_point(cells.body[cell] as usize, &coords[node as usize].into());
+            }
+        }
+    }
+    depths
+}
+
+/// Weights of the centre of the ball inscribed in a simplex, and its radius; `None` where it is flat.
+fn incentre<const D: usize>(corners: &[Vector<D>; 4]) -> Option<([f64; 4], f64)> {
+    let area = |opposite: usize| {
+        let face: [Vector<D>; D] = std::array::from_fn(|k| corners[k + usize::from(k >= opposite)]);
+        area_vector(&face)
+    };
+    let mut weights = [0.0; 4];
+    (0..=D).for_each(|k| weights[k] = area(k).norm());
+    let sum: f64 = weights.iter().sum();
+    // The height above a face times its measure is D times the volume.
+    let volume = area(0).dot(&(corners[0] - corners[1])).abs() / D as f64;
+    let radius = D as f64 * volume / sum;
+    (radius > 0.0).then(|| (weights.map(|w| w / sum), radius))
+}
+
+/// Whether the cells of each body hang together by faces.
+fn connected_bodies(cells: &Cells, bodies: usize) -> Vec<bool> {
+    let mut sheets = vec![0; bodies];
+    let mut seen = vec![false; cells.len()];
+    let mut stack = Vec::new();
+    for first in 0..cells.len() {
+        if seen[first] {
+            continue;
+        }
+        sheets[cells.body[first] as usize] += 1;
+        seen[first] = true;
+        stack.push(first);
+        while let Some(cell) = stack.pop() {
+            for &next in cells.neighbours(cell) {
+                if !std::mem::replace(&mut seen[next as usize], true) {
+                    stack.push(next as usize);
+                }
+            }
+        }
+    }
+    sheets.into_iter().map(|count| count == 1).collect()
+}

@@ -1,0 +1,86 @@
+//! The pieces of a body's cells that reach into a region.
+
+use crate::depth::{DepthField, DepthPiece};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::cells::Cells;
+use crate::geometry::tree::Tree;
+use crate::geometry::{Surface, Vector};
+use rustc_hash::FxHashSet;
+
+/// Pieces on which the depth of a body is linear, to be found by place.
+pub(super) struct CellPieces<const D: usize> {
+    pub(super) pieces: Vec<DepthPiece<D>>,
+    pub(super) boxes: Vec<Aabb<D>>,
+    pub(super) tree: Tree<D>,
+}
+
+impl<const D: usize> CellPieces<D> {
+    /// The pieces of one body that meet `region`; `facets` are those of its facets that do.
+    pub(super) fn new(
+        surface: &Surface<D>,
+        cells: &Cells,
+        field: &DepthField<D>,
+        coords: &[[f64; D]],
+        body: usize,
+        facets: &[u32],
+        region: &Aabb<D>,
+    ) -> Self {
+        let (mut pieces, mut boxes) = (Vec::new(), Vec::new());
+        for cell in cells_in(surface, cells, field, coords, body, facets, region) {
+            field.for_each_piece(cells, cell as usize, coords, |piece| {
+                let aabb = piece.aabb();
+                if aabb.meets(region) {
+                    pieces.push(piece);
+                    boxes.push(aabb);
+                }
+            });
+        }
+        let tree = Tree::new(&boxes);
+        Self { pieces, boxes, tree }
+    }
+}
+
+/// Cells of one body whose boxes meet `region`, ascending.
+///
+/// The part of a body that hangs together within a box either reaches the surface there, or is all of the box. So the
+/// cells behind the facets in the region lead to all others through the faces between them, where the body hangs
+/// together; where it has no facet in the region, or falls apart, all cells are looked at.
+fn cells_in<const D: usize>(
+    surface: &Surface<D>,
+    cells: &Cells,
+    field: &DepthField<D>,
+    coords: &[[f64; D]],
+    body: usize,
+    facets: &[u32],
+    region: &Aabb<D>,
+) -> Vec<u32> {
+    let meets = |cell: u32| {
+        let mut aabb = Aabb::empty();
+        cells.nodes(cell as usize).iter().for_each(|&n| aabb.include(&Vector::from(coords[n as usize])));
+        aabb.meets(region)
+    };
+    if facets.is_empty() || !field.is_connected(body) {
+        let own = (0..cells.len() as u32).filter(|&cell| cells.body[cell as usize] as usize == body);
+        return own.filter(|&cell| meets(cell)).collect();
+    }
+    let facet_cell = &surface.facet_cell[surface.ranges[body].clone()];
+    let mut seen = FxHashSet::default();
+    let mut found: Vec<u32> = Vec::new();
+    for &facet in facets {
+        let cell = facet_cell[facet as usize];
+        if seen.insert(cell) && meets(cell) {
+            found.push(cell);
+        }
+    }
+    let mut next = 0;
+    while next < found.len() {
+        for &cell in cells.neighbours(found[next] as usize) {
+            if seen.insert(cell) && meets(cell) {
+                found.push(cell);
+            }
+        }
+        next += 1;
+    }
+    found.sort_unstable();
+    found
+}

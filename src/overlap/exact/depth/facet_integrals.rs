@@ -1,0 +1,274 @@
+//! ∫ over the facets of one body inside another of the other's depth, with its derivatives.
+
+use super::cell_pieces::CellPieces;
+use super::facet_clip::clip;
+use super::node_sums::NodeSums;
+use crate::configuration::FacetSide;
+use crate::depth::{DepthPiece, MOST_NODES};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::cells::Cells;
+use crate::geometry::convex_piece::Piece;
+use crate::geometry::facet::{area_slopes, area_vector};
+use crate::geometry::quadrature::for_each_simplex;
+use crate::geometry::{Surface, Vector};
+use crate::overlap::depth_integral::SecondDerivative;
+use crate::overlap::points::block_sum::{BlockSum, product};
+
+/// Nodes that move a facet: those of a quadrilateral face move each of its triangles.
+const FACET_NODES: usize = 4;
+
+/// Nodes that take part where a facet lies in a cell.
+const MOST: usize = FACET_NODES + MOST_NODES;
+
+/// What the facets of one side have inside the other.
+#[derive(Default)]
+pub(super) struct FacetIntegrals<const D: usize> {
+    pub(super) gradient: NodeSums<D>,
+    pub(super) hessian: BlockSum<D>,
+    /// Their measure, the integral of the depth over it, and the largest depth.
+    pub(super) area: f64,
+    pub(super) depth: f64,
+    pub(super) deepest: f64,
+    pub(super) piece_count: usize,
+    pub(super) facet_count: usize,
+}
+
+/// The facets of one side, and the other body.
+pub(super) struct FacetsInCells<'a, const D: usize> {
+    pub(super) surface: &'a Surface<D>,
+    pub(super) cells: &'a Cells,
+    pub(super) side: &'a FacetSide<'a, D>,
+    /// Whether the side is the second of the pair.
+    pub(super) of_b: bool,
+    pub(super) other: &'a CellPieces<D>,
+    /// Part with which it counts.
+    pub(super) weight: f64,
+    pub(super) second: SecondDerivative,
+    /// Cell of every facet of the side, which does not count, where the other body is the same.
+    pub(super) own_cell: Option<&'a [u32]>,
+}
+
+/// A facet, and the nodes that move it.
+struct Facet<const D: usize> {
+    corners: [Vector<D>; D],
+    area: Vector<D>,
+    measure: f64,
+    normal: Vector<D>,
+    nodes: Vec<u32>,
+    /// Weights of the nodes in each corner.
+    weights: [[f64; FACET_NODES]; D],
+}
+
+impl<const D: usize> FacetsInCells<'_, D> {
+    /// The integrals over some facets.
+    pub(super) fn integrals(&self, facets: &[u32], rounding: f64) -> FacetIntegrals<D> {
+        let mut sums = FacetIntegrals::default();
+        let mut scratch = Scratch { work: Piece::default(), values: Vec::new() };
+        for &number in facets {
+            let Some(facet) = self.facet(number) else { continue };
+            let aabb = Aabb::of(&facet.corners);
+            let before = sums.piece_count;
+            let mut moments = [0.0; D];
+            self.other.tree.visit(
+                |node| node.meets(&aabb),
+                |j| {
+                    let piece = &self.other.pieces[j as usize];
+                    let is_own = self.own_cell.is_some_and(|cells| cells[number as usize] == piece.cell);
+                    if !is_own && self.other.boxes[j as usize].meets(&aabb) && facet.may_meet(piece, rounding) {
+                        self.add(&facet, piece, &mut scratch, &mut moments, &mut sums);
+                    }
+                },
+            );
+            if sums.piece_count > before {
+                sums.facet_count += 1;
+                for (&weights, &moment) in facet.weights.iter().zip(&moments) {
+                    let force = facet.normal * (self.weight * facet.measure * moment);
+                    for (&node, &weight) in facet.nodes.iter().zip(&weights).filter(|(_, weight)| **weight != 0.0) {
+                        sums.gradient.add(node, self.of_b, &(force * weight));
+                    }
+                }
+            }
+        }
+        sums
+    }
+
+    fn facet(&self, number: u32) -> Option<Facet<D>> {
+        let corners = self.side.corners(number as usize);
+        let area = area_vector(&corners);
+        let measure = area.norm();
+        if measure == 0.0 {
+            return None;
+        }
+        let (mut nodes, mut weights) = (Vec::with_capacity(FACET_NODES), [[0.0; FACET_NODES]; D]);
+        let mut place = |node: u32| {
+            let known = nodes.iter().position(|n| *n == node);
+            known.unwrap_or_else(|| {
+                nodes.push(node);
+                nodes.len() - 1
+            })
+        };
+        for (weights, &vertex) in weights.iter_mut().zip(&self.side.facets[number as usize]) {
+            for (node, weight) in self.surface.nodes_of_vertex(vertex) {
+                weights[place(node)] += weight;
+            }
+        }
+        Some(Facet { corners, area, measure, normal: area / measure, nodes, weights })
+    }
+
+    /// Adds what a facet has inside a piece; `moments` are ∫ g N_a over it, in parts of its measure.
+    fn add(
+        &self,
+        facet: &Facet<D>,
+        piece: &DepthPiece<D>,
+        scratch: &mut Scratch<D>,
+        moments: &mut [f64; D],
+        sums: &mut FacetIntegrals<D>,
+    ) {
+        let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
+        let Scratch { work, values } = scratch;
+        clip(&facet.corners, &barycentric, &facet.area, piece, work, |inside, part| {
+            sums.piece_count += 1;
+            let part = part * piece.sign;
+            let coordinates =
+                |w: &[f64; D]| -> [f64; 4] { std::array::from_fn(|k| (0..D).map(|c| w[c] * barycentric[c][k]).sum()) };
+            let depth = |at: &[f64; 4]| -> f64 { (0..=D).map(|k| at[k] * piece.depths[k]).sum() };
+            let mut local = [0.0; D];
+            // Products of the functions that move with nodes.
+            let mut products = [[0.0; MOST]; MOST];
+            let count = facet.nodes.len() + self.cells.nodes(piece.cell as usize).len();
+            for_each_simplex(inside.corners(), |corners, share| {
+                let share = share * part;
+                let at = corners.map(&coordinates);
+                let g: [f64; D] = std::array::from_fn(|c| depth(&at[c]));
+                let total: f64 = g.iter().sum();
+                sums.area += share * facet.measure;
+                sums.depth += share * facet.measure * total / D as f64;
+                sums.deepest = g.iter().fold(sums.deepest, |most, g| most.max(*g));
+                let norm = share / (D * (D + 1)) as f64;
+                for (a, moment) in local.iter_mut().enumerate() {
+                    let same: f64 = (0..D).map(|c| g[c] * corners[c][a]).sum();
+                    let sum: f64 = (0..D).map(|c| corners[c][a]).sum();
+                    *moment += norm * (same + total * sum);
+                }
+                if self.second != SecondDerivative::No {
+                    let of_corners: [[f64; MOST]; D] =
+                        std::array::from_fn(|c| self.shapes(facet, piece, corners[c], &at[c]));
+                    add_products(&mut products, &of_corners, count, norm);
+                }
+            });
+            for (sum, moment) in moments.iter_mut().zip(&local) {
+                *sum += moment;
+            }
+            if self.second != SecondDerivative::No {
+                self.add_blocks(facet, piece, &products, &local, values, &mut sums.hessian);
+            }
+        });
+    }
+
+    /// Shape functions of the facet's nodes, then those of the cell's, at a point of both.
+    fn shapes(&self, facet: &Facet<D>, piece: &DepthPiece<D>, on_facet: &[f64; D], in_piece: &[f64; 4]) -> [f64; MOST] {
+        let mut shapes = [0.0; MOST];
+        for (weights, w) in facet.weights.iter().zip(on_facet) {
+            shapes.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += w * weight);
+        }
+        let of_cell = piece.at_nodes(in_piece);
+        shapes[facet.nodes.len()..].iter_mut().zip(of_cell).for_each(|(shape, value)| *shape = value);
+        shapes
+    }
+
+    /// Adds the second derivative of the integral over a facet inside a piece, given ∫ of products of shape functions
+    /// and ∫ g N_a, in parts of its measure.
+    fn add_blocks(
+        &self,
+        facet: &Facet<D>,
+        piece: &DepthPiece<D>,
+        products: &[[f64; MOST]; MOST],
+        moments: &[f64; D],
+        values: &mut Vec<[[f64; D]; D]>,
+        hessian: &mut BlockSum<D>,
+    ) {
+        let (n, g) = (&facet.normal, &piece.gradient);
+        let semidefinite = self.second == SecondDerivative::Semidefinite;
+        if semidefinite && (n.dot(g) <= 0.0 || piece.sign < 0.0) {
+            return;
+        }
+        let mut nodes = facet.nodes.clone();
+        nodes.extend_from_slice(self.cells.nodes(piece.cell as usize));
+        let (own, count) = (facet.nodes.len(), nodes.len());
+        values.clear();
+        for row in 0..count {
+            for col in 0..count {
+                let opposite = if (row < own) == (col < own) { 1.0 } else { -1.0 };
+                let factor = opposite * self.weight * facet.measure * products[row][col];
+                values.push(match () {
+                    () if semidefinite => product(factor * g.norm(), n, n),
+                    () if row < own => product(factor, n, g),
+                    () => product(factor, g, n),
+                });
+            }
+        }
+        if !semidefinite {
+            for (a, &moment) in moments.iter().enumerate() {
+                for (c, slope) in area_slopes(&facet.corners).iter().enumerate() {
+                    for row in 0..own {
+                        for col in 0..own {
+                            let factor = self.weight * moment * facet.weights[a][row] * facet.weights[c][col];
+                            let value = &mut values[row * count + col];
+                            for (sums, slopes) in value.iter_mut().zip(slope) {
+                                sums.iter_mut().zip(slopes).for_each(|(sum, slope)| *sum += factor * slope);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        hessian.add_square(&nodes, values);
+    }
+}
+
+/// Memory that is used again.
+struct Scratch<const D: usize> {
+    work: Piece<D>,
+    values: Vec<[[f64; D]; D]>,
+}
+
+impl<const D: usize> Facet<D> {
+    /// False only if the piece keeps clear of the facet's plane.
+    fn may_meet(&self, piece: &DepthPiece<D>, rounding: f64) -> bool {
+        let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for x in &piece.corners[..=D] {
+            let height = self.normal.dot(&(x - self.corners[0]));
+            (least, largest) = (least.min(height), largest.max(height));
+        }
+        least <= rounding && largest >= -rounding
+    }
+}
+
+/// Adds ∫ of all products of two of the first `count` functions that are linear on a simplex, given at its corners.
+fn add_products<const D: usize>(
+    products: &mut [[f64; MOST]; MOST],
+    at_corners: &[[f64; MOST]; D],
+    count: usize,
+    norm: f64,
+) {
+    let sums: [f64; MOST] = std::array::from_fn(|i| at_corners.iter().map(|f| f[i]).sum());
+    for i in 0..count {
+        for j in 0..count {
+            let same: f64 = at_corners.iter().map(|f| f[i] * f[j]).sum();
+            products[i][j] += norm * (same + sums[i] * sums[j]);
+        }
+    }
+}
+
+impl<const D: usize> FacetIntegrals<D> {
+    /// Adds all of another part.
+    pub(super) fn add_part(&mut self, other: Self) {
+        self.gradient.add_sums(&other.gradient);
+        self.hessian.add_sum(other.hessian);
+        self.area += other.area;
+        self.depth += other.depth;
+        self.deepest = self.deepest.max(other.deepest);
+        self.piece_count += other.piece_count;
+        self.facet_count += other.facet_count;
+    }
+}

@@ -1,0 +1,17 @@
+//! The law `depth`.
+
+#[path = "../scene/scene.rs"]
+mod scene;
+
+mod derivatives;
+mod flat;
+mod scans;
+mod swallowed;
+
+use fmc_contact::EnergyLaw;
+use fmc_contact::Options;
+
+/// The law with stiffness k.
+fn depth(k: f64) -> Options {
+    scene::table::exactly(EnergyLaw::depth(k))
+}
