@@ -135,6 +135,12 @@ typedef enum {
   // smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key value
   // "fiber".
   FMC_LAW_FIBER = 1,
+  // w = k/2 times the integral over the overlap of g_A + g_B, the depths of both bodies' material below their own
+  // surfaces; against an obstacle k times that of the depth below its surface. Flat faces press with k times their
+  // penetration, as with "fiber", and k is a pressure per length; but there are no directions and no patches, and
+  // the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. Estimators exact and auto.
+  // Key value "depth".
+  FMC_LAW_DEPTH = 2,
 } fmc_law;
 
 // How the overlap is measured.
@@ -143,6 +149,9 @@ typedef enum {
   FMC_ESTIMATOR_FIBERS = 0,
   // Exact for straight-sided meshes and flat-sided obstacles. Key value "exact".
   FMC_ESTIMATOR_EXACT = 1,
+  // Pair by pair: exact between bodies and with obstacles bounded by planes, sampled by lines with curved ones. Key
+  // value "auto".
+  FMC_ESTIMATOR_AUTO = 2,
 } fmc_estimator;
 
 // How fibers are laid.
@@ -239,7 +248,7 @@ typedef struct fmc_context fmc_context;
 typedef struct {
   // Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // k > 0, no default. For the law "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
+  // k > 0, no default. For the laws "fiber" and "depth" a pressure per length (Pa/m): the pressure is k times the penetration;
   // see `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
   // and must exceed the peak contact pressure; in general energy / (length^dim)^m; see
   // `fmc_suggest_stiffness_from_modulus`.
@@ -694,6 +703,23 @@ const char *fmc_context_error(const fmc_context *context);
 //
 // Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
 fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coords, size_t *direction_count);
+
+// Sets the coordinates of all nodes without deformation, from which the law "depth" has its depths; those at which the
+// context was created are the default.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a surface without cells, `FMC_ERROR_LENGTH`,
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates then stay. Threads:
+// one call at a time on a context.
+fmc_status fmc_context_set_reference(fmc_context *context,
+                                     const fmc_coords *coords);
+
+// Names `count` nodes that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
+// surface, since the body goes on behind it. The host holds such nodes in their plane. Replaces what was named before;
+// `count` 0 names none.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
+// that would have no surface left; what was named before then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_symmetry_nodes(fmc_context *context, const int64_t *nodes, size_t count);
 
 // Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
 // to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and

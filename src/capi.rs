@@ -38,6 +38,7 @@ mod part;
 mod patches;
 mod pointer;
 mod pose;
+mod reference;
 mod session;
 mod shape;
 mod signed_distance;

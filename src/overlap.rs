@@ -3,6 +3,7 @@
 //! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches)
 //! · `exact` and `fibers` (the estimators, which do not know each other).
 
+mod auto;
 mod by_options;
 pub(crate) mod depth_integral;
 pub(crate) mod estimator;
@@ -13,7 +14,7 @@ pub(crate) mod patches;
 pub(crate) mod points;
 
 pub(crate) use by_options::estimator;
-pub(crate) use depth_integral::{DepthIntegral, SecondDerivative};
+pub(crate) use depth_integral::{DepthIntegral, NodalDepth, SecondDerivative};
 pub(crate) use estimator::{Imbalance, OverlapEstimator};
 pub use pair::fiber_trace::FiberTrace;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};

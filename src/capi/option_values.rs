@@ -15,13 +15,18 @@ const SWITCH: &[(i32, &str)] = &[(0, "0"), (1, "1")];
 
 pub(super) const LAW: Choice = Choice {
     key: "law",
-    values: &[(fmc_law::FMC_LAW_VOLUME as i32, "volume"), (fmc_law::FMC_LAW_FIBER as i32, "fiber")],
+    values: &[
+        (fmc_law::FMC_LAW_VOLUME as i32, "volume"),
+        (fmc_law::FMC_LAW_FIBER as i32, "fiber"),
+        (fmc_law::FMC_LAW_DEPTH as i32, "depth"),
+    ],
 };
 pub(super) const ESTIMATOR: Choice = Choice {
     key: "estimator",
     values: &[
         (fmc_estimator::FMC_ESTIMATOR_FIBERS as i32, "fibers"),
         (fmc_estimator::FMC_ESTIMATOR_EXACT as i32, "exact"),
+        (fmc_estimator::FMC_ESTIMATOR_AUTO as i32, "auto"),
     ],
 };
 pub(super) const PATTERN: Choice = Choice {
@@ -87,6 +92,7 @@ impl fmc_options {
         let law = self.law()?;
         let estimator = match ESTIMATOR.name(self.estimator)? {
             "exact" => Estimator::Exact,
+            "auto" => Estimator::Auto(self.fibers()?),
             _ => Estimator::Fibers(self.fibers()?),
         };
         let threads = usize::try_from(self.threads)
@@ -102,17 +108,20 @@ impl fmc_options {
 
     /// Refuses options that would have no effect beside others: whoever sets one means something by it.
     fn check_effects(&self) -> Result<(), Failure> {
-        let is_sampled = ESTIMATOR.name(self.estimator)? == "fibers";
+        let estimator = ESTIMATOR.name(self.estimator)?;
+        // Chosen automatically, lines may be needed.
+        let is_sampled = estimator != "exact";
         let is_isotropic = PATTERN.name(self.pattern)? == "isotropic";
-        let is_volume = LAW.name(self.law)? == "volume";
+        let law = LAW.name(self.law)?;
+        let is_volume = law == "volume";
         let is_weighted = WEIGHTS.name(self.weights)? != "balance";
         let idle = [
             ("exponent", self.exponent != 1.0 && !is_volume, "the law 'volume'"),
-            ("smoothing_length", self.smoothing_length != 0.0 && is_volume, "the law 'fiber'"),
+            ("smoothing_length", self.smoothing_length != 0.0 && law != "fiber", "the law 'fiber'"),
             ("spacing", self.spacing != 0.0 && !is_sampled, "the estimator 'fibers'"),
             ("fiber_count", self.fiber_count != 0 && !is_sampled, "the estimator 'fibers'"),
             ("seed", self.seed != 0 && !is_sampled, "the estimator 'fibers'"),
-            ("pattern", is_isotropic && !is_sampled, "the estimator 'fibers'"),
+            ("pattern", is_isotropic && estimator != "fibers", "the estimator 'fibers'"),
             ("weights", is_weighted && !is_sampled, "the estimator 'fibers'"),
             ("weights", is_weighted && !is_volume, "the law 'volume'"),
             ("weights", is_weighted && is_isotropic, "the pattern 'lines'"),
@@ -133,6 +142,7 @@ impl fmc_options {
             ("fiber", smoothing_length) => {
                 EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
             }
+            ("depth", _) => EnergyLaw::Depth { stiffness: k },
             _ => EnergyLaw::Volume { stiffness: k, exponent: self.exponent },
         })
     }
@@ -194,7 +204,7 @@ mod tests {
 
     #[test]
     fn unknown_values_are_refused() {
-        assert_eq!(refused(|o| o.law = 2).1, "option 'law' has no value 2");
+        assert_eq!(refused(|o| o.law = 3).1, "option 'law' has no value 3");
         assert_eq!(refused(|o| o.estimator = -1).1, "option 'estimator' has no value -1");
         for change in [
             (|o| o.pattern = 2) as fn(&mut fmc_options),

@@ -14,6 +14,12 @@ pub enum fmc_law {
     /// smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key value
     /// "fiber".
     FMC_LAW_FIBER = 1,
+    /// w = k/2 times the integral over the overlap of g_A + g_B, the depths of both bodies' material below their own
+    /// surfaces; against an obstacle k times that of the depth below its surface. Flat faces press with k times their
+    /// penetration, as with "fiber", and k is a pressure per length; but there are no directions and no patches, and
+    /// the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. Estimators exact and auto.
+    /// Key value "depth".
+    FMC_LAW_DEPTH = 2,
 }
 
 /// How the overlap is measured.
@@ -23,6 +29,9 @@ pub enum fmc_estimator {
     FMC_ESTIMATOR_FIBERS = 0,
     /// Exact for straight-sided meshes and flat-sided obstacles. Key value "exact".
     FMC_ESTIMATOR_EXACT = 1,
+    /// Pair by pair: exact between bodies and with obstacles bounded by planes, sampled by lines with curved ones. Key
+    /// value "auto".
+    FMC_ESTIMATOR_AUTO = 2,
 }
 
 /// How fibers are laid.
@@ -53,7 +62,7 @@ pub enum fmc_weights {
 pub struct fmc_options {
     /// Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// k > 0, no default. For the law "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
+    /// k > 0, no default. For the laws "fiber" and "depth" a pressure per length (Pa/m): the pressure is k times the penetration;
     /// see `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
     /// and must exceed the peak contact pressure; in general energy / (length^dim)^m; see
     /// `fmc_suggest_stiffness_from_modulus`.

@@ -4,6 +4,7 @@ use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
 use super::kept_tangent::Kept;
+use super::mesh::Numbering;
 use super::nodal_lists::NodalLists;
 use super::pose::fmc_pose;
 use super::shape::ShapeOf;
@@ -30,6 +31,15 @@ pub(super) trait Session: Send + Sync {
     /// # Safety
     /// The host guarantees the arrays of the shape.
     unsafe fn add_obstacle(&mut self, shape: ShapeOf, pose: fmc_pose, index_base: i32) -> Result<usize, Failure>;
+
+    /// Sets the coordinates without deformation.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn set_reference(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure>;
+
+    /// Names the nodes in planes of symmetry, as the host counts them.
+    fn set_symmetry_nodes(&mut self, nodes: &[i64], index_base: i32) -> Result<(), Failure>;
 
     /// Keeps the patches at these coordinates, or none; returns the number of directions.
     ///
@@ -162,6 +172,17 @@ impl<const D: usize> Session for Resident<D> {
         let shape = unsafe { shape.in_dimension(index_base) }?;
         let pose: Pose<D> = pose.to_pose();
         self.contact.add_obstacle(Obstacle { shape, pose }).map_err(Failure::counted_from(index_base))
+    }
+
+    unsafe fn set_reference(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.set_reference(rows)) }
+    }
+
+    fn set_symmetry_nodes(&mut self, nodes: &[i64], index_base: i32) -> Result<(), Failure> {
+        let numbering = Numbering { index_base, node_count: self.contact.surface().node_count() };
+        let nodes = numbering.zero_based(nodes, 1, 0)?;
+        self.contact.set_symmetry_nodes(&nodes).map_err(Failure::counted_from(index_base))
     }
 
     unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure> {

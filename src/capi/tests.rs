@@ -92,6 +92,14 @@ impl Session for Brittle {
         Ok(0)
     }
 
+    unsafe fn set_reference(&mut self, _: &fmc_coords, _: i32) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn set_symmetry_nodes(&mut self, _: &[i64], _: i32) -> Result<(), Failure> {
+        Ok(())
+    }
+
     unsafe fn keep_patches(&mut self, _: Option<&fmc_coords>, _: i32) -> Result<usize, Failure> {
         Ok(0)
     }

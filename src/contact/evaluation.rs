@@ -29,6 +29,8 @@ pub struct Contact<const D: usize> {
     /// Patches of the fiber law that are kept, by pair.
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
     pub(super) state: Mutex<Option<Box<State<D>>>>,
+    /// Whether a node lies in a plane of symmetry; empty where none was named.
+    pub(super) in_symmetry_plane: Vec<bool>,
     /// Depth of the cells, found when it is asked for first.
     pub(super) depth: OnceLock<Option<DepthField<D>>>,
 }
@@ -49,6 +51,7 @@ impl<const D: usize> Contact<D> {
             law: pair_law(&options)?,
             kept: Vec::new(),
             state: Mutex::new(None),
+            in_symmetry_plane: Vec::new(),
             depth: OnceLock::new(),
         })
     }
@@ -73,6 +76,44 @@ impl<const D: usize> Contact<D> {
         let rigid = self.obstacles.get_mut(obstacle).ok_or(Error::ObstacleOutOfRange { obstacle, count })?;
         rigid.obstacle.pose = pose;
         self.forget_found();
+        Ok(())
+    }
+
+    /// Sets the coordinates of all nodes without deformation, from which the law `depth` has its depths; those from which
+    /// the surface was made are the default.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a surface without cells, [`Error::Length`], [`Error::NonFiniteCoordinate`],
+    /// [`Error::InvertedCell`], [`Error::ZeroMeasure`]; the old ones then stay.
+    pub fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        self.surface.set_reference(coords)?;
+        self.depth = OnceLock::new();
+        Ok(())
+    }
+
+    /// Names the nodes that lie in planes of symmetry: for the law `depth` a face all of whose nodes are named is no
+    /// surface, since the body goes on behind it, and its depth does not vanish there. The host holds such nodes in
+    /// their plane. Replaces what was named before.
+    ///
+    /// # Errors
+    /// [`Error::NodeOutOfRange`], naming the index in `nodes` as its cell; [`Error::Unsupported`] for a body that would
+    /// have no surface left. What was named before then stays.
+    pub fn set_symmetry_nodes(&mut self, nodes: &[u32]) -> Result<(), Error> {
+        let node_count = self.surface.node_count();
+        let mut marked = vec![false; node_count];
+        for (cell, &node) in nodes.iter().enumerate() {
+            let mark = marked.get_mut(node as usize);
+            *mark.ok_or(Error::NodeOutOfRange { cell, node: node.into(), node_count })? = true;
+        }
+        let mut has_surface = vec![false; self.surface.body_count()];
+        for (body, nodes) in self.surface.faces() {
+            has_surface[body] |= !nodes.iter().all(|&n| marked[n as usize]);
+        }
+        if has_surface.contains(&false) {
+            return Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" });
+        }
+        self.in_symmetry_plane = marked;
+        self.depth = OnceLock::new();
         Ok(())
     }
 

@@ -36,7 +36,15 @@ impl Options {
         if self.threads == 0 {
             return Err(Error::NotPositive { name: "threads", value: 0.0 });
         }
-        if let Estimator::Fibers(fibers) = &self.estimator {
+        if let Estimator::Fibers(fibers) | Estimator::Auto(fibers) = &self.estimator {
+            if matches!(self.estimator, Estimator::Auto(_)) && fibers.pattern != FiberPattern::Lines {
+                let what = "isotropic fibers chosen automatically: use the estimator fibers";
+                return Err(Error::Unsupported { what });
+            }
+            if self.law.needs_depth() && matches!(self.estimator, Estimator::Fibers(_)) {
+                let what = "the law depth on sampled lines: use the estimator exact or auto";
+                return Err(Error::Unsupported { what });
+            }
             if self.law.is_fiber() && fibers.pattern != FiberPattern::Lines {
                 let what = "the fiber law on isotropic fibers: its lines run along the contact normal; use FiberPattern::Lines";
                 return Err(Error::Unsupported { what });

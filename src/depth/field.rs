@@ -4,6 +4,7 @@ use super::cell_parts::{Corner, Part, cell_face, parts, weights};
 use super::distances::Distances;
 use crate::geometry::cells::Cells;
 use crate::geometry::facet::area_vector;
+use crate::geometry::nearest_on_facet::nearest;
 use crate::geometry::{CellType, Surface, Vector};
 
 /// Depth below the surface of its body at every point of every cell.
@@ -12,9 +13,14 @@ use crate::geometry::{CellType, Surface, Vector};
 /// whose nodes lie on the surface, which line every edge of a mesh of tetrahedra; so a part of a cell that has a facet,
 /// or that has all its corners on the surface, is divided about the centre of its inscribed ball. That has the same
 /// distance from all faces, so that the field has slope 1 below every facet.
+///
+/// Faces in a plane of symmetry are no surface: the body goes on behind them.
 pub(crate) struct DepthField<const D: usize> {
-    /// Depth of every node.
+    /// Depth of every node, and the facet that is nearest to it.
     nodes: Vec<f64>,
+    anchors: Vec<u32>,
+    /// Bit f is set where face f of a cell is surface.
+    surface_faces: Vec<u8>,
     /// For every cell its number among `rims`, if it has one.
     rim_of: Vec<u32>,
     rims: Vec<Rim>,
@@ -45,13 +51,29 @@ pub(super) struct Incentre {
 const NO_RIM: u32 = u32::MAX;
 
 impl<const D: usize> DepthField<D> {
-    /// The field of a surface that has cells; `None` for one that has none.
-    pub(crate) fn new(surface: &Surface<D>) -> Option<Self> {
+    /// The field of a surface that has cells; `None` for one that has none. Faces all of whose nodes are marked lie in
+    /// planes of symmetry.
+    pub(crate) fn new(surface: &Surface<D>, in_symmetry_plane: &[bool]) -> Option<Self> {
         let cells = surface.cells.as_ref()?;
         let coords = surface.reference();
-        let distances = Distances::new(surface, coords);
+        let is_marked = |node: u32| in_symmetry_plane.get(node as usize).copied().unwrap_or(false);
+        let is_surface = |cell: usize, face: usize| !cells.face_nodes(cell, face).into_iter().all(is_marked);
+        let surface_faces: Vec<u8> = (0..cells.len())
+            .map(|cell| {
+                let boundary = (0..8).filter(|face| cells.boundary[cell] >> face & 1 == 1);
+                boundary.filter(|&face| is_surface(cell, face)).fold(0, |mask, face| mask | 1 << face)
+            })
+            .collect();
+        let facet_is_surface = |facet: usize| {
+            let mut nodes = surface.facets[facet].iter().flat_map(|&v| surface.nodes_of_vertex(v));
+            !nodes.all(|(node, _)| is_marked(node))
+        };
+        let distances = Distances::new(surface, coords, facet_is_surface);
+        let (nodes, anchors) = node_depths(cells, coords, &surface_faces, &distances);
         let mut field = Self {
-            nodes: node_depths(surface, cells, coords, &distances),
+            nodes,
+            anchors,
+            surface_faces,
             rim_of: vec![NO_RIM; cells.len()],
             rims: Vec::new(),
             incentres: Vec::new(),
@@ -66,6 +88,27 @@ impl<const D: usize> DepthField<D> {
         Some(field)
     }
 
+    /// The point of the surface that is nearest to a node below it without deformation, as nodes and their weights; `None`
+    /// for a node on the surface.
+    pub(crate) fn anchor<'a>(
+        &self,
+        surface: &'a Surface<D>,
+        node: u32,
+    ) -> Option<impl Iterator<Item = (u32, f64)> + use<'a, D>> {
+        if self.nodes[node as usize] <= 0.0 {
+            return None;
+        }
+        let (vertices, reference) = (surface.facets[self.anchors[node as usize] as usize], surface.reference());
+        let place = |n: u32| Vector::<D>::from(reference[n as usize]);
+        let corners = vertices
+            .map(|v| surface.nodes_of_vertex(v).fold(Vector::zeros(), |x, (node, weight)| x + place(node) * weight));
+        let weights = nearest(&corners, &place(node));
+        let of_corner = vertices.into_iter().zip(weights);
+        Some(
+            of_corner.flat_map(|(v, weight)| surface.nodes_of_vertex(v).map(move |(node, part)| (node, weight * part))),
+        )
+    }
+
     fn add_rim(&mut self, cells: &Cells, cell: usize, coords: &[[f64; D]], distances: &Distances<D>) {
         let (body, cell_type) = (cells.body[cell] as usize, cells.cell_type(cell));
         let nodes = cells.nodes(cell);
@@ -73,8 +116,14 @@ impl<const D: usize> DepthField<D> {
             let terms = nodes.iter().zip(weights).map(|(&n, &w)| Vector::<D>::from(coords[n as usize]) * w);
             terms.fold(Vector::zeros(), |x, term| x + term)
         };
+        // No farther than a node on the surface.
+        let on_surface = nodes.iter().find(|&&n| self.nodes[n as usize] == 0.0);
+        let distance = |x: &Vector<D>| {
+            let limit = on_surface.map_or(f64::INFINITY, |&n| (x - Vector::from(coords[n as usize])).norm());
+            distances.of_point(body, x, limit).0
+        };
         let at_face = |face: usize, local: &[usize]| {
-            if cells.boundary[cell] >> face & 1 == 1 {
+            if self.surface_faces[cell] >> face & 1 == 1 {
                 return 0.0;
             }
             let of_nodes = || local.iter().map(|&k| self.nodes[nodes[k] as usize]);
@@ -82,7 +131,7 @@ impl<const D: usize> DepthField<D> {
             if of_nodes().all(|depth| depth > 0.0) {
                 return of_nodes().sum::<f64>() / local.len() as f64;
             }
-            distances.of_point(body, &place(&weights(cells, cell, Corner::Face(face))))
+            distance(&place(&weights(cells, cell, Corner::Face(face))))
         };
         let mut rim = Rim { middle: 0.0, faces: [0.0; 6], divided: 0, first: self.incentres.len() as u32 };
         let has_middle = nodes.len() > D + 1;
@@ -90,12 +139,12 @@ impl<const D: usize> DepthField<D> {
             for (face, local) in cell_type.faces().iter().enumerate() {
                 rim.faces[face] = at_face(face, local);
             }
-            rim.middle = distances.of_point(body, &place(&weights(cells, cell, Corner::Middle)));
+            rim.middle = distance(&place(&weights(cells, cell, Corner::Middle)));
         }
         let mut incentres = Vec::new();
         for (number, part) in parts(cell_type).enumerate() {
-            let has_facet =
-                (0..=D).any(|k| cell_face(cell_type, D, &part, k).is_some_and(|f| cells.boundary[cell] >> f & 1 == 1));
+            let has_facet = (0..=D)
+                .any(|k| cell_face(cell_type, D, &part, k).is_some_and(|f| self.surface_faces[cell] >> f & 1 == 1));
             let is_flat = (0..=D).all(|k| self.corner_depth(cell_type, nodes, Some(&rim), part.corners[k]) == 0.0);
             if !has_facet && !is_flat {
                 continue;
@@ -105,7 +154,7 @@ impl<const D: usize> DepthField<D> {
             });
             let Some((weights, radius)) = incentre(&corners) else { continue };
             let middle = (0..=D).fold(Vector::zeros(), |x, k| x + corners[k] * weights[k]);
-            let depth = if has_facet { radius } else { distances.of_point(body, &middle) };
+            let depth = if has_facet { radius } else { distance(&middle) };
             incentres.push(Incentre { weights, depth });
             rim.divided |= 1 << number;
         }
@@ -153,25 +202,36 @@ impl<const D: usize> DepthField<D> {
     }
 }
 
-/// Depth of every node that a cell has: 0 on the surface of a body.
+/// Depth of every node that a cell has, 0 on the surface of a body, and the nearest facet.
 fn node_depths<const D: usize>(
-    surface: &Surface<D>,
     cells: &Cells,
     coords: &[[f64; D]],
+    surface_faces: &[u8],
     distances: &Distances<D>,
-) -> Vec<f64> {
+) -> (Vec<f64>, Vec<u32>) {
     const UNSEEN: f64 = -1.0;
-    let mut depths = vec![UNSEEN; coords.len()];
-    surface.nodes.iter().for_each(|&n| depths[n as usize] = 0.0);
+    let (mut depths, mut anchors) = (vec![UNSEEN; coords.len()], vec![0; coords.len()]);
     for cell in 0..cells.len() {
-        for &node in cells.nodes(cell) {
-            let depth = &mut depths[node as usize];
-            if *depth == UNSEEN {
-                *depth = distances.of_point(cells.body[cell] as usize, &coords[node as usize].into());
-            }
+        for face in (0..8).filter(|face| surface_faces[cell] >> face & 1 == 1) {
+            cells.face_nodes(cell, face).into_iter().for_each(|n| depths[n as usize] = 0.0);
         }
     }
-    depths
+    for cell in 0..cells.len() {
+        let nodes = cells.nodes(cell);
+        for &node in nodes {
+            if depths[node as usize] != UNSEEN {
+                continue;
+            }
+            // No farther than another node of the cell and the way there.
+            let x = Vector::<D>::from(coords[node as usize]);
+            let known = nodes.iter().map(|&n| (n as usize, depths[n as usize])).filter(|(_, depth)| *depth != UNSEEN);
+            let limit =
+                known.map(|(n, depth)| depth + (x - Vector::from(coords[n])).norm()).fold(f64::INFINITY, f64::min);
+            let body = cells.body[cell] as usize;
+            (depths[node as usize], anchors[node as usize]) = distances.of_point(body, &x, limit);
+        }
+    }
+    (depths, anchors)
 }
 
 /// Weights of the centre of the ball inscribed in a simplex, and its radius; `None` where it is flat.

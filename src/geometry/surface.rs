@@ -211,6 +211,22 @@ impl<const D: usize> Surface<D> {
         nodes.into_iter().take(vertices.len()).map(move |node| (node, weight))
     }
 
+    /// Sets them.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a surface without cells, [`Error::Length`], [`Error::NonFiniteCoordinate`],
+    /// [`Error::InvertedCell`], [`Error::ZeroMeasure`].
+    pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        let Some(cells) = &self.cells else {
+            return Err(Error::Unsupported { what: "reference coordinates of a surface without cells" });
+        };
+        self.check_coords(coords, true)?;
+        cells.check_range(0..cells.len(), coords)?;
+        self.reference.clear();
+        self.reference.extend_from_slice(coords);
+        Ok(())
+    }
+
     /// Positions of the vertices at `coords`.
     pub(crate) fn points(&self, coords: &[[f64; D]]) -> Vec<Vector<D>> {
         let mut points = Vec::new();

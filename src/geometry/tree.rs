@@ -125,10 +125,15 @@ impl<const D: usize> Tree<D> {
         }
     }
 
-    /// The least of `squared_distance` over all items, none of which is nearer to `x` than its box. Infinite without
-    /// items.
-    pub(crate) fn least_squared_distance(&self, x: &Vector<D>, squared_distance: impl Fn(u32) -> f64) -> f64 {
-        let mut least = f64::INFINITY;
+    /// The least squared distance of the items from `x`, if it is below `limit`, or `limit`. `nearer(item, least)` is the
+    /// item's own if that is below `least`; no item is nearer than its box.
+    pub(crate) fn least_squared_distance(
+        &self,
+        x: &Vector<D>,
+        limit: f64,
+        nearer: impl Fn(u32, f64) -> Option<f64>,
+    ) -> f64 {
+        let mut least = limit;
         let mut stack = Vec::with_capacity(64);
         if let Some(root) = self.nodes.first() {
             stack.push((root.aabb.squared_distance(x), 0u32));
@@ -139,8 +144,9 @@ impl<const D: usize> Tree<D> {
                 continue;
             }
             if *right == 0 {
-                let items = &self.items[*start as usize..*end as usize];
-                least = items.iter().map(|&i| squared_distance(i)).fold(least, f64::min);
+                for &item in &self.items[*start as usize..*end as usize] {
+                    least = nearer(item, least).unwrap_or(least);
+                }
                 continue;
             }
             let bound_of = |child: u32| (self.nodes[child as usize].aabb.squared_distance(x), child);

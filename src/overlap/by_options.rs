@@ -1,5 +1,6 @@
 //! From the options to the estimator.
 
+use super::auto::AutoEstimator;
 use super::estimator::OverlapEstimator;
 use super::exact::ExactEstimator;
 use super::fibers::FiberEstimator;
@@ -9,6 +10,7 @@ use super::pair::options::Estimator;
 pub(crate) fn estimator<const D: usize>(options: &Estimator) -> Box<dyn OverlapEstimator<D>> {
     match options {
         Estimator::Fibers(options) => Box::new(FiberEstimator::new(*options)),
+        Estimator::Auto(options) => Box::new(AutoEstimator::new(*options)),
         Estimator::Exact => Box::new(ExactEstimator),
     }
 }

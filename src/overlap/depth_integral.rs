@@ -1,6 +1,7 @@
 //! Depth summed over an overlap, which is what the law `depth` stands on.
 
 use super::pair::overlap::{Overlap, PoseGradient};
+use super::pair::sides::Pair;
 use super::points::block_sum::Block;
 use crate::geometry::Vector;
 
@@ -27,8 +28,45 @@ pub(crate) struct DepthIntegral<const D: usize> {
     pub(crate) pose_gradient: Option<PoseGradient<D>>,
     /// Its second derivative, as blocks sorted by row and column.
     pub(crate) hessian: Vec<Block<D>>,
+    /// Of every facet inside the other side, what belongs to its nodes.
+    pub(crate) shares: Vec<NodalDepth>,
     /// Depth of the boundaries of A ∩ B, each below the other surface, as a mean over their area.
     pub(crate) mean_depth: f64,
     /// Volume, area and what else is told of an overlap; its gradient is empty.
     pub(crate) overlap: Overlap<D>,
+}
+
+/// ∫ N dA and ∫ N g dA over the part of a facet that is inside the other side, N being the shape function of a node.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NodalDepth {
+    pub(crate) node: u32,
+    pub(crate) area: f64,
+    pub(crate) depth: f64,
+}
+
+impl<const D: usize> DepthIntegral<D> {
+    /// Moves the gradient on inner nodes to the nodes of the facets that are nearest to them without deformation, so that
+    /// the sum of the forces stays as it is.
+    pub(crate) fn bring_to_surface(&mut self, pair: &Pair<D>) {
+        let Some(field) = pair.depth else { return };
+        let mut moved: Vec<((u32, bool), Vector<D>)> = Vec::with_capacity(self.nodes.len());
+        for ((&node, &of_b), gradient) in self.nodes.iter().zip(&self.of_b).zip(&self.gradient) {
+            match field.anchor(pair.surface, node) {
+                None => moved.push(((node, of_b), *gradient)),
+                Some(anchor) => moved.extend(anchor.map(|(node, weight)| ((node, of_b), gradient * weight))),
+            }
+        }
+        // Stable: what comes to one node is added in the order of the nodes from which it comes.
+        moved.sort_by_key(|(place, _)| *place);
+        moved.dedup_by(|next, sum| {
+            let same = next.0 == sum.0;
+            if same {
+                sum.1 += next.1;
+            }
+            same
+        });
+        self.nodes = moved.iter().map(|((node, _), _)| *node).collect();
+        self.of_b = moved.iter().map(|((_, of_b), _)| *of_b).collect();
+        self.gradient = moved.into_iter().map(|(_, gradient)| gradient).collect();
+    }
 }

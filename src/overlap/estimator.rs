@@ -44,16 +44,16 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
     ///
     /// # Errors
     /// [`Error::Unsupported`] if not.
-    fn check_tangent(&self) -> Result<(), Error>;
+    fn check_tangent(&self, pair: &Pair<D>) -> Result<(), Error>;
 
     /// Lines that cross the overlap, to look at; none where there are no lines.
     fn trace(&self, pair: &Pair<D>) -> Result<Vec<FiberTrace<D>>, Error>;
 
     /// What is expected of the balance of the forces of a volume law, which is put right; `None`: it is not.
-    fn imbalance_of_volume(&self) -> Option<Imbalance>;
+    fn imbalance_of_volume(&self, pair: &Pair<D>) -> Option<Imbalance>;
 
     /// The same for a local law.
-    fn imbalance_of_points(&self) -> Option<Imbalance>;
+    fn imbalance_of_points(&self, pair: &Pair<D>) -> Option<Imbalance>;
 
     /// Whether obstacles with flat sides are to come as facets where they need not.
     fn prefers_facets(&self) -> bool;

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 27] = [
+const SOURCES: [&str; 28] = [
     "version",
     "status",
     "failure",
@@ -17,6 +17,7 @@ const SOURCES: [&str; 27] = [
     "creation",
     "context",
     "patches",
+    "reference",
     "tangent",
     "compressed_rows",
     "evaluate_tangent",

@@ -4,7 +4,10 @@
 mod scene;
 
 mod derivatives;
+mod fields;
 mod flat;
+mod itself;
+mod reference;
 mod scans;
 mod swallowed;
 

@@ -2,10 +2,10 @@
 //! without a step wherever corners, edges and whole bodies go.
 
 use super::pair_energy::PairEnergy;
-use super::pair_law::{EnergyAndTangent, Measured, PairLaw};
+use super::pair_law::{EnergyAndSums, EnergyAndTangent, Measured, PairLaw};
 use crate::Error;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::{DepthIntegral, Overlap, SecondDerivative};
+use crate::overlap::{DepthIntegral, NodalDepth, NodalSum, Overlap, SecondDerivative};
 
 /// The depth law.
 pub(super) struct DepthLaw {
@@ -62,6 +62,22 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
         };
         let tangent = self.tangent_of(&mut depth);
         Ok((Some(self.energy_of(depth)), Some(tangent)))
+    }
+
+    /// With the forces on inner nodes at the surface above them; the pressure of a point of a facet is k times its depth.
+    fn energy_and_nodal_sums(&self, measured: &Measured<D>) -> Result<Option<EnergyAndSums<D>>, Error> {
+        let Some(mut depth) = measured.estimator.depth_integral(measured.pair, SecondDerivative::No)? else {
+            return Ok(None);
+        };
+        depth.bring_to_surface(measured.pair);
+        let of_share = |share: &NodalDepth| NodalSum {
+            node: share.node,
+            area: share.area,
+            pressure: self.stiffness * share.depth,
+            penetration: share.depth,
+        };
+        let sums = depth.shares.iter().map(of_share).collect();
+        Ok(Some((self.energy_of(depth), Some(sums))))
     }
 
     /// The volume of the overlap and its gradient, as the law `volume` has them.

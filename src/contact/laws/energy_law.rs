@@ -118,6 +118,11 @@ impl EnergyLaw {
         matches!(self, EnergyLaw::Fiber { .. })
     }
 
+    /// Whether it asks how deep the cells of bodies lie below their surfaces.
+    pub(crate) fn needs_depth(&self) -> bool {
+        matches!(self, EnergyLaw::Depth { .. })
+    }
+
     /// Checks that k is positive and finite, m finite and at least 1, ε positive and finite. An error names the option
     /// as the user sets it, `stiffness` for k and `exponent` for m.
     pub(crate) fn check(&self) -> Result<(), Error> {

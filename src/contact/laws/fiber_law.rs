@@ -13,7 +13,7 @@ pub(super) struct FiberLaw(pub(super) EnergyLaw);
 
 impl FiberLaw {
     fn energy_of<const D: usize>(&self, points: &ContactPoints<D>, measured: &Measured<D>) -> PairEnergy<D> {
-        PairEnergy::of_points(points, measured.pair, &self.0, measured.estimator.imbalance_of_points())
+        PairEnergy::of_points(points, measured.pair, &self.0, measured.estimator.imbalance_of_points(measured.pair))
     }
 }
 
@@ -56,7 +56,7 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         let points = measured.contact_points(false)?;
         let mut overlap = points.map(|points| points.overlap(measured.pair)).filter(Overlap::has_content);
         // Overlaps are corrected as those of the volume law are.
-        if let (Some(o), Some(expected)) = (&mut overlap, measured.estimator.imbalance_of_volume()) {
+        if let (Some(o), Some(expected)) = (&mut overlap, measured.estimator.imbalance_of_volume(measured.pair)) {
             balance(o, measured.pair, expected);
         }
         Ok(overlap)

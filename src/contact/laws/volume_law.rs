@@ -15,7 +15,7 @@ impl VolumeLaw {
     /// The overlap with its imbalance put right.
     fn corrected<const D: usize>(overlap: Option<Overlap<D>>, measured: &Measured<D>) -> Option<Overlap<D>> {
         let mut overlap = overlap.filter(Overlap::has_content);
-        if let (Some(o), Some(expected)) = (&mut overlap, measured.estimator.imbalance_of_volume()) {
+        if let (Some(o), Some(expected)) = (&mut overlap, measured.estimator.imbalance_of_volume(measured.pair)) {
             balance(o, measured.pair, expected);
         }
         overlap
@@ -49,7 +49,7 @@ impl<const D: usize> PairLaw<D> for VolumeLaw {
         part: TangentPart,
         obstacle_node: u32,
     ) -> Result<Option<Tangent<D>>, Error> {
-        measured.estimator.check_tangent()?;
+        measured.estimator.check_tangent(measured.pair)?;
         let overlap = measured.estimator.overlap(measured.pair)?;
         self.tangent_of(overlap.as_ref(), measured, part, obstacle_node)
     }
@@ -60,7 +60,7 @@ impl<const D: usize> PairLaw<D> for VolumeLaw {
         part: TangentPart,
         obstacle_node: u32,
     ) -> Result<EnergyAndTangent<D>, Error> {
-        measured.estimator.check_tangent()?;
+        measured.estimator.check_tangent(measured.pair)?;
         let overlap = measured.estimator.overlap(measured.pair)?;
         let tangent = self.tangent_of(overlap.as_ref(), measured, part, obstacle_node)?;
         let corrected = Self::corrected(overlap, measured);

@@ -58,7 +58,7 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         Ok(None)
     }
 
-    fn check_tangent(&self) -> Result<(), Error> {
+    fn check_tangent(&self, _: &Pair<D>) -> Result<(), Error> {
         Ok(())
     }
 
@@ -66,11 +66,11 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         Ok(Vec::new())
     }
 
-    fn imbalance_of_volume(&self) -> Option<Imbalance> {
+    fn imbalance_of_volume(&self, _: &Pair<D>) -> Option<Imbalance> {
         Some(Imbalance { rounding: ROUNDING, doubtful: DOUBTFUL })
     }
 
-    fn imbalance_of_points(&self) -> Option<Imbalance> {
+    fn imbalance_of_points(&self, _: &Pair<D>) -> Option<Imbalance> {
         Some(Imbalance { rounding: f64::INFINITY, doubtful: UNBALANCED })
     }
 

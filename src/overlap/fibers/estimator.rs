@@ -61,14 +61,14 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
     }
 
     fn depth_integral(&self, _: &Pair<D>, _: SecondDerivative) -> Result<Option<DepthIntegral<D>>, Error> {
-        Err(Error::Unsupported { what: "the law depth on sampled lines: use the estimator exact" })
+        Err(Error::Unsupported { what: "the law depth on sampled lines: use the estimator exact or auto" })
     }
 
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {
         Ok(self.of(pair).contact_points(patches)?.map(|points| points.spacing).filter(|spacing| *spacing > 0.0))
     }
 
-    fn check_tangent(&self) -> Result<(), Error> {
+    fn check_tangent(&self, _: &Pair<D>) -> Result<(), Error> {
         let has_lines = !self.families.is_empty();
         if has_lines { Ok(()) } else { Err(Error::Unsupported { what: "the tangent on isotropic fibers" }) }
     }
@@ -77,11 +77,11 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         self.of(pair).trace()
     }
 
-    fn imbalance_of_volume(&self) -> Option<Imbalance> {
+    fn imbalance_of_volume(&self, _: &Pair<D>) -> Option<Imbalance> {
         self.options.momentum_correction.then_some(EXPECTED)
     }
 
-    fn imbalance_of_points(&self) -> Option<Imbalance> {
+    fn imbalance_of_points(&self, _: &Pair<D>) -> Option<Imbalance> {
         self.options.momentum_correction.then_some(EXPECTED)
     }
 

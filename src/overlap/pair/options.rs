@@ -2,7 +2,7 @@
 
 use crate::sampling::FiberPattern;
 
-/// Which of the two estimators.
+/// Which estimator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Estimator {
@@ -10,6 +10,9 @@ pub enum Estimator {
     Fibers(FiberOptions),
     /// Exact for straight-sided meshes and flat-sided obstacles, by clipping facets with cells.
     Exact,
+    /// Pair by pair: exact between bodies and with obstacles that are bounded by planes, sampled by lines with curved
+    /// obstacles, for which these options are.
+    Auto(FiberOptions),
 }
 
 impl Default for Estimator {

@@ -105,6 +105,8 @@ FUNCTIONS = {
     "fmc_context_counts": (STATUS, [Context, _COUNT, _COUNT, _COUNT]),
     "fmc_context_evaluate": (STATUS, [Context, _COORDS, POINTER(fmc_forces), c_uint32, POINTER(fmc_result)]),
     "fmc_context_error": (c_char_p, [Context]),
+    "fmc_context_set_reference": (STATUS, [Context, _COORDS]),
+    "fmc_context_set_symmetry_nodes": (STATUS, [Context, Int64Array, c_size_t]),
     "fmc_context_keep_patches": (STATUS, [Context, _COORDS, _COUNT]),
     "fmc_context_tangent": (STATUS, [Context, _COORDS, c_uint32, _COUNT, _COUNT]),
     "fmc_context_tangent_entries": (STATUS, [Context, Int32Array, Int32Array, Float64Array, c_size_t]),

@@ -20,8 +20,8 @@ CELL_NODES = {"triangle": 3, "quad": 4, "tetra": 4, "hexahedron": 8}
 CELL_DIMENSION = {"triangle": 2, "quad": 2, "tetra": 3, "hexahedron": 3}
 
 CHOICES = {
-    "law": {0: "volume", 1: "fiber"},
-    "estimator": {0: "fibers", 1: "exact"},
+    "law": {0: "volume", 1: "fiber", 2: "depth"},
+    "estimator": {0: "fibers", 1: "exact", 2: "auto"},
     "pattern": {0: "lines", 1: "isotropic"},
     "weights": {0: "balance", 1: "consistent"},
 }

@@ -151,6 +151,20 @@ class Contact(Linearised):
             self._handle.call(library.fmc_context_keep_patches, coords, byref(count))
         return count.value
 
+    def set_reference(self, coords: ArrayLike) -> None:
+        """Sets the coordinates of all nodes without deformation, from which the law ``"depth"`` has its depths; those
+        with which the contact was made are the default."""
+        view = coords_view(coords, self.dim)
+        with self._handle:
+            self._handle.call(library.fmc_context_set_reference, byref(view.struct))
+
+    def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
+        """Names the nodes that lie in planes of symmetry: for the law ``"depth"`` a face all of whose nodes are named is
+        no surface, since the body goes on behind it. Replaces what was named before; an empty list names none."""
+        numbers = np.ascontiguousarray(nodes if np.size(nodes) else [], dtype=np.int64).reshape(-1)
+        with self._handle:
+            self._handle.call(library.fmc_context_set_symmetry_nodes, numbers, len(numbers))
+
     def set_log(self, function: Callable[[str], None] | None) -> None:
         """Calls ``function`` with a sentence for every warning of an evaluation; ``None``: no calls.
 

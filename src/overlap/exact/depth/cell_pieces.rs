@@ -15,6 +15,11 @@ pub(super) struct CellPieces<const D: usize> {
 }
 
 impl<const D: usize> CellPieces<D> {
+    /// No pieces.
+    pub(super) fn none() -> Self {
+        Self { pieces: Vec::new(), boxes: Vec::new(), tree: Tree::new(&[]) }
+    }
+
     /// The pieces of one body that meet `region`; `facets` are those of its facets that do.
     pub(super) fn new(
         surface: &Surface<D>,

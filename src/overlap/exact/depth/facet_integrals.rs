@@ -11,7 +11,7 @@ use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::{area_slopes, area_vector};
 use crate::geometry::quadrature::for_each_simplex;
 use crate::geometry::{Surface, Vector};
-use crate::overlap::depth_integral::SecondDerivative;
+use crate::overlap::depth_integral::{NodalDepth, SecondDerivative};
 use crate::overlap::points::block_sum::{BlockSum, product};
 
 /// Nodes that move a facet: those of a quadrilateral face move each of its triangles.
@@ -25,6 +25,8 @@ const MOST: usize = FACET_NODES + MOST_NODES;
 pub(super) struct FacetIntegrals<const D: usize> {
     pub(super) gradient: NodeSums<D>,
     pub(super) hessian: BlockSum<D>,
+    /// What of it belongs to the nodes of every facet.
+    pub(super) shares: Vec<NodalDepth>,
     /// Their measure, the integral of the depth over it, and the largest depth.
     pub(super) area: f64,
     pub(super) depth: f64,
@@ -68,7 +70,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
             let Some(facet) = self.facet(number) else { continue };
             let aabb = Aabb::of(&facet.corners);
             let before = sums.piece_count;
-            let mut moments = [0.0; D];
+            let mut moments = Moments { area: [0.0; D], depth: [0.0; D] };
             self.other.tree.visit(
                 |node| node.meets(&aabb),
                 |j| {
@@ -81,10 +83,12 @@ impl<const D: usize> FacetsInCells<'_, D> {
             );
             if sums.piece_count > before {
                 sums.facet_count += 1;
-                for (&weights, &moment) in facet.weights.iter().zip(&moments) {
-                    let force = facet.normal * (self.weight * facet.measure * moment);
+                for (corner, &weights) in facet.weights.iter().enumerate() {
+                    let [area, depth] = [moments.area[corner], moments.depth[corner]].map(|m| m * facet.measure);
+                    let force = facet.normal * (self.weight * depth);
                     for (&node, &weight) in facet.nodes.iter().zip(&weights).filter(|(_, weight)| **weight != 0.0) {
                         sums.gradient.add(node, self.of_b, &(force * weight));
+                        sums.shares.push(NodalDepth { node, area: weight * area, depth: weight * depth });
                     }
                 }
             }
@@ -115,13 +119,13 @@ impl<const D: usize> FacetsInCells<'_, D> {
         Some(Facet { corners, area, measure, normal: area / measure, nodes, weights })
     }
 
-    /// Adds what a facet has inside a piece; `moments` are ∫ g N_a over it, in parts of its measure.
+    /// Adds what a facet has inside a piece.
     fn add(
         &self,
         facet: &Facet<D>,
         piece: &DepthPiece<D>,
         scratch: &mut Scratch<D>,
-        moments: &mut [f64; D],
+        moments: &mut Moments<D>,
         sums: &mut FacetIntegrals<D>,
     ) {
         let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
@@ -149,6 +153,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                     let same: f64 = (0..D).map(|c| g[c] * corners[c][a]).sum();
                     let sum: f64 = (0..D).map(|c| corners[c][a]).sum();
                     *moment += norm * (same + total * sum);
+                    moments.area[a] += share * sum / D as f64;
                 }
                 if self.second != SecondDerivative::No {
                     let of_corners: [[f64; MOST]; D] =
@@ -156,7 +161,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                     add_products(&mut products, &of_corners, count, norm);
                 }
             });
-            for (sum, moment) in moments.iter_mut().zip(&local) {
+            for (sum, moment) in moments.depth.iter_mut().zip(&local) {
                 *sum += moment;
             }
             if self.second != SecondDerivative::No {
@@ -226,6 +231,12 @@ impl<const D: usize> FacetsInCells<'_, D> {
     }
 }
 
+/// ∫ N_a and ∫ g N_a over what a facet has inside, in parts of its measure.
+struct Moments<const D: usize> {
+    area: [f64; D],
+    depth: [f64; D],
+}
+
 /// Memory that is used again.
 struct Scratch<const D: usize> {
     work: Piece<D>,
@@ -265,6 +276,7 @@ impl<const D: usize> FacetIntegrals<D> {
     pub(super) fn add_part(&mut self, other: Self) {
         self.gradient.add_sums(&other.gradient);
         self.hessian.add_sum(other.hessian);
+        self.shares.extend(other.shares);
         self.area += other.area;
         self.depth += other.depth;
         self.deepest = self.deepest.max(other.deepest);

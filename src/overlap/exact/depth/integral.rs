@@ -7,6 +7,7 @@ use super::piece_moments::common_moments;
 use crate::Error;
 use crate::configuration::FacetSide;
 use crate::depth::DepthField;
+use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
 use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
 use crate::overlap::pair::overlap::Overlap;
@@ -25,60 +26,101 @@ pub(crate) fn depth_integral<const D: usize>(
     pair: &Pair<D>,
     second: SecondDerivative,
 ) -> Result<Option<DepthIntegral<D>>, Error> {
-    match (&pair.counterpart, pair.partners[1], pair.depth, &pair.surface.cells) {
-        (Counterpart::Facets(b), Partner::Body(_), Some(field), Some(cells)) => {
-            let Some(region) = common_region(&pair.a, b) else { return Ok(None) };
-            Ok(TwoBodies { pair, cells, field, second }.integral(b, &region))
+    let what = "the law depth between bodies given by facets: depth is that of cells";
+    match (&pair.counterpart, pair.partners[1]) {
+        (_, Partner::Obstacle(_)) => Err(Error::Unsupported { what: "the law depth with this obstacle" }),
+        (counterpart, _) => {
+            let (Some(field), Some(cells)) = (pair.depth, &pair.surface.cells) else {
+                return Err(Error::Unsupported { what });
+            };
+            let bodies = DeepBodies { pair, cells, field, second };
+            Ok(match counterpart {
+                Counterpart::Facets(b) => common_region(&pair.a, b).and_then(|region| bodies.two(b, &region)),
+                _ => bodies.one(),
+            })
         }
-        (_, Partner::Body(_), _, None) => {
-            Err(Error::Unsupported { what: "the law depth between bodies given by facets: depth is that of cells" })
-        }
-        _ => Err(Error::Unsupported { what: "the law depth with this partner" }),
     }
 }
 
-/// Two bodies of cells.
-struct TwoBodies<'a, const D: usize> {
+/// Bodies of cells.
+struct DeepBodies<'a, const D: usize> {
     pair: &'a Pair<'a, D>,
     cells: &'a Cells,
     field: &'a DepthField<D>,
     second: SecondDerivative,
 }
 
-impl<const D: usize> TwoBodies<'_, D> {
-    fn integral(&self, b: &FacetSide<D>, region: &Region<D>) -> Option<DepthIntegral<D>> {
+/// Part with which the depth of either body counts.
+const WEIGHT: f64 = 0.5;
+
+impl<const D: usize> DeepBodies<'_, D> {
+    /// Of two bodies.
+    fn two(&self, b: &FacetSide<D>, region: &Region<D>) -> Option<DepthIntegral<D>> {
         let pair = self.pair;
         let (of_a, of_b) = pair.both(|| self.pieces(0, region), || self.pieces(1, region));
-        let weight = 0.5;
+        let rounding = region.aabb.rounding();
         let (facets_a, facets_b) = pair.both(
-            || self.facets(&pair.a, &region.facets[0], false, &of_b, weight, region),
-            || self.facets(b, &region.facets[1], true, &of_a, weight, region),
+            || self.facets(&pair.a, &region.facets[0], (false, false), &of_b, rounding),
+            || self.facets(b, &region.facets[1], (true, false), &of_a, rounding),
         );
         let mut moments = [vec![[0.0; 4]; of_a.pieces.len()], vec![[0.0; 4]; of_b.pieces.len()]];
         of_a.tree.visit_pairs(&of_b.tree, [&of_a.boxes, &of_b.boxes], |i, j| {
             if let Some([in_a, in_b]) = common_moments(&of_a.pieces[i as usize], &of_b.pieces[j as usize]) {
-                for (which, piece, found) in [(0, i, in_a), (1, j, in_b)] {
-                    let sums = &mut moments[which][piece as usize];
-                    sums.iter_mut().zip(found).for_each(|(sum, m)| *sum += m);
-                }
+                add_to(&mut moments[0][i as usize], in_a);
+                add_to(&mut moments[1][j as usize], in_b);
             }
         });
-        let [of_a_in_b, of_b_in_a] = [&facets_a, &facets_b].map(|f| (f.area, f.depth));
-        let mut sums = facets_a;
-        sums.add_part(facets_b);
-        let (mut volume, mut value) = (0.0, 0.0);
-        for (which, pieces) in [&of_a, &of_b].into_iter().enumerate() {
-            let FacetIntegrals { gradient, hessian, .. } = &mut sums;
-            let side = (which == 1, weight);
-            let found = cell_integrals(self.cells, pieces, &moments[which], side, self.second, gradient, hessian);
-            value += weight * found.depth;
-            volume = found.volume;
+        self.assemble([Some(facets_a), Some(facets_b)], [(&of_a, &moments[0]), (&of_b, &moments[1])])
+    }
+
+    /// Of a body with itself: every two of its cells that overlap.
+    fn one(&self) -> Option<DepthIntegral<D>> {
+        let a = &self.pair.a;
+        let region = Region { aabb: a.aabb, facets: [(0..a.facets.len() as u32).collect(), Vec::new()] };
+        let all = self.pieces(0, &region);
+        let facets = self.facets(a, &region.facets[0], (false, true), &all, a.aabb.rounding());
+        let mut moments = vec![[0.0; 4]; all.pieces.len()];
+        all.tree.visit_own_pairs(&Vector::zeros(), |i, j| {
+            let (p, q) = (&all.pieces[i as usize], &all.pieces[j as usize]);
+            if p.cell != q.cell
+                && all.boxes[i as usize].meets(&all.boxes[j as usize])
+                && let Some([in_p, in_q]) = common_moments(p, q)
+            {
+                add_to(&mut moments[i as usize], in_p);
+                add_to(&mut moments[j as usize], in_q);
+            }
+            true
+        });
+        self.assemble([Some(facets), None], [(&all, &moments), (&CellPieces::none(), &[])])
+    }
+
+    fn assemble(
+        &self,
+        facets: [Option<FacetIntegrals<D>>; 2],
+        cells: [(&CellPieces<D>, &[[f64; 4]]); 2],
+    ) -> Option<DepthIntegral<D>> {
+        let (mut sums, mut area, mut depth, mut sides) = (FacetIntegrals::default(), 0.0, 0.0, 0.0);
+        for part in facets.into_iter().flatten() {
+            if part.area > 0.0 {
+                area += part.area;
+                depth += part.depth / part.area;
+                sides += 1.0;
+            }
+            sums.add_part(part);
         }
+        let (mut volume, mut value) = (0.0, 0.0);
+        for (which, (pieces, moments)) in cells.into_iter().enumerate() {
+            let FacetIntegrals { gradient, hessian, .. } = &mut sums;
+            let side = (which == 1, WEIGHT);
+            let found = cell_integrals(self.cells, pieces, moments, side, self.second, gradient, hessian);
+            value += WEIGHT * found.depth;
+            volume += 0.5 * found.volume;
+        }
+        // Pieces of cells that share a node overlap by rounding.
         if sums.piece_count == 0 && volume <= 0.0 {
             return None;
         }
-        let mean = |(area, depth): (f64, f64)| if area > 0.0 { depth / area } else { 0.0 };
-        let [a, b] = pair.partners;
+        let [a, b] = self.pair.partners;
         let overlap = Overlap {
             a,
             b,
@@ -88,7 +130,7 @@ impl<const D: usize> TwoBodies<'_, D> {
             gradient: Vec::new(),
             of_b: Vec::new(),
             pose_gradient: None,
-            contact_area: 0.5 * (of_a_in_b.0 + of_b_in_a.0),
+            contact_area: 0.5 * area,
             penetration: sums.deepest,
             fiber_count: 0,
             crossing_count: sums.piece_count,
@@ -104,7 +146,8 @@ impl<const D: usize> TwoBodies<'_, D> {
             gradient,
             pose_gradient: None,
             hessian: sums.hessian.into_blocks(),
-            mean_depth: 0.5 * (mean(of_a_in_b) + mean(of_b_in_a)),
+            shares: sums.shares,
+            mean_depth: if sides > 0.0 { depth / sides } else { 0.0 },
             overlap,
         })
     }
@@ -119,18 +162,22 @@ impl<const D: usize> TwoBodies<'_, D> {
         &self,
         side: &FacetSide<D>,
         facets: &[u32],
-        of_b: bool,
+        (of_b, own): (bool, bool),
         other: &CellPieces<D>,
-        weight: f64,
-        region: &Region<D>,
+        rounding: f64,
     ) -> FacetIntegrals<D> {
         let (surface, cells, second) = (self.pair.surface, self.cells, self.second);
-        let of_side = FacetsInCells { surface, cells, side, of_b, other, weight, second, own_cell: None };
-        let rounding = region.aabb.rounding();
+        let body = if let Partner::Body(body) = self.pair.partners[0] { body } else { 0 };
+        let own_cell = own.then(|| &surface.facet_cell[surface.ranges[body].clone()]);
+        let of_side = FacetsInCells { surface, cells, side, of_b, other, weight: WEIGHT, second, own_cell };
         let parts = self.pair.in_chunks(facets, CHUNK, |facets| of_side.integrals(facets, rounding));
         parts.into_iter().fold(FacetIntegrals::default(), |mut sum, part| {
             sum.add_part(part);
             sum
         })
     }
+}
+
+fn add_to(sums: &mut [f64; 4], found: [f64; 4]) {
+    sums.iter_mut().zip(found).for_each(|(sum, m)| *sum += m);
 }

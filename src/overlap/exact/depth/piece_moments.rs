@@ -5,24 +5,56 @@ use crate::depth::DepthPiece;
 /// ∫ over the common part of two pieces of the barycentric coordinates of each, the parts of inverted cells counted
 /// negative; `None` where they have no part in common.
 pub(super) fn common_moments<const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<[[f64; 4]; 2]> {
-    let corners: [[f64; 4]; 4] = std::array::from_fn(|c| if c <= D { q.barycentric(&p.corners[c]) } else { [0.0; 4] });
-    if (0..=D).any(|k| (0..=D).all(|c| corners[c][k] <= 0.0)) {
-        return None;
+    let of_p = coordinates(p, q);
+    let by_q = cuts::<D>(&of_p)?;
+    let of_q = coordinates(q, p);
+    let by_p = cuts::<D>(&of_q)?;
+    // The one of which fewer faces cut the other cuts.
+    if by_q <= by_p {
+        let in_q = inside::<D>(of_p, p.sign * q.sign * q.measure);
+        Some([carried(&in_q, &of_q)?, in_q])
+    } else {
+        let in_p = inside::<D>(of_q, p.sign * q.sign * p.measure);
+        Some([in_p, carried(&in_p, &of_p)?])
     }
-    let others: [[f64; 4]; 4] = std::array::from_fn(|c| if c <= D { p.barycentric(&q.corners[c]) } else { [0.0; 4] });
-    if (0..=D).any(|k| (0..=D).all(|c| others[c][k] <= 0.0)) {
-        return None;
+}
+
+/// Barycentric coordinates in `q` of the corners of `p`.
+fn coordinates<const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> [[f64; 4]; 4] {
+    std::array::from_fn(|c| if c <= D { q.barycentric(&p.corners[c]) } else { [0.0; 4] })
+}
+
+/// Number of faces that cut a simplex, given the coordinates of its corners; `None` where one has all of it outside.
+fn cuts<const D: usize>(corners: &[[f64; 4]; 4]) -> Option<usize> {
+    let mut count = 0;
+    for k in 0..=D {
+        let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for corner in &corners[..=D] {
+            (least, largest) = (least.min(corner[k]), largest.max(corner[k]));
+        }
+        if largest <= 0.0 {
+            return None;
+        }
+        count += usize::from(least < 0.0);
     }
-    let mut in_q = [0.0; 4];
-    add_inside::<D>(corners, 0, &mut in_q);
-    let whole = p.sign * q.sign * q.measure;
-    in_q.iter_mut().for_each(|m| *m *= whole);
-    // What is linear is known inside p from its values at the corners of q.
-    let mut in_p = [0.0; 4];
-    for (other, m) in others.iter().zip(&in_q) {
-        in_p.iter_mut().zip(other).for_each(|(sum, value)| *sum += value * m);
+    Some(count)
+}
+
+/// ∫ of the coordinates over the part of a simplex where all are positive; the simplex whose coordinates they are has this
+/// measure.
+fn inside<const D: usize>(corners: [[f64; 4]; 4], measure: f64) -> [f64; 4] {
+    let mut sums = [0.0; 4];
+    add_inside::<D>(corners, 0, &mut sums);
+    sums.map(|m| m * measure)
+}
+
+/// The same of other coordinates, given at the corners of the simplex; `None` where there is nothing.
+fn carried(moments: &[f64; 4], of_corners: &[[f64; 4]; 4]) -> Option<[f64; 4]> {
+    let mut sums = [0.0; 4];
+    for (corner, m) in of_corners.iter().zip(moments) {
+        sums.iter_mut().zip(corner).for_each(|(sum, value)| *sum += value * m);
     }
-    (in_q.iter().any(|m| *m != 0.0)).then_some([in_p, in_q])
+    moments.iter().any(|m| *m != 0.0).then_some(sums)
 }
 
 /// Adds ∫ of the coordinates over the part of a simplex, given by the coordinates of its corners, where those from
