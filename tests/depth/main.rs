@@ -3,6 +3,7 @@
 #[path = "../scene/scene.rs"]
 mod scene;
 
+mod corners;
 mod derivatives;
 mod fields;
 mod flat;

@@ -15,7 +15,7 @@ use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::{Region, common_region};
 use crate::overlap::pair::sides::{Counterpart, Pair};
 
-/// Facets that a thread takes at once.
+/// Facets, or pieces, that a thread takes at once.
 const CHUNK: usize = 64;
 
 /// J of a pair, or `None` where the sides are apart.
@@ -63,14 +63,35 @@ impl<const D: usize> DeepBodies<'_, D> {
             || self.facets(&pair.a, &region.facets[0], (false, false), &of_b, rounding),
             || self.facets(b, &region.facets[1], (true, false), &of_a, rounding),
         );
-        let mut moments = [vec![[0.0; 4]; of_a.pieces.len()], vec![[0.0; 4]; of_b.pieces.len()]];
-        of_a.tree.visit_pairs(&of_b.tree, [&of_a.boxes, &of_b.boxes], |i, j| {
-            if let Some([in_a, in_b]) = common_moments(&of_a.pieces[i as usize], &of_b.pieces[j as usize]) {
-                add_to(&mut moments[0][i as usize], in_a);
-                add_to(&mut moments[1][j as usize], in_b);
+        let (moments_a, moments_b) = self.moments(&of_a, &of_b);
+        self.assemble([Some(facets_a), Some(facets_b)], [(&of_a, &moments_a), (&of_b, &moments_b)])
+    }
+
+    /// ∫ over the overlap of the barycentric coordinates of every piece of either body.
+    fn moments(&self, of_a: &CellPieces<D>, of_b: &CellPieces<D>) -> (Vec<[f64; 4]>, Vec<[f64; 4]>) {
+        let numbered: Vec<usize> = (0..of_a.pieces.len()).collect();
+        let found = self.pair.in_chunks(&numbered, CHUNK, |numbers| {
+            let mut found = Vec::new();
+            for &i in numbers {
+                let (piece, aabb) = (&of_a.pieces[i], &of_a.boxes[i]);
+                of_b.tree.visit(
+                    |node| node.meets(aabb),
+                    |j| {
+                        let j = j as usize;
+                        if of_b.boxes[j].meets(aabb) {
+                            found.extend(common_moments(piece, &of_b.pieces[j]).map(|moments| (i, j, moments)));
+                        }
+                    },
+                );
             }
+            found
         });
-        self.assemble([Some(facets_a), Some(facets_b)], [(&of_a, &moments[0]), (&of_b, &moments[1])])
+        let (mut in_a, mut in_b) = (vec![[0.0; 4]; of_a.pieces.len()], vec![[0.0; 4]; of_b.pieces.len()]);
+        for (i, j, [of_i, of_j]) in found.into_iter().flatten() {
+            add_to(&mut in_a[i], of_i);
+            add_to(&mut in_b[j], of_j);
+        }
+        (in_a, in_b)
     }
 
     /// Of a body with itself: every two of its cells that overlap.

@@ -1,0 +1,77 @@
+"""The law ``"depth"``."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from fmc_contact import Contact, contact_force, errors
+
+K = 1e3
+DEPTH = 0.01
+
+
+def blocks(cells: int = 8) -> tuple[np.ndarray, np.ndarray]:
+    """Two unit squares of quads, the second ``DEPTH`` deep in the first."""
+    line = np.linspace(0.0, 1.0, cells + 1)
+    x, y = np.meshgrid(line, line, indexing="ij")
+    square = np.stack([x.ravel(), y.ravel()], axis=1)
+    first = np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)
+    quads = np.stack([first, first + cells + 1, first + cells + 2, first + 1], axis=-1).reshape(-1, 4)
+    coords = np.concatenate([square, square + [0.0, 1.0 - DEPTH]])
+    return coords, np.concatenate([quads, quads + len(square)])
+
+
+@pytest.mark.parametrize("estimator", ["exact", "auto"])
+def test_flat_faces_press_with_k_times_their_penetration(estimator: str) -> None:
+    coords, conn = blocks()
+    result = contact_force(coords, conn, "quad", stiffness=K, law="depth", estimator=estimator)
+    # Less at the rims, within the ball inscribed in a quarter of a cell, of radius 0.026.
+    assert result.bodies[1].force[1] == pytest.approx(K * DEPTH, rel=0.03)
+    assert result.forces.sum(axis=0) == pytest.approx([0.0, 0.0], abs=1e-12 * K * DEPTH)
+    assert not result.warnings
+
+
+def test_lines_are_refused_by_name() -> None:
+    coords, conn = blocks(2)
+    with pytest.raises(errors.UnsupportedError, match="law depth on sampled lines"):
+        Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="fibers")
+
+
+def test_tangent_is_the_derivative_of_the_force() -> None:
+    coords, conn = blocks(3)
+    contact = Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="exact")
+    coords = coords + np.random.default_rng(1).uniform(-0.02, 0.02, coords.shape)
+    direction = np.random.default_rng(2).uniform(-1.0, 1.0, coords.shape)
+    step = 1e-7
+    plus, minus = (contact.evaluate(coords + sign * step * direction).forces for sign in (1, -1))
+    expected = (minus - plus) / (2 * step)
+    found = contact.tangent(coords).matrix() @ direction.ravel()
+    assert found[: coords.size] == pytest.approx(expected.ravel(), abs=1e-6 * np.abs(expected).max())
+
+
+def test_reference_and_planes_of_symmetry() -> None:
+    coords, conn = blocks(4)
+    contact = Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="exact")
+    free = contact.evaluate(coords).bodies[1].force[1]
+    contact.set_symmetry_nodes(np.flatnonzero(coords[:, 0] % 1.0 == 0.0))
+    held = contact.evaluate(coords).bodies[1].force[1]
+    assert held == pytest.approx(K * DEPTH, rel=1e-12)
+    assert free < 0.995 * held
+    contact.set_symmetry_nodes([])
+    assert contact.evaluate(coords).bodies[1].force[1] == free
+    contact.set_reference(coords * [1.0, 2.0])
+    assert contact.evaluate(coords).bodies[1].force[1] > 1.5 * free
+    with pytest.raises(errors.NodeOutOfRangeError) as refused:
+        contact.set_symmetry_nodes([0, 1000])
+    assert "1000" in str(refused.value)
+    with pytest.raises(errors.InvertedCellError):
+        contact.set_reference(coords * [1.0, -1.0])
+    assert contact.evaluate(coords).bodies[1].force[1] > 1.5 * free
+
+
+def test_nodal_pressure() -> None:
+    coords, conn = blocks()
+    contact = Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="exact")
+    field = contact.nodal_contact(coords)
+    inner = (np.abs(coords[:, 1] - 1.0) < 1e-12) & (np.abs(coords[:, 0] - 0.5) < 0.4)
+    assert field.pressure[inner] == pytest.approx(K * DEPTH, rel=1e-12)
