@@ -1,6 +1,6 @@
 //! What a case must fulfil beyond the types of its values.
 
-use super::{Case, Key, LawName, Load, Obstacle, Place, Support};
+use super::{Case, EstimatorName, Key, LawName, Load, Obstacle, Place, Support};
 
 mod mesh;
 
@@ -175,6 +175,9 @@ impl Check<'_> {
         if (contact.law == LawName::FiberLinear) != contact.smoothing_length.is_some() {
             self.flaw(&key.then("smoothing_length"), "it belongs to the law \"fiber-linear\", and to it alone".into());
         }
+        if contact.law == LawName::Depth && contact.estimator != EstimatorName::Exact {
+            self.flaw(&key.then("estimator"), "it must be \"exact\" for the law \"depth\"".into());
+        }
         self.maybe_positive(&key.then("spacing"), contact.spacing);
         self.maybe_positive(&key.then("fiber_length"), contact.fiber_length);
         if contact.fibers == Some(0) {
@@ -191,6 +194,9 @@ impl Check<'_> {
             let key = Key::parse("load_steps");
             self.positive(&key.then("tolerance"), steps.tolerance);
             self.maybe_positive(&key.then("penetration"), steps.penetration);
+            if steps.penetration.is_some() && self.case.contact.law != LawName::Fiber {
+                self.flaw(&key.then("penetration"), "multipliers belong to the law \"fiber\", and to it alone".into());
+            }
             if steps.then.contains(&0) {
                 self.flaw(&key.then("then"), "its counts must be at least 1".into());
             }

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct Contact {
     /// Energy of an overlap.
     pub law: LawName,
-    /// Stiffness k: for `volume` energy / volumeᵐ (Pa for m = 1), for `fiber` pressure / penetration (Pa/m).
+    /// Stiffness k: for `volume` energy / volumeᵐ (Pa for m = 1), for `fiber` and `depth` pressure / penetration (Pa/m).
     pub stiffness: f64,
     /// Length over which the pressure of `fiber-linear` grows to k, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -68,6 +68,9 @@ pub enum LawName {
     Fiber,
     /// The same with ψ = k(√(L² + ε²) − ε): the pressure is k wherever there is overlap, for ε to 0; k in Pa.
     FiberLinear,
+    /// w = k/2 ∫ (g_A + g_B) dx over the overlap, g the depth below a body's own surface: the pressure is k times the
+    /// penetration. Measured exactly.
+    Depth,
 }
 
 /// Names of estimators.
@@ -117,6 +120,7 @@ impl Contact {
         let law = match self.law {
             LawName::Volume => EnergyLaw::Volume { stiffness: self.stiffness, exponent: self.exponent },
             LawName::Fiber => EnergyLaw::fiber(self.stiffness),
+            LawName::Depth => EnergyLaw::depth(self.stiffness),
             LawName::FiberLinear => {
                 let profile = FiberProfile::Linear { smoothing_length: self.smoothing_length.unwrap_or(0.0) };
                 EnergyLaw::Fiber { stiffness: self.stiffness, profile }

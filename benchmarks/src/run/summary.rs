@@ -15,7 +15,7 @@ pub struct Summary {
     pub host: &'static str,
     /// `exact`, `lines` or `isotropic`.
     pub estimator: &'static str,
-    /// `volume` or `fiber`.
+    /// `volume`, `fiber`, `fiber-linear` or `depth`.
     pub law: LawName,
     /// Exponent of the volume law.
     pub exponent: f64,
@@ -230,6 +230,7 @@ impl Summary {
             LawName::Volume if *exponent == 1.0 => "w = k V".to_owned(),
             LawName::Volume => format!("w = k V^{exponent}"),
             LawName::Fiber => "pressure = k × penetration".to_owned(),
+            LawName::Depth => "pressure = k × penetration, by the depth below both surfaces".to_owned(),
             LawName::FiberLinear => "w = Σ ω k (√(L² + ε²) − ε)".to_owned(),
         };
         let variant = variant.as_ref().map_or(String::new(), |name| format!("; variant {name}"));

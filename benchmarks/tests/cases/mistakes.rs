@@ -84,6 +84,16 @@ fn several_mistakes_are_told_at_once() {
 }
 
 #[test]
+fn what_a_law_does_not_have_is_told() {
+    let lines = spoilt("law = \"fiber\"", "law = \"depth\"").replace("estimator = \"exact\"", "estimator = \"fibers\"");
+    let told = complaint(&lines);
+    assert!(told.contains(": contact.estimator") && told.contains("\"exact\" for the law \"depth\""), "{told}");
+    let text = include_str!("../../cases/punch.toml").replace("law = \"fiber\"", "law = \"depth\"");
+    let told = complaint(&text.replace("count = 1", "count = 1\npenetration = 1e-6"));
+    assert!(told.contains(": load_steps.penetration") && told.contains("law \"fiber\""), "{told}");
+}
+
+#[test]
 fn what_is_no_toml_has_a_line() {
     let text = spoilt("end = 0.9", "end = = 0.9");
     let complaint = complaint(&text);

@@ -48,6 +48,20 @@ fn volume_law_chatters_as_its_two_values_must() {
     }
 }
 
+/// By the depth below both surfaces the star is whole in a second, and one evaluation a step keeps its energy to 1e-5; the
+/// blocks are the coarse ones.
+#[test]
+fn impacts_by_depth_keep_their_energy() {
+    for (case, variant, checks) in [("star", "depth", 5), ("star", "depth-soft", 5), ("blocks3d", "depth-coarse", 5)] {
+        let folder = Folder::new(&format!("{case}-{variant}"));
+        let mut document = document(case, &["output.frames=0", "output.animation=false"]);
+        document.choose(variant).unwrap();
+        let summary = finish(&document, &folder.0);
+        assert_eq!((summary.checks.len(), summary.contact_substeps), (checks, 1), "{case}, {variant}");
+        assert!(summary.is_ok(), "{case}, {variant}: {:#?}", summary.checks);
+    }
+}
+
 /// Until the tip has sunk in, nothing tells the star from the diamond but its tip; both gain speed upwards and keep
 /// action and reaction equal.
 #[test]

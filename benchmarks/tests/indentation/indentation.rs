@@ -75,6 +75,29 @@ fn a_punch_presses_hardest_at_its_edge() {
 }
 
 #[test]
+fn the_depth_law_meets_the_fiber_law() {
+    let coarse = ["bodies.block.mesh.cells=[20, 20]", "bodies.punch.mesh.cells=[10, 15]"];
+    let [depth, fiber] = [Some("depth"), None].map(|variant| solved::<2>(&case("punch", variant, &coarse)));
+    let [force, reference] = [&depth, &fiber].map(|at| figure(at, "force"));
+    assert!((force / reference - 1.0).abs() < 2e-3, "{force} and {reference}");
+    // Their edges are not met the same way: the depth below a corner is less than that along a line.
+    let [iterations, others] = [&depth, &fiber].map(|at| at.equilibrium.iterations);
+    assert!(iterations <= others + 3, "{iterations} and {others}");
+}
+
+#[test]
+fn blocks_pass_the_patch_test_by_depth() {
+    for variant in ["depth", "depth-tri3"] {
+        let error = figure(&solved::<2>(&case("patch2d", Some(variant), &[])), "stress_error_max");
+        assert!(error < 5e-5, "{variant}: {error:e}");
+    }
+    for variant in ["depth", "depth-tet4"] {
+        let error = figure(&solved::<3>(&case("patch3d", Some(variant), &[])), "stress_error_max");
+        assert!(error < 5e-5, "{variant}: {error:e}");
+    }
+}
+
+#[test]
 fn an_equilibrium_does_not_depend_on_the_way_there() {
     let coarse = ["bodies.block.mesh.cells=[10, 10]", "bodies.punch.mesh.cells=[6, 8]"];
     let after = |steps: &str| {

@@ -35,6 +35,7 @@ mod newton_settings;
 mod path;
 mod pressure;
 mod problem;
+mod soft_contact;
 mod stiffness;
 mod turn;
 

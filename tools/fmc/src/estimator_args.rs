@@ -8,9 +8,10 @@ use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, FiberProfile
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Estimator and energy law")]
 pub(crate) struct EstimatorArgs {
-    /// How overlap is measured: sampled by fibers, or exactly by clipping (straight-sided meshes only)
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) estimator: EstimatorKind,
+    /// How overlap is measured: sampled by fibers, or exactly by clipping (straight-sided meshes only) [default: fibers;
+    /// exact for the law depth, which has no other]
+    #[arg(long, value_enum)]
+    pub(crate) estimator: Option<EstimatorKind>,
 
     /// How fibers are laid: families of parallel lines, or segments of random start and direction
     #[arg(long, value_enum, default_value_t)]
@@ -22,7 +23,8 @@ pub(crate) struct EstimatorArgs {
     pub(crate) weights: WeightsKind,
 
     /// Contact energy: "volume" is w = k V^m of each overlap; "fiber" is taken line by line along the contact normal,
-    /// with the pressure k x penetration
+    /// with the pressure k x penetration; "depth" has the same pressure from the depth below both surfaces, without a
+    /// direction: bodies of cells, measured exactly
     #[arg(long, value_enum, default_value_t)]
     pub(crate) law: LawKind,
 
@@ -64,9 +66,8 @@ pub(crate) struct EstimatorArgs {
 }
 
 /// `--estimator`
-#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EstimatorKind {
-    #[default]
     Fibers,
     Exact,
 }
@@ -93,26 +94,34 @@ pub(crate) enum LawKind {
     #[default]
     Volume,
     Fiber,
+    Depth,
 }
 
 impl EstimatorArgs {
     /// Refuses options that would have no effect on the one evaluation that was asked for.
     pub(crate) fn check(&self) -> anyhow::Result<()> {
-        let exact = self.estimator == EstimatorKind::Exact;
+        let exact = self.kind() == EstimatorKind::Exact;
         ensure!(!exact || self.fibers.is_none(), "--fibers has no effect with --estimator exact");
         ensure!(!exact || self.spacing.is_none(), "--spacing has no effect with --estimator exact");
-        let fiber_law = self.law == LawKind::Fiber;
+        let (fiber_law, volume_law) = (self.law == LawKind::Fiber, self.law == LawKind::Volume);
         ensure!(fiber_law || self.smoothing_length.is_none(), "--smoothing-length needs --law fiber");
-        ensure!(!fiber_law || self.m == 1.0, "--m has no effect with --law fiber");
+        ensure!(volume_law || self.m == 1.0, "--m has an effect with --law volume only");
         let segments = !exact && self.pattern == PatternKind::Isotropic;
         ensure!(segments || self.fiber_length.is_none(), "--fiber-length needs --pattern isotropic");
         Ok(())
+    }
+
+    /// The estimator asked for, or the one that goes with the law.
+    fn kind(&self) -> EstimatorKind {
+        let with_law = if self.law == LawKind::Depth { EstimatorKind::Exact } else { EstimatorKind::Fibers };
+        self.estimator.unwrap_or(with_law)
     }
 
     /// Options of an evaluation with this stiffness.
     pub(crate) fn options(&self, stiffness: f64) -> Options {
         let law = match self.law {
             LawKind::Volume => EnergyLaw::Volume { stiffness, exponent: self.m },
+            LawKind::Depth => EnergyLaw::depth(stiffness),
             LawKind::Fiber => EnergyLaw::Fiber {
                 stiffness,
                 profile: self
@@ -121,7 +130,7 @@ impl EstimatorArgs {
             },
         };
         Options {
-            estimator: match self.estimator {
+            estimator: match self.kind() {
                 EstimatorKind::Fibers => Estimator::Fibers(self.fiber_options()),
                 EstimatorKind::Exact => Estimator::Exact,
             },

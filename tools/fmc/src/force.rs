@@ -53,7 +53,8 @@ pub(crate) struct ForceArgs {
     #[arg(value_name = "MESH", required = true)]
     meshes: Vec<PathBuf>,
 
-    /// Stiffness K of the energy law w = K V^m [pressure for m = 1, such as Pa]
+    /// Stiffness K of the energy law w = K V^m [pressure for m = 1, such as Pa]; for --law fiber and depth pressure by
+    /// penetration [Pa/length]
     #[arg(long, value_name = "K", value_parser = positive)]
     stiffness: f64,
 

@@ -17,6 +17,11 @@
 //! ω_c² ≤ max_a (1/c + 1/c') ψ'' A_a / m_a: 2 k A_a/m_a between two bodies and k A_a/m_a against an obstacle where the
 //! lines run along the normals, as they are made to. It needs no more than the mesh. The part ψ' ∂²L is smaller by
 //! L over the size of a facet and left out.
+//!
+//! **w = k/2 ∫ (g_A + g_B) dx.** Where flat faces meet, each side has half of k by the facets of the other: the sum of a row's
+//! blocks is 2 k A_a/m_a, as with lines along the normal. Deep in a body its inner nodes bear a part, whose share of
+//! surface is that of the partner and not known beforehand. So the bound is raised to what the tangent has where there is
+//! contact, which the depth law has in closed form without a step.
 
 use super::surface_area::surface_areas;
 use fmc_contact::contact::FiberProfile;
@@ -34,20 +39,23 @@ pub(super) fn before_contact<const D: usize>(
             let mobility: f64 = areas.iter().zip(inverse_mass).map(|(a, w)| a * a * largest(w)).sum();
             Some((2.0 * k * partner_count(contact) * mobility).sqrt())
         }
-        EnergyLaw::Fiber { stiffness: k, profile } => {
-            let steepest = match profile {
-                FiberProfile::Quadratic => k,
-                FiberProfile::Linear { smoothing_length } => k / smoothing_length,
-                _ => return None,
-            };
-            let meets_bodies = contact.surface().body_count() > 1 || contact.options().self_contact;
-            let sides = if meets_bodies { 2.0 } else { 1.0 };
-            let areas = surface_areas(contact.surface(), coords);
-            let mobility = areas.iter().zip(inverse_mass).map(|(a, w)| a * largest(w)).fold(0.0, f64::max);
-            Some((sides * steepest * mobility).sqrt())
+        EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+            Some(by_area(contact, coords, inverse_mass, k))
+        }
+        EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+            Some(by_area(contact, coords, inverse_mass, k / smoothing_length))
         }
         _ => None,
     }
+}
+
+/// Bound for a pressure that grows with the penetration by `steepest` at most.
+fn by_area<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], inverse_mass: &[[f64; D]], steepest: f64) -> f64 {
+    let meets_bodies = contact.surface().body_count() > 1 || contact.options().self_contact;
+    let sides = if meets_bodies { 2.0 } else { 1.0 };
+    let areas = surface_areas(contact.surface(), coords);
+    let mobility = areas.iter().zip(inverse_mass).map(|(a, w)| a * largest(w)).fold(0.0, f64::max);
+    (sides * steepest * mobility).sqrt()
 }
 
 /// Pairs that a body can be in.
@@ -69,6 +77,12 @@ pub(super) fn in_contact<const D: usize>(
     let (k, m) = match contact.options().law {
         EnergyLaw::Volume { stiffness: k, exponent: m } if m >= 2.0 => (k, m),
         EnergyLaw::Volume { .. } => return Ok(None),
+        EnergyLaw::Depth { .. } => {
+            let masses: Vec<f64> = inverse_mass.iter().map(|weights| 1.0 / largest(weights)).collect();
+            let of_tangent = 2.0 / contact.stable_step(coords, &masses)?;
+            let beforehand = before_contact(contact, coords, inverse_mass);
+            return Ok(beforehand.map(|bound| bound.max(of_tangent)));
+        }
         _ => return Ok(before_contact(contact, coords, inverse_mass)),
     };
     let mut squared = 0.0;

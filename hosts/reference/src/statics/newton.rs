@@ -21,18 +21,19 @@ impl<const D: usize> Equilibrium<D> {
         self.keep_patches(&start)?;
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
         let mut kept = Extent::of(&balance);
+        let has_patches = self.problem.contact.law.is_fiber();
         let (mut full_failed, mut turned) = (false, false);
         for iteration in 0..=most_iterations {
             let mut residual = balance.relative();
             // The lines run along the contact normal of the start. Once the solution is near, they turn into that of
             // now.
-            if residual <= full_below && !turned && tolerance < full_below {
+            if has_patches && residual <= full_below && !turned && tolerance < full_below {
                 self.keep_patches(&u)?;
                 balance = self.evaluate(&u, load)?;
                 (kept, residual, turned) = (Extent::of(&balance), balance.relative(), true);
             }
             // Far from the solution the patches may follow the contact, which has just begun or has spread.
-            if residual > full_below && kept.is_outgrown_by(&balance) {
+            if has_patches && residual > full_below && kept.is_outgrown_by(&balance) {
                 self.keep_patches(&u)?;
                 balance = self.evaluate(&u, load)?;
                 kept = Extent::of(&balance);

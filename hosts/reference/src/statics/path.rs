@@ -1,11 +1,9 @@
 //! Load steps.
 
-use super::equilibrium::{Equilibrium, size};
+use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
 use super::newton::{State, Watch};
-use crate::fem::Part;
-use fmc_contact::{EnergyLaw, FiberProfile};
 
 /// How the load is brought on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,12 +22,6 @@ impl Default for Path {
 
 /// A step that needs no more iterations than these lets the next one be twice as long, up to the first ones' length.
 const EASY: usize = 12;
-
-/// Factor from one rough contact to the next: ten times as much takes half as many iterations more.
-const STRIDE: f64 = 100.0;
-
-/// Stiffness of a soft contact by E / size of a body: on Hertz' half-disc, 10 to 100 take the fewest iterations.
-const SOFT: f64 = 50.0;
 
 impl<const D: usize> Equilibrium<D> {
     /// Goes to the full load: prescribed displacements and forces grow together. A step that fails is halved; what
@@ -82,44 +74,7 @@ impl<const D: usize> Equilibrium<D> {
     /// Equilibrium at a load, from the last one.
     fn advance(&mut self, load: f64, watch: Watch) -> Result<State<D>, StaticsError> {
         let start = self.predicted(load, watch)?;
-        let soft = self.soft_stiffness();
-        let EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } = self.problem.contact.law else {
-            let start = self.approach(start, load)?;
-            return self.newton(start, load, watch);
-        };
-        if k <= soft || self.is_supported(&start)? && !self.is_too_deep(&start) {
-            return self.newton(start, load, watch);
-        }
-        // A body that comes to rest on a few points of hard contact would creep out of their reach: every step is as
-        // long as the next gap is wide; cells that hard contact drives out at once are turned inside out. On a soft
-        // contact both settle.
-        let settings = self.settings;
-        self.settings.tolerance = settings.full_below.max(settings.tolerance);
-        let settled = self.settle(start, load, soft, k, watch);
-        self.settings = settings;
-        self.set_law(EnergyLaw::fiber(k))?;
-        self.newton(settled?, load, watch)
-    }
-
-    /// Rough equilibria on contacts of growing stiffness.
-    fn settle(
-        &mut self,
-        start: Vec<[f64; D]>,
-        load: f64,
-        soft: f64,
-        hard: f64,
-        watch: Watch,
-    ) -> Result<Vec<[f64; D]>, StaticsError> {
-        let mut u = start;
-        let stages = ((hard / soft).ln() / STRIDE.ln()).ceil().max(1.0) as usize;
-        for stage in 0..stages {
-            self.set_law(EnergyLaw::fiber(soft * (hard / soft).powf(stage as f64 / stages as f64)))?;
-            if stage == 0 {
-                u = self.approach(u, load)?;
-            }
-            (u, _) = self.newton(u, load, watch)?;
-        }
-        Ok(u)
+        self.led_from(start, load, watch)
     }
 
     /// As far beyond the last equilibrium as it is beyond the one before; right where the contact grows steadily.
@@ -131,22 +86,6 @@ impl<const D: usize> Equilibrium<D> {
             .collect();
         self.prescribe(&mut ahead, load);
         Some(ahead)
-    }
-
-    /// Whether the penetration calls for a pressure beyond Young's modulus, which nothing could bear.
-    fn is_too_deep(&mut self, u: &[[f64; D]]) -> bool {
-        let EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } = self.problem.contact.law else {
-            return false;
-        };
-        self.contact.release_patches();
-        let young = self.problem.model.parts().iter().map(|part| part.material.young).fold(f64::INFINITY, f64::min);
-        self.touch(u, &self.shown(u)).is_ok_and(|contact| contact.penetration * k > young)
-    }
-
-    /// A contact stiffness that is [`SOFT`] times that of the softest and smallest body, E / size.
-    fn soft_stiffness(&self) -> f64 {
-        let stiffness = |part: &Part<D>| part.material.young / size(&part.mesh.coords);
-        SOFT * self.problem.model.parts().iter().map(stiffness).fold(f64::INFINITY, f64::min)
     }
 
     /// The last equilibrium with what is prescribed moved on, and the bodies following as their tangent says: else the

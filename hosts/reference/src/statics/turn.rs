@@ -14,6 +14,9 @@ impl<const D: usize> Equilibrium<D> {
     /// From the last equilibrium to that on the patches that are found where it is. Those of a solve are found on its way,
     /// and what they leave of the way is up to 10⁻⁴ of the displacements; every turn takes that much of what is left.
     pub(super) fn turn_patches(&mut self, watch: Watch) -> Result<(), StaticsError> {
+        if !self.problem.contact.law.is_fiber() {
+            return Ok(());
+        }
         let settings = self.settings;
         for _ in 0..MOST_TURNS {
             let u = self.displacement.clone();

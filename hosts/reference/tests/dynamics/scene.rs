@@ -19,6 +19,11 @@ pub(crate) fn exact(k: f64, m: f64) -> Options {
     Options { estimator: Estimator::Exact, ..Options::new(EnergyLaw::Volume { stiffness: k, exponent: m }) }
 }
 
+/// w = k/2 ∫ (g_A + g_B) dx, exact.
+pub(crate) fn depth(k: f64) -> Options {
+    Options { estimator: Estimator::Exact, ..Options::new(EnergyLaw::depth(k)) }
+}
+
 /// A square on its tip, its velocity (0.3, −3), above a block that is free to move; neo-Hookean. They are 0.01 apart and
 /// the tip stands beside a node of the block.
 pub(crate) fn tip_on_block(contact: Options, step: Step) -> Setup<2> {

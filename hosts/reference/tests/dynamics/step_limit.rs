@@ -1,6 +1,6 @@
 //! The stable step, against where the scheme does become unstable.
 
-use crate::scene::{exact, material, part, run, tip_on_block};
+use crate::scene::{depth, exact, material, part, run, tip_on_block};
 use fmc_contact::{CellType, EnergyLaw};
 use fmc_shapes::rectangle_quad4;
 use fmc_solid::dynamics::{DynamicsError, Setup, Simulation, Step};
@@ -84,6 +84,29 @@ fn fiber_law_limit_is_known_beforehand() {
     let samples = run(&mut simulation, 400);
     let largest = samples.iter().map(|s| s.kinetic).fold(0.0, f64::max);
     assert!(largest < 1e-10, "{largest}"); // it starts with 2 × ½ (1e-6)² and lines are laid to some 1e-3
+}
+
+#[test]
+fn depth_law_limit_is_known_beforehand() {
+    // As with the fiber law, 8k before the squares meet. Where they lie in one another the tangent may say more.
+    let k = 50.0;
+    let squares = |gap: f64, step: f64| {
+        let mut setup = resting(k, Step::Fixed(step));
+        setup.contact = depth(k);
+        setup.load = vec![[0.0; 2]; 8];
+        let model = setup.model;
+        let mut parts = model.parts().to_vec();
+        parts[1].mesh = parts[1].mesh.clone().translated([0.0, gap]);
+        setup.model = Model::new(parts).unwrap();
+        Simulation::start(setup)
+    };
+    let bound = 2.0 / (8.0 * k).sqrt();
+    let apart = squares(0.2, 0.5 * bound).unwrap().limit().step();
+    assert!((apart / bound - 1.0).abs() < 1e-6, "{apart} {bound}");
+    let refused = squares(0.2, 1.01 * bound).err().unwrap();
+    assert!(refused.to_string().contains("contact alone: 1.0000e-1"), "{refused}");
+    let together = squares(0.0, 0.5 * bound).unwrap().limit().step();
+    assert!(together <= apart && together > 0.5 * apart, "{together} {apart}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod scene;
 
+mod depth;
 mod hertz;
 mod patch;
 mod refusals;

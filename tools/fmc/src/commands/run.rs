@@ -82,8 +82,10 @@ pub(crate) struct RunArgs {
 enum LawChoice {
     /// w = k V^m
     Volume,
-    /// Pressure = k times penetration
+    /// Pressure = k times penetration, line by line
     Fiber,
+    /// Pressure = k times penetration, from the depth below both surfaces
+    Depth,
 }
 
 impl RunArgs {
@@ -126,7 +128,7 @@ impl RunArgs {
         if !has_variant {
             bail!(
                 "--law {law}: another law needs another stiffness; give it with --override contact.stiffness=… \
-                 (volume: energy / volume^m; fiber: pressure / penetration)"
+                 (volume: energy / volume^m; fiber and depth: pressure / penetration)"
             );
         }
         Ok(document.choose(&law)?)
