@@ -162,7 +162,10 @@ fn options(from: &Options, is_ordinary: bool) -> fmc_options {
     }
     // What would have no effect is refused; often enough it is left out.
     if !from.seed.is_multiple_of(8) {
-        let (is_sampled, is_volume, is_isotropic) = (options.estimator == 0, options.law == 0, options.pattern == 1);
+        let (is_sampled, is_volume, is_isotropic) = (options.estimator != 1, options.law == 0, options.pattern == 1);
+        if options.estimator != 0 {
+            options.pattern = 0;
+        }
         if !is_sampled {
             (options.spacing, options.fiber_count, options.seed, options.pattern) = (0.0, 0, 0, 0);
         }
@@ -307,6 +310,8 @@ impl Host {
             Call::FromFacets { facets, is_wide } => self.from_facets(facets, *is_wide),
             Call::Suggest { dim, values } => suggest(i32::from(*dim % 5), values.map(|x| x.0)),
             Call::Texts { status, feature } => texts(*status, feature),
+            Call::SetReference { read, factor, hole } => self.set_reference(*read, factor.0, *hole),
+            Call::SetSymmetryNodes { nodes, hole } => self.set_symmetry_nodes(nodes, *hole),
         }
     }
 
@@ -490,6 +495,26 @@ impl Host {
             let status = fmc_context_stable_step(self.context, coords, masses, unless(hole, 2, &raw mut step));
             assert!(if checked(status) == OK { step > 0.0 } else { step == -77.0 }, "{step}");
         }
+    }
+
+    fn set_reference(&mut self, read: Layout, factor: f64, hole: Hole) {
+        let mut coords = self.mesh.coords.clone();
+        coords.iter_mut().step_by(self.mesh.dim).for_each(|x| *x *= factor);
+        let coords = Array::new(&coords, self.mesh.dim, read);
+        let view = coords.view;
+        // SAFETY: as in `evaluate`.
+        checked(unsafe {
+            fmc_context_set_reference(self.context, unless(hole, 0, (&raw const view).cast_mut()).cast_const())
+        });
+    }
+
+    fn set_symmetry_nodes(&mut self, nodes: &[u8], hole: Hole) {
+        let nodes: Vec<i64> = nodes.iter().map(|&node| i64::from(node) - 2).collect();
+        let numbers = Guarded::new(&nodes);
+        // SAFETY: as many numbers as it says.
+        checked(unsafe {
+            fmc_context_set_symmetry_nodes(self.context, unless(hole, 0, numbers.ptr()).cast_const(), nodes.len())
+        });
     }
 
     fn keep_patches(&mut self, forget: bool, hole: Hole) {

@@ -267,6 +267,8 @@ unsafe extern "C" {
         result: *mut fmc_result,
     ) -> fmc_status;
     pub fn fmc_context_error(context: *const fmc_context) -> *const c_char;
+    pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_view) -> fmc_status;
+    pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const i64, count: usize) -> fmc_status;
     pub fn fmc_context_keep_patches(
         context: *mut fmc_context,
         coords: *const fmc_view,

@@ -117,22 +117,86 @@ pub enum Fault {
 /// One call, or a few that belong together.
 #[derive(Arbitrary, Clone, Debug)]
 pub enum Call {
-    Evaluate { read: Layout, write: Layout, add: bool, hole: Hole },
-    Tangent { read: Layout, flags: u8, hole: Hole },
-    Rows { read: Layout, flags: u8, hole: Hole },
-    KeepPattern { keep: u8 },
-    StableStep { mass: Number, hole: Hole },
-    Fields { read: Layout, hole: Hole },
-    KeepPatches { forget: bool, hole: Hole },
+    Evaluate {
+        read: Layout,
+        write: Layout,
+        add: bool,
+        hole: Hole,
+    },
+    Tangent {
+        read: Layout,
+        flags: u8,
+        hole: Hole,
+    },
+    Rows {
+        read: Layout,
+        flags: u8,
+        hole: Hole,
+    },
+    KeepPattern {
+        keep: u8,
+    },
+    StableStep {
+        mass: Number,
+        hole: Hole,
+    },
+    Fields {
+        read: Layout,
+        hole: Hole,
+    },
+    KeepPatches {
+        forget: bool,
+        hole: Hole,
+    },
     SetOptions(Options),
-    SetByName { key: u8, value: [u8; 6] },
-    AddObstacle { shape: Shape, pose: Option<Pose>, hole: Hole },
-    SetPose { obstacle: u8, pose: Pose },
-    Move { node: u8, axis: u8, to: Number },
-    Getters { index: u8, hole: Hole },
-    SetLog { calls_back: bool },
-    Stateless { hole: Hole },
-    FromFacets { facets: Vec<u8>, is_wide: bool },
-    Suggest { dim: u8, values: [Number; 3] },
-    Texts { status: i32, feature: [u8; 5] },
+    SetByName {
+        key: u8,
+        value: [u8; 6],
+    },
+    AddObstacle {
+        shape: Shape,
+        pose: Option<Pose>,
+        hole: Hole,
+    },
+    SetPose {
+        obstacle: u8,
+        pose: Pose,
+    },
+    Move {
+        node: u8,
+        axis: u8,
+        to: Number,
+    },
+    Getters {
+        index: u8,
+        hole: Hole,
+    },
+    SetLog {
+        calls_back: bool,
+    },
+    Stateless {
+        hole: Hole,
+    },
+    FromFacets {
+        facets: Vec<u8>,
+        is_wide: bool,
+    },
+    Suggest {
+        dim: u8,
+        values: [Number; 3],
+    },
+    Texts {
+        status: i32,
+        feature: [u8; 5],
+    },
+    /// Coordinates without deformation: those in force, by a factor along the first axis.
+    SetReference {
+        read: Layout,
+        factor: Number,
+        hole: Hole,
+    },
+    SetSymmetryNodes {
+        nodes: Vec<u8>,
+        hole: Hole,
+    },
 }

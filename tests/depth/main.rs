@@ -8,6 +8,7 @@ mod derivatives;
 mod fields;
 mod flat;
 mod itself;
+mod noise;
 mod reference;
 mod scans;
 mod swallowed;
