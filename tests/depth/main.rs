@@ -5,6 +5,8 @@ mod scene;
 
 mod derivatives;
 mod flat;
+mod obstacles;
+mod round_obstacles;
 mod scans;
 mod swallowed;
 

@@ -3,6 +3,7 @@
 use super::cell_integrals::cell_integrals;
 use super::cell_pieces::CellPieces;
 use super::facet_integrals::{FacetIntegrals, FacetsInCells};
+use super::obstacle::of_obstacle;
 use super::piece_moments::common_moments;
 use crate::Error;
 use crate::configuration::FacetSide;
@@ -17,14 +18,19 @@ use crate::overlap::pair::sides::{Counterpart, Pair};
 /// Facets that a thread takes at once.
 const CHUNK: usize = 64;
 
-/// J of a pair, or `None` where the sides are apart.
+/// J of a pair, or `None` where the sides are apart; the translation of the pair's obstacle has the number
+/// `obstacle_node`.
 ///
 /// # Errors
-/// [`Error::Unsupported`] for bodies that are given by facets only, and for obstacles.
+/// [`Error::Unsupported`] for two bodies that are given by facets only.
 pub(crate) fn depth_integral<const D: usize>(
     pair: &Pair<D>,
     second: SecondDerivative,
+    obstacle_node: u32,
 ) -> Result<Option<DepthIntegral<D>>, Error> {
+    if let (Partner::Obstacle(_), Some(pose)) = (pair.partners[1], pair.pose) {
+        return of_obstacle(pair, pose, second, obstacle_node);
+    }
     match (&pair.counterpart, pair.partners[1], pair.depth, &pair.surface.cells) {
         (Counterpart::Facets(b), Partner::Body(_), Some(field), Some(cells)) => {
             let Some(region) = common_region(&pair.a, b) else { return Ok(None) };
