@@ -137,7 +137,7 @@ pub enum Error {
         /// What is not supported.
         what: &'static str,
     },
-    /// A signed-distance function failed, or returned a value that is not finite.
+    /// A signed-distance function failed, or returned a value that is not finite, or grows faster than a distance can.
     SignedDistance {
         /// Obstacle.
         obstacle: usize,
@@ -222,7 +222,7 @@ impl fmt::Display for Error {
             Error::SignedDistance { obstacle, point } => {
                 write!(
                     f,
-                    "the signed distance of obstacle {obstacle} failed or is not finite at point {point} of the batch"
+                    "the signed distance of obstacle {obstacle} failed or is not finite at point {point} of the batch, or grows faster there than a distance"
                 )
             }
             Error::TooManyFibers { needed, limit } => {

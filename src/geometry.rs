@@ -24,6 +24,8 @@ pub(crate) mod plane;
 mod pose;
 pub(crate) mod quadrature;
 pub(crate) mod shapes;
+mod signed_distance;
+pub(crate) mod simplex_rule;
 mod surface;
 pub(crate) mod tree;
 
@@ -35,6 +37,7 @@ pub use height_field::HeightField;
 pub(crate) use march::{Intersection, SearchInterval, march};
 pub use obstacle::{Obstacle, Shape, SignedDistance};
 pub use pose::Pose;
+pub(crate) use signed_distance::signed_distance;
 pub use surface::Surface;
 
 /// Point or vector of `D` components.

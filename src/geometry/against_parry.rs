@@ -1,6 +1,6 @@
 //! Chords and distances of the convex shapes against parry's ray and point queries, in 3D.
 
-use super::{Shape, Vector, chord, distance_bound};
+use super::{Shape, Vector, chord, distance_bound, signed_distance};
 use parry3d_f64::query::{PointQuery, Ray, RayCast};
 use parry3d_f64::shape::{Ball, Capsule, Cone, Cuboid, Cylinder, HalfSpace};
 
@@ -87,5 +87,22 @@ fn bounds_have_the_sign_of_parrys_distance_and_are_no_larger() {
             inside += usize::from(bound < 0.0);
         }
         assert!(inside > 10 && inside < 390, "{shape:?}: {inside}");
+    }
+}
+
+#[test]
+fn signed_distances_are_parrys() {
+    for (shape, other, _) in shapes() {
+        for (x, _) in scattered() {
+            let x = x * 1.5;
+            let (phi, gradient) = signed_distance(&shape, &x).expect("a shape of closed form");
+            let nearest = other.project_local_point(theirs(&x), false);
+            let away = (nearest.point - theirs(&x)).length();
+            let distance = if nearest.is_inside { -away } else { away };
+            assert!((phi - distance).abs() < 1e-13, "{shape:?} at {x}: {phi}, not {distance}");
+            // To the nearest point it is as far as the distance, against the gradient.
+            let end = theirs(&(x - gradient * phi));
+            assert!((end - nearest.point).length() < 1e-12, "{shape:?} at {x}: nearest at {end:?}");
+        }
     }
 }

@@ -9,7 +9,9 @@ use std::sync::Arc;
 /// such distances is: lines are marched in steps of |φ|, and a function that grows faster is stepped over. A function
 /// that grows more slowly costs evaluations, not accuracy.
 ///
-/// `gradient` need not have unit length; it is used where φ = 0 only, for the outward normal.
+/// `gradient` need not have unit length; it is used where φ = 0 only, for the outward normal. For the tangent of the law
+/// `depth` it must be the gradient of φ inside as well. That law looks where |φ| leaves room only, and refuses a function
+/// that it sees to grow faster.
 pub trait SignedDistance<const D: usize>: Send + Sync {
     /// Writes φ and ∇φ at the points `x`. All slices have the same length. It is called from one thread at a time, the
     /// one that called the module. An error names the first point that failed.
@@ -82,7 +84,7 @@ pub enum Shape<const D: usize> {
     },
     /// The solid below a height field, which both estimators meet as a polytope.
     HeightField(HeightField),
-    /// Union of shapes, each with a pose in the frame of the compound; fibers only. Feature `shapes`.
+    /// Union of shapes, each with a pose in the frame of the compound; fibers, and the law `depth`. Feature `shapes`.
     ///
     /// Its signed distance is the least of its parts': exact outside, and inside one part alone. Where parts overlap,
     /// the true depth is at least as large as that of the deepest part, which is what counts: a point near the seam of
@@ -91,7 +93,7 @@ pub enum Shape<const D: usize> {
         /// Its parts, which may overlap; signed distances and compounds may be among them.
         parts: Vec<Obstacle<D>>,
     },
-    /// Signed distance function; fibers only.
+    /// Signed distance function; fibers, and the law `depth`.
     SignedDistance(Arc<dyn SignedDistance<D>>),
 }
 

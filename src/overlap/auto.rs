@@ -57,8 +57,13 @@ impl<const D: usize> OverlapEstimator<D> for AutoEstimator<D> {
         self.of(pair).contact_points(pair, patches, derivative)
     }
 
-    fn depth_integral(&self, pair: &Pair<D>, second: SecondDerivative) -> Result<Option<DepthIntegral<D>>, Error> {
-        ExactEstimator.depth_integral(pair, second)
+    fn depth_integral(
+        &self,
+        pair: &Pair<D>,
+        second: SecondDerivative,
+        obstacle_node: u32,
+    ) -> Result<Option<DepthIntegral<D>>, Error> {
+        ExactEstimator.depth_integral(pair, second, obstacle_node)
     }
 
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {

@@ -31,11 +31,17 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error>;
 
-    /// The depths of the sides below each other's surfaces, summed over the overlap, or `None` where they are apart.
+    /// The depths of the sides below each other's surfaces, summed over the overlap, or `None` where they are apart; the
+    /// translation of the pair's obstacle has the number `obstacle_node`.
     ///
     /// # Errors
     /// [`Error::Unsupported`] where the estimator has no such sum.
-    fn depth_integral(&self, pair: &Pair<D>, second: SecondDerivative) -> Result<Option<DepthIntegral<D>>, Error>;
+    fn depth_integral(
+        &self,
+        pair: &Pair<D>,
+        second: SecondDerivative,
+        obstacle_node: u32,
+    ) -> Result<Option<DepthIntegral<D>>, Error>;
 
     /// Distance between the lines along the directions of `patches`, where there are lines.
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error>;

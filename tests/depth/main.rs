@@ -9,7 +9,9 @@ mod fields;
 mod flat;
 mod itself;
 mod noise;
+mod obstacles;
 mod reference;
+mod round_obstacles;
 mod scans;
 mod swallowed;
 

@@ -42,12 +42,17 @@ fn second(part: TangentPart) -> SecondDerivative {
 
 impl<const D: usize> PairLaw<D> for DepthLaw {
     fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
-        let depth = measured.estimator.depth_integral(measured.pair, SecondDerivative::No)?;
+        let depth = measured.estimator.depth_integral(measured.pair, SecondDerivative::No, 0)?;
         Ok(depth.map(|depth| self.energy_of(depth)))
     }
 
-    fn tangent(&self, measured: &Measured<D>, part: TangentPart, _: u32) -> Result<Option<Tangent<D>>, Error> {
-        let depth = measured.estimator.depth_integral(measured.pair, second(part))?;
+    fn tangent(
+        &self,
+        measured: &Measured<D>,
+        part: TangentPart,
+        obstacle_node: u32,
+    ) -> Result<Option<Tangent<D>>, Error> {
+        let depth = measured.estimator.depth_integral(measured.pair, second(part), obstacle_node)?;
         Ok(depth.map(|mut depth| self.tangent_of(&mut depth)))
     }
 
@@ -55,9 +60,9 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
         &self,
         measured: &Measured<D>,
         part: TangentPart,
-        _: u32,
+        obstacle_node: u32,
     ) -> Result<EnergyAndTangent<D>, Error> {
-        let Some(mut depth) = measured.estimator.depth_integral(measured.pair, second(part))? else {
+        let Some(mut depth) = measured.estimator.depth_integral(measured.pair, second(part), obstacle_node)? else {
             return Ok((None, None));
         };
         let tangent = self.tangent_of(&mut depth);
@@ -66,7 +71,7 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
 
     /// With the forces on inner nodes at the surface above them; the pressure of a point of a facet is k times its depth.
     fn energy_and_nodal_sums(&self, measured: &Measured<D>) -> Result<Option<EnergyAndSums<D>>, Error> {
-        let Some(mut depth) = measured.estimator.depth_integral(measured.pair, SecondDerivative::No)? else {
+        let Some(mut depth) = measured.estimator.depth_integral(measured.pair, SecondDerivative::No, 0)? else {
             return Ok(None);
         };
         depth.bring_to_surface(measured.pair);

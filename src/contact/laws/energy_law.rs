@@ -30,7 +30,8 @@ pub enum EnergyLaw {
     /// w = k/2 ∫ (g_A + g_B) dx over the overlap, each body carrying the depth g of its material below its own surface;
     /// against an obstacle w = k ∫ g dx with the depth below its surface. Where flat surfaces overlap by δ the pressure
     /// is k δ on either, as with `Fiber`; but no direction is needed, and the energy has no step wherever corners, edges
-    /// and whole bodies go. Bodies need cells. Exact only.
+    /// and whole bodies go. Bodies need cells where they meet one another, not where they meet obstacles. Exact only;
+    /// obstacles that are curved, or not convex, by quadrature.
     Depth {
         /// Stiffness, positive: Pa/length.
         stiffness: f64,

@@ -50,8 +50,13 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         ExactPair { pair }.contact_points(patches, derivative)
     }
 
-    fn depth_integral(&self, pair: &Pair<D>, second: SecondDerivative) -> Result<Option<DepthIntegral<D>>, Error> {
-        depth_integral(pair, second)
+    fn depth_integral(
+        &self,
+        pair: &Pair<D>,
+        second: SecondDerivative,
+        obstacle_node: u32,
+    ) -> Result<Option<DepthIntegral<D>>, Error> {
+        depth_integral(pair, second, obstacle_node)
     }
 
     fn spacing(&self, _: &Pair<D>, _: &Patches<D>) -> Result<Option<f64>, Error> {

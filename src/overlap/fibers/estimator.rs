@@ -60,7 +60,7 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         self.of(pair).contact_points(patches)
     }
 
-    fn depth_integral(&self, _: &Pair<D>, _: SecondDerivative) -> Result<Option<DepthIntegral<D>>, Error> {
+    fn depth_integral(&self, _: &Pair<D>, _: SecondDerivative, _: u32) -> Result<Option<DepthIntegral<D>>, Error> {
         Err(Error::Unsupported { what: "the law depth on sampled lines: use the estimator exact or auto" })
     }
 

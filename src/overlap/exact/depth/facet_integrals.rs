@@ -1,21 +1,19 @@
 //! ∫ over the facets of one body inside another of the other's depth, with its derivatives.
 
+use super::body_facet::{BodyFacet, FACET_NODES};
 use super::cell_pieces::CellPieces;
 use super::facet_clip::clip;
 use super::node_sums::NodeSums;
 use crate::configuration::FacetSide;
 use crate::depth::{DepthPiece, MOST_NODES};
+use crate::geometry::Surface;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::convex_piece::Piece;
-use crate::geometry::facet::{area_slopes, area_vector};
+use crate::geometry::facet::area_slopes;
 use crate::geometry::quadrature::for_each_simplex;
-use crate::geometry::{Surface, Vector};
 use crate::overlap::depth_integral::{NodalDepth, SecondDerivative};
 use crate::overlap::points::block_sum::{BlockSum, product};
-
-/// Nodes that move a facet: those of a quadrilateral face move each of its triangles.
-const FACET_NODES: usize = 4;
 
 /// Nodes that take part where a facet lies in a cell.
 const MOST: usize = FACET_NODES + MOST_NODES;
@@ -50,24 +48,13 @@ pub(super) struct FacetsInCells<'a, const D: usize> {
     pub(super) own_cell: Option<&'a [u32]>,
 }
 
-/// A facet, and the nodes that move it.
-struct Facet<const D: usize> {
-    corners: [Vector<D>; D],
-    area: Vector<D>,
-    measure: f64,
-    normal: Vector<D>,
-    nodes: Vec<u32>,
-    /// Weights of the nodes in each corner.
-    weights: [[f64; FACET_NODES]; D],
-}
-
 impl<const D: usize> FacetsInCells<'_, D> {
     /// The integrals over some facets.
     pub(super) fn integrals(&self, facets: &[u32], rounding: f64) -> FacetIntegrals<D> {
         let mut sums = FacetIntegrals::default();
         let mut scratch = Scratch { work: Piece::default(), values: Vec::new() };
         for &number in facets {
-            let Some(facet) = self.facet(number) else { continue };
+            let Some(facet) = BodyFacet::new(self.surface, self.side, number) else { continue };
             let aabb = Aabb::of(&facet.corners);
             let before = sums.piece_count;
             let mut moments = Moments { area: [0.0; D], depth: [0.0; D] };
@@ -96,33 +83,10 @@ impl<const D: usize> FacetsInCells<'_, D> {
         sums
     }
 
-    fn facet(&self, number: u32) -> Option<Facet<D>> {
-        let corners = self.side.corners(number as usize);
-        let area = area_vector(&corners);
-        let measure = area.norm();
-        if measure == 0.0 {
-            return None;
-        }
-        let (mut nodes, mut weights) = (Vec::with_capacity(FACET_NODES), [[0.0; FACET_NODES]; D]);
-        let mut place = |node: u32| {
-            let known = nodes.iter().position(|n| *n == node);
-            known.unwrap_or_else(|| {
-                nodes.push(node);
-                nodes.len() - 1
-            })
-        };
-        for (weights, &vertex) in weights.iter_mut().zip(&self.side.facets[number as usize]) {
-            for (node, weight) in self.surface.nodes_of_vertex(vertex) {
-                weights[place(node)] += weight;
-            }
-        }
-        Some(Facet { corners, area, measure, normal: area / measure, nodes, weights })
-    }
-
     /// Adds what a facet has inside a piece.
     fn add(
         &self,
-        facet: &Facet<D>,
+        facet: &BodyFacet<D>,
         piece: &DepthPiece<D>,
         scratch: &mut Scratch<D>,
         moments: &mut Moments<D>,
@@ -171,7 +135,13 @@ impl<const D: usize> FacetsInCells<'_, D> {
     }
 
     /// Shape functions of the facet's nodes, then those of the cell's, at a point of both.
-    fn shapes(&self, facet: &Facet<D>, piece: &DepthPiece<D>, on_facet: &[f64; D], in_piece: &[f64; 4]) -> [f64; MOST] {
+    fn shapes(
+        &self,
+        facet: &BodyFacet<D>,
+        piece: &DepthPiece<D>,
+        on_facet: &[f64; D],
+        in_piece: &[f64; 4],
+    ) -> [f64; MOST] {
         let mut shapes = [0.0; MOST];
         for (weights, w) in facet.weights.iter().zip(on_facet) {
             shapes.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += w * weight);
@@ -185,7 +155,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
     /// and ∫ g N_a, in parts of its measure.
     fn add_blocks(
         &self,
-        facet: &Facet<D>,
+        facet: &BodyFacet<D>,
         piece: &DepthPiece<D>,
         products: &[[f64; MOST]; MOST],
         moments: &[f64; D],
@@ -243,7 +213,7 @@ struct Scratch<const D: usize> {
     values: Vec<[[f64; D]; D]>,
 }
 
-impl<const D: usize> Facet<D> {
+impl<const D: usize> BodyFacet<D> {
     /// False only if the piece keeps clear of the facet's plane.
     fn may_meet(&self, piece: &DepthPiece<D>, rounding: f64) -> bool {
         let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);

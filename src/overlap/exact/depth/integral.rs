@@ -3,6 +3,7 @@
 use super::cell_integrals::cell_integrals;
 use super::cell_pieces::CellPieces;
 use super::facet_integrals::{FacetIntegrals, FacetsInCells};
+use super::obstacle::of_obstacle;
 use super::piece_moments::common_moments;
 use crate::Error;
 use crate::configuration::FacetSide;
@@ -18,28 +19,28 @@ use crate::overlap::pair::sides::{Counterpart, Pair};
 /// Facets, or pieces, that a thread takes at once.
 const CHUNK: usize = 64;
 
-/// J of a pair, or `None` where the sides are apart.
+/// J of a pair, or `None` where the sides are apart; the translation of the pair's obstacle has the number
+/// `obstacle_node`.
 ///
 /// # Errors
-/// [`Error::Unsupported`] for bodies that are given by facets only, and for obstacles.
+/// [`Error::Unsupported`] for bodies that are given by facets only, against one another.
 pub(crate) fn depth_integral<const D: usize>(
     pair: &Pair<D>,
     second: SecondDerivative,
+    obstacle_node: u32,
 ) -> Result<Option<DepthIntegral<D>>, Error> {
-    let what = "the law depth between bodies given by facets: depth is that of cells";
-    match (&pair.counterpart, pair.partners[1]) {
-        (_, Partner::Obstacle(_)) => Err(Error::Unsupported { what: "the law depth with this obstacle" }),
-        (counterpart, _) => {
-            let (Some(field), Some(cells)) = (pair.depth, &pair.surface.cells) else {
-                return Err(Error::Unsupported { what });
-            };
-            let bodies = DeepBodies { pair, cells, field, second };
-            Ok(match counterpart {
-                Counterpart::Facets(b) => common_region(&pair.a, b).and_then(|region| bodies.two(b, &region)),
-                _ => bodies.one(),
-            })
-        }
+    if let (Partner::Obstacle(_), Some(pose)) = (pair.partners[1], pair.pose) {
+        return of_obstacle(pair, pose, second, obstacle_node);
     }
+    let what = "the law depth between bodies given by facets: depth is that of cells";
+    let (Some(field), Some(cells)) = (pair.depth, &pair.surface.cells) else {
+        return Err(Error::Unsupported { what });
+    };
+    let bodies = DeepBodies { pair, cells, field, second };
+    Ok(match &pair.counterpart {
+        Counterpart::Facets(b) => common_region(&pair.a, b).and_then(|region| bodies.two(b, &region)),
+        _ => bodies.one(),
+    })
 }
 
 /// Bodies of cells.

@@ -1,0 +1,38 @@
+//! The depth of a body's facets below the surface of a convex solid: on a piece of a facet it is the depth below one face.
+
+use super::body_facet::BodyFacet;
+use super::convex_solid::ConvexSolid;
+use super::facet_moments::FacetMoments;
+use super::least_of::{candidates, cut_to_least};
+use crate::geometry::convex_piece::Piece;
+use crate::geometry::quadrature::for_each_gauss_point;
+use crate::overlap::depth_integral::SecondDerivative;
+
+/// What a facet has inside the solid. All integrands are of degree 2, which the quadrature takes exactly.
+pub(super) fn facet_moments<const D: usize>(
+    solid: &ConvexSolid<D>,
+    facet: &BodyFacet<D>,
+    rounding: f64,
+    second: SecondDerivative,
+    work: &mut Piece<D>,
+) -> FacetMoments<D> {
+    let mut moments = FacetMoments::default();
+    let depths: Vec<[f64; D]> =
+        solid.heights.iter().map(|height| facet.corners.each_ref().map(|x| -height.at(x))).collect();
+    let Some(near) = candidates(&depths) else { return moments };
+    let of_near: Vec<[f64; D]> = near.iter().map(|&face| depths[face]).collect();
+    for (k, &face) in near.iter().enumerate() {
+        if !cut_to_least(&of_near, k, rounding, work) {
+            continue;
+        }
+        let depth = |w: &[f64; D]| (0..D).map(|c| w[c] * of_near[k][c]).sum::<f64>();
+        let gradient = -solid.heights[face].slope;
+        moments.piece_count += 1;
+        work.corners().iter().for_each(|w| moments.reach(depth(w)));
+        for_each_gauss_point(work.corners(), false, |w, part| {
+            let slopes = (second != SecondDerivative::No).then_some((&gradient, &facet.normal));
+            moments.add_point(w, part, depth(w), slopes);
+        });
+    }
+    moments
+}

@@ -1,0 +1,143 @@
+//! The overlap of a body with a convex solid, and the depth summed over it, from the body's facets alone.
+//!
+//! The points for which face i is the nearest make a convex region R, bounded by i and by planes that halve the angles
+//! between i and other faces. A line along the normal m of i meets R, if at all, from the face down to a depth D, so
+//! that
+//!
+//! ```text
+//! U(x) = measure of R on the line above x,    m·∇U = −1 in R, 0 else:   |A ∩ R| = −∮_∂A U m·n dA
+//!                                                                ∫_{A∩R} g dx = −∮_∂A ½ U² m·n dA
+//! ```
+//!
+//! U is the depth below i in R and D below R, a minimum of linear functions. Where the body has most of its facets below R,
+//! the same is done with the measure below x, which is D above the face and 0 below R. What is summed is then of the size
+//! of the overlap, however thin it is.
+
+use super::convex_solid::{ConvexSolid, Linear};
+use super::least_of::{candidates, cut_to_least};
+use crate::configuration::FacetSide;
+use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::convex_piece::Piece;
+use crate::geometry::facet::area_vector;
+use crate::geometry::quadrature::for_each_gauss_point;
+
+/// Volume of the overlap, and the depth summed over it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct DepthSum {
+    pub(super) volume: f64,
+    pub(super) depth: f64,
+}
+
+/// The lines through one face.
+struct Column<const D: usize> {
+    height: Linear<D>,
+    /// Depth down to the planes that halve the angles with the other faces, of the foot of a point on this face.
+    ends: Vec<Linear<D>>,
+    /// No point of the region is deeper.
+    deepest: f64,
+}
+
+impl<const D: usize> ConvexSolid<D> {
+    /// Sums over the overlap with a body.
+    pub(super) fn sums(&self, body: &FacetSide<D>) -> DepthSum {
+        let rounding = body.aabb.rounding();
+        let mut sums = DepthSum::default();
+        let mut work = Piece::default();
+        for face in 0..self.heights.len() {
+            let column = self.column(face);
+            let (least, largest) = (column.height.least(&body.aabb), column.height.largest(&body.aabb));
+            // On whichever side of the region less of the body lies.
+            let from_above = (-least).max(0.0) <= (largest + column.deepest).max(0.0);
+            for facet in column.facets(body, from_above) {
+                let found = column.flux(&body.corners(facet as usize), from_above, rounding, &mut work);
+                sums.volume += found.volume;
+                sums.depth += found.depth;
+            }
+        }
+        sums
+    }
+
+    fn column(&self, face: usize) -> Column<D> {
+        let height = self.heights[face];
+        let ends = self.heights.iter().enumerate().filter(|(other, _)| *other != face).filter_map(|(_, other)| {
+            let cosine = height.slope.dot(&other.slope);
+            let factor = -1.0 / (1.0 - cosine);
+            let end = Linear {
+                slope: (other.slope - height.slope * cosine) * factor,
+                constant: (other.constant - height.constant * cosine) * factor,
+            };
+            factor.is_finite().then_some(end)
+        });
+        // A ball that touches the face is no wider than the solid.
+        Column { height, ends: ends.collect(), deepest: 0.5 * self.widths[face] }
+    }
+}
+
+impl<const D: usize> Column<D> {
+    /// Facets of a body that count.
+    fn facets(&self, body: &FacetSide<D>, from_above: bool) -> Vec<u32> {
+        let is_in = |aabb: &Aabb<D>| self.ends.iter().all(|end| end.largest(aabb) > 0.0);
+        body.facets_where(|aabb| {
+            let counts =
+                if from_above { self.height.least(aabb) < 0.0 } else { self.height.largest(aabb) > -self.deepest };
+            counts && is_in(aabb)
+        })
+    }
+
+    /// What a facet adds.
+    fn flux(&self, corners: &[Vector<D>; D], from_above: bool, rounding: f64, work: &mut Piece<D>) -> DepthSum {
+        let across = self.height.slope.dot(&area_vector(corners));
+        if across == 0.0 {
+            return DepthSum::default();
+        }
+        let depth: [f64; D] = corners.each_ref().map(|x| -self.height.at(x));
+        let mut functions: Vec<[f64; D]> = self.ends.iter().map(|end| corners.each_ref().map(|x| end.at(x))).collect();
+        if from_above {
+            functions.push(depth);
+        }
+        let Some(near) = candidates(&functions) else { return DepthSum::default() };
+        let functions: Vec<[f64; D]> = near.iter().map(|&k| functions[k]).collect();
+        let mut sums = DepthSum::default();
+        for k in 0..functions.len() {
+            let end = &functions[k];
+            if from_above {
+                if cut_to_least(&functions, k, rounding, work) {
+                    sums.add(work, -across, |w| [value(w, end), 0.0]);
+                }
+                continue;
+            }
+            // Above the face all of the region lies below x; in it, what is left from x down.
+            for above in [true, false] {
+                if !cut_to_least(&functions, k, rounding, work) {
+                    continue;
+                }
+                let is_left = if above {
+                    depth.iter().all(|d| *d <= 0.0) || depth.iter().any(|d| *d < 0.0) && work.cut(&depth)
+                } else {
+                    let beyond: [f64; D] = std::array::from_fn(|c| depth[c] - end[c]);
+                    depth.iter().any(|d| *d > 0.0) && work.cut(&depth.map(|d| -d)) && work.cut(&beyond)
+                };
+                if is_left {
+                    sums.add(work, across, |w| [value(w, end), if above { 0.0 } else { value(w, &depth) }]);
+                }
+            }
+        }
+        sums
+    }
+}
+
+fn value<const D: usize>(w: &[f64; D], at_corners: &[f64; D]) -> f64 {
+    (0..D).map(|c| w[c] * at_corners[c]).sum()
+}
+
+impl DepthSum {
+    /// Adds ∫ of the measure of a line between two depths over a piece of a facet, and of the depth along it.
+    fn add<const D: usize>(&mut self, piece: &Piece<D>, across: f64, between: impl Fn(&[f64; D]) -> [f64; 2]) {
+        for_each_gauss_point(piece.corners(), false, |w, part| {
+            let [low, high] = between(w);
+            self.volume += across * part * (low - high);
+            self.depth += across * part * 0.5 * (low * low - high * high);
+        });
+    }
+}

@@ -1,0 +1,200 @@
+//! What a facet of a body has inside an obstacle.
+
+use super::body_facet::BodyFacet;
+use super::node_sums::NodeSums;
+use crate::geometry::Vector;
+use crate::geometry::facet::area_slopes;
+use crate::overlap::depth_integral::{NodalDepth, SecondDerivative};
+use crate::overlap::points::block_sum::{BlockSum, product};
+use std::ops::AddAssign;
+
+/// Integrals over the part of a facet inside an obstacle, the whole facet having measure 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FacetMoments<const D: usize> {
+    /// Of the depth times the shape function of each corner.
+    depth: [f64; D],
+    /// Of the depth's gradient times products of two shape functions.
+    slopes: [[Vector<D>; D]; D],
+    /// Of the size of the gradient times these products, where the facet moves down if it moves outwards.
+    steep: [[f64; D]; D],
+    /// Of the shape function of each corner.
+    area: [f64; D],
+    deepest: f64,
+    /// Pieces of which it is the sum.
+    pub(super) piece_count: usize,
+}
+
+impl<const D: usize> Default for FacetMoments<D> {
+    fn default() -> Self {
+        Self {
+            depth: [0.0; D],
+            slopes: [[Vector::zeros(); D]; D],
+            steep: [[0.0; D]; D],
+            area: [0.0; D],
+            deepest: 0.0,
+            piece_count: 0,
+        }
+    }
+}
+
+impl<const D: usize> FacetMoments<D> {
+    /// Adds a point of a quadrature: its barycentric coordinates, its part of the measure, the depth there, and, where
+    /// second derivatives are asked for, the gradient of the depth, the facet having this normal.
+    pub(super) fn add_point(
+        &mut self,
+        w: &[f64; D],
+        part: f64,
+        depth: f64,
+        gradient: Option<(&Vector<D>, &Vector<D>)>,
+    ) {
+        self.area.iter_mut().zip(w).for_each(|(sum, w)| *sum += part * w);
+        self.deepest = self.deepest.max(depth);
+        for (sum, w) in self.depth.iter_mut().zip(w) {
+            *sum += part * depth * w;
+        }
+        let Some((gradient, normal)) = gradient else { return };
+        let steep = if normal.dot(gradient) > 0.0 { gradient.norm() } else { 0.0 };
+        for a in 0..D {
+            for c in 0..D {
+                let factor = part * w[a] * w[c];
+                self.slopes[a][c] += gradient * factor;
+                self.steep[a][c] += factor * steep;
+            }
+        }
+    }
+
+    /// Tells of a depth that was found somewhere on the facet.
+    pub(super) fn reach(&mut self, depth: f64) {
+        self.deepest = self.deepest.max(depth);
+    }
+
+    /// ∫ of the depth times every shape function.
+    pub(super) fn depths(&self) -> &[f64; D] {
+        &self.depth
+    }
+
+    /// ∫ of the depth.
+    pub(super) fn depth(&self) -> f64 {
+        self.depth.iter().sum()
+    }
+}
+
+impl<const D: usize> AddAssign for FacetMoments<D> {
+    fn add_assign(&mut self, other: Self) {
+        for a in 0..D {
+            self.depth[a] += other.depth[a];
+            for c in 0..D {
+                self.slopes[a][c] += other.slopes[a][c];
+                self.steep[a][c] += other.steep[a][c];
+            }
+        }
+        self.area.iter_mut().zip(other.area).for_each(|(sum, part)| *sum += part);
+        self.deepest = self.deepest.max(other.deepest);
+        self.piece_count += other.piece_count;
+    }
+}
+
+/// What all facets together have inside an obstacle.
+#[derive(Default)]
+pub(super) struct ObstacleSums<const D: usize> {
+    pub(super) gradient: NodeSums<D>,
+    pub(super) hessian: BlockSum<D>,
+    /// What of it belongs to the nodes of every facet.
+    pub(super) shares: Vec<NodalDepth>,
+    /// Their measure, the integral of the depth over it, and the largest depth.
+    pub(super) area: f64,
+    pub(super) depth: f64,
+    pub(super) deepest: f64,
+    pub(super) piece_count: usize,
+    pub(super) facet_count: usize,
+}
+
+impl<const D: usize> ObstacleSums<D> {
+    /// Adds a facet; the translation of the obstacle has the number `obstacle_node`.
+    pub(super) fn add(
+        &mut self,
+        facet: &BodyFacet<D>,
+        moments: &FacetMoments<D>,
+        second: SecondDerivative,
+        obstacle_node: u32,
+    ) {
+        if moments.piece_count == 0 {
+            return;
+        }
+        self.area += moments.area.iter().sum::<f64>() * facet.measure;
+        self.depth += moments.depth() * facet.measure;
+        self.deepest = self.deepest.max(moments.deepest);
+        self.piece_count += moments.piece_count;
+        self.facet_count += 1;
+        for (corner, weights) in facet.weights.iter().enumerate() {
+            let [area, depth] = [moments.area[corner], moments.depth[corner]].map(|m| facet.measure * m);
+            let force = facet.normal * depth;
+            for (&node, &weight) in facet.nodes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
+                self.gradient.add(node, false, &(force * weight));
+                self.shares.push(NodalDepth { node, area: weight * area, depth: weight * depth });
+            }
+        }
+        if second != SecondDerivative::No {
+            self.add_blocks(facet, moments, second, obstacle_node);
+        }
+    }
+
+    /// The depth at a point of a facet changes by ∇g·(w − t), w being its displacement and t that of the obstacle; its
+    /// area vector changes with its own corners.
+    fn add_blocks(
+        &mut self,
+        facet: &BodyFacet<D>,
+        moments: &FacetMoments<D>,
+        second: SecondDerivative,
+        obstacle_node: u32,
+    ) {
+        let own = facet.nodes.len();
+        let count = own + 1;
+        let mut nodes = facet.nodes.clone();
+        nodes.push(obstacle_node);
+        let mut values = vec![[[0.0; D]; D]; count * count];
+        let mut add = |row: usize, col: usize, factor: f64, block: &[[f64; D]; D]| {
+            for (sums, block) in values[row * count + col].iter_mut().zip(block) {
+                sums.iter_mut().zip(block).for_each(|(sum, x)| *sum += factor * x);
+            }
+        };
+        let area_slopes = area_slopes(&facet.corners);
+        for a in 0..D {
+            for c in 0..D {
+                let of_depth = match second {
+                    SecondDerivative::Full => product(facet.measure, &facet.normal, &moments.slopes[a][c]),
+                    _ => product(facet.measure * moments.steep[a][c], &facet.normal, &facet.normal),
+                };
+                for row in 0..own {
+                    for col in 0..own {
+                        let factor = facet.weights[a][row] * facet.weights[c][col];
+                        if factor == 0.0 {
+                            continue;
+                        }
+                        add(row, col, factor, &of_depth);
+                        add(row, own, -factor, &of_depth);
+                        add(own, col, -factor, &of_depth);
+                        add(own, own, factor, &of_depth);
+                        if second == SecondDerivative::Full {
+                            add(row, col, factor * moments.depth[a], &area_slopes[c]);
+                            add(own, col, -factor * moments.depth[a], &area_slopes[c]);
+                        }
+                    }
+                }
+            }
+        }
+        self.hessian.add_square(&nodes, &values);
+    }
+
+    /// Adds all of another part.
+    pub(super) fn add_part(&mut self, other: Self) {
+        self.gradient.add_sums(&other.gradient);
+        self.hessian.add_sum(other.hessian);
+        self.shares.extend(other.shares);
+        self.area += other.area;
+        self.depth += other.depth;
+        self.deepest = self.deepest.max(other.deepest);
+        self.piece_count += other.piece_count;
+        self.facet_count += other.facet_count;
+    }
+}

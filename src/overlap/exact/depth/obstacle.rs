@@ -1,0 +1,138 @@
+//! The depth of a body below the surface of a rigid obstacle, summed over their overlap.
+//!
+//! ```text
+//! J = ∫_A g dx,   g = max(0, −φ)        δJ(v) = ∫_∂A g v·n dA
+//! ```
+//!
+//! for a body A that moves past an obstacle at rest, φ being its signed distance. What the obstacle feels is the opposite:
+//! nothing changes if both move as one. If both are scaled by s about the position of the obstacle, J grows as s to the
+//! power of D + 1, which tells how it depends on the scale of the obstacle alone.
+
+use super::body_facet::BodyFacet;
+use super::convex_facets::facet_moments;
+use super::convex_solid::ConvexSolid;
+use super::convex_volume::DepthSum;
+use super::facet_moments::ObstacleSums;
+use super::obstacle_distance::ObstacleDistance;
+use super::obstacle_quadrature::{over_facets, over_volume};
+use crate::Error;
+use crate::geometry::convex_piece::Piece;
+use crate::geometry::plane::Plane;
+use crate::geometry::{Pose, Shape, Vector, moment};
+use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
+use crate::overlap::pair::obstacle_region;
+use crate::overlap::pair::overlap::{Overlap, PoseGradient};
+use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
+use crate::overlap::points::block_sum::symmetric_part;
+
+/// Facets that a thread takes at once.
+const CHUNK: usize = 64;
+
+/// J of a body and an obstacle, or `None` where they are apart.
+pub(super) fn of_obstacle<const D: usize>(
+    pair: &Pair<D>,
+    pose: &Pose<D>,
+    second: SecondDerivative,
+    obstacle_node: u32,
+) -> Result<Option<DepthIntegral<D>>, Error> {
+    let solid = match &pair.counterpart {
+        Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, .. }) => {
+            Some(ConvexSolid::below(&Plane::of(pose)))
+        }
+        Counterpart::Facets(side) => ConvexSolid::within(side),
+        _ => None,
+    };
+    let within = match &pair.counterpart {
+        Counterpart::Implicit(side) => obstacle_region::region(side, &pair.a.aabb)?,
+        Counterpart::Facets(side) => Some(pair.a.aabb.intersection(&side.aabb)).filter(|aabb| !aabb.is_empty()),
+        Counterpart::Itself => None,
+    };
+    let Some(within) = within else { return Ok(None) };
+    let (sums, whole) = match solid {
+        Some(solid) => {
+            let facets = pair.a.facets_in(&within);
+            (in_convex_solid(pair, &solid, &facets, second, obstacle_node), solid.sums(&pair.a))
+        }
+        None => {
+            let distance = ObstacleDistance::new(&pair.counterpart, pose);
+            let sums = over_facets(pair, &distance, &within, second, obstacle_node)?;
+            (sums, over_volume(pair, &distance, &within)?)
+        }
+    };
+    if sums.piece_count == 0 && whole.volume <= 0.0 {
+        return Ok(None);
+    }
+    Ok(Some(assembled(pair, pose, sums, whole)))
+}
+
+fn in_convex_solid<const D: usize>(
+    pair: &Pair<D>,
+    solid: &ConvexSolid<D>,
+    facets: &[u32],
+    second: SecondDerivative,
+    obstacle_node: u32,
+) -> ObstacleSums<D> {
+    let rounding = pair.a.aabb.rounding();
+    let parts = pair.in_chunks(facets, CHUNK, |facets| {
+        let (mut sums, mut work) = (ObstacleSums::default(), Piece::default());
+        for &facet in facets {
+            if let Some(facet) = BodyFacet::new(pair.surface, &pair.a, facet) {
+                let moments = facet_moments(solid, &facet, rounding, second, &mut work);
+                sums.add(&facet, &moments, second, obstacle_node);
+            }
+        }
+        sums
+    });
+    parts.into_iter().fold(ObstacleSums::default(), |mut sums, part| {
+        sums.add_part(part);
+        sums
+    })
+}
+
+fn assembled<const D: usize>(
+    pair: &Pair<D>,
+    pose: &Pose<D>,
+    sums: ObstacleSums<D>,
+    whole: DepthSum,
+) -> DepthIntegral<D> {
+    let (nodes, of_b, gradient) = sums.gradient.into_nodes();
+    let center = Vector::from(pose.position);
+    let mut reaction = PoseGradient { position: Vector::zeros(), rotation: [0.0; 3], scale: 0.0 };
+    let mut about_center = 0.0;
+    for (&node, g) in nodes.iter().zip(&gradient) {
+        let x = Vector::from(pair.coords[node as usize]);
+        reaction.position -= g;
+        reaction.rotation.iter_mut().zip(moment(&x, g)).for_each(|(sum, m)| *sum -= m);
+        about_center += (x - center).dot(g);
+    }
+    reaction.scale = ((D + 1) as f64 * whole.depth - about_center) / pose.scale;
+    let [a, b] = pair.partners;
+    let overlap = Overlap {
+        a,
+        b,
+        volume: whole.volume.max(0.0),
+        standard_error: 0.0,
+        nodes: Vec::new(),
+        gradient: Vec::new(),
+        of_b: Vec::new(),
+        pose_gradient: None,
+        contact_area: sums.area,
+        penetration: sums.deepest,
+        fiber_count: 0,
+        crossing_count: sums.piece_count,
+        facet_count: sums.facet_count,
+        spacing: 0.0,
+        warnings: Vec::new(),
+    };
+    DepthIntegral {
+        value: whole.depth,
+        nodes,
+        of_b,
+        gradient,
+        pose_gradient: Some(reaction),
+        hessian: symmetric_part(sums.hessian.into_blocks()),
+        shares: sums.shares,
+        mean_depth: if sums.area > 0.0 { sums.depth / sums.area } else { 0.0 },
+        overlap,
+    }
+}

@@ -1,0 +1,124 @@
+//! The signed distance of any obstacle, in space.
+
+use crate::Error;
+use crate::configuration::FacetSide;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::convex_piece::place;
+use crate::geometry::facet::area_vector;
+use crate::geometry::nearest_on_facet::nearest;
+use crate::geometry::tree::Tree;
+use crate::geometry::{Pose, Shape, SignedDistance, Vector, signed_distance};
+use crate::overlap::pair::sides::{Counterpart, ImplicitSide};
+use std::cell::Cell;
+
+/// A value that is larger than the distance from a point where it is known allows by more than this part of it is no
+/// rounding.
+const STEEP: f64 = 1e-6;
+
+/// What the distance of an obstacle comes from.
+pub(super) struct ObstacleDistance<'a, const D: usize> {
+    source: Source<'a, D>,
+    pose: &'a Pose<D>,
+}
+
+enum Source<'a, const D: usize> {
+    Shape(&'a Shape<D>),
+    Function { function: &'a dyn SignedDistance<D>, obstacle: usize },
+    Facets { side: &'a FacetSide<'a, D>, tree: Tree<D> },
+}
+
+/// The signed distance at a point and its gradient there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Distance<const D: usize> {
+    pub(super) phi: f64,
+    pub(super) gradient: Vector<D>,
+}
+
+impl<'a, const D: usize> ObstacleDistance<'a, D> {
+    /// That of an obstacle which stands against a body.
+    pub(super) fn new(counterpart: &'a Counterpart<'a, D>, pose: &'a Pose<D>) -> Self {
+        let source = match counterpart {
+            Counterpart::Facets(side) => {
+                let boxes: Vec<Aabb<D>> = (0..side.facets.len()).map(|facet| side.facet_box(facet)).collect();
+                Source::Facets { side, tree: Tree::new(&boxes) }
+            }
+            Counterpart::Implicit(ImplicitSide { shape: Shape::SignedDistance(function), obstacle, .. }) => {
+                Source::Function { function: function.as_ref(), obstacle: *obstacle }
+            }
+            Counterpart::Implicit(ImplicitSide { shape, .. }) => Source::Shape(shape),
+            Counterpart::Itself => Source::Shape(&Shape::HalfSpace),
+        };
+        Self { source, pose }
+    }
+
+    /// At some points.
+    ///
+    /// # Errors
+    /// [`Error::SignedDistance`] where a function of the host fails.
+    pub(super) fn at(&self, points: &[Vector<D>]) -> Result<Vec<Distance<D>>, Error> {
+        let in_space = |phi: f64, gradient: &Vector<D>| Distance {
+            phi: phi * self.pose.scale,
+            gradient: self.pose.rotate(gradient),
+        };
+        match &self.source {
+            Source::Shape(shape) => Ok(points
+                .iter()
+                .map(|x| {
+                    let (phi, gradient) =
+                        signed_distance(shape, &self.pose.unplace(x)).unwrap_or((f64::INFINITY, Vector::zeros()));
+                    in_space(phi, &gradient)
+                })
+                .collect()),
+            Source::Facets { side, tree } => Ok(points.iter().map(|x| from_facets(side, tree, x)).collect()),
+            Source::Function { function, obstacle } => {
+                let x: Vec<[f64; D]> = points.iter().map(|x| self.pose.unplace(x).into()).collect();
+                let (mut phi, mut gradient) = (vec![f64::NAN; x.len()], vec![[f64::NAN; D]; x.len()]);
+                let failed = |point| Error::SignedDistance { obstacle: *obstacle, point };
+                function.evaluate(&x, &mut phi, &mut gradient).map_err(failed)?;
+                let found: Vec<Distance<D>> =
+                    phi.iter().zip(&gradient).map(|(phi, gradient)| in_space(*phi, &(*gradient).into())).collect();
+                let is_finite = |at: &Distance<D>| at.phi.is_finite() && at.gradient.iter().all(|g| g.is_finite());
+                match found.iter().position(|at| !is_finite(at)) {
+                    Some(point) => Err(failed(point)),
+                    None => Ok(found),
+                }
+            }
+        }
+    }
+
+    /// Checks that the distance changes from a place to a point no more than they are apart: what is taken to be out of
+    /// reach would else be missed.
+    ///
+    /// # Errors
+    /// [`Error::SignedDistance`] if it does.
+    pub(super) fn check(&self, point: usize, x: &Vector<D>, phi: f64, y: &Vector<D>, other: f64) -> Result<(), Error> {
+        let Source::Function { obstacle, .. } = self.source else { return Ok(()) };
+        let rounding = STEEP * STEEP * (x.amax() + phi.abs());
+        if (phi - other).abs() > (x - y).norm() * (1.0 + STEEP) + rounding {
+            return Err(Error::SignedDistance { obstacle, point });
+        }
+        Ok(())
+    }
+}
+
+/// Distance from the nearest facet, negative where the facets lie around the point.
+fn from_facets<const D: usize>(side: &FacetSide<D>, tree: &Tree<D>, x: &Vector<D>) -> Distance<D> {
+    let found = Cell::new((f64::INFINITY, Vector::zeros(), 0));
+    tree.least_squared_distance(x, f64::INFINITY, |facet, least| {
+        let corners = side.corners(facet as usize);
+        let from = x - place(&corners, &nearest(&corners, x));
+        let squared = Some(from.norm_squared()).filter(|squared| *squared < least)?;
+        found.set((squared, from, facet));
+        Some(squared)
+    });
+    let (squared, from, facet) = found.get();
+    let sign = if side.winding_number(x) == 0 { 1.0 } else { -1.0 };
+    let phi = sign * squared.sqrt();
+    // The direction to a point that is as near as rounding is made of rounding.
+    let gradient = if phi.abs() > side.aabb.rounding() {
+        from / phi
+    } else {
+        area_vector(&side.corners(facet as usize)).try_normalize(0.0).unwrap_or_else(Vector::zeros)
+    };
+    Distance { phi, gradient }
+}
