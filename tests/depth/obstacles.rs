@@ -98,6 +98,12 @@ fn boxes() {
             close("box in body", at.energy, 4.0 / 3.0);
             assert!(at.bodies[0].force.iter().all(|f| f.abs() < 1e-12));
         }
+        // Through the box from below, up to half of the depth of its upper face: 1 − max(|x|, |y|) is summed.
+        for mesh in blocks_2d([-0.3, -5.0], [0.3, 0.5]) {
+            let at = found(&mesh, shape, Pose::default());
+            close("from below", at.energy, 0.507);
+            close("force from below", at.bodies[0].force[1], -0.3);
+        }
         for mesh in blocks_2d([-2.0, -3.0], [0.0, 2.0]) {
             close("half of the box in the body", found(&mesh, shape, Pose::default()).energy, 2.0 / 3.0);
         }
