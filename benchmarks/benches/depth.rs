@@ -8,9 +8,10 @@ use fmc_contact::{Bodies, CellBlock, CellType, Contact, EnergyLaw, Estimator, Op
 use fmc_shapes::{Mesh, ball_tet4, cuboid_tet4};
 use std::time::Instant;
 
-/// A law and its stiffness.
-const LAWS: [(&str, fn(f64) -> EnergyLaw); 3] =
-    [("volume", EnergyLaw::volume), ("fiber", EnergyLaw::fiber), ("depth", EnergyLaw::depth)];
+/// A law of a stiffness.
+type Law = fn(f64) -> EnergyLaw;
+
+const LAWS: [Law; 3] = [EnergyLaw::volume, EnergyLaw::fiber, EnergyLaw::depth];
 
 fn main() {
     println!("{:34} {:>9} {:>9} {:>9} {:>9}   ms, and by that of volume", "", "volume", "fiber", "depth", "tangent");
@@ -47,12 +48,12 @@ fn row(name: &str, lower: &Mesh<3>, upper: &Mesh<3>, depth: f64) {
     let surface = Surface::from_cells(&all.coords, &[block], Bodies::Ids(&ids)).expect("a valid mesh");
     let mut coords = all.coords.clone();
     coords[lower.coords.len()..].iter_mut().for_each(|x| x[2] -= depth);
-    let contact = |law: fn(f64) -> EnergyLaw| {
+    let contact = |law: Law| {
         let options = Options { estimator: Estimator::Exact, ..Options::new(law(1.0)) };
         Contact::new(surface.clone(), options).expect("valid options")
     };
     let mut times: Vec<f64> = (LAWS.iter())
-        .map(|(_, law)| least(&coords, &contact(*law), |contact, x| drop(contact.evaluate(x).expect("a force"))))
+        .map(|law| least(&coords, &contact(*law), |contact, x| drop(contact.evaluate(x).expect("a force"))))
         .collect();
     times.push(least(&coords, &contact(EnergyLaw::depth), |contact, x| {
         drop(contact.tangent(x, TangentPart::Full).expect("a tangent"));

@@ -64,8 +64,7 @@ fn nodes_at<const D: usize>(surface: &Surface<D>, vertex: u32) -> ([u32; 4], u8)
 
 /// Nodes of a surface's vertex with their parts.
 pub(crate) fn nodes_of<const D: usize>(surface: &Surface<D>, vertex: u32, mut visit: impl FnMut(u32, f64)) {
-    let (nodes, count) = nodes_at(surface, vertex);
-    nodes[..count as usize].iter().for_each(|&node| visit(node, 1.0 / f64::from(count)));
+    surface.nodes_of_vertex(vertex).for_each(|(node, part)| visit(node, part));
 }
 
 impl<const D: usize> ContactPoints<D> {

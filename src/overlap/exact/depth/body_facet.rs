@@ -5,23 +5,23 @@ use crate::geometry::facet::area_vector;
 use crate::geometry::{Surface, Vector};
 
 /// Nodes that move a facet: those of a quadrilateral face move each of its triangles.
-pub(super) const FACET_NODES: usize = 4;
+pub(crate) const FACET_NODES: usize = 4;
 
 /// A facet that has a measure.
-pub(super) struct BodyFacet<const D: usize> {
-    pub(super) corners: [Vector<D>; D],
-    pub(super) area: Vector<D>,
-    pub(super) measure: f64,
+pub(crate) struct BodyFacet<const D: usize> {
+    pub(crate) corners: [Vector<D>; D],
+    pub(crate) area: Vector<D>,
+    pub(crate) measure: f64,
     /// Unit outward normal.
-    pub(super) normal: Vector<D>,
-    pub(super) nodes: Vec<u32>,
+    pub(crate) normal: Vector<D>,
+    pub(crate) nodes: Vec<u32>,
     /// Weights of the nodes in each corner.
-    pub(super) weights: [[f64; FACET_NODES]; D],
+    pub(crate) weights: [[f64; FACET_NODES]; D],
 }
 
 impl<const D: usize> BodyFacet<D> {
     /// A facet of a side; `None` where it has no measure.
-    pub(super) fn new(surface: &Surface<D>, side: &FacetSide<D>, number: u32) -> Option<Self> {
+    pub(crate) fn new(surface: &Surface<D>, side: &FacetSide<D>, number: u32) -> Option<Self> {
         let corners = side.corners(number as usize);
         let area = area_vector(&corners);
         let measure = area.norm();

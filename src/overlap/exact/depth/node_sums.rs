@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 
 /// Vectors at nodes, each summed in the order in which they come; a node that both sides have is two.
 #[derive(Default)]
-pub(super) struct NodeSums<const D: usize> {
+pub(crate) struct NodeSums<const D: usize> {
     /// Twice a node, and one more for the second side.
     slots: Vec<u32>,
     values: Vec<Vector<D>>,
@@ -15,7 +15,7 @@ pub(super) struct NodeSums<const D: usize> {
 
 impl<const D: usize> NodeSums<D> {
     /// Adds to a node of one side.
-    pub(super) fn add(&mut self, node: u32, of_b: bool, value: &Vector<D>) {
+    pub(crate) fn add(&mut self, node: u32, of_b: bool, value: &Vector<D>) {
         let slot = 2 * node + u32::from(of_b);
         let place = *self.place.entry(slot).or_insert_with(|| {
             self.slots.push(slot);
@@ -26,14 +26,14 @@ impl<const D: usize> NodeSums<D> {
     }
 
     /// Adds all of another sum.
-    pub(super) fn add_sums(&mut self, other: &Self) {
+    pub(crate) fn add_sums(&mut self, other: &Self) {
         for (&slot, value) in other.slots.iter().zip(&other.values) {
             self.add(slot / 2, slot % 2 == 1, value);
         }
     }
 
     /// Nodes, ascending, the side of each, and their vectors.
-    pub(super) fn into_nodes(self) -> (Vec<u32>, Vec<bool>, Vec<Vector<D>>) {
+    pub(crate) fn into_nodes(self) -> (Vec<u32>, Vec<bool>, Vec<Vector<D>>) {
         let mut order: Vec<(u32, u32)> = self.slots.iter().copied().zip(0..).collect();
         order.sort_unstable();
         let nodes = order.iter().map(|&(slot, _)| slot / 2).collect();

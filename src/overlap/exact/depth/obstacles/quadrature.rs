@@ -1,16 +1,16 @@
 //! The depth of a body below the surface of an obstacle of any shape, by quadrature.
 
 use super::adaptive::{Adaptive, Quantity, Root};
-use super::body_facet::BodyFacet;
 use super::convex_volume::DepthSum;
+use super::distance::{Distance, ObstacleDistance};
 use super::facet_moments::{FacetMoments, ObstacleSums};
-use super::obstacle_distance::{Distance, ObstacleDistance};
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::simplex_rule::InSimplex;
 use crate::overlap::depth_integral::SecondDerivative;
+use crate::overlap::exact::depth::body_facet::BodyFacet;
 use crate::overlap::pair::sides::Pair;
 use std::ops::AddAssign;
 
@@ -48,7 +48,7 @@ impl AddAssign for DepthSum {
 }
 
 /// Sums over the facets that reach into `within`, a box around what of the obstacle the body can meet.
-pub(super) fn over_facets<const D: usize>(
+pub(crate) fn over_facets<const D: usize>(
     pair: &Pair<D>,
     distance: &ObstacleDistance<D>,
     within: &Aabb<D>,
@@ -82,7 +82,7 @@ pub(super) fn over_facets<const D: usize>(
 }
 
 /// Sums over the overlap: over the simplices between the facets and a point, each counted with its sign.
-pub(super) fn over_volume<const D: usize>(
+pub(crate) fn over_volume<const D: usize>(
     pair: &Pair<D>,
     distance: &ObstacleDistance<D>,
     within: &Aabb<D>,

@@ -24,9 +24,9 @@ use crate::geometry::quadrature::for_each_gauss_point;
 
 /// Volume of the overlap, and the depth summed over it.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct DepthSum {
-    pub(super) volume: f64,
-    pub(super) depth: f64,
+pub(crate) struct DepthSum {
+    pub(crate) volume: f64,
+    pub(crate) depth: f64,
 }
 
 /// The lines through one face.
@@ -40,7 +40,7 @@ struct Column<const D: usize> {
 
 impl<const D: usize> ConvexSolid<D> {
     /// Sums over the overlap with a body.
-    pub(super) fn sums(&self, body: &FacetSide<D>) -> DepthSum {
+    pub(crate) fn sums(&self, body: &FacetSide<D>) -> DepthSum {
         let rounding = body.aabb.rounding();
         let mut sums = DepthSum::default();
         let mut work = Piece::default();

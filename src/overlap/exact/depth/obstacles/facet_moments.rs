@@ -1,16 +1,16 @@
 //! What a facet of a body has inside an obstacle.
 
-use super::body_facet::BodyFacet;
-use super::node_sums::NodeSums;
 use crate::geometry::Vector;
 use crate::geometry::facet::area_slopes;
 use crate::overlap::depth_integral::{NodalDepth, SecondDerivative};
+use crate::overlap::exact::depth::body_facet::BodyFacet;
+use crate::overlap::exact::depth::node_sums::NodeSums;
 use crate::overlap::points::block_sum::{BlockSum, product};
 use std::ops::AddAssign;
 
 /// Integrals over the part of a facet inside an obstacle, the whole facet having measure 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FacetMoments<const D: usize> {
+pub(crate) struct FacetMoments<const D: usize> {
     /// Of the depth times the shape function of each corner.
     depth: [f64; D],
     /// Of the depth's gradient times products of two shape functions.
@@ -21,7 +21,7 @@ pub(super) struct FacetMoments<const D: usize> {
     area: [f64; D],
     deepest: f64,
     /// Pieces of which it is the sum.
-    pub(super) piece_count: usize,
+    pub(crate) piece_count: usize,
 }
 
 impl<const D: usize> Default for FacetMoments<D> {
@@ -40,7 +40,7 @@ impl<const D: usize> Default for FacetMoments<D> {
 impl<const D: usize> FacetMoments<D> {
     /// Adds a point of a quadrature: its barycentric coordinates, its part of the measure, the depth there, and, where
     /// second derivatives are asked for, the gradient of the depth, the facet having this normal.
-    pub(super) fn add_point(
+    pub(crate) fn add_point(
         &mut self,
         w: &[f64; D],
         part: f64,
@@ -64,17 +64,17 @@ impl<const D: usize> FacetMoments<D> {
     }
 
     /// Tells of a depth that was found somewhere on the facet.
-    pub(super) fn reach(&mut self, depth: f64) {
+    pub(crate) fn reach(&mut self, depth: f64) {
         self.deepest = self.deepest.max(depth);
     }
 
     /// ∫ of the depth times every shape function.
-    pub(super) fn depths(&self) -> &[f64; D] {
+    pub(crate) fn depths(&self) -> &[f64; D] {
         &self.depth
     }
 
     /// ∫ of the depth.
-    pub(super) fn depth(&self) -> f64 {
+    pub(crate) fn depth(&self) -> f64 {
         self.depth.iter().sum()
     }
 }
@@ -96,22 +96,22 @@ impl<const D: usize> AddAssign for FacetMoments<D> {
 
 /// What all facets together have inside an obstacle.
 #[derive(Default)]
-pub(super) struct ObstacleSums<const D: usize> {
-    pub(super) gradient: NodeSums<D>,
-    pub(super) hessian: BlockSum<D>,
+pub(crate) struct ObstacleSums<const D: usize> {
+    pub(crate) gradient: NodeSums<D>,
+    pub(crate) hessian: BlockSum<D>,
     /// What of it belongs to the nodes of every facet.
-    pub(super) shares: Vec<NodalDepth>,
+    pub(crate) shares: Vec<NodalDepth>,
     /// Their measure, the integral of the depth over it, and the largest depth.
-    pub(super) area: f64,
-    pub(super) depth: f64,
-    pub(super) deepest: f64,
-    pub(super) piece_count: usize,
-    pub(super) facet_count: usize,
+    pub(crate) area: f64,
+    pub(crate) depth: f64,
+    pub(crate) deepest: f64,
+    pub(crate) piece_count: usize,
+    pub(crate) facet_count: usize,
 }
 
 impl<const D: usize> ObstacleSums<D> {
     /// Adds a facet; the translation of the obstacle has the number `obstacle_node`.
-    pub(super) fn add(
+    pub(crate) fn add(
         &mut self,
         facet: &BodyFacet<D>,
         moments: &FacetMoments<D>,
@@ -187,7 +187,7 @@ impl<const D: usize> ObstacleSums<D> {
     }
 
     /// Adds all of another part.
-    pub(super) fn add_part(&mut self, other: Self) {
+    pub(crate) fn add_part(&mut self, other: Self) {
         self.gradient.add_sums(&other.gradient);
         self.hessian.add_sum(other.hessian);
         self.shares.extend(other.shares);

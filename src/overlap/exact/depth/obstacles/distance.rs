@@ -16,7 +16,7 @@ use std::cell::Cell;
 const STEEP: f64 = 1e-6;
 
 /// What the distance of an obstacle comes from.
-pub(super) struct ObstacleDistance<'a, const D: usize> {
+pub(crate) struct ObstacleDistance<'a, const D: usize> {
     source: Source<'a, D>,
     pose: &'a Pose<D>,
 }
@@ -29,14 +29,14 @@ enum Source<'a, const D: usize> {
 
 /// The signed distance at a point and its gradient there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Distance<const D: usize> {
-    pub(super) phi: f64,
-    pub(super) gradient: Vector<D>,
+pub(crate) struct Distance<const D: usize> {
+    pub(crate) phi: f64,
+    pub(crate) gradient: Vector<D>,
 }
 
 impl<'a, const D: usize> ObstacleDistance<'a, D> {
     /// That of an obstacle which stands against a body.
-    pub(super) fn new(counterpart: &'a Counterpart<'a, D>, pose: &'a Pose<D>) -> Self {
+    pub(crate) fn new(counterpart: &'a Counterpart<'a, D>, pose: &'a Pose<D>) -> Self {
         let source = match counterpart {
             Counterpart::Facets(side) => {
                 let boxes: Vec<Aabb<D>> = (0..side.facets.len()).map(|facet| side.facet_box(facet)).collect();
@@ -55,7 +55,7 @@ impl<'a, const D: usize> ObstacleDistance<'a, D> {
     ///
     /// # Errors
     /// [`Error::SignedDistance`] where a function of the host fails.
-    pub(super) fn at(&self, points: &[Vector<D>]) -> Result<Vec<Distance<D>>, Error> {
+    pub(crate) fn at(&self, points: &[Vector<D>]) -> Result<Vec<Distance<D>>, Error> {
         let in_space = |phi: f64, gradient: &Vector<D>| Distance {
             phi: phi * self.pose.scale,
             gradient: self.pose.rotate(gradient),
@@ -91,7 +91,7 @@ impl<'a, const D: usize> ObstacleDistance<'a, D> {
     ///
     /// # Errors
     /// [`Error::SignedDistance`] if it does.
-    pub(super) fn check(&self, point: usize, x: &Vector<D>, phi: f64, y: &Vector<D>, other: f64) -> Result<(), Error> {
+    pub(crate) fn check(&self, point: usize, x: &Vector<D>, phi: f64, y: &Vector<D>, other: f64) -> Result<(), Error> {
         let Source::Function { obstacle, .. } = self.source else { return Ok(()) };
         let rounding = STEEP * STEEP * (x.amax() + phi.abs());
         if (phi - other).abs() > (x - y).norm() * (1.0 + STEEP) + rounding {

@@ -3,20 +3,20 @@
 use crate::geometry::simplex_rule::InSimplex;
 
 /// Corners of a simplex, in the barycentric coordinates of another.
-pub(super) type Corners = [InSimplex; 4];
+pub(crate) type Corners = [InSimplex; 4];
 
 /// A simplex in its own coordinates.
-pub(super) const WHOLE: Corners =
+pub(crate) const WHOLE: Corners =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
 /// Point between corners of a simplex, given by its barycentric coordinates in it.
-pub(super) fn between(corners: &Corners, at: &InSimplex) -> InSimplex {
+pub(crate) fn between(corners: &Corners, at: &InSimplex) -> InSimplex {
     std::array::from_fn(|i| (0..4).map(|c| at[c] * corners[c][i]).sum())
 }
 
 /// Calls `visit(simplex, part of the measure)` for simplices that make up the part of one of `dimension` dimensions where
 /// the linear function with these values at its corners is negative.
-pub(super) fn below(dimension: usize, values: &[f64; 4], mut visit: impl FnMut(&Corners, f64)) {
+pub(crate) fn below(dimension: usize, values: &[f64; 4], mut visit: impl FnMut(&Corners, f64)) {
     let mut order = [0, 1, 2, 3];
     let mut inside = 0;
     for c in 0..=dimension {

@@ -5,7 +5,7 @@
 //! points. In each the distance is taken to be linear to find where it passes zero, and only for this: what is integrated
 //! vanishes there itself, so that the error is the square of that of the place.
 
-use super::obstacle_distance::{Distance, ObstacleDistance};
+use super::distance::{Distance, ObstacleDistance};
 use super::simplex_parts::{Corners, WHOLE, below, between};
 use crate::Error;
 use crate::geometry::Vector;
@@ -47,7 +47,7 @@ const ROUNDING: f64 = 1e-12;
 const MOST_PARTS: usize = 1 << 19;
 
 /// What is integrated.
-pub(super) trait Quantity: Copy + Default + AddAssign + Send + Sync {
+pub(crate) trait Quantity: Copy + Default + AddAssign + Send + Sync {
     /// How much is known otherwise.
     fn difference(&self, other: &Self) -> f64;
 
@@ -56,21 +56,21 @@ pub(super) trait Quantity: Copy + Default + AddAssign + Send + Sync {
 }
 
 /// A simplex over which is integrated.
-pub(super) struct Root<const D: usize> {
-    pub(super) corners: [Vector<D>; 4],
-    pub(super) measure: f64,
+pub(crate) struct Root<const D: usize> {
+    pub(crate) corners: [Vector<D>; 4],
+    pub(crate) measure: f64,
 }
 
 /// An integral over the inside of an obstacle.
-pub(super) struct Adaptive<'a, const D: usize, F> {
-    pub(super) pair: &'a Pair<'a, D>,
-    pub(super) distance: &'a ObstacleDistance<'a, D>,
+pub(crate) struct Adaptive<'a, const D: usize, F> {
+    pub(crate) pair: &'a Pair<'a, D>,
+    pub(crate) distance: &'a ObstacleDistance<'a, D>,
     /// Of the simplices.
-    pub(super) dimension: usize,
+    pub(crate) dimension: usize,
     /// Up to this part of the whole sum two halves tell nothing new.
-    pub(super) tolerance: f64,
+    pub(crate) tolerance: f64,
     /// Adds a point: number of its simplex, coordinates there, part of its measure, distance.
-    pub(super) integrand: F,
+    pub(crate) integrand: F,
 }
 
 /// A part of a root, of which nothing but the distances at its corners is known.
@@ -107,7 +107,7 @@ type Refined<const D: usize, Q> = Result<(Vec<(u32, Q)>, Vec<Part<D, Q>>), Error
 
 impl<const D: usize, F> Adaptive<'_, D, F> {
     /// The integral over every root, its measure being 1.
-    pub(super) fn integrals<Q: Quantity>(&self, roots: &[Root<D>]) -> Result<Vec<Q>, Error>
+    pub(crate) fn integrals<Q: Quantity>(&self, roots: &[Root<D>]) -> Result<Vec<Q>, Error>
     where
         F: Fn(u32, &InSimplex, f64, &Distance<D>, &mut Q) + Send + Sync,
     {

@@ -4,7 +4,7 @@ use crate::depth::DepthPiece;
 
 /// ∫ over the common part of two pieces of the barycentric coordinates of each, the parts of inverted cells counted
 /// negative; `None` where they have no part in common.
-pub(super) fn common_moments<const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<[[f64; 4]; 2]> {
+pub(crate) fn common_moments<const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<[[f64; 4]; 2]> {
     let of_p = coordinates(p, q);
     let by_q = cuts::<D>(&of_p)?;
     let of_q = coordinates(q, p);

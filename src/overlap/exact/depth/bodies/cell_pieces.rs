@@ -8,20 +8,20 @@ use crate::geometry::{Surface, Vector};
 use rustc_hash::FxHashSet;
 
 /// Pieces on which the depth of a body is linear, to be found by place.
-pub(super) struct CellPieces<const D: usize> {
-    pub(super) pieces: Vec<DepthPiece<D>>,
-    pub(super) boxes: Vec<Aabb<D>>,
-    pub(super) tree: Tree<D>,
+pub(crate) struct CellPieces<const D: usize> {
+    pub(crate) pieces: Vec<DepthPiece<D>>,
+    pub(crate) boxes: Vec<Aabb<D>>,
+    pub(crate) tree: Tree<D>,
 }
 
 impl<const D: usize> CellPieces<D> {
     /// No pieces.
-    pub(super) fn none() -> Self {
+    pub(crate) fn none() -> Self {
         Self { pieces: Vec::new(), boxes: Vec::new(), tree: Tree::new(&[]) }
     }
 
     /// The pieces of one body that meet `region`; `facets` are those of its facets that do.
-    pub(super) fn new(
+    pub(crate) fn new(
         surface: &Surface<D>,
         cells: &Cells,
         field: &DepthField<D>,

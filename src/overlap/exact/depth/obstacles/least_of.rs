@@ -5,7 +5,7 @@ use crate::geometry::convex_piece::Piece;
 /// Cuts a facet to where function number `k` is positive and not above the others, all given at the facet's corners;
 /// false if there is no such part. Functions that agree on the whole facet to `rounding` belong to the first of them, so
 /// that a facet between two regions is counted once.
-pub(super) fn cut_to_least<const D: usize>(
+pub(crate) fn cut_to_least<const D: usize>(
     functions: &[[f64; D]],
     k: usize,
     rounding: f64,
@@ -33,7 +33,7 @@ pub(super) fn cut_to_least<const D: usize>(
 }
 
 /// Functions that are the least somewhere on the facet, or may be; the order stays. `None` if none is positive there.
-pub(super) fn candidates<const D: usize>(functions: &[[f64; D]]) -> Option<Vec<usize>> {
+pub(crate) fn candidates<const D: usize>(functions: &[[f64; D]]) -> Option<Vec<usize>> {
     let largest = |f: &[f64; D]| f.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = |f: &[f64; D]| f.iter().copied().fold(f64::INFINITY, f64::min);
     let bound = functions.iter().map(largest).fold(f64::INFINITY, f64::min);

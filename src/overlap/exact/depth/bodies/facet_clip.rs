@@ -10,7 +10,7 @@ use crate::overlap::exact::clipping::simplex::Simplex;
 const CLOSE: f64 = 1e-5;
 
 /// Calls `visit(piece of the facet inside, how much of it counts)`. A facet in a face counts half.
-pub(super) fn clip<const D: usize>(
+pub(crate) fn clip<const D: usize>(
     corners: &[Vector<D>; D],
     barycentric: &[[f64; 4]; D],
     area: &Vector<D>,

@@ -1,23 +1,23 @@
 //! What the depth of a body sums up to over an overlap, and how that changes as its cells move.
 
 use super::cell_pieces::CellPieces;
-use super::node_sums::NodeSums;
 use crate::depth::MOST_NODES;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
 use crate::overlap::depth_integral::SecondDerivative;
+use crate::overlap::exact::depth::node_sums::NodeSums;
 use crate::overlap::points::block_sum::BlockSum;
 
 /// Volume of the overlap and the integral of the depth over it.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct CellIntegrals {
-    pub(super) volume: f64,
-    pub(super) depth: f64,
+pub(crate) struct CellIntegrals {
+    pub(crate) volume: f64,
+    pub(crate) depth: f64,
 }
 
 /// Sums over the pieces of a body, given ∫ of the barycentric coordinates of each over the overlap; adds the gradient
 /// and, if asked for, the second derivative, times `weight`. The semidefinite part has no share here.
-pub(super) fn cell_integrals<const D: usize>(
+pub(crate) fn cell_integrals<const D: usize>(
     cells: &Cells,
     pieces: &CellPieces<D>,
     moments: &[[f64; 4]],

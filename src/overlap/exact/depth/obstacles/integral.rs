@@ -8,18 +8,18 @@
 //! nothing changes if both move as one. If both are scaled by s about the position of the obstacle, J grows as s to the
 //! power of D + 1, which tells how it depends on the scale of the obstacle alone.
 
-use super::body_facet::BodyFacet;
 use super::convex_facets::facet_moments;
 use super::convex_solid::ConvexSolid;
 use super::convex_volume::DepthSum;
+use super::distance::ObstacleDistance;
 use super::facet_moments::ObstacleSums;
-use super::obstacle_distance::ObstacleDistance;
-use super::obstacle_quadrature::{over_facets, over_volume};
+use super::quadrature::{over_facets, over_volume};
 use crate::Error;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::plane::Plane;
 use crate::geometry::{Pose, Shape, Vector, moment};
 use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
+use crate::overlap::exact::depth::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_region;
 use crate::overlap::pair::overlap::{Overlap, PoseGradient};
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
@@ -29,7 +29,7 @@ use crate::overlap::points::block_sum::symmetric_part;
 const CHUNK: usize = 64;
 
 /// J of a body and an obstacle, or `None` where they are apart.
-pub(super) fn of_obstacle<const D: usize>(
+pub(crate) fn of_obstacle<const D: usize>(
     pair: &Pair<D>,
     pose: &Pose<D>,
     second: SecondDerivative,

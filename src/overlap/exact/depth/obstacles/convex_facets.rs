@@ -1,15 +1,15 @@
 //! The depth of a body's facets below the surface of a convex solid: on a piece of a facet it is the depth below one face.
 
-use super::body_facet::BodyFacet;
 use super::convex_solid::ConvexSolid;
 use super::facet_moments::FacetMoments;
 use super::least_of::{candidates, cut_to_least};
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::quadrature::for_each_gauss_point;
 use crate::overlap::depth_integral::SecondDerivative;
+use crate::overlap::exact::depth::body_facet::BodyFacet;
 
 /// What a facet has inside the solid. All integrands are of degree 2, which the quadrature takes exactly.
-pub(super) fn facet_moments<const D: usize>(
+pub(crate) fn facet_moments<const D: usize>(
     solid: &ConvexSolid<D>,
     facet: &BodyFacet<D>,
     rounding: f64,

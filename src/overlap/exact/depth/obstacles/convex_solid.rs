@@ -15,44 +15,44 @@ const FLAT: f64 = 1e-11;
 
 /// A function that is linear in space.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Linear<const D: usize> {
-    pub(super) slope: Vector<D>,
-    pub(super) constant: f64,
+pub(crate) struct Linear<const D: usize> {
+    pub(crate) slope: Vector<D>,
+    pub(crate) constant: f64,
 }
 
 impl<const D: usize> Linear<D> {
-    pub(super) fn at(&self, x: &Vector<D>) -> f64 {
+    pub(crate) fn at(&self, x: &Vector<D>) -> f64 {
         self.slope.dot(x) + self.constant
     }
 
     /// Its least value in a box.
-    pub(super) fn least(&self, aabb: &Aabb<D>) -> f64 {
+    pub(crate) fn least(&self, aabb: &Aabb<D>) -> f64 {
         (0..D).fold(self.constant, |sum, i| sum + (self.slope[i] * aabb.min[i]).min(self.slope[i] * aabb.max[i]))
     }
 
     /// Its largest value in a box.
-    pub(super) fn largest(&self, aabb: &Aabb<D>) -> f64 {
+    pub(crate) fn largest(&self, aabb: &Aabb<D>) -> f64 {
         (0..D).fold(self.constant, |sum, i| sum + (self.slope[i] * aabb.min[i]).max(self.slope[i] * aabb.max[i]))
     }
 }
 
 /// The points below all planes. The depth below the surface is that below the nearest plane.
-pub(super) struct ConvexSolid<const D: usize> {
+pub(crate) struct ConvexSolid<const D: usize> {
     /// Height above every face; its slope is the face's unit normal.
-    pub(super) heights: Vec<Linear<D>>,
+    pub(crate) heights: Vec<Linear<D>>,
     /// Greatest distance of two faces along each face's normal; infinite for a half-space.
-    pub(super) widths: Vec<f64>,
+    pub(crate) widths: Vec<f64>,
 }
 
 impl<const D: usize> ConvexSolid<D> {
     /// A half-space.
-    pub(super) fn below(plane: &Plane<D>) -> Self {
+    pub(crate) fn below(plane: &Plane<D>) -> Self {
         let height = Linear { slope: plane.normal, constant: -plane.normal.dot(&plane.point) };
         Self { heights: vec![height], widths: vec![f64::INFINITY] }
     }
 
     /// The solid that facets bound; `None` if it is not convex, or has too many faces.
-    pub(super) fn within(side: &FacetSide<D>) -> Option<Self> {
+    pub(crate) fn within(side: &FacetSide<D>) -> Option<Self> {
         let tolerance = FLAT * side.aabb.extent().amax() + side.aabb.rounding();
         let mut heights: Vec<Linear<D>> = Vec::new();
         for facet in 0..side.facets.len() {

@@ -1,9 +1,7 @@
 //! ∫ over the facets of one body inside another of the other's depth, with its derivatives.
 
-use super::body_facet::{BodyFacet, FACET_NODES};
 use super::cell_pieces::CellPieces;
 use super::facet_clip::clip;
-use super::node_sums::NodeSums;
 use crate::configuration::FacetSide;
 use crate::depth::{DepthPiece, MOST_NODES};
 use crate::geometry::Surface;
@@ -13,6 +11,8 @@ use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_slopes;
 use crate::geometry::quadrature::for_each_simplex;
 use crate::overlap::depth_integral::{NodalDepth, SecondDerivative};
+use crate::overlap::exact::depth::body_facet::{BodyFacet, FACET_NODES};
+use crate::overlap::exact::depth::node_sums::NodeSums;
 use crate::overlap::points::block_sum::{BlockSum, product};
 
 /// Nodes that take part where a facet lies in a cell.
@@ -20,37 +20,37 @@ const MOST: usize = FACET_NODES + MOST_NODES;
 
 /// What the facets of one side have inside the other.
 #[derive(Default)]
-pub(super) struct FacetIntegrals<const D: usize> {
-    pub(super) gradient: NodeSums<D>,
-    pub(super) hessian: BlockSum<D>,
+pub(crate) struct FacetIntegrals<const D: usize> {
+    pub(crate) gradient: NodeSums<D>,
+    pub(crate) hessian: BlockSum<D>,
     /// What of it belongs to the nodes of every facet.
-    pub(super) shares: Vec<NodalDepth>,
+    pub(crate) shares: Vec<NodalDepth>,
     /// Their measure, the integral of the depth over it, and the largest depth.
-    pub(super) area: f64,
-    pub(super) depth: f64,
-    pub(super) deepest: f64,
-    pub(super) piece_count: usize,
-    pub(super) facet_count: usize,
+    pub(crate) area: f64,
+    pub(crate) depth: f64,
+    pub(crate) deepest: f64,
+    pub(crate) piece_count: usize,
+    pub(crate) facet_count: usize,
 }
 
 /// The facets of one side, and the other body.
-pub(super) struct FacetsInCells<'a, const D: usize> {
-    pub(super) surface: &'a Surface<D>,
-    pub(super) cells: &'a Cells,
-    pub(super) side: &'a FacetSide<'a, D>,
+pub(crate) struct FacetsInCells<'a, const D: usize> {
+    pub(crate) surface: &'a Surface<D>,
+    pub(crate) cells: &'a Cells,
+    pub(crate) side: &'a FacetSide<'a, D>,
     /// Whether the side is the second of the pair.
-    pub(super) of_b: bool,
-    pub(super) other: &'a CellPieces<D>,
+    pub(crate) of_b: bool,
+    pub(crate) other: &'a CellPieces<D>,
     /// Part with which it counts.
-    pub(super) weight: f64,
-    pub(super) second: SecondDerivative,
+    pub(crate) weight: f64,
+    pub(crate) second: SecondDerivative,
     /// Cell of every facet of the side, which does not count, where the other body is the same.
-    pub(super) own_cell: Option<&'a [u32]>,
+    pub(crate) own_cell: Option<&'a [u32]>,
 }
 
 impl<const D: usize> FacetsInCells<'_, D> {
     /// The integrals over some facets.
-    pub(super) fn integrals(&self, facets: &[u32], rounding: f64) -> FacetIntegrals<D> {
+    pub(crate) fn integrals(&self, facets: &[u32], rounding: f64) -> FacetIntegrals<D> {
         let mut sums = FacetIntegrals::default();
         let mut scratch = Scratch { work: Piece::default(), values: Vec::new() };
         for &number in facets {
@@ -243,7 +243,7 @@ fn add_products<const D: usize>(
 
 impl<const D: usize> FacetIntegrals<D> {
     /// Adds all of another part.
-    pub(super) fn add_part(&mut self, other: Self) {
+    pub(crate) fn add_part(&mut self, other: Self) {
         self.gradient.add_sums(&other.gradient);
         self.hessian.add_sum(other.hessian);
         self.shares.extend(other.shares);

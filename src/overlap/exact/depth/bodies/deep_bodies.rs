@@ -1,0 +1,179 @@
+//! The depth of two bodies below each other's surfaces, summed over their overlap.
+
+use super::cell_integrals::cell_integrals;
+use super::cell_pieces::CellPieces;
+use super::facet_integrals::{FacetIntegrals, FacetsInCells};
+use super::piece_moments::common_moments;
+use crate::configuration::FacetSide;
+use crate::depth::DepthField;
+use crate::geometry::Vector;
+use crate::geometry::cells::Cells;
+use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
+use crate::overlap::pair::overlap::Overlap;
+use crate::overlap::pair::partner::Partner;
+use crate::overlap::pair::region::Region;
+use crate::overlap::pair::sides::Pair;
+
+/// Facets, or pieces, that a thread takes at once.
+const CHUNK: usize = 64;
+
+/// Bodies of cells.
+pub(crate) struct DeepBodies<'a, const D: usize> {
+    pub(crate) pair: &'a Pair<'a, D>,
+    pub(crate) cells: &'a Cells,
+    pub(crate) field: &'a DepthField<D>,
+    pub(crate) second: SecondDerivative,
+}
+
+/// Part with which the depth of either body counts.
+const WEIGHT: f64 = 0.5;
+
+impl<const D: usize> DeepBodies<'_, D> {
+    /// Of two bodies.
+    pub(crate) fn two(&self, b: &FacetSide<D>, region: &Region<D>) -> Option<DepthIntegral<D>> {
+        let pair = self.pair;
+        let (of_a, of_b) = pair.both(|| self.pieces(0, region), || self.pieces(1, region));
+        let rounding = region.aabb.rounding();
+        let (facets_a, facets_b) = pair.both(
+            || self.facets(&pair.a, &region.facets[0], (false, false), &of_b, rounding),
+            || self.facets(b, &region.facets[1], (true, false), &of_a, rounding),
+        );
+        let (moments_a, moments_b) = self.moments(&of_a, &of_b);
+        self.assemble([Some(facets_a), Some(facets_b)], [(&of_a, &moments_a), (&of_b, &moments_b)])
+    }
+
+    /// ∫ over the overlap of the barycentric coordinates of every piece of either body.
+    fn moments(&self, of_a: &CellPieces<D>, of_b: &CellPieces<D>) -> (Vec<[f64; 4]>, Vec<[f64; 4]>) {
+        let numbered: Vec<usize> = (0..of_a.pieces.len()).collect();
+        let found = self.pair.in_chunks(&numbered, CHUNK, |numbers| {
+            let mut found = Vec::new();
+            for &i in numbers {
+                let (piece, aabb) = (&of_a.pieces[i], &of_a.boxes[i]);
+                of_b.tree.visit(
+                    |node| node.meets(aabb),
+                    |j| {
+                        let j = j as usize;
+                        if of_b.boxes[j].meets(aabb) {
+                            found.extend(common_moments(piece, &of_b.pieces[j]).map(|moments| (i, j, moments)));
+                        }
+                    },
+                );
+            }
+            found
+        });
+        let (mut in_a, mut in_b) = (vec![[0.0; 4]; of_a.pieces.len()], vec![[0.0; 4]; of_b.pieces.len()]);
+        for (i, j, [of_i, of_j]) in found.into_iter().flatten() {
+            add_to(&mut in_a[i], of_i);
+            add_to(&mut in_b[j], of_j);
+        }
+        (in_a, in_b)
+    }
+
+    /// Of a body with itself: every two of its cells that overlap.
+    pub(crate) fn one(&self) -> Option<DepthIntegral<D>> {
+        let a = &self.pair.a;
+        let region = Region { aabb: a.aabb, facets: [(0..a.facets.len() as u32).collect(), Vec::new()] };
+        let all = self.pieces(0, &region);
+        let facets = self.facets(a, &region.facets[0], (false, true), &all, a.aabb.rounding());
+        let mut moments = vec![[0.0; 4]; all.pieces.len()];
+        all.tree.visit_own_pairs(&Vector::zeros(), |i, j| {
+            let (p, q) = (&all.pieces[i as usize], &all.pieces[j as usize]);
+            if p.cell != q.cell
+                && all.boxes[i as usize].meets(&all.boxes[j as usize])
+                && let Some([in_p, in_q]) = common_moments(p, q)
+            {
+                add_to(&mut moments[i as usize], in_p);
+                add_to(&mut moments[j as usize], in_q);
+            }
+            true
+        });
+        self.assemble([Some(facets), None], [(&all, &moments), (&CellPieces::none(), &[])])
+    }
+
+    fn assemble(
+        &self,
+        facets: [Option<FacetIntegrals<D>>; 2],
+        cells: [(&CellPieces<D>, &[[f64; 4]]); 2],
+    ) -> Option<DepthIntegral<D>> {
+        let (mut sums, mut area, mut depth, mut sides) = (FacetIntegrals::default(), 0.0, 0.0, 0.0);
+        for part in facets.into_iter().flatten() {
+            if part.area > 0.0 {
+                area += part.area;
+                depth += part.depth / part.area;
+                sides += 1.0;
+            }
+            sums.add_part(part);
+        }
+        let (mut volume, mut value) = (0.0, 0.0);
+        for (which, (pieces, moments)) in cells.into_iter().enumerate() {
+            let FacetIntegrals { gradient, hessian, .. } = &mut sums;
+            let side = (which == 1, WEIGHT);
+            let found = cell_integrals(self.cells, pieces, moments, side, self.second, gradient, hessian);
+            value += WEIGHT * found.depth;
+            volume += 0.5 * found.volume;
+        }
+        // Pieces of cells that share a node overlap by rounding.
+        if sums.piece_count == 0 && volume <= 0.0 {
+            return None;
+        }
+        let [a, b] = self.pair.partners;
+        let overlap = Overlap {
+            a,
+            b,
+            volume: volume.max(0.0),
+            standard_error: 0.0,
+            nodes: Vec::new(),
+            gradient: Vec::new(),
+            of_b: Vec::new(),
+            pose_gradient: None,
+            contact_area: 0.5 * area,
+            penetration: sums.deepest,
+            fiber_count: 0,
+            crossing_count: sums.piece_count,
+            facet_count: sums.facet_count,
+            spacing: 0.0,
+            warnings: Vec::new(),
+        };
+        let (nodes, of_b, gradient) = sums.gradient.into_nodes();
+        Some(DepthIntegral {
+            value,
+            nodes,
+            of_b,
+            gradient,
+            pose_gradient: None,
+            hessian: sums.hessian.into_blocks(),
+            shares: sums.shares,
+            mean_depth: if sides > 0.0 { depth / sides } else { 0.0 },
+            overlap,
+        })
+    }
+
+    fn pieces(&self, which: usize, region: &Region<D>) -> CellPieces<D> {
+        let (surface, coords) = (self.pair.surface, self.pair.coords);
+        let body = if let Partner::Body(body) = self.pair.partners[which] { body } else { 0 };
+        CellPieces::new(surface, self.cells, self.field, coords, body, &region.facets[which], &region.aabb)
+    }
+
+    fn facets(
+        &self,
+        side: &FacetSide<D>,
+        facets: &[u32],
+        (of_b, own): (bool, bool),
+        other: &CellPieces<D>,
+        rounding: f64,
+    ) -> FacetIntegrals<D> {
+        let (surface, cells, second) = (self.pair.surface, self.cells, self.second);
+        let body = if let Partner::Body(body) = self.pair.partners[0] { body } else { 0 };
+        let own_cell = own.then(|| &surface.facet_cell[surface.ranges[body].clone()]);
+        let of_side = FacetsInCells { surface, cells, side, of_b, other, weight: WEIGHT, second, own_cell };
+        let parts = self.pair.in_chunks(facets, CHUNK, |facets| of_side.integrals(facets, rounding));
+        parts.into_iter().fold(FacetIntegrals::default(), |mut sum, part| {
+            sum.add_part(part);
+            sum
+        })
+    }
+}
+
+fn add_to(sums: &mut [f64; 4], found: [f64; 4]) {
+    sums.iter_mut().zip(found).for_each(|(sum, m)| *sum += m);
+}
