@@ -14,6 +14,7 @@ mod reference;
 mod round_obstacles;
 mod scans;
 mod swallowed;
+mod units;
 
 use fmc_contact::EnergyLaw;
 use fmc_contact::Options;

@@ -42,10 +42,17 @@ fn cuts<const D: usize>(corners: &[[f64; 4]; 4]) -> Option<usize> {
 
 /// ∫ of the coordinates over the part of a simplex where all are positive; the simplex whose coordinates they are has this
 /// measure.
+///
+/// Faces that leave the fewest corners come first: what they cut falls into the fewest parts.
 fn inside<const D: usize>(corners: [[f64; 4]; 4], measure: f64) -> [f64; 4] {
+    let left = |k: usize| corners[..=D].iter().filter(|corner| corner[k] > 0.0).count();
+    let mut order = [0, 1, 2, 3];
+    order[..=D].sort_by_key(|&k| left(k));
+    let mut in_order = [0.0; 4];
+    add_inside::<D>(corners.map(|corner| order.map(|k| corner[k])), 0, &mut in_order);
     let mut sums = [0.0; 4];
-    add_inside::<D>(corners, 0, &mut sums);
-    sums.map(|m| m * measure)
+    order.into_iter().zip(in_order).for_each(|(k, m)| sums[k] = m * measure);
+    sums
 }
 
 /// The same of other coordinates, given at the corners of the simplex; `None` where there is nothing.
