@@ -85,14 +85,15 @@ fn in_space() {
     scans(&lower, &upper);
 }
 
-/// A block that slides over the face of a larger one feels no force along it, wherever its nodes are.
+/// A block that slides over the face of a larger one feels no force along it, wherever its nodes are; but within a
+/// cell of the walls of that one the depth is interpolated, and T / N is some 1e-4.
 fn slides<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
     let scene = Scene::of(&[lower, upper]);
     let contact = scene.contact(depth(1e3));
-    for n in 0..50 {
+    for n in 0..40 {
         let mut coords = scene.coords.clone();
         for node in scene.nodes_of(1) {
-            coords[node][0] += 0.3 + 0.02 * f64::from(n);
+            coords[node][0] += 0.35 + 0.02 * f64::from(n);
             coords[node][D - 1] -= 2e-3;
             if D == 3 {
                 coords[node][1] += 0.2;
@@ -101,7 +102,7 @@ fn slides<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
         let force = contact.evaluate(&coords).expect("valid coordinates").bodies[1].force;
         let normal = force[D - 1];
         assert!(normal > 0.0);
-        assert!(force[..D - 1].iter().all(|tangential| tangential.abs() < 1e-4 * normal), "{n}: {force:?}");
+        assert!(force[..D - 1].iter().all(|tangential| tangential.abs() < 1e-9 * normal), "{n}: {force:?}");
     }
 }
 
@@ -109,6 +110,6 @@ fn slides<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
 fn no_force_along_a_face() {
     let lower = rectangle_tri3([0.0, -1.0], [2.0, 0.0], [9, 5], Diagonals::Alternating);
     slides(&lower, &rectangle_tri3([0.0, 0.0], [0.5, 0.5], [3, 3], Diagonals::Same));
-    let lower = cuboid_tet4([0.0, 0.0, -1.0], [2.0, 1.0, 0.0], [6, 3, 3]);
+    let lower = cuboid_tet4([0.0, -1.0, -1.0], [2.0, 1.5, 0.0], [6, 8, 3]);
     slides(&lower, &cuboid_tet4([0.0, 0.0, 0.0], [0.5, 0.5, 0.5], [2, 2, 2]));
 }
