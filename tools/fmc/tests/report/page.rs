@@ -66,7 +66,7 @@ fn every_run_stands_on_the_page_with_pictures_that_decode() {
 
     // As many verdicts as the runs have checks, and all of them hold.
     let mut checks = 0;
-    for run in ["patch2d", "patch2d-tri3", "bar"] {
+    for run in ["patch2d", "patch2d-tri3", "patch2d-depth", "bar"] {
         let summary: serde_json::Value =
             serde_json::from_str(&folder.text(&format!("runs/{run}/summary.json"))).unwrap();
         let expected = summary["checks"].as_array().unwrap().len();
