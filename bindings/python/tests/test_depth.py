@@ -38,6 +38,7 @@ def test_lines_are_refused_by_name() -> None:
 
 
 def test_tangent_is_the_derivative_of_the_force() -> None:
+    pytest.importorskip("scipy.sparse")
     coords, conn = blocks(3)
     contact = Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="exact")
     coords = coords + np.random.default_rng(1).uniform(-0.02, 0.02, coords.shape)
@@ -45,7 +46,7 @@ def test_tangent_is_the_derivative_of_the_force() -> None:
     step = 1e-7
     plus, minus = (contact.evaluate(coords + sign * step * direction).forces for sign in (1, -1))
     expected = (minus - plus) / (2 * step)
-    found = contact.tangent(coords).matrix() @ direction.ravel()
+    found = contact.tangent(coords) @ direction.ravel()
     assert found[: coords.size] == pytest.approx(expected.ravel(), abs=1e-6 * np.abs(expected).max())
 
 
@@ -73,5 +74,5 @@ def test_nodal_pressure() -> None:
     coords, conn = blocks()
     contact = Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="exact")
     field = contact.nodal_contact(coords)
-    inner = (np.abs(coords[:, 1] - 1.0) < 1e-12) & (np.abs(coords[:, 0] - 0.5) < 0.4)
+    inner = (np.abs(coords[:, 1] - 1.0) < 1e-12) & (np.abs(coords[:, 0] - 0.5) < 0.3)
     assert field.pressure[inner] == pytest.approx(K * DEPTH, rel=1e-12)

@@ -68,7 +68,7 @@ def test_what_is_no_option_is_refused(squares):
     coords, conn = squares
     with pytest.raises(UnknownOptionError, match="no option 'stifness'; there are stiffness, "):
         contact_force(coords, conn, "quad", stiffness=K, stifness=2)
-    with pytest.raises(UnknownOptionError, match="'estimator' has no value 'exakt': fibers or exact is wanted"):
+    with pytest.raises(UnknownOptionError, match="'estimator' has no value 'exakt': fibers or exact or auto is wanted"):
         contact_force(coords, conn, "quad", stiffness=K, estimator="exakt")
     with pytest.raises(UnknownOptionError, match="'fiber_count' has no value '10.5': a whole number is wanted"):
         contact_force(coords, conn, "quad", stiffness=K, fiber_count=10.5)
