@@ -32,6 +32,11 @@ fn flat<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
         assert!((field.pressure[node] / (1e3 * delta) - 1.0).abs() < 1e-2, "{}", field.pressure[node]);
         assert!((field.gap[node] / -delta - 1.0).abs() < 1e-2, "{}", field.gap[node]);
     }
+    // What acts on nodes inside the bodies is told at their surface.
+    let is_inside = |x: &[f64; D]| (0..D - 1).all(|i| x[i] > 1e-9 && x[i] < 1.0 - 1e-9) && x[D - 1] > 0.01;
+    let inner = || scene.nodes_of(1).filter(|&n| is_inside(&scene.coords[n]));
+    assert!(inner().any(|n| found.forces[n] != [0.0; D]), "the test sees no inner node");
+    assert!(inner().all(|n| field.area[n] == 0.0 || scene.coords[n][D - 1] > 0.99));
     let total = found.bodies[1].force;
     for i in 0..D {
         assert!((sum[i] - total[i]).abs() < 1e-12 * total[D - 1], "{sum:?} {total:?}");
