@@ -3,6 +3,7 @@
 use super::cell_parts::{Corner, Part, cell_face, parts, weights};
 use super::distances::Distances;
 use crate::geometry::cells::Cells;
+use crate::geometry::components::Components;
 use crate::geometry::facet::area_vector;
 use crate::geometry::nearest_on_facet::nearest;
 use crate::geometry::{CellType, Surface, Vector};
@@ -21,17 +22,17 @@ pub(crate) struct DepthField<const D: usize> {
     anchors: Vec<u32>,
     /// Bit f is set where face f of a cell is surface.
     surface_faces: Vec<u8>,
-    /// For every cell its number among `rims`, if it has one.
-    rim_of: Vec<u32>,
-    rims: Vec<Rim>,
-    /// One after the other for the parts of all rims that are divided.
+    /// For every cell its number among `boundary_cells`, if it has one.
+    boundary_cell_of: Vec<u32>,
+    boundary_cells: Vec<BoundaryCell>,
+    /// One after the other for the parts of all boundary_cells that are divided.
     incentres: Vec<Incentre>,
     /// Whether a body's cells hang together by faces.
     connected: Vec<bool>,
 }
 
 /// What is known of a cell that has nodes on the surface.
-struct Rim {
+struct BoundaryCell {
     /// Depth at the middle of the cell, and at the middles of its faces.
     middle: f64,
     faces: [f64; 6],
@@ -48,7 +49,7 @@ pub(super) struct Incentre {
     pub(super) depth: f64,
 }
 
-const NO_RIM: u32 = u32::MAX;
+const NO_BOUNDARY: u32 = u32::MAX;
 
 impl<const D: usize> DepthField<D> {
     /// The field of a surface that has cells; `None` for one that has none. Faces all of whose nodes are marked lie in
@@ -74,15 +75,15 @@ impl<const D: usize> DepthField<D> {
             nodes,
             anchors,
             surface_faces,
-            rim_of: vec![NO_RIM; cells.len()],
-            rims: Vec::new(),
+            boundary_cell_of: vec![NO_BOUNDARY; cells.len()],
+            boundary_cells: Vec::new(),
             incentres: Vec::new(),
             connected: connected_bodies(cells, surface.body_count()),
         };
         for cell in 0..cells.len() {
-            let is_rim = cells.nodes(cell).iter().any(|&n| field.nodes[n as usize] == 0.0);
-            if is_rim {
-                field.add_rim(cells, cell, coords, &distances);
+            let is_boundary = cells.nodes(cell).iter().any(|&n| field.nodes[n as usize] == 0.0);
+            if is_boundary {
+                field.add_boundary_cell(cells, cell, coords, &distances);
             }
         }
         Some(field)
@@ -109,7 +110,7 @@ impl<const D: usize> DepthField<D> {
         )
     }
 
-    fn add_rim(&mut self, cells: &Cells, cell: usize, coords: &[[f64; D]], distances: &Distances<D>) {
+    fn add_boundary_cell(&mut self, cells: &Cells, cell: usize, coords: &[[f64; D]], distances: &Distances<D>) {
         let (body, cell_type) = (cells.body[cell] as usize, cells.cell_type(cell));
         let nodes = cells.nodes(cell);
         let place = |weights: &[f64; 8]| {
@@ -133,19 +134,19 @@ impl<const D: usize> DepthField<D> {
             }
             distance(&place(&weights(cells, cell, Corner::Face(face))))
         };
-        let mut rim = Rim { middle: 0.0, faces: [0.0; 6], divided: 0, first: self.incentres.len() as u32 };
+        let mut here = BoundaryCell { middle: 0.0, faces: [0.0; 6], divided: 0, first: self.incentres.len() as u32 };
         let has_middle = nodes.len() > D + 1;
         if has_middle {
             for (face, local) in cell_type.faces().iter().enumerate() {
-                rim.faces[face] = at_face(face, local);
+                here.faces[face] = at_face(face, local);
             }
-            rim.middle = distance(&place(&weights(cells, cell, Corner::Middle)));
+            here.middle = distance(&place(&weights(cells, cell, Corner::Middle)));
         }
         let mut incentres = Vec::new();
         for (number, part) in parts(cell_type).enumerate() {
             let has_facet = (0..=D)
                 .any(|k| cell_face(cell_type, D, &part, k).is_some_and(|f| self.surface_faces[cell] >> f & 1 == 1));
-            let is_flat = (0..=D).all(|k| self.corner_depth(cell_type, nodes, Some(&rim), part.corners[k]) == 0.0);
+            let is_flat = (0..=D).all(|k| self.corner_depth(cell_type, nodes, Some(&here), part.corners[k]) == 0.0);
             if !has_facet && !is_flat {
                 continue;
             }
@@ -156,11 +157,11 @@ impl<const D: usize> DepthField<D> {
             let middle = (0..=D).fold(Vector::zeros(), |x, k| x + corners[k] * weights[k]);
             let depth = if has_facet { radius } else { distance(&middle) };
             incentres.push(Incentre { weights, depth });
-            rim.divided |= 1 << number;
+            here.divided |= 1 << number;
         }
         self.incentres.extend(incentres);
-        self.rim_of[cell] = self.rims.len() as u32;
-        self.rims.push(rim);
+        self.boundary_cell_of[cell] = self.boundary_cells.len() as u32;
+        self.boundary_cells.push(here);
     }
 
     /// Whether a body's cells hang together by faces.
@@ -169,15 +170,15 @@ impl<const D: usize> DepthField<D> {
     }
 
     /// Depth at a corner of a part.
-    fn corner_depth(&self, cell_type: CellType, nodes: &[u32], rim: Option<&Rim>, corner: Corner) -> f64 {
+    fn corner_depth(&self, cell_type: CellType, nodes: &[u32], here: Option<&BoundaryCell>, corner: Corner) -> f64 {
         let mean = |local: &mut dyn ExactSizeIterator<Item = usize>| {
             let count = local.len();
             local.map(|k| self.nodes[nodes[k] as usize]).sum::<f64>() / count as f64
         };
-        match (corner, rim) {
+        match (corner, here) {
             (Corner::Node(k), _) => self.nodes[nodes[k] as usize],
-            (Corner::Face(face), Some(rim)) => rim.faces[face],
-            (Corner::Middle, Some(rim)) => rim.middle,
+            (Corner::Face(face), Some(here)) => here.faces[face],
+            (Corner::Middle, Some(here)) => here.middle,
             (Corner::Face(face), None) => mean(&mut cell_type.faces()[face].iter().copied()),
             (Corner::Middle, None) => mean(&mut (0..nodes.len())),
         }
@@ -191,12 +192,13 @@ impl<const D: usize> DepthField<D> {
         mut visit: impl FnMut(&Part, [f64; 4], Option<&Incentre>),
     ) {
         let (nodes, cell_type) = (cells.nodes(cell), cells.cell_type(cell));
-        let rim = (self.rim_of[cell] != NO_RIM).then(|| &self.rims[self.rim_of[cell] as usize]);
-        let mut incentres = rim.map_or(&[][..], |rim| &self.incentres[rim.first as usize..]).iter();
+        let here = (self.boundary_cell_of[cell] != NO_BOUNDARY)
+            .then(|| &self.boundary_cells[self.boundary_cell_of[cell] as usize]);
+        let mut incentres = here.map_or(&[][..], |here| &self.incentres[here.first as usize..]).iter();
         for (number, part) in parts(cell_type).enumerate() {
             let mut depths = [0.0; 4];
-            (0..=D).for_each(|k| depths[k] = self.corner_depth(cell_type, nodes, rim, part.corners[k]));
-            let divided = rim.is_some_and(|rim| rim.divided >> number & 1 == 1);
+            (0..=D).for_each(|k| depths[k] = self.corner_depth(cell_type, nodes, here, part.corners[k]));
+            let divided = here.is_some_and(|here| here.divided >> number & 1 == 1);
             visit(&part, depths, if divided { incentres.next() } else { None });
         }
     }
@@ -251,23 +253,17 @@ fn incentre<const D: usize>(corners: &[Vector<D>; 4]) -> Option<([f64; 4], f64)>
 
 /// Whether the cells of each body hang together by faces.
 fn connected_bodies(cells: &Cells, bodies: usize) -> Vec<bool> {
-    let mut sheets = vec![0; bodies];
-    let mut seen = vec![false; cells.len()];
-    let mut stack = Vec::new();
-    for first in 0..cells.len() {
-        if seen[first] {
-            continue;
-        }
-        sheets[cells.body[first] as usize] += 1;
-        seen[first] = true;
-        stack.push(first);
-        while let Some(cell) = stack.pop() {
-            for &next in cells.neighbours(cell) {
-                if !std::mem::replace(&mut seen[next as usize], true) {
-                    stack.push(next as usize);
-                }
-            }
-        }
+    let mut groups = Components::new(cells.len());
+    for cell in 0..cells.len() {
+        cells.neighbours(cell).for_each(|&next| {
+            groups.join(cell as u32, next, false);
+        });
     }
-    sheets.into_iter().map(|count| count == 1).collect()
+    let mut group_of = vec![None; bodies];
+    let mut connected = vec![true; bodies];
+    for (cell, &body) in cells.body.iter().enumerate() {
+        let group = groups.find(cell as u32).0;
+        connected[body as usize] &= *group_of[body as usize].get_or_insert(group) == group;
+    }
+    connected
 }

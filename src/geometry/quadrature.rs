@@ -49,11 +49,7 @@ pub(crate) fn for_each_gauss_point<const D: usize>(
         }
         return;
     }
-    let p = &piece[0];
-    for k in 1..piece.len() - 1 {
-        let corners = [p, &piece[k], &piece[k + 1]];
-        let [_, q, r] = corners;
-        let part = ((q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1])).abs();
+    for_each_simplex(piece, |corners, part| {
         for &(own, weight) in if fine { &DEGREE_4[..] } else { &DEGREE_2[..] } {
             for near in 0..3 {
                 let at = |corner: usize| if corner == near { own } else { 0.5 * (1.0 - own) };
@@ -61,7 +57,7 @@ pub(crate) fn for_each_gauss_point<const D: usize>(
                 visit(&w, part * weight / 3.0);
             }
         }
-    }
+    });
 }
 
 /// Part of the facet's measure.

@@ -11,8 +11,10 @@
 
 mod bodies;
 mod body_facet;
+mod facet_sums;
 mod integral;
 mod node_sums;
 mod obstacles;
+mod simplex_parts;
 
 pub(crate) use integral::depth_integral;

@@ -13,6 +13,5 @@ mod facet_moments;
 mod integral;
 mod least_of;
 mod quadrature;
-mod simplex_parts;
 
 pub(super) use integral::of_obstacle;

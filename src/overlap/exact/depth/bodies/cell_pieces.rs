@@ -15,11 +15,6 @@ pub(crate) struct CellPieces<const D: usize> {
 }
 
 impl<const D: usize> CellPieces<D> {
-    /// No pieces.
-    pub(crate) fn none() -> Self {
-        Self { pieces: Vec::new(), boxes: Vec::new(), tree: Tree::new(&[]) }
-    }
-
     /// The pieces of one body that meet `region`; `facets` are those of its facets that do.
     pub(crate) fn new(
         surface: &Surface<D>,

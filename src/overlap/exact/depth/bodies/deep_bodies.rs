@@ -2,14 +2,14 @@
 
 use super::cell_integrals::cell_integrals;
 use super::cell_pieces::CellPieces;
-use super::facet_integrals::{FacetIntegrals, FacetsInCells};
+use super::facet_integrals::FacetsInCells;
 use super::piece_moments::common_moments;
 use crate::configuration::FacetSide;
 use crate::depth::DepthField;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
 use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
-use crate::overlap::pair::overlap::Overlap;
+use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::Pair;
@@ -39,7 +39,7 @@ impl<const D: usize> DeepBodies<'_, D> {
             || self.facets(b, &region.facets[1], (true, false), &of_a, rounding),
         );
         let (moments_a, moments_b) = self.moments(&of_a, &of_b);
-        self.assemble([Some(facets_a), Some(facets_b)], [(&of_a, &moments_a), (&of_b, &moments_b)])
+        self.assemble(vec![facets_a, facets_b], &[(&of_a, &moments_a), (&of_b, &moments_b)])
     }
 
     /// ∫ over the overlap of the barycentric coordinates of every piece of either body.
@@ -87,53 +87,25 @@ impl<const D: usize> DeepBodies<'_, D> {
             }
             true
         });
-        self.assemble([Some(facets), None], [(&all, &moments), (&CellPieces::none(), &[])])
+        self.assemble(vec![facets], &[(&all, &moments)])
     }
 
-    fn assemble(
-        &self,
-        facets: [Option<FacetIntegrals<D>>; 2],
-        cells: [(&CellPieces<D>, &[[f64; 4]]); 2],
-    ) -> Option<DepthIntegral<D>> {
-        let (mut sums, mut area, mut depth, mut sides) = (FacetIntegrals::default(), 0.0, 0.0, 0.0);
-        for part in facets.into_iter().flatten() {
-            if part.area > 0.0 {
-                area += part.area;
-                depth += part.depth / part.area;
-                sides += 1.0;
-            }
-            sums.add_part(part);
-        }
+    /// From what the facets of either side have inside the other, and the moments of its pieces.
+    fn assemble(&self, facets: Vec<FacetSums<D>>, cells: &[(&CellPieces<D>, &[[f64; 4]])]) -> Option<DepthIntegral<D>> {
+        let inside = || facets.iter().filter(|part| part.area > 0.0);
+        let area: f64 = inside().map(|part| part.area).sum();
+        let depth: f64 = inside().map(|part| part.depth / part.area).sum();
+        let sides = inside().count() as f64;
+        let mut sums = FacetSums::of_parts(facets);
         let (mut volume, mut value) = (0.0, 0.0);
-        for (which, (pieces, moments)) in cells.into_iter().enumerate() {
-            let FacetIntegrals { gradient, hessian, .. } = &mut sums;
+        for (which, (pieces, moments)) in cells.iter().enumerate() {
+            let FacetSums { gradient, hessian, .. } = &mut sums;
             let side = (which == 1, WEIGHT);
             let found = cell_integrals(self.cells, pieces, moments, side, self.second, gradient, hessian);
             value += WEIGHT * found.depth;
             volume += 0.5 * found.volume;
         }
-        // Pieces of cells that share a node overlap by rounding.
-        if sums.piece_count == 0 && volume <= 0.0 {
-            return None;
-        }
-        let [a, b] = self.pair.partners;
-        let overlap = Overlap {
-            a,
-            b,
-            volume: volume.max(0.0),
-            standard_error: 0.0,
-            nodes: Vec::new(),
-            gradient: Vec::new(),
-            of_b: Vec::new(),
-            pose_gradient: None,
-            contact_area: 0.5 * area,
-            penetration: sums.deepest,
-            fiber_count: 0,
-            crossing_count: sums.piece_count,
-            facet_count: sums.facet_count,
-            spacing: 0.0,
-            warnings: Vec::new(),
-        };
+        let overlap = sums.overlap(self.pair, volume, 0.5 * area)?;
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         Some(DepthIntegral {
             value,
@@ -161,16 +133,13 @@ impl<const D: usize> DeepBodies<'_, D> {
         (of_b, own): (bool, bool),
         other: &CellPieces<D>,
         rounding: f64,
-    ) -> FacetIntegrals<D> {
+    ) -> FacetSums<D> {
         let (surface, cells, second) = (self.pair.surface, self.cells, self.second);
         let body = if let Partner::Body(body) = self.pair.partners[0] { body } else { 0 };
         let own_cell = own.then(|| &surface.facet_cell[surface.ranges[body].clone()]);
         let of_side = FacetsInCells { surface, cells, side, of_b, other, weight: WEIGHT, second, own_cell };
         let parts = self.pair.in_chunks(facets, CHUNK, |facets| of_side.integrals(facets, rounding));
-        parts.into_iter().fold(FacetIntegrals::default(), |mut sum, part| {
-            sum.add_part(part);
-            sum
-        })
+        FacetSums::of_parts(parts)
     }
 }
 

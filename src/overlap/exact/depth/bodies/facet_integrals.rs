@@ -10,28 +10,13 @@ use crate::geometry::cells::Cells;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_slopes;
 use crate::geometry::quadrature::for_each_simplex;
-use crate::overlap::depth_integral::{NodalDepth, SecondDerivative};
+use crate::overlap::depth_integral::SecondDerivative;
 use crate::overlap::exact::depth::body_facet::{BodyFacet, FACET_NODES};
-use crate::overlap::exact::depth::node_sums::NodeSums;
+use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::points::block_sum::{BlockSum, product};
 
 /// Nodes that take part where a facet lies in a cell.
 const MOST: usize = FACET_NODES + MOST_NODES;
-
-/// What the facets of one side have inside the other.
-#[derive(Default)]
-pub(crate) struct FacetIntegrals<const D: usize> {
-    pub(crate) gradient: NodeSums<D>,
-    pub(crate) hessian: BlockSum<D>,
-    /// What of it belongs to the nodes of every facet.
-    pub(crate) shares: Vec<NodalDepth>,
-    /// Their measure, the integral of the depth over it, and the largest depth.
-    pub(crate) area: f64,
-    pub(crate) depth: f64,
-    pub(crate) deepest: f64,
-    pub(crate) piece_count: usize,
-    pub(crate) facet_count: usize,
-}
 
 /// The facets of one side, and the other body.
 pub(crate) struct FacetsInCells<'a, const D: usize> {
@@ -50,8 +35,8 @@ pub(crate) struct FacetsInCells<'a, const D: usize> {
 
 impl<const D: usize> FacetsInCells<'_, D> {
     /// The integrals over some facets.
-    pub(crate) fn integrals(&self, facets: &[u32], rounding: f64) -> FacetIntegrals<D> {
-        let mut sums = FacetIntegrals::default();
+    pub(crate) fn integrals(&self, facets: &[u32], rounding: f64) -> FacetSums<D> {
+        let mut sums = FacetSums::default();
         let mut scratch = Scratch { work: Piece::default(), values: Vec::new() };
         for &number in facets {
             let Some(facet) = BodyFacet::new(self.surface, self.side, number) else { continue };
@@ -69,15 +54,8 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 },
             );
             if sums.piece_count > before {
-                sums.facet_count += 1;
-                for (corner, &weights) in facet.weights.iter().enumerate() {
-                    let [area, depth] = [moments.area[corner], moments.depth[corner]].map(|m| m * facet.measure);
-                    let force = facet.normal * (self.weight * depth);
-                    for (&node, &weight) in facet.nodes.iter().zip(&weights).filter(|(_, weight)| **weight != 0.0) {
-                        sums.gradient.add(node, self.of_b, &(force * weight));
-                        sums.shares.push(NodalDepth { node, area: weight * area, depth: weight * depth });
-                    }
-                }
+                let side = (self.of_b, self.weight);
+                sums.add_to_nodes(&facet, &moments.area, &moments.depth, side);
             }
         }
         sums
@@ -90,7 +68,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
         piece: &DepthPiece<D>,
         scratch: &mut Scratch<D>,
         moments: &mut Moments<D>,
-        sums: &mut FacetIntegrals<D>,
+        sums: &mut FacetSums<D>,
     ) {
         let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
         let Scratch { work, values } = scratch;
@@ -238,19 +216,5 @@ fn add_products<const D: usize>(
             let same: f64 = at_corners.iter().map(|f| f[i] * f[j]).sum();
             products[i][j] += norm * (same + sums[i] * sums[j]);
         }
-    }
-}
-
-impl<const D: usize> FacetIntegrals<D> {
-    /// Adds all of another part.
-    pub(crate) fn add_part(&mut self, other: Self) {
-        self.gradient.add_sums(&other.gradient);
-        self.hessian.add_sum(other.hessian);
-        self.shares.extend(other.shares);
-        self.area += other.area;
-        self.depth += other.depth;
-        self.deepest = self.deepest.max(other.deepest);
-        self.piece_count += other.piece_count;
-        self.facet_count += other.facet_count;
     }
 }

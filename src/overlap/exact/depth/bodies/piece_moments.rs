@@ -1,6 +1,7 @@
 //! How much of a piece lies inside another, and where.
 
 use crate::depth::DepthPiece;
+use crate::overlap::exact::depth::simplex_parts::measure;
 
 /// ∫ over the common part of two pieces of the barycentric coordinates of each, the parts of inverted cells counted
 /// negative; `None` where they have no part in common.
@@ -112,16 +113,7 @@ fn add_inside<const D: usize>(mut x: [[f64; 4]; 4], level: usize, sums: &mut [f6
         }
         return;
     }
-    let edge = |c: usize, i: usize| x[c][i] - x[0][i];
-    let measure = match D {
-        2 => edge(1, 1) * edge(2, 2) - edge(1, 2) * edge(2, 1),
-        _ => {
-            edge(1, 1) * (edge(2, 2) * edge(3, 3) - edge(2, 3) * edge(3, 2))
-                + edge(1, 2) * (edge(2, 3) * edge(3, 1) - edge(2, 1) * edge(3, 3))
-                + edge(1, 3) * (edge(2, 1) * edge(3, 2) - edge(2, 2) * edge(3, 1))
-        }
-    }
-    .abs();
+    let measure = measure(D, &x);
     for (i, sum) in sums.iter_mut().enumerate() {
         *sum += measure * (0..=D).map(|c| x[c][i]).sum::<f64>() / (D + 1) as f64;
     }

@@ -6,10 +6,10 @@
 //! vanishes there itself, so that the error is the square of that of the place.
 
 use super::distance::{Distance, ObstacleDistance};
-use super::simplex_parts::{Corners, WHOLE, below, between};
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::simplex_rule::{InSimplex, degree_5};
+use crate::overlap::exact::depth::simplex_parts::{Corners, WHOLE, below, between};
 use crate::overlap::pair::sides::Pair;
 use std::ops::AddAssign;
 

@@ -2,10 +2,10 @@
 
 use crate::geometry::Vector;
 use crate::geometry::facet::area_slopes;
-use crate::overlap::depth_integral::{NodalDepth, SecondDerivative};
+use crate::overlap::depth_integral::SecondDerivative;
 use crate::overlap::exact::depth::body_facet::BodyFacet;
-use crate::overlap::exact::depth::node_sums::NodeSums;
-use crate::overlap::points::block_sum::{BlockSum, product};
+use crate::overlap::exact::depth::facet_sums::FacetSums;
+use crate::overlap::points::block_sum::product;
 use std::ops::AddAssign;
 
 /// Integrals over the part of a facet inside an obstacle, the whole facet having measure 1.
@@ -94,22 +94,7 @@ impl<const D: usize> AddAssign for FacetMoments<D> {
     }
 }
 
-/// What all facets together have inside an obstacle.
-#[derive(Default)]
-pub(crate) struct ObstacleSums<const D: usize> {
-    pub(crate) gradient: NodeSums<D>,
-    pub(crate) hessian: BlockSum<D>,
-    /// What of it belongs to the nodes of every facet.
-    pub(crate) shares: Vec<NodalDepth>,
-    /// Their measure, the integral of the depth over it, and the largest depth.
-    pub(crate) area: f64,
-    pub(crate) depth: f64,
-    pub(crate) deepest: f64,
-    pub(crate) piece_count: usize,
-    pub(crate) facet_count: usize,
-}
-
-impl<const D: usize> ObstacleSums<D> {
+impl<const D: usize> FacetSums<D> {
     /// Adds a facet; the translation of the obstacle has the number `obstacle_node`.
     pub(crate) fn add(
         &mut self,
@@ -125,15 +110,7 @@ impl<const D: usize> ObstacleSums<D> {
         self.depth += moments.depth() * facet.measure;
         self.deepest = self.deepest.max(moments.deepest);
         self.piece_count += moments.piece_count;
-        self.facet_count += 1;
-        for (corner, weights) in facet.weights.iter().enumerate() {
-            let [area, depth] = [moments.area[corner], moments.depth[corner]].map(|m| facet.measure * m);
-            let force = facet.normal * depth;
-            for (&node, &weight) in facet.nodes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
-                self.gradient.add(node, false, &(force * weight));
-                self.shares.push(NodalDepth { node, area: weight * area, depth: weight * depth });
-            }
-        }
+        self.add_to_nodes(facet, &moments.area, &moments.depth, (false, 1.0));
         if second != SecondDerivative::No {
             self.add_blocks(facet, moments, second, obstacle_node);
         }
@@ -184,17 +161,5 @@ impl<const D: usize> ObstacleSums<D> {
             }
         }
         self.hessian.add_square(&nodes, &values);
-    }
-
-    /// Adds all of another part.
-    pub(crate) fn add_part(&mut self, other: Self) {
-        self.gradient.add_sums(&other.gradient);
-        self.hessian.add_sum(other.hessian);
-        self.shares.extend(other.shares);
-        self.area += other.area;
-        self.depth += other.depth;
-        self.deepest = self.deepest.max(other.deepest);
-        self.piece_count += other.piece_count;
-        self.facet_count += other.facet_count;
     }
 }

@@ -10,9 +10,7 @@
 
 use super::convex_facets::facet_moments;
 use super::convex_solid::ConvexSolid;
-use super::convex_volume::DepthSum;
 use super::distance::ObstacleDistance;
-use super::facet_moments::ObstacleSums;
 use super::quadrature::{over_facets, over_volume};
 use crate::Error;
 use crate::geometry::convex_piece::Piece;
@@ -20,6 +18,7 @@ use crate::geometry::plane::Plane;
 use crate::geometry::{Pose, Shape, Vector, moment};
 use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
 use crate::overlap::exact::depth::body_facet::BodyFacet;
+use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::obstacle_region;
 use crate::overlap::pair::overlap::{Overlap, PoseGradient};
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
@@ -59,10 +58,8 @@ pub(crate) fn of_obstacle<const D: usize>(
             (sums, over_volume(pair, &distance, &within)?)
         }
     };
-    if sums.piece_count == 0 && whole.volume <= 0.0 {
-        return Ok(None);
-    }
-    Ok(Some(assembled(pair, pose, sums, whole)))
+    let overlap = sums.overlap(pair, whole.volume, sums.area);
+    Ok(overlap.map(|overlap| assembled(pair, pose, sums, whole.depth, overlap)))
 }
 
 fn in_convex_solid<const D: usize>(
@@ -71,10 +68,10 @@ fn in_convex_solid<const D: usize>(
     facets: &[u32],
     second: SecondDerivative,
     obstacle_node: u32,
-) -> ObstacleSums<D> {
+) -> FacetSums<D> {
     let rounding = pair.a.aabb.rounding();
     let parts = pair.in_chunks(facets, CHUNK, |facets| {
-        let (mut sums, mut work) = (ObstacleSums::default(), Piece::default());
+        let (mut sums, mut work) = (FacetSums::default(), Piece::default());
         for &facet in facets {
             if let Some(facet) = BodyFacet::new(pair.surface, &pair.a, facet) {
                 let moments = facet_moments(solid, &facet, rounding, second, &mut work);
@@ -83,17 +80,15 @@ fn in_convex_solid<const D: usize>(
         }
         sums
     });
-    parts.into_iter().fold(ObstacleSums::default(), |mut sums, part| {
-        sums.add_part(part);
-        sums
-    })
+    FacetSums::of_parts(parts)
 }
 
 fn assembled<const D: usize>(
     pair: &Pair<D>,
     pose: &Pose<D>,
-    sums: ObstacleSums<D>,
-    whole: DepthSum,
+    sums: FacetSums<D>,
+    depth: f64,
+    overlap: Overlap<D>,
 ) -> DepthIntegral<D> {
     let (nodes, of_b, gradient) = sums.gradient.into_nodes();
     let center = Vector::from(pose.position);
@@ -105,27 +100,9 @@ fn assembled<const D: usize>(
         reaction.rotation.iter_mut().zip(moment(&x, g)).for_each(|(sum, m)| *sum -= m);
         about_center += (x - center).dot(g);
     }
-    reaction.scale = ((D + 1) as f64 * whole.depth - about_center) / pose.scale;
-    let [a, b] = pair.partners;
-    let overlap = Overlap {
-        a,
-        b,
-        volume: whole.volume.max(0.0),
-        standard_error: 0.0,
-        nodes: Vec::new(),
-        gradient: Vec::new(),
-        of_b: Vec::new(),
-        pose_gradient: None,
-        contact_area: sums.area,
-        penetration: sums.deepest,
-        fiber_count: 0,
-        crossing_count: sums.piece_count,
-        facet_count: sums.facet_count,
-        spacing: 0.0,
-        warnings: Vec::new(),
-    };
+    reaction.scale = ((D + 1) as f64 * depth - about_center) / pose.scale;
     DepthIntegral {
-        value: whole.depth,
+        value: depth,
         nodes,
         of_b,
         gradient,

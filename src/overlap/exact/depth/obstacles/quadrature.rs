@@ -3,7 +3,7 @@
 use super::adaptive::{Adaptive, Quantity, Root};
 use super::convex_volume::DepthSum;
 use super::distance::{Distance, ObstacleDistance};
-use super::facet_moments::{FacetMoments, ObstacleSums};
+use super::facet_moments::FacetMoments;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -11,6 +11,7 @@ use crate::geometry::facet::area_vector;
 use crate::geometry::simplex_rule::InSimplex;
 use crate::overlap::depth_integral::SecondDerivative;
 use crate::overlap::exact::depth::body_facet::BodyFacet;
+use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::sides::Pair;
 use std::ops::AddAssign;
 
@@ -54,7 +55,7 @@ pub(crate) fn over_facets<const D: usize>(
     within: &Aabb<D>,
     second: SecondDerivative,
     obstacle_node: u32,
-) -> Result<ObstacleSums<D>, Error> {
+) -> Result<FacetSums<D>, Error> {
     let facets = pair.a.facets_in(within);
     let facets: Vec<BodyFacet<D>> =
         facets.into_iter().filter_map(|facet| BodyFacet::new(pair.surface, &pair.a, facet)).collect();
@@ -74,7 +75,7 @@ pub(crate) fn over_facets<const D: usize>(
     };
     let found =
         Adaptive { pair, distance, dimension: D - 1, tolerance: TOLERANCES[D - 2], integrand }.integrals(&roots)?;
-    let mut sums = ObstacleSums::default();
+    let mut sums = FacetSums::default();
     for (facet, moments) in facets.iter().zip(&found) {
         sums.add(facet, moments, second, obstacle_node);
     }

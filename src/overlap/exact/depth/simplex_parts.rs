@@ -70,7 +70,7 @@ pub(crate) fn below(dimension: usize, values: &[f64; 4], mut visit: impl FnMut(&
 }
 
 /// Measure of a simplex in parts of that whose coordinates are used.
-fn measure(dimension: usize, x: &Corners) -> f64 {
+pub(crate) fn measure(dimension: usize, x: &Corners) -> f64 {
     let edge = |c: usize, i: usize| x[c][i] - x[0][i];
     match dimension {
         1 => edge(1, 1),
