@@ -225,6 +225,11 @@ typedef enum {
   // Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
   // gives the imbalance. Forces may be wrong by as much.
   FMC_WARNING_UNBALANCED = 5,
+  // With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
+  // symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
+  // gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
+  // penetration by the size of the cells.
+  FMC_WARNING_FLUSH_FACES = 6,
 } fmc_warning;
 
 // Whether a node is in contact.
@@ -248,7 +253,7 @@ typedef struct fmc_context fmc_context;
 typedef struct {
   // Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // k > 0, no default. For the laws "fiber" and "depth" a pressure per length (Pa/m): the pressure is k times the penetration;
+  // k > 0, no default. For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
   // see `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
   // and must exceed the peak contact pressure; in general energy / (length^dim)^m; see
   // `fmc_suggest_stiffness_from_modulus`.
@@ -262,11 +267,11 @@ typedef struct {
   // Approximate number of fibers per pair; 0, the default: chosen from the facets in contact. Excludes `spacing`.
   uint64_t fiber_count;
   // Seed of the random shift of the pattern. Default 0. This, `spacing`, `fiber_length`, `fiber_count`, `pattern`
-  // and `weights` are refused where they would have no effect, as with the estimator "exact".
+  // and `weights` are refused where they would have no effect, as with the estimator "exact" or the law "depth".
   uint64_t seed;
-  // A value of `fmc_law`. Default `FMC_LAW_FIBER`.
+  // A value of `fmc_law`. Default `FMC_LAW_DEPTH`.
   int32_t law;
-  // A value of `fmc_estimator`. Default `FMC_ESTIMATOR_FIBERS`.
+  // A value of `fmc_estimator`. Default `FMC_ESTIMATOR_AUTO`.
   int32_t estimator;
   // A value of `fmc_pattern`. Default `FMC_PATTERN_LINES`.
   int32_t pattern;
@@ -429,46 +434,75 @@ typedef struct {
   uint64_t reserved[8];
 } fmc_pair;
 
-// One end of a contact point: where, and the shape functions of the boundary face there.
+// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there.
 typedef struct {
   // A value of `fmc_partner`.
   int32_t kind;
-  // How many of `nodes` and `weights` are used; 0 for an obstacle.
+  // How many of `nodes` and `weights` are used; 0 for an obstacle, and where no cell of the other body is.
   int32_t node_count;
   // Index for `fmc_context_body` or `fmc_context_obstacle`.
   size_t index;
   // Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
   int64_t cell;
-  // Nodes of the boundary face, counted from the option `index_base`.
-  int64_t nodes[4];
+  // Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`.
+  int64_t nodes[8];
   // Values of their shape functions: a force at this end goes to the nodes by these parts.
-  double weights[4];
+  double weights[8];
   // The end; in 2D the last entry is 0.
   double position[3];
 } fmc_contact_side;
 
-// A piece of a line inside both sides of a pair, from the boundary of one to that of the other, and the area for which
-// it stands.
+// A point of the contact, and the area for which it stands.
+//
+// With the law "fiber" it is a piece of a line inside both sides of a pair, from the boundary of one to that of the other.
+// With the law "depth" it is the centre of the pressure on what a facet has inside the other side; facets of both bodies
+// are pressed, each for half of its area, facets against an obstacle for all of it.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Number of the patch within the pair; points of one patch have one normal, up to its sign.
+  // Number of the patch within the pair; points of one patch have one normal, up to its sign. 0 with
+  // the law "depth".
   size_t patch;
-  // Middle of the piece; in 2D the last entry is 0.
+  // Middle of the piece, or the centre of pressure; in 2D the last entry is 0.
   double position[3];
-  // Unit vector along the line, outwards of the first side; in 2D the last entry is 0.
+  // Unit vector along the line, or that of the facet, outwards of the first side; in 2D the last entry is 0.
   double normal[3];
-  // Minus the penetration, the length of the piece.
+  // Minus the penetration: the length of the piece; the mean depth of the facet's part below the other surface.
   double gap;
   // Contact pressure.
   double pressure;
-  // Area (2D: length) across the line.
+  // Area (2D: length) across the line, or of the facet's part.
   double area;
-  // The ends, in the order of the pair's sides.
+  // The ends, in the order of the pair's sides; with the law "depth" the point on the facet, and the same place in a
+  // cell of the other body.
   fmc_contact_side sides[2];
   // Zero.
   uint64_t reserved[8];
 } fmc_contact_point;
+
+// The weighted gap of a node of one body over the surface of one partner: gap = int N min(phi, reach) dA over the facets
+// of the node, N being its shape function and phi the distance from the partner's surface, negative inside. Contact is
+// gap >= 0.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // The node, counted from the option `index_base`.
+  int64_t node;
+  // Its body, an index for `fmc_context_body`.
+  size_t body;
+  // What the partner is: a value of `fmc_partner`.
+  int32_t partner_kind;
+  // Zero.
+  int32_t reserved_flags;
+  // Index of the partner for `fmc_context_body` or `fmc_context_obstacle`.
+  size_t partner;
+  // Weighted gap, in length^dim.
+  double gap;
+  // int N dA: `gap / area` is the mean gap at the node.
+  double area;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_gap_constraint;
 
 // Position, rotation and scale of an obstacle: a point X of the shape is at position + scale rotation X.
 //
@@ -715,7 +749,7 @@ fmc_status fmc_context_set_reference(fmc_context *context,
 
 // Names `count` nodes that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
 // surface, since the body goes on behind it. The host holds such nodes in their plane. Replaces what was named before;
-// `count` 0 names none.
+// `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
 // that would have no surface left; what was named before then stays. Threads: one call at a time on a context.
@@ -889,18 +923,55 @@ fmc_status fmc_context_nodal_contact(fmc_context *context,
                                      int32_t *status,
                                      size_t node_count);
 
-// Finds the contact points at `coords`, from which the law "fiber" sums its forces, and keeps them in the context
-// until the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which
-// has one pressure for a whole pair; it may be NULL.
+// Finds the contact points at `coords`, where the laws "fiber" and "depth" press, and keeps them in the context until
+// the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which has one
+// pressure for a whole pair; it may be NULL.
 //
 // Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
-fmc_status fmc_context_find_contact_points(fmc_context *context, const fmc_coords *coords, size_t *count);
+fmc_status fmc_context_find_contact_points(fmc_context *context,
+                                           const fmc_coords *coords,
+                                           size_t *count);
 
 // Writes the contact points that were found to the host's array, with room for `capacity`, in the order of the pairs.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 // context, as long as no call changes it.
 fmc_status fmc_context_contact_points(const fmc_context *context, fmc_contact_point *points, size_t capacity);
+
+// Finds the weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping,
+// and keeps them in the context until the next call: what an augmented Lagrangian, an interior point method or a
+// preconditioner asks for. They depend on no law and no estimator. `count` receives the number of rows, `entry_count`
+// that of the entries of their derivative; both may be NULL.
+//
+// Both bodies of a pair have rows, ordered by pair, side and node; a host that wants one side only takes the rows of one
+// body. A body has no gaps over itself. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_NOT_POSITIVE` for `reach`; what
+// was kept then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_find_gap_constraints(fmc_context *context,
+                                            const fmc_coords *coords,
+                                            double reach,
+                                            size_t *count,
+                                            size_t *entry_count);
+
+// Writes the rows that were found to the host's array, with room for `capacity`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_gap_constraints(const fmc_context *context, fmc_gap_constraint *rows, size_t capacity);
+
+// Writes the derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
+// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom,
+// `node * dim + axis`, counted from 0 as in the tangent. Their set is what feels the contact. Pressures p on the rows
+// act with the nodal forces sum over r of p_r times row r.
+//
+// `row_offsets` has room for one number more than there are rows, `cols` and `values` for `capacity` entries.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_gap_gradient(const fmc_context *context,
+                                    int64_t *row_offsets,
+                                    int64_t *cols,
+                                    double *values,
+                                    size_t capacity);
 
 // Sets a pose to the origin, without rotation and with scale 1.
 //

@@ -24,6 +24,8 @@ mod dimension;
 mod evaluate_tangent;
 mod evaluation;
 mod failure;
+mod gap_constraint;
+mod gap_constraints;
 mod getters;
 mod kept_tangent;
 mod last_error;

@@ -6,16 +6,20 @@
 mod auto;
 mod by_options;
 pub(crate) mod depth_integral;
+pub(crate) mod depth_points;
 pub(crate) mod estimator;
 pub(crate) mod exact;
 pub(crate) mod fibers;
+mod gaps;
 pub(crate) mod pair;
 pub(crate) mod patches;
 pub(crate) mod points;
 
 pub(crate) use by_options::estimator;
-pub(crate) use depth_integral::{DepthIntegral, NodalDepth, SecondDerivative};
+pub(crate) use depth_integral::{DepthIntegral, SecondDerivative};
+pub(crate) use depth_points::{DepthPoint, PlaceInCell};
 pub(crate) use estimator::{Imbalance, OverlapEstimator};
+pub(crate) use gaps::{NodalGap, nodal_gaps};
 pub use pair::fiber_trace::FiberTrace;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
 pub use pair::overlap::{Overlap, PoseGradient};

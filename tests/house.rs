@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 29] = [
+const ROOMS: [&str; 31] = [
     "error",
     "dimension",
     "geometry",
@@ -19,9 +19,11 @@ const ROOMS: [&str; 29] = [
     "overlap/pair/options",
     "overlap/pair/overlap",
     "overlap/pair",
+    "overlap/gaps",
     "overlap/patches",
     "overlap/points",
     "overlap/depth_integral",
+    "overlap/depth_points",
     "overlap/estimator",
     "overlap/exact/clipping",
     "overlap/exact/depth",

@@ -5,7 +5,7 @@
 
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{
-    Bodies, CellBlock, CellType, Contact, EnergyLaw, Estimator, Obstacle, Options, Pose, Shape, Surface,
+    Bodies, CellBlock, CellType, Contact, EnergyLaw, Estimator, FiberOptions, Obstacle, Options, Pose, Shape, Surface,
 };
 use fmc_shapes::{Mesh, cuboid_tet4, icosphere};
 use std::time::Instant;
@@ -70,10 +70,11 @@ fn tangent(contact: &Contact<3>, coords: &[[f64; 3]], rounds: usize) -> f64 {
 
 fn paths() -> [(&'static str, Options); 4] {
     let exact = |law| Options { estimator: Estimator::Exact, ..Options::new(law) };
+    let lines = |law| Options { estimator: Estimator::Fibers(FiberOptions::default()), ..Options::new(law) };
     [
         ("exact volume", exact(EnergyLaw::volume(1.0))),
-        ("lines volume", Options::new(EnergyLaw::volume(1.0))),
-        ("lines fiber", Options::new(EnergyLaw::fiber(1.0))),
+        ("lines volume", lines(EnergyLaw::volume(1.0))),
+        ("lines fiber", lines(EnergyLaw::fiber(1.0))),
         ("exact fiber", exact(EnergyLaw::fiber(1.0))),
     ]
 }

@@ -35,7 +35,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let with = |estimator| Options { estimator, ..Options::new(EnergyLaw::volume(1.0)) };
     let coarse = FiberOptions { resolution: Resolution::Spacing(0.045), ..FiberOptions::default() };
     let traces = Contact::new(surface.clone(), with(Estimator::Fibers(coarse)))?.trace(&mesh.coords)?;
-    let forces = Contact::new(surface, with(Estimator::default()))?.evaluate(&mesh.coords)?.forces;
+    let forces =
+        Contact::new(surface, with(Estimator::Fibers(FiberOptions::default())))?.evaluate(&mesh.coords)?.forces;
 
     let root = SVGBackend::new(&file, SIZE).into_drawing_area();
     root.fill(&WHITE)?;

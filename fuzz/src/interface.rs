@@ -118,7 +118,7 @@ pub struct fmc_contact_side {
     pub index: usize,
     pub cell: i64,
     pub nodes: [i64; 4],
-    pub weights: [f64; 4],
+    pub weights: [f64; 8],
     pub position: [f64; 3],
 }
 

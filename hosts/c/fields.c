@@ -19,6 +19,7 @@ int main(void) {
   fmc_resultant second;
   CHECK(fmc_options_init(&options));
   options.stiffness = 10000.0;
+  options.law = FMC_LAW_FIBER;
   options.estimator = FMC_ESTIMATOR_EXACT;
   CHECK(fmc_context_new_from_cells(2, &coords, &squares, 1, NULL, &options, &contact));
   CHECK(fmc_context_evaluate(contact, &coords, NULL, 0, NULL));

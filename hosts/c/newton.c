@@ -28,6 +28,7 @@ int main(void) {
 
   fmc_options options;
   check(fmc_options_init(&options));
+  options.law = FMC_LAW_FIBER;
   options.estimator = FMC_ESTIMATOR_EXACT;
   options.stiffness = 1000.0;
   const fmc_coords initial = {start[0], 8, 0, 0};

@@ -1,22 +1,21 @@
-/* The contact forces of two unit squares that overlap by a strip 0.1 wide and 0.8 high:
+/* The contact forces of two unit squares that overlap by a strip 0.01 wide and 0.8 high:
  *
- *       3 ------- 2                      volume   0.1 * 0.8 = 0.08
- *       |       7-|----- 6               pressure k * depth = 10000 * 0.1, and
- *       |       | |      |               force    pressure * 0.8 = 800 to the left on the first square
+ *       3 ------- 2                      volume   0.01 * 0.8 = 0.008
+ *       |       7-|----- 6               pressure k * depth = 100000 * 0.01, and
+ *       |       | |      |               force    pressure * 0.8 = 800 to the left on the first square, less at corners
  *       0 ------|-1      |
  *               4 ------ 5               cc two_squares.c $(pkg-config --cflags --libs fmc_contact)   */
 #include <fmc_contact.h>
 #include <stdio.h>
 
 int main(void) {
-  const double coords[8][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.9, -0.2}, {1.9, -0.2}, {1.9, 0.8}, {0.9, 0.8}};
+  const double coords[8][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.99, -0.2}, {1.99, -0.2}, {1.99, 0.8}, {0.99, 0.8}};
   const int32_t conn[2][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}};
   double forces[8][2], volume;
 
   fmc_options options;
   fmc_options_init(&options);
-  options.stiffness = 10000.0;
-  options.estimator = FMC_ESTIMATOR_EXACT;
+  options.stiffness = 100000.0;
   if (fmc_contact_force(2, coords[0], 8, FMC_QUAD4, conn[0], 2, NULL, &options, forces[0], &volume) != FMC_OK) {
     fprintf(stderr, "%s\n", fmc_last_error());
     return 1;

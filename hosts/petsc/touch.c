@@ -17,6 +17,7 @@ PetscErrorCode touch_create(const Problem *p, Vec like, Touch *t) {
   PetscCall(PetscMemzero(t, sizeof *t));
   t->problem = p;
   PetscCall(together(fmc_options_init(&t->options)));
+  t->options.law = FMC_LAW_FIBER;
   t->options.estimator = FMC_ESTIMATOR_EXACT;
   t->options.stiffness = p->stiffness;
   PetscCall(together(fmc_context_new_from_cells(2, &coords, &block, 1, NULL, &t->options, &t->context)));

@@ -3,46 +3,51 @@
 use super::evaluation::{padded, side_of};
 use crate::contact::{PointOfContact, SideOfPoint};
 
-/// One end of a contact point: where, and the shape functions of the boundary face there.
+/// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_contact_side {
     /// A value of `fmc_partner`.
     pub kind: i32,
-    /// How many of `nodes` and `weights` are used; 0 for an obstacle.
+    /// How many of `nodes` and `weights` are used; 0 for an obstacle, and where no cell of the other body is.
     pub node_count: i32,
     /// Index for `fmc_context_body` or `fmc_context_obstacle`.
     pub index: usize,
     /// Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
     pub cell: i64,
-    /// Nodes of the boundary face, counted from the option `index_base`.
-    pub nodes: [i64; 4],
+    /// Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`.
+    pub nodes: [i64; 8],
     /// Values of their shape functions: a force at this end goes to the nodes by these parts.
-    pub weights: [f64; 4],
+    pub weights: [f64; 8],
     /// The end; in 2D the last entry is 0.
     pub position: [f64; 3],
 }
 
-/// A piece of a line inside both sides of a pair, from the boundary of one to that of the other, and the area for which
-/// it stands.
+/// A point of the contact, and the area for which it stands.
+///
+/// With the law "fiber" it is a piece of a line inside both sides of a pair, from the boundary of one to that of the other.
+/// With the law "depth" it is the centre of the pressure on what a facet has inside the other side; facets of both bodies
+/// are pressed, each for half of its area, facets against an obstacle for all of it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_contact_point {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Number of the patch within the pair; points of one patch have one normal, up to its sign.
+    /// Number of the patch within the pair; points of one patch have one normal, up to its sign. 0 with
+    /// the law "depth".
     pub patch: usize,
-    /// Middle of the piece; in 2D the last entry is 0.
+    /// Middle of the piece, or the centre of pressure; in 2D the last entry is 0.
     pub position: [f64; 3],
-    /// Unit vector along the line, outwards of the first side; in 2D the last entry is 0.
+    /// Unit vector along the line, or that of the facet, outwards of the first side; in 2D the last entry is 0.
     pub normal: [f64; 3],
-    /// Minus the penetration, the length of the piece.
+    /// Minus the penetration: the length of the piece; the mean depth of the facet's part below the other surface.
     pub gap: f64,
     /// Contact pressure.
     pub pressure: f64,
-    /// Area (2D: length) across the line.
+    /// Area (2D: length) across the line, or of the facet's part.
     pub area: f64,
-    /// The ends, in the order of the pair's sides.
+    /// The ends, in the order of the pair's sides; with the law "depth" the point on the facet, and the same place in a
+    /// cell of the other body.
     pub sides: [fmc_contact_side; 2],
     /// Zero.
     pub reserved: [u64; 8],

@@ -9,9 +9,9 @@ use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;
 use super::view::fmc_coords;
 
-/// Finds the contact points at `coords`, from which the law "fiber" sums its forces, and keeps them in the context
-/// until the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which
-/// has one pressure for a whole pair; it may be NULL.
+/// Finds the contact points at `coords`, where the laws "fiber" and "depth" press, and keeps them in the context until
+/// the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which has one
+/// pressure for a whole pair; it may be NULL.
 ///
 /// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]

@@ -4,6 +4,7 @@ use super::boundary::{entry, guarded, quietly};
 use super::contact_point::fmc_contact_point;
 use super::evaluation::{Evaluation, fmc_result};
 use super::failure::{Failure, c_text};
+use super::gap_constraint::KeptGaps;
 use super::kept_tangent::Kept;
 use super::last_error::fmc_last_error;
 use super::options::fmc_options;
@@ -43,6 +44,7 @@ pub(super) struct State {
     pub(super) evaluation: Evaluation,
     pub(super) tangent: Kept,
     pub(super) points: Vec<fmc_contact_point>,
+    pub(super) gaps: KeptGaps,
     /// Of the compressed rows, while it is kept.
     pub(super) pattern: Option<Pattern>,
     pub(super) index_base: i32,
@@ -64,6 +66,7 @@ impl State {
             evaluation: Evaluation::default(),
             tangent: Kept::default(),
             points: Vec::new(),
+            gaps: KeptGaps::default(),
             pattern: None,
             index_base,
             error: CString::default(),

@@ -113,6 +113,11 @@ pub enum fmc_warning {
     /// Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
     /// gives the imbalance. Forces may be wrong by as much.
     FMC_WARNING_UNBALANCED = 5,
+    /// With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
+    /// symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
+    /// gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
+    /// penetration by the size of the cells.
+    FMC_WARNING_FLUSH_FACES = 6,
 }
 
 fn warning_code(warning: &Warning) -> i32 {
@@ -121,6 +126,7 @@ fn warning_code(warning: &Warning) -> i32 {
         Warning::UnresolvedOverlap { .. } => fmc_warning::FMC_WARNING_UNRESOLVED_OVERLAP,
         Warning::PatchLeftOut { .. } => fmc_warning::FMC_WARNING_PATCH_LEFT_OUT,
         Warning::Unbalanced { .. } => fmc_warning::FMC_WARNING_UNBALANCED,
+        Warning::FlushFaces { .. } => fmc_warning::FMC_WARNING_FLUSH_FACES,
         Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
     };
     code as i32

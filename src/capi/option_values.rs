@@ -109,10 +109,10 @@ impl fmc_options {
     /// Refuses options that would have no effect beside others: whoever sets one means something by it.
     fn check_effects(&self) -> Result<(), Failure> {
         let estimator = ESTIMATOR.name(self.estimator)?;
-        // Chosen automatically, lines may be needed.
-        let is_sampled = estimator != "exact";
-        let is_isotropic = PATTERN.name(self.pattern)? == "isotropic";
         let law = LAW.name(self.law)?;
+        // Chosen automatically, lines may be needed, but never by the law "depth".
+        let is_sampled = estimator == "fibers" || (estimator == "auto" && law != "depth");
+        let is_isotropic = PATTERN.name(self.pattern)? == "isotropic";
         let is_volume = law == "volume";
         let is_weighted = WEIGHTS.name(self.weights)? != "balance";
         let idle = [
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn defaults_are_those_of_the_crate() {
         let options = fmc_options { stiffness: 3.0, ..fmc_options::default() };
-        assert_eq!(options.to_options().unwrap(), Options::new(EnergyLaw::fiber(3.0)));
+        assert_eq!(options.to_options().unwrap(), Options::new(EnergyLaw::depth(3.0)));
     }
 
     #[test]
@@ -215,7 +215,7 @@ mod tests {
             |o| o.index_base = 2,
             |o| o.reserved[3] = 1,
             |o| o.reserved_flags = 1,
-            |o| (o.spacing, o.fiber_count) = (0.1, 10),
+            |o| (o.law, o.spacing, o.fiber_count) = (1, 0.1, 10),
             |o| (o.law, o.smoothing_length) = (0, 1e-3),
             |o| o.exponent = 2.0,
         ] {
@@ -227,9 +227,13 @@ mod tests {
             (|o| (o.estimator, o.seed) = (1, 9), "'seed' belongs to the estimator 'fibers'"),
             (|o| (o.estimator, o.pattern) = (1, 1), "'pattern' belongs to the estimator 'fibers'"),
             (|o| (o.law, o.estimator, o.weights) = (0, 1, 1), "'weights' belongs to the estimator 'fibers'"),
-            (|o| o.weights = 1, "'weights' belongs to the law 'volume'"),
-            (|o| (o.law, o.pattern, o.weights) = (0, 1, 1), "'weights' belongs to the pattern 'lines'"),
-            (|o| o.fiber_length = 0.1, "'fiber_length' belongs to the pattern 'isotropic'"),
+            (|o| (o.law, o.weights) = (1, 1), "'weights' belongs to the law 'volume'"),
+            (|o| o.spacing = 0.1, "'spacing' belongs to the estimator 'fibers'"),
+            (|o| (o.law, o.estimator, o.pattern, o.weights) = (0, 0, 1, 1), "'weights' belongs to the pattern 'lines'"),
+            (
+                |o| (o.law, o.estimator, o.fiber_length) = (1, 0, 0.1),
+                "'fiber_length' belongs to the pattern 'isotropic'",
+            ),
         ] {
             let (status, found) = refused(change);
             assert!(status == FMC_ERROR_UNKNOWN_OPTION && found.contains(text), "{found}");

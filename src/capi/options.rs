@@ -62,7 +62,7 @@ pub enum fmc_weights {
 pub struct fmc_options {
     /// Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// k > 0, no default. For the laws "fiber" and "depth" a pressure per length (Pa/m): the pressure is k times the penetration;
+    /// k > 0, no default. For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
     /// see `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
     /// and must exceed the peak contact pressure; in general energy / (length^dim)^m; see
     /// `fmc_suggest_stiffness_from_modulus`.
@@ -76,11 +76,11 @@ pub struct fmc_options {
     /// Approximate number of fibers per pair; 0, the default: chosen from the facets in contact. Excludes `spacing`.
     pub fiber_count: u64,
     /// Seed of the random shift of the pattern. Default 0. This, `spacing`, `fiber_length`, `fiber_count`, `pattern`
-    /// and `weights` are refused where they would have no effect, as with the estimator "exact".
+    /// and `weights` are refused where they would have no effect, as with the estimator "exact" or the law "depth".
     pub seed: u64,
-    /// A value of `fmc_law`. Default `FMC_LAW_FIBER`.
+    /// A value of `fmc_law`. Default `FMC_LAW_DEPTH`.
     pub law: i32,
-    /// A value of `fmc_estimator`. Default `FMC_ESTIMATOR_FIBERS`.
+    /// A value of `fmc_estimator`. Default `FMC_ESTIMATOR_AUTO`.
     pub estimator: i32,
     /// A value of `fmc_pattern`. Default `FMC_PATTERN_LINES`.
     pub pattern: i32,
@@ -117,8 +117,8 @@ impl Default for fmc_options {
             fiber_length: 0.0,
             fiber_count: 0,
             seed: 0,
-            law: fmc_law::FMC_LAW_FIBER as i32,
-            estimator: 0,
+            law: fmc_law::FMC_LAW_DEPTH as i32,
+            estimator: fmc_estimator::FMC_ESTIMATOR_AUTO as i32,
             pattern: 0,
             weights: 0,
             momentum_correction: 1,

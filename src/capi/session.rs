@@ -3,6 +3,7 @@
 use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
+use super::gap_constraint::KeptGaps;
 use super::kept_tangent::Kept;
 use super::mesh::Numbering;
 use super::nodal_lists::NodalLists;
@@ -68,6 +69,14 @@ pub(super) trait Session: Send + Sync {
         coords: &fmc_coords,
         index_base: i32,
     ) -> Result<Vec<fmc_contact_point>, Failure>;
+
+    /// Weighted gaps.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn gap_constraints(&mut self, coords: &fmc_coords, reach: f64, index_base: i32)
+    -> Result<KeptGaps, Failure>;
+
     /// Largest time step of central differences.
     ///
     /// # Safety
@@ -236,6 +245,17 @@ impl<const D: usize> Session for Resident<D> {
         // SAFETY: passed on to the caller.
         let points = unsafe { self.at(coords, index_base, |contact, rows| contact.contact_points(rows)) }?;
         Ok(points.iter().map(|point| fmc_contact_point::new(point, index_base)).collect())
+    }
+
+    unsafe fn gap_constraints(
+        &mut self,
+        coords: &fmc_coords,
+        reach: f64,
+        index_base: i32,
+    ) -> Result<KeptGaps, Failure> {
+        // SAFETY: passed on to the caller.
+        let found = unsafe { self.at(coords, index_base, |contact, rows| contact.gap_constraints(rows, reach)) }?;
+        Ok(KeptGaps::new(&found, index_base))
     }
 
     unsafe fn evaluate(

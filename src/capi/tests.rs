@@ -41,7 +41,8 @@ fn evaluate(context: *mut fmc_context) -> (fmc_status, [[f64; 2]; 8], fmc_result
 #[test]
 fn forces_are_those_of_the_rust_api_to_the_bit() {
     let block = fmc_cell_block { cell_type: fmc_cell_type::FMC_QUAD4 as i32, conn: CONN.as_ptr(), cell_count: 2 };
-    let options = fmc_options { law: 0, stiffness: 1e3, exponent: 2.0, seed: 5, ..fmc_options::default() };
+    let options =
+        fmc_options { law: 0, estimator: 0, stiffness: 1e3, exponent: 2.0, seed: 5, ..fmc_options::default() };
     let mut context = null_mut();
     // SAFETY: all arguments live through the call.
     let status = unsafe { fmc_context_new_from_cells(2, &view(), &block, 1, null(), &options, &mut context) };
@@ -52,9 +53,7 @@ fn forces_are_those_of_the_rust_api_to_the_bit() {
     let conn = CONN.map(|node| node as u32);
     let block = CellBlock { cell_type: CellType::Quad4, conn: &conn };
     let mut expected = Options::new(EnergyLaw::Volume { stiffness: 1e3, exponent: 2.0 });
-    if let crate::Estimator::Fibers(fibers) = &mut expected.estimator {
-        fibers.seed = 5;
-    }
+    expected.estimator = crate::Estimator::Fibers(crate::FiberOptions { seed: 5, ..crate::FiberOptions::default() });
     let expected = contact_force(&COORDS, &[block], Bodies::Connected, &expected).unwrap();
     assert!(expected.volume > 0.0);
     assert_eq!(forces.as_slice(), expected.forces);

@@ -103,9 +103,9 @@ impl<const D: usize> Configuration<D> {
         self.trees[body].aabb()
     }
 
-    /// Pairs (i, j) with i < j of bodies whose boxes meet, ascending.
-    pub(crate) fn meeting_bodies(&self) -> Vec<(usize, usize)> {
-        self.bodies.meeting()
+    /// Pairs (i, j) with i < j of bodies whose boxes are no farther apart than `reach` along every axis, ascending.
+    pub(crate) fn meeting_bodies(&self, reach: f64) -> Vec<(usize, usize)> {
+        self.bodies.meeting(reach)
     }
 }
 

@@ -28,13 +28,13 @@ impl<const D: usize> BodyTree<D> {
         self.looseness = tree.refit_to(&self.boxes);
     }
 
-    /// Pairs (i, j) with i < j of bodies whose boxes meet, ascending.
-    pub(crate) fn meeting(&self) -> Vec<(usize, usize)> {
+    /// Pairs (i, j) with i < j of bodies whose boxes are no farther apart than `reach` along every axis, ascending.
+    pub(crate) fn meeting(&self, reach: f64) -> Vec<(usize, usize)> {
         let mut pairs = Vec::new();
         let Some(tree) = &self.tree else { return pairs };
-        tree.visit_own_pairs(&Vector::zeros(), |i, j| {
+        tree.visit_own_pairs(&Vector::repeat(reach), |i, j| {
             let [i, j] = [i.min(j) as usize, i.max(j) as usize];
-            if self.boxes[i].meets(&self.boxes[j]) {
+            if self.boxes[i].inflated(reach).meets(&self.boxes[j]) {
                 pairs.push((i, j));
             }
             true

@@ -2,6 +2,7 @@
 
 use super::fields::{NodalContact, PointOfContact};
 use super::forces::ContactForces;
+use super::gap_constraints::GapConstraints;
 use super::kernels::{self, estimator, pair_law};
 use super::laws::PairLaw;
 use super::options::Options;
@@ -29,8 +30,8 @@ pub struct Contact<const D: usize> {
     /// Patches of the fiber law that are kept, by pair.
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
     pub(super) state: Mutex<Option<Box<State<D>>>>,
-    /// Whether a node lies in a plane of symmetry; empty where none was named.
-    pub(super) in_symmetry_plane: Vec<bool>,
+    /// Whether a node lies in a plane of symmetry; `None` where that was not said.
+    pub(super) in_symmetry_plane: Option<Vec<bool>>,
     /// Depth of the cells, found when it is asked for first.
     pub(super) depth: OnceLock<Option<DepthField<D>>>,
 }
@@ -39,9 +40,11 @@ impl<const D: usize> Contact<D> {
     /// Contact between the bodies of `surface`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for an option out of its range; [`Error::Threads`].
+    /// [`Error::NotPositive`] for an option out of its range; [`Error::Threads`]; [`Error::Unsupported`] for options
+    /// that exclude one another, and for the law `depth` between bodies that are given by facets.
     pub fn new(surface: Surface<D>, options: Options) -> Result<Self, Error> {
         options.check()?;
+        check_depth(&surface, &options)?;
         Ok(Self {
             surface,
             obstacles: Vec::new(),
@@ -51,7 +54,7 @@ impl<const D: usize> Contact<D> {
             law: pair_law(&options)?,
             kept: Vec::new(),
             state: Mutex::new(None),
-            in_symmetry_plane: Vec::new(),
+            in_symmetry_plane: None,
             depth: OnceLock::new(),
         })
     }
@@ -93,7 +96,8 @@ impl<const D: usize> Contact<D> {
 
     /// Names the nodes that lie in planes of symmetry: for the law `depth` a face all of whose nodes are named is no
     /// surface, since the body goes on behind it, and its depth does not vanish there. The host holds such nodes in
-    /// their plane. Replaces what was named before.
+    /// their plane. Replaces what was named before. With none, all of the surface is surface, and flush faces are not warned
+    /// of.
     ///
     /// # Errors
     /// [`Error::NodeOutOfRange`], naming the index in `nodes` as its cell; [`Error::Unsupported`] for a body that would
@@ -112,7 +116,7 @@ impl<const D: usize> Contact<D> {
         if has_surface.contains(&false) {
             return Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" });
         }
-        self.in_symmetry_plane = marked;
+        self.in_symmetry_plane = Some(marked);
         self.depth = OnceLock::new();
         Ok(())
     }
@@ -123,6 +127,7 @@ impl<const D: usize> Contact<D> {
     /// As [`Self::new`]; the old options then stay in force.
     pub fn set_options(&mut self, options: Options) -> Result<(), Error> {
         options.check()?;
+        check_depth(&self.surface, &options)?;
         if options.threads != self.options.threads {
             self.pool = pool(options.threads)?;
         }
@@ -204,13 +209,29 @@ impl<const D: usize> Contact<D> {
         kernels::nodal_contact(self, coords)
     }
 
-    /// The contact points at `coords`, in the order of the pairs, from which a local law sums its forces: place,
-    /// pressure, area and both sides of each. Empty with the law `volume`, which has one pressure for a whole pair.
+    /// The contact points at `coords`, in the order of the pairs: where the laws `fiber` and `depth` press, with pressure,
+    /// area and both sides of each. Empty with the law `volume`, which has one pressure for a whole pair.
     ///
     /// # Errors
     /// As [`Self::evaluate`].
     pub fn contact_points(&self, coords: &[[f64; D]]) -> Result<Vec<PointOfContact<D>>, Error> {
         kernels::contact_points(self, coords)
+    }
+
+    /// Weighted gaps of the nodes over partners nearer than `reach`, apart or overlapping, with their derivatives: what an
+    /// augmented Lagrangian, an interior point method or a preconditioner asks for. They depend on no law and no
+    /// estimator; a body has no gaps over itself.
+    ///
+    /// By quadrature of degree 5 on every facet. The derivative is that of the sum where the nearest point of the partner
+    /// is one.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a reach that is not; else as [`Self::evaluate`].
+    pub fn gap_constraints(&self, coords: &[[f64; D]], reach: f64) -> Result<GapConstraints<D>, Error> {
+        if !(reach.is_finite() && reach > 0.0) {
+            return Err(Error::NotPositive { name: "reach", value: reach });
+        }
+        kernels::gap_constraints(self, coords, reach)
     }
 
     /// Lines to look at: with the law `fiber` those from which its forces come; with the law `volume` the fibers that
@@ -221,6 +242,17 @@ impl<const D: usize> Contact<D> {
     pub fn trace(&self, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
         kernels::trace(self, coords)
     }
+}
+
+/// Refuses at once what no evaluation could measure: depth is that of cells.
+fn check_depth<const D: usize>(surface: &Surface<D>, options: &Options) -> Result<(), Error> {
+    let between_bodies = surface.body_count() > 1 || options.self_contact;
+    if options.law.needs_depth() && between_bodies && surface.cells.is_none() {
+        let what = "the law depth between bodies given by facets, since depth is that of cells: give cells, or set the \
+                    law fiber or volume";
+        return Err(Error::Unsupported { what });
+    }
+    Ok(())
 }
 
 /// Most threads of one contact: more than the largest machines have cores, and few enough for any to start.

@@ -2,7 +2,8 @@
 
 mod nodal_contact;
 mod point_of_contact;
+mod points;
 
 pub use nodal_contact::{NodalContact, NodeStatus};
-pub(super) use point_of_contact::points_of_contact;
 pub use point_of_contact::{PointOfContact, SideOfPoint};
+pub(super) use points::{points_of_contact, points_of_depth};

@@ -1,8 +1,9 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
 use super::Contact;
-use super::fields::{NodalContact, PointOfContact, points_of_contact};
+use super::fields::{NodalContact, PointOfContact, points_of_contact, points_of_depth};
 use super::forces::ContactForces;
+use super::gap_constraints::GapConstraints;
 use super::laws::{self, Measured, PairLaw};
 use super::mass_scaled::largest_step;
 use super::options::Options;
@@ -54,6 +55,7 @@ macro_rules! overlap_list { ($d:expr) => { Vec<Overlap<$d>> }; }
 macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
 macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
 macro_rules! point_list { ($d:expr) => { Vec<PointOfContact<$d>> }; }
+macro_rules! constraint_rows { ($d:expr) => { GapConstraints<$d> }; }
 macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
 
 kernel! { /// Forces.
@@ -72,6 +74,8 @@ kernel! { /// The contact at the nodes.
 nodal_contact = nodal_contact_in() -> nodal }
 kernel! { /// The contact points.
 contact_points = contact_points_in() -> point_list }
+kernel! { /// Gaps of the nodes within reach.
+gap_constraints = gap_constraints_in(reach: f64) -> constraint_rows }
 kernel! { /// Patches of all pairs, for all facets.
 patches = patches_in() -> patch_list }
 
@@ -137,11 +141,29 @@ fn contact_points_in<const D: usize>(
     coords: &[[f64; D]],
 ) -> Result<Vec<PointOfContact<D>>, Error> {
     let points = contact.for_each_pair(coords, |measured| {
-        let points = if contact.law.is_local() { measured.contact_points(false)? } else { None };
-        let pressure = |penetration: f64| contact.law.pressure_at(penetration);
-        Ok(points.map(|points| points_of_contact(&points, measured.pair, pressure)))
+        let (law, pair) = (&contact.law, measured.pair);
+        let pressure = |penetration: f64| law.pressure_at(penetration);
+        Ok(match () {
+            () if law.is_local() => {
+                measured.contact_points(false)?.map(|found| points_of_contact(&found, pair, pressure))
+            }
+            () if law.needs_depth() => Some(points_of_depth(&measured.estimator.depth_points(pair)?, pair, pressure)),
+            () => None,
+        })
     })?;
     Ok(points.into_iter().flatten().collect())
+}
+
+fn gap_constraints_in<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    reach: f64,
+) -> Result<GapConstraints<D>, Error> {
+    let gaps = contact.for_each_pair_within(coords, reach, |measured| {
+        let gaps = overlap::nodal_gaps(measured.pair, reach)?;
+        Ok((!gaps.is_empty()).then_some((measured.pair.partners, gaps)))
+    })?;
+    GapConstraints::assemble(gaps)
 }
 
 fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<PatchesByPair<D>, Error> {

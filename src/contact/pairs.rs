@@ -16,8 +16,18 @@ impl<const D: usize> Contact<D> {
         coords: &[[f64; D]],
         work: impl Fn(&Measured<D>) -> Result<Option<T>, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
+        self.for_each_pair_within(coords, 0.0, work)
+    }
+
+    /// The same for all pairs whose boxes are no farther apart than `reach` along every axis.
+    pub(super) fn for_each_pair_within<T: Send>(
+        &self,
+        coords: &[[f64; D]],
+        reach: f64,
+        work: impl Fn(&Measured<D>) -> Result<Option<T>, Error> + Sync,
+    ) -> Result<Vec<T>, Error> {
         self.with_state(coords, |state| {
-            let pairs = self.pairs(state);
+            let pairs = self.pairs(state, reach);
             let work = |partners: &[Partner; 2]| self.with_pair(state, *partners, &work);
             let Some(pool) = &self.pool else {
                 return pairs.iter().filter_map(|partners| work(partners).transpose()).collect();
@@ -40,10 +50,10 @@ impl<const D: usize> Contact<D> {
         }
     }
 
-    /// Partners whose boxes meet, ascending: for every body itself (if asked for), later bodies, obstacles.
-    fn pairs(&self, state: &State<D>) -> Vec<[Partner; 2]> {
+    /// Partners whose boxes meet, or nearly do, ascending: for every body itself (if asked for), later bodies, obstacles.
+    fn pairs(&self, state: &State<D>, reach: f64) -> Vec<[Partner; 2]> {
         let mut pairs = Vec::new();
-        let meeting = state.configuration.meeting_bodies();
+        let meeting = state.configuration.meeting_bodies(reach);
         let mut next = meeting.iter().peekable();
         for i in 0..self.surface.body_count() {
             if self.options.self_contact {
@@ -52,7 +62,7 @@ impl<const D: usize> Contact<D> {
             while let Some((_, j)) = next.next_if(|(first, _)| *first == i) {
                 pairs.push([Partner::Body(i), Partner::Body(*j)]);
             }
-            let aabb = state.configuration.body_box(i);
+            let aabb = state.configuration.body_box(i).inflated(reach);
             for (o, (rigid, placed)) in self.obstacles.iter().zip(&state.placed).enumerate() {
                 if rigid.may_meet(placed.as_ref(), &aabb) {
                     pairs.push([Partner::Body(i), Partner::Obstacle(o)]);

@@ -41,7 +41,7 @@ impl<const D: usize> Contact<D> {
         if !self.law.needs_depth() {
             return None;
         }
-        self.depth.get_or_init(|| DepthField::new(&self.surface, &self.in_symmetry_plane)).as_ref()
+        self.depth.get_or_init(|| DepthField::new(&self.surface, self.in_symmetry_plane.as_deref())).as_ref()
     }
 
     fn bring(&self, state: &mut State<D>, coords: &[[f64; D]]) -> Result<(), Error> {

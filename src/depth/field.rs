@@ -29,6 +29,8 @@ pub(crate) struct DepthField<const D: usize> {
     incentres: Vec<Incentre>,
     /// Whether a body's cells hang together by faces.
     connected: Vec<bool>,
+    /// Whether it was said which faces are no surface.
+    is_surface_told: bool,
 }
 
 /// What is known of a cell that has nodes on the surface.
@@ -54,10 +56,11 @@ const NO_BOUNDARY: u32 = u32::MAX;
 impl<const D: usize> DepthField<D> {
     /// The field of a surface that has cells; `None` for one that has none. Faces all of whose nodes are marked lie in
     /// planes of symmetry.
-    pub(crate) fn new(surface: &Surface<D>, in_symmetry_plane: &[bool]) -> Option<Self> {
+    pub(crate) fn new(surface: &Surface<D>, in_symmetry_plane: Option<&[bool]>) -> Option<Self> {
         let cells = surface.cells.as_ref()?;
         let coords = surface.reference();
-        let is_marked = |node: u32| in_symmetry_plane.get(node as usize).copied().unwrap_or(false);
+        let marks = in_symmetry_plane.unwrap_or_default();
+        let is_marked = |node: u32| marks.get(node as usize).copied().unwrap_or(false);
         let is_surface = |cell: usize, face: usize| !cells.face_nodes(cell, face).into_iter().all(is_marked);
         let surface_faces: Vec<u8> = (0..cells.len())
             .map(|cell| {
@@ -79,6 +82,7 @@ impl<const D: usize> DepthField<D> {
             boundary_cells: Vec::new(),
             incentres: Vec::new(),
             connected: connected_bodies(cells, surface.body_count()),
+            is_surface_told: in_symmetry_plane.is_some(),
         };
         for cell in 0..cells.len() {
             let is_boundary = cells.nodes(cell).iter().any(|&n| field.nodes[n as usize] == 0.0);
@@ -124,7 +128,7 @@ impl<const D: usize> DepthField<D> {
             distances.of_point(body, x, limit).0
         };
         let at_face = |face: usize, local: &[usize]| {
-            if self.surface_faces[cell] >> face & 1 == 1 {
+            if self.is_surface(cell, face) {
                 return 0.0;
             }
             let of_nodes = || local.iter().map(|&k| self.nodes[nodes[k] as usize]);
@@ -144,8 +148,8 @@ impl<const D: usize> DepthField<D> {
         }
         let mut incentres = Vec::new();
         for (number, part) in parts(cell_type).enumerate() {
-            let has_facet = (0..=D)
-                .any(|k| cell_face(cell_type, D, &part, k).is_some_and(|f| self.surface_faces[cell] >> f & 1 == 1));
+            let has_facet =
+                (0..=D).any(|k| cell_face(cell_type, D, &part, k).is_some_and(|f| self.is_surface(cell, f)));
             let is_flat = (0..=D).all(|k| self.corner_depth(cell_type, nodes, Some(&here), part.corners[k]) == 0.0);
             if !has_facet && !is_flat {
                 continue;
@@ -162,6 +166,16 @@ impl<const D: usize> DepthField<D> {
         self.incentres.extend(incentres);
         self.boundary_cell_of[cell] = self.boundary_cells.len() as u32;
         self.boundary_cells.push(here);
+    }
+
+    /// Whether a face of a cell is surface.
+    pub(super) fn is_surface(&self, cell: usize, face: usize) -> bool {
+        self.surface_faces[cell] >> face & 1 == 1
+    }
+
+    /// Whether it was said which faces are no surface.
+    pub(crate) fn is_surface_told(&self) -> bool {
+        self.is_surface_told
     }
 
     /// Whether a body's cells hang together by faces.

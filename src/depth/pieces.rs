@@ -1,6 +1,6 @@
 //! The simplices on which the depth field is linear, where they are now.
 
-use super::cell_parts::weights;
+use super::cell_parts::{cell_face, weights};
 use super::field::DepthField;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -28,6 +28,8 @@ pub(crate) struct DepthPiece<const D: usize> {
     pub(crate) measure: f64,
     /// +1, or −1 where the cell is inverted.
     pub(crate) sign: f64,
+    /// Whether the depth is the height above a facet of the body, which the piece has for a face.
+    pub(crate) is_at_surface: bool,
 }
 
 impl<const D: usize> DepthPiece<D> {
@@ -41,7 +43,17 @@ impl<const D: usize> DepthPiece<D> {
         let (slopes, signed) = slopes(&corners)?;
         let gradient = (0..=D).fold(Vector::zeros(), |sum, k| sum + slopes[k] * depths[k]);
         let sign = if flipped { -signed.signum() } else { signed.signum() };
-        Some(Self { cell, corners, depths, weights, slopes, gradient, measure: signed.abs(), sign })
+        Some(Self {
+            cell,
+            corners,
+            depths,
+            weights,
+            slopes,
+            gradient,
+            measure: signed.abs(),
+            sign,
+            is_at_surface: false,
+        })
     }
 
     /// Barycentric coordinates of a point.
@@ -108,7 +120,10 @@ impl<const D: usize> DepthField<D> {
             for k in 0..=D {
                 let (mut corners, mut depths, mut of_nodes) = (corners, depths, of_nodes);
                 (corners[k], depths[k], of_nodes[k]) = (middle, incentre.depth, about);
-                DepthPiece::new(cell as u32, corners, depths, of_nodes, flipped).into_iter().for_each(&mut visit);
+                let face = cell_face(cells.cell_type(cell), D, part, k);
+                if let Some(piece) = DepthPiece::new(cell as u32, corners, depths, of_nodes, flipped) {
+                    visit(DepthPiece { is_at_surface: face.is_some_and(|face| self.is_surface(cell, face)), ..piece });
+                }
             }
         });
     }

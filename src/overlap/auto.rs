@@ -1,6 +1,7 @@
 //! Exact where that is possible, lines elsewhere.
 
 use super::depth_integral::{DepthIntegral, SecondDerivative};
+use super::depth_points::DepthPoint;
 use super::estimator::{Imbalance, OverlapEstimator};
 use super::exact::ExactEstimator;
 use super::fibers::FiberEstimator;
@@ -64,6 +65,10 @@ impl<const D: usize> OverlapEstimator<D> for AutoEstimator<D> {
         obstacle_node: u32,
     ) -> Result<Option<DepthIntegral<D>>, Error> {
         ExactEstimator.depth_integral(pair, second, obstacle_node)
+    }
+
+    fn depth_points(&self, pair: &Pair<D>) -> Result<Vec<DepthPoint<D>>, Error> {
+        ExactEstimator.depth_points(pair)
     }
 
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {

@@ -28,23 +28,37 @@ pub(crate) struct DepthIntegral<const D: usize> {
     pub(crate) pose_gradient: Option<PoseGradient<D>>,
     /// Its second derivative, as blocks sorted by row and column.
     pub(crate) hessian: Vec<Block<D>>,
-    /// Of every facet inside the other side, what belongs to its nodes.
-    pub(crate) shares: Vec<NodalDepth>,
+    /// What the facets have inside the other side.
+    pub(crate) facets: Vec<FacetDepth<D>>,
     /// Depth of the boundaries of A ∩ B, each below the other surface, as a mean over their area.
     pub(crate) mean_depth: f64,
     /// Volume, area and what else is told of an overlap; its gradient is empty.
     pub(crate) overlap: Overlap<D>,
 }
 
-/// ∫ N dA and ∫ N g dA over the part of a facet that is inside the other side, N being the shape function of a node.
+/// What a facet has inside the other side: ∫ N dA and ∫ N g dA over that part, N being barycentric coordinates.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct NodalDepth {
-    pub(crate) node: u32,
-    pub(crate) area: f64,
-    pub(crate) depth: f64,
+pub(crate) struct FacetDepth<const D: usize> {
+    /// Index within its side.
+    pub(crate) facet: u32,
+    pub(crate) of_b: bool,
+    /// Part with which its force counts: half where the other side's facets press too.
+    pub(crate) weight: f64,
+    pub(crate) areas: [f64; D],
+    pub(crate) depths: [f64; D],
 }
 
 impl<const D: usize> DepthIntegral<D> {
+    /// Calls `visit(node, ∫ N dA, ∫ N g dA)` for the nodes of every facet, N being their shape functions.
+    pub(crate) fn for_each_share(&self, pair: &Pair<D>, mut visit: impl FnMut(u32, f64, f64)) {
+        for found in &self.facets {
+            let vertices = pair.side(found.of_b).facets[found.facet as usize];
+            for ((vertex, area), depth) in vertices.into_iter().zip(found.areas).zip(found.depths) {
+                pair.surface.nodes_of_vertex(vertex).for_each(|(node, part)| visit(node, part * area, part * depth));
+            }
+        }
+    }
+
     /// Moves the gradient on inner nodes to the nodes of the facets that are nearest to them without deformation, so that
     /// the sum of the forces stays as it is.
     pub(crate) fn bring_to_surface(&mut self, pair: &Pair<D>) {

@@ -1,6 +1,7 @@
 //! What every estimator can be asked for a pair of bodies.
 
 use super::depth_integral::{DepthIntegral, SecondDerivative};
+use super::depth_points::DepthPoint;
 use super::pair::fiber_trace::FiberTrace;
 use super::pair::overlap::Overlap;
 use super::pair::sides::Pair;
@@ -42,6 +43,12 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
         second: SecondDerivative,
         obstacle_node: u32,
     ) -> Result<Option<DepthIntegral<D>>, Error>;
+
+    /// Where the forces of that sum act on facets.
+    ///
+    /// # Errors
+    /// As [`Self::depth_integral`].
+    fn depth_points(&self, pair: &Pair<D>) -> Result<Vec<DepthPoint<D>>, Error>;
 
     /// Distance between the lines along the directions of `patches`, where there are lines.
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error>;

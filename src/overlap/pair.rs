@@ -1,7 +1,9 @@
 //! Two sides, where they can overlap, and what is known of their overlap.
 
 pub(crate) mod assembly;
+pub(crate) mod body_facet;
 pub(crate) mod fiber_trace;
+pub(crate) mod obstacle_distance;
 pub(crate) mod obstacle_region;
 pub(crate) mod options;
 pub(crate) mod overlap;

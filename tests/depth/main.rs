@@ -10,6 +10,7 @@ mod flat;
 mod itself;
 mod noise;
 mod obstacles;
+mod points;
 mod reference;
 mod round_obstacles;
 mod scans;

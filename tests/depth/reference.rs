@@ -2,7 +2,7 @@
 
 use crate::depth;
 use crate::scene::Scene;
-use fmc_contact::{Contact, Error};
+use fmc_contact::{Contact, Error, Warning};
 use fmc_shapes::{Diagonals, cuboid_tet4, rectangle_quad4, rectangle_tri3};
 
 /// A block that was made half as high as it is without deformation, pressed into a rigid-like large one. The upper block's
@@ -70,4 +70,38 @@ fn what_cannot_be_is_refused_and_changes_nothing() {
     turned[3][1] = f64::NAN;
     assert!(matches!(contact.set_reference(&turned), Err(Error::NonFiniteCoordinate { node: 3, axis: 1 })));
     assert_eq!(contact.set_reference(&scene.coords), Ok(()));
+}
+
+/// Walls of two bodies in one plane are warned of with their area, until the host says what they are.
+#[test]
+fn flush_faces_are_warned_of() {
+    fn flush<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Vec<f64> {
+        let found = contact.evaluate(coords).expect("valid coordinates");
+        let area = |warning: &Warning| match warning {
+            Warning::FlushFaces { area, .. } => Some(*area),
+            _ => None,
+        };
+        found.warnings.iter().filter_map(area).collect()
+    }
+    let delta = 0.05;
+    let lower = rectangle_quad4([0.0, -1.0], [1.0, 0.0], [4, 4]);
+    let upper = rectangle_tri3([0.0, 0.0], [0.6, 1.0], [3, 5], Diagonals::Same).translated([0.0, -delta]);
+    let mut scene = Scene::of(&[&lower, &upper]);
+    for noise in [0.0, 1e-14] {
+        let mut random = fmc_shapes::Splitmix::new(1);
+        scene.coords.iter_mut().flatten().for_each(|x| *x += noise * random.between(-1.0, 1.0));
+        let found = flush(&scene.contact(depth(1.0)), &scene.coords);
+        assert!(found.len() == 1 && (found[0] / delta - 1.0).abs() < 1e-6, "{found:?}");
+    }
+    let mut contact = scene.contact(depth(1.0));
+    contact.set_symmetry_nodes(&[]).expect("no nodes");
+    assert!(flush(&contact, &scene.coords).is_empty());
+    let apart = Scene::of(&[&lower, &upper.translated([1e-3, 0.0])]);
+    assert!(flush(&apart.contact(depth(1.0)), &apart.coords).is_empty());
+    let lower = cuboid_tet4([0.0, 0.0, -1.0], [1.0, 1.0, 0.0], [2, 2, 2]);
+    let upper = cuboid_tet4([0.0, 0.0, -delta], [1.0, 0.5, 1.0], [3, 2, 2]);
+    let scene = Scene::of(&[&lower, &upper]);
+    let found = flush(&scene.contact(depth(1.0)), &scene.coords);
+    // Two walls of 1/2 and one of 1.
+    assert!(found.len() == 1 && (found[0] / (2.0 * delta) - 1.0).abs() < 1e-6, "{found:?}");
 }

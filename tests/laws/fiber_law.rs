@@ -3,7 +3,7 @@
 use crate::pairs::{plane_scene, solid_scene};
 use crate::scene::energy_gradient::Differences;
 use crate::scene::table::{by_laws, differentiable, exactly, is_one_patch, is_quadrature, local_laws, uncorrected};
-use crate::scene::{Scene, distance, exact, fibers, norm, size_sum};
+use crate::scene::{Scene, by_lines, distance, exact, fibers, norm, size_sum};
 use crate::tangent::deviation;
 use fmc_contact::{Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, Obstacle, Options, Pose, Shape};
 use fmc_shapes::{Diagonals, ball_tet4, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
@@ -217,7 +217,7 @@ fn patches_have_their_own_directions() {
 fn strips_are_left_across() {
     let square = |x: f64, y: f64| rectangle_quad4([x, y], [x + 1.0, y + 1.0], [1, 1]);
     let scene = Scene::of(&[&square(0.0, 0.0), &square(0.9, -0.2)]);
-    for options in [exactly(EnergyLaw::fiber(1e4)), Options::new(EnergyLaw::fiber(1e4))] {
+    for options in [exactly(EnergyLaw::fiber(1e4)), by_lines(EnergyLaw::fiber(1e4))] {
         let contact = scene.evaluate(options);
         let force = contact.bodies[1].force;
         // 1e4 times the depth of 0.1, over the height of 0.8.

@@ -2,10 +2,10 @@
 
 use crate::pairs::{plane_scene, solid_scene};
 use crate::scene::table::{by_laws, estimators, exactly, laws, local_laws, table};
-use crate::scene::{Scene, norm};
+use crate::scene::{Scene, by_lines, norm};
 use fmc_contact::contact::{NodalContact, NodeStatus};
 use fmc_contact::overlap::Partner;
-use fmc_contact::{ContactForces, EnergyLaw, Obstacle, Options, Pose, Shape};
+use fmc_contact::{ContactForces, EnergyLaw, Obstacle, Pose, Shape};
 use fmc_shapes::{Diagonals, Mesh, cuboid_hex8, cuboid_tet4, disc_tri3, rectangle_quad4, rectangle_tri3};
 
 /// F = −p A n at every node; normals are unit vectors, or zero where there is no force.
@@ -96,7 +96,7 @@ fn a_parabola_of_pressure_to_a_hundredth() {
     let depth = 1.0 - (1.0 - half_width * half_width).sqrt();
     let edges = (std::f64::consts::TAU / (half_width / 24.0)).round() as usize;
     let disc = disc_tri3(1.0, edges).translated([0.0, 1.0 - depth]);
-    for options in [exactly(EnergyLaw::fiber(1e3)), Options::new(EnergyLaw::fiber(1e3))] {
+    for options in [exactly(EnergyLaw::fiber(1e3)), by_lines(EnergyLaw::fiber(1e3))] {
         let mut contact = Scene::of(&[&disc]).contact(options);
         contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0; 2]) }).unwrap();
         let field = contact.nodal_contact(&disc.coords).unwrap();

@@ -3,7 +3,7 @@
 use crate::balance::balanced;
 use crate::scene::energy_gradient::Differences;
 use crate::scene::table::{by_laws, exactly, laws, local_laws};
-use crate::scene::{Scene, exact, lines, norm, size_sum};
+use crate::scene::{Scene, by_lines, exact, lines, norm, size_sum};
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{EnergyLaw, Obstacle, Options, Pose, Shape};
 use fmc_shapes::{Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4};
@@ -21,7 +21,7 @@ fn a_deep_patch_beside_a_shallow_one_keeps_its_force() {
     let facets: Vec<[u32; 2]> = (0..6).map(|i| [i, (i + 1) % 6]).collect();
     for aside in [2e-3, 1e-3, 1e-4, 1e-5] {
         let block = rectangle_quad4([-aside, -down], [0.4, 0.3], [1, 1]);
-        for options in [exactly(EnergyLaw::fiber(k)), Options::new(EnergyLaw::fiber(k))] {
+        for options in [exactly(EnergyLaw::fiber(k)), by_lines(EnergyLaw::fiber(k))] {
             let mut contact = Scene::of(&[&block]).contact(options);
             let shape = Shape::Polytope { points: corner.to_vec(), facets: facets.clone() };
             contact.add_obstacle(Obstacle { shape, pose: Pose::at([0.0; 2]) }).unwrap();

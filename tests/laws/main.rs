@@ -15,6 +15,7 @@ mod energy_gradient;
 mod fiber_law;
 mod fields;
 mod folded;
+mod gap_constraints;
 mod gaps;
 mod glued;
 mod hinged;

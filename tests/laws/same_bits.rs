@@ -3,7 +3,7 @@
 
 use crate::pairs::{plane_pair, plane_scene, solid_pair, solid_scene};
 use crate::scene::table::{by_laws, is_quadrature, laws};
-use crate::scene::{Scene, consistent_lines, distance, exact, fibers, isotropic, lines, norm};
+use crate::scene::{Scene, by_lines, consistent_lines, distance, exact, fibers, isotropic, lines, norm};
 use fmc_contact::{
     Bodies, CellBlock, ContactForces, EnergyLaw, FiberOptions, Obstacle, Options, Pose, Shape, contact_force,
 };
@@ -159,7 +159,7 @@ fn a_signed_distance_that_has_changed_is_looked_at_anew() {
             let (s, c) = of_host.lock().unwrap().sin_cos();
             (c * x[1] + s * x[0] - 0.1, [s, c])
         };
-        let mut contact = Scene::of(&[&block]).contact(Options::new(EnergyLaw::fiber(1.0)));
+        let mut contact = Scene::of(&[&block]).contact(by_lines(EnergyLaw::fiber(1.0)));
         let shape = Shape::SignedDistance(Arc::new(plane));
         contact.add_obstacle(Obstacle { shape, pose: Pose::default() }).unwrap();
         let found = slopes.iter().map(|s| {

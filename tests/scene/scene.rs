@@ -100,6 +100,11 @@ pub(crate) fn fibers(options: FiberOptions) -> Options {
     Options { estimator: Estimator::Fibers(options), ..Options::new(EnergyLaw::volume(1.0)) }
 }
 
+/// A law on lines with the default options.
+pub(crate) fn by_lines(law: EnergyLaw) -> Options {
+    Options { law, ..fibers(FiberOptions::default()) }
+}
+
 /// The default lines, this far apart.
 pub(crate) fn lines(spacing: f64, seed: u64) -> Options {
     fibers(FiberOptions { resolution: Resolution::Spacing(spacing), seed, ..FiberOptions::default() })

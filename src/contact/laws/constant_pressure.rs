@@ -32,12 +32,12 @@ impl<const D: usize> PairLaw<D> for ConstantPressure {
 
 #[test]
 fn a_law_of_its_own_works_with_either_estimator() {
-    use crate::{Bodies, CellBlock, CellType, Contact, Estimator, Options, Surface};
+    use crate::{Bodies, CellBlock, CellType, Contact, Estimator, FiberOptions, Options, Surface};
     // A unit square 0.1 deep in another: 0.1 is the overlap, and the force the pressure times the width of 1.
     let coords = [[0., 0.], [1., 0.], [1., 1.], [0., 1.], [0., 0.9], [1., 0.9], [1., 1.9], [0., 1.9]];
     let blocks = [CellBlock { cell_type: CellType::Quad4, conn: &[0, 1, 2, 3, 4, 5, 6, 7] }];
     let surface = Surface::from_cells(&coords, &blocks, Bodies::Connected).expect("a valid mesh");
-    for (estimator, tolerance) in [(Estimator::Exact, 1e-12), (Estimator::default(), 0.02)] {
+    for (estimator, tolerance) in [(Estimator::Exact, 1e-12), (Estimator::Fibers(FiberOptions::default()), 0.02)] {
         let options = Options { estimator, ..Options::new(EnergyLaw::fiber(1.0)) };
         let mut contact = Contact::new(surface.clone(), options).expect("valid options");
         contact.law = Box::new(ConstantPressure(30.0));

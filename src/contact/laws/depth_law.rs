@@ -5,7 +5,7 @@ use super::pair_energy::PairEnergy;
 use super::pair_law::{EnergyAndSums, EnergyAndTangent, Measured, PairLaw};
 use crate::Error;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::{DepthIntegral, NodalDepth, NodalSum, Overlap, SecondDerivative};
+use crate::overlap::{DepthIntegral, NodalSum, Overlap, SecondDerivative};
 
 /// The depth law.
 pub(super) struct DepthLaw {
@@ -75,13 +75,10 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
             return Ok(None);
         };
         depth.bring_to_surface(measured.pair);
-        let of_share = |share: &NodalDepth| NodalSum {
-            node: share.node,
-            area: share.area,
-            pressure: self.stiffness * share.depth,
-            penetration: share.depth,
-        };
-        let sums = depth.shares.iter().map(of_share).collect();
+        let mut sums = Vec::with_capacity(D * depth.facets.len());
+        depth.for_each_share(measured.pair, |node, area, penetration| {
+            sums.push(NodalSum { node, area, pressure: self.stiffness * penetration, penetration });
+        });
         Ok(Some((self.energy_of(depth), Some(sums))))
     }
 
@@ -96,5 +93,9 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
 
     fn needs_depth(&self) -> bool {
         true
+    }
+
+    fn pressure_at(&self, penetration: f64) -> f64 {
+        self.stiffness * penetration
     }
 }

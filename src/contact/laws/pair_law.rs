@@ -47,7 +47,7 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
         false
     }
 
-    /// Pressure at a contact point; of a law that acts there.
+    /// Pressure where the penetration is given; of a law whose pressure follows it.
     fn pressure_at(&self, _penetration: f64) -> f64 {
         0.0
     }

@@ -1,9 +1,10 @@
 //! Exact clipping as an estimator.
 
 use super::clipping::volume::ExactPair;
-use super::depth::depth_integral;
+use super::depth::{depth_integral, depth_points};
 use crate::Error;
 use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
+use crate::overlap::depth_points::DepthPoint;
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
@@ -57,6 +58,10 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         obstacle_node: u32,
     ) -> Result<Option<DepthIntegral<D>>, Error> {
         depth_integral(pair, second, obstacle_node)
+    }
+
+    fn depth_points(&self, pair: &Pair<D>) -> Result<Vec<DepthPoint<D>>, Error> {
+        depth_points(pair)
     }
 
     fn spacing(&self, _: &Pair<D>, _: &Patches<D>) -> Result<Option<f64>, Error> {

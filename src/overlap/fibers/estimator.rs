@@ -3,6 +3,7 @@
 use super::layout::FiberPair;
 use crate::Error;
 use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
+use crate::overlap::depth_points::DepthPoint;
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::options::FiberOptions;
@@ -36,6 +37,8 @@ impl<const D: usize> FiberEstimator<D> {
 /// Sampling leaves an imbalance, of any size where few lines meet the overlap.
 const EXPECTED: Imbalance = Imbalance { rounding: 0.0, doubtful: f64::INFINITY };
 
+const NO_DEPTH: &str = "the law depth on sampled lines: use the estimator exact or auto";
+
 impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
     fn overlap(&self, pair: &Pair<D>) -> Result<Option<Overlap<D>>, Error> {
         self.of(pair).overlap()
@@ -61,7 +64,11 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
     }
 
     fn depth_integral(&self, _: &Pair<D>, _: SecondDerivative, _: u32) -> Result<Option<DepthIntegral<D>>, Error> {
-        Err(Error::Unsupported { what: "the law depth on sampled lines: use the estimator exact or auto" })
+        Err(Error::Unsupported { what: NO_DEPTH })
+    }
+
+    fn depth_points(&self, _: &Pair<D>) -> Result<Vec<DepthPoint<D>>, Error> {
+        Err(Error::Unsupported { what: NO_DEPTH })
     }
 
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {

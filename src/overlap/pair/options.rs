@@ -6,18 +6,18 @@ use crate::sampling::FiberPattern;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Estimator {
-    /// Sampled by fibers: any shape, any obstacle, with a standard error. The default.
+    /// Sampled by fibers: any shape, any obstacle, with a standard error.
     Fibers(FiberOptions),
     /// Exact for straight-sided meshes and flat-sided obstacles, by clipping facets with cells.
     Exact,
     /// Pair by pair: exact between bodies and with obstacles that are bounded by planes, sampled by lines with curved
-    /// obstacles, for which these options are.
+    /// obstacles, for which these options are. The default.
     Auto(FiberOptions),
 }
 
 impl Default for Estimator {
     fn default() -> Self {
-        Estimator::Fibers(FiberOptions::default())
+        Estimator::Auto(FiberOptions::default())
     }
 }
 

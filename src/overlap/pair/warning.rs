@@ -53,6 +53,18 @@ pub enum Warning {
         /// Size of the sum by the sum of sizes.
         imbalance: f64,
     },
+    /// With the law `depth`, faces of both bodies lie in one plane, look the same way and reach into the overlap, as planes
+    /// of symmetry do; and the host has not said which nodes lie in such planes (`Contact::set_symmetry_nodes`, with no
+    /// nodes if there are none). Beside a plane of symmetry that is taken for surface the pressure is too low, by about
+    /// twice the penetration by the size of the cells.
+    FlushFaces {
+        /// First body of the pair.
+        a: Partner,
+        /// Second body of the pair.
+        b: Partner,
+        /// Area (2D: length) of what coincides.
+        area: f64,
+    },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
         /// The body inside.
@@ -80,6 +92,11 @@ impl fmt::Display for Warning {
             Warning::Unbalanced { a, b, imbalance } => {
                 write!(f, "{a} and {b}: the forces between them do not balance, by {imbalance:.1e} of their size")
             }
+            Warning::FlushFaces { a, b, area } => write!(
+                f,
+                "{a} and {b}: faces of an area of {area:.3e} lie in one plane and look the same way; if it is a plane of \
+                 symmetry, name its nodes (symmetry nodes), if not, name none"
+            ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }
     }

@@ -8,10 +8,10 @@ use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, FiberProfile
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Estimator and energy law")]
 pub(crate) struct EstimatorArgs {
-    /// How overlap is measured: sampled by fibers, or exactly by clipping (straight-sided meshes only) [default: fibers;
-    /// exact for the law depth, which has no other]
-    #[arg(long, value_enum)]
-    pub(crate) estimator: Option<EstimatorKind>,
+    /// How overlap is measured: exactly by clipping (straight-sided meshes only), sampled by fibers, or exactly where that
+    /// is possible
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) estimator: EstimatorChoice,
 
     /// How fibers are laid: families of parallel lines, or segments of random start and direction
     #[arg(long, value_enum, default_value_t)]
@@ -22,9 +22,9 @@ pub(crate) struct EstimatorArgs {
     #[arg(long, value_enum, default_value_t)]
     pub(crate) weights: WeightsKind,
 
-    /// Contact energy: "volume" is w = k V^m of each overlap; "fiber" is taken line by line along the contact normal,
-    /// with the pressure k x penetration; "depth" has the same pressure from the depth below both surfaces, without a
-    /// direction: bodies of cells, measured exactly
+    /// Contact energy: "depth" has the pressure k x penetration from the depth below both surfaces: bodies of cells,
+    /// measured exactly; "fiber" has the same pressure line by line along the contact normal; "volume" is w = k V^m of each
+    /// overlap
     #[arg(long, value_enum, default_value_t)]
     pub(crate) law: LawKind,
 
@@ -65,7 +65,16 @@ pub(crate) struct EstimatorArgs {
     pub(crate) no_momentum_correction: bool,
 }
 
-/// `--estimator`
+/// `--estimator` of one evaluation.
+#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum EstimatorChoice {
+    #[default]
+    Auto,
+    Exact,
+    Fibers,
+}
+
+/// `--estimator` of commands that have one of two.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EstimatorKind {
     Fibers,
@@ -92,29 +101,32 @@ pub(crate) enum WeightsKind {
 #[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum LawKind {
     #[default]
-    Volume,
-    Fiber,
     Depth,
+    Fiber,
+    Volume,
 }
 
 impl EstimatorArgs {
     /// Refuses options that would have no effect on the one evaluation that was asked for.
     pub(crate) fn check(&self) -> anyhow::Result<()> {
-        let exact = self.kind() == EstimatorKind::Exact;
-        ensure!(!exact || self.fibers.is_none(), "--fibers has no effect with --estimator exact");
-        ensure!(!exact || self.spacing.is_none(), "--spacing has no effect with --estimator exact");
         let (fiber_law, volume_law) = (self.law == LawKind::Fiber, self.law == LawKind::Volume);
+        // Chosen automatically, lines may be needed, but never by the law depth.
+        let sampled = match self.estimator {
+            EstimatorChoice::Fibers => true,
+            EstimatorChoice::Auto => self.law != LawKind::Depth,
+            EstimatorChoice::Exact => false,
+        };
+        ensure!(sampled || self.fibers.is_none(), "--fibers has an effect with --estimator fibers only");
+        ensure!(sampled || self.spacing.is_none(), "--spacing has an effect with --estimator fibers only");
+        let isotropic = self.pattern == PatternKind::Isotropic;
+        ensure!(
+            !isotropic || self.estimator == EstimatorChoice::Fibers,
+            "--pattern isotropic needs --estimator fibers"
+        );
         ensure!(fiber_law || self.smoothing_length.is_none(), "--smoothing-length needs --law fiber");
         ensure!(volume_law || self.m == 1.0, "--m has an effect with --law volume only");
-        let segments = !exact && self.pattern == PatternKind::Isotropic;
-        ensure!(segments || self.fiber_length.is_none(), "--fiber-length needs --pattern isotropic");
+        ensure!(isotropic || self.fiber_length.is_none(), "--fiber-length needs --pattern isotropic");
         Ok(())
-    }
-
-    /// The estimator asked for, or the one that goes with the law.
-    fn kind(&self) -> EstimatorKind {
-        let with_law = if self.law == LawKind::Depth { EstimatorKind::Exact } else { EstimatorKind::Fibers };
-        self.estimator.unwrap_or(with_law)
     }
 
     /// Options of an evaluation with this stiffness.
@@ -130,9 +142,10 @@ impl EstimatorArgs {
             },
         };
         Options {
-            estimator: match self.kind() {
-                EstimatorKind::Fibers => Estimator::Fibers(self.fiber_options()),
-                EstimatorKind::Exact => Estimator::Exact,
+            estimator: match self.estimator {
+                EstimatorChoice::Fibers => Estimator::Fibers(self.fiber_options()),
+                EstimatorChoice::Exact => Estimator::Exact,
+                EstimatorChoice::Auto => Estimator::Auto(self.fiber_options()),
             },
             threads: self.threads,
             self_contact: self.self_contact,

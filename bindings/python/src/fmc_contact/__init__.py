@@ -13,6 +13,7 @@ from ._library import library as _shared
 from .contact import Contact
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
+from .gaps import GapConstraints
 from .options import Options
 from .part import Part
 from .pose import Pose

@@ -136,8 +136,8 @@ class fmc_contact_side(Structure):
         ("node_count", c_int32),
         ("index", c_size_t),
         ("cell", c_int64),
-        ("nodes", c_int64 * 4),
-        ("weights", c_double * 4),
+        ("nodes", c_int64 * 8),
+        ("weights", c_double * 8),
         ("position", c_double * 3),
     ]
 
@@ -153,6 +153,20 @@ class fmc_contact_point(Structure):
         ("area", c_double),
         ("sides", fmc_contact_side * 2),
         ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_gap_constraint(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("node", c_int64),
+        ("body", c_size_t),
+        ("partner_kind", c_int32),
+        ("reserved_flags", c_int32),
+        ("partner", c_size_t),
+        ("gap", c_double),
+        ("area", c_double),
+        ("reserved", c_uint64 * 4),
     ]
 
 

@@ -14,6 +14,7 @@ from ._library import library
 from ._signatures import LOG
 from ._structs import fmc_result
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
+from .gaps import GapConstraints, gap_constraints
 from .linearised import Linearised
 from .options import changed, defaults, described
 from .result import Result, gather
@@ -127,11 +128,20 @@ class Contact(Linearised):
             return nodal_contact(self._handle, view, self.node_count, self.dim)
 
     def contact_points(self, coords: ArrayLike) -> ContactPoints:
-        """The points from which the law ``"fiber"`` sums its forces at ``coords``, with both sides of each; none with
+        """The points where the laws ``"fiber"`` and ``"depth"`` press at ``coords``, with both sides of each; none with
         the law ``"volume"``. Errors: those of ``evaluate``."""
         view = coords_view(coords, self.dim)
         with self._handle:
             return contact_points(self._handle, view, self.dim)
+
+    def gap_constraints(self, coords: ArrayLike, reach: float) -> GapConstraints:
+        """Weighted gaps at ``coords`` of all nodes that have a facet nearer than ``reach`` (length) to a partner, apart or
+        overlapping, with their derivative: what an augmented Lagrangian, an interior point method or a preconditioner
+        asks for. They depend on no law and no estimator; a body has no gaps over itself. Errors: those of ``evaluate``;
+        ``NotPositiveError`` for ``reach``."""
+        view = coords_view(coords, self.dim)
+        with self._handle:
+            return gap_constraints(self._handle, view, reach)
 
     def keep_patches(self, coords: ArrayLike) -> int:
         """Finds the patches of the law ``"fiber"`` at ``coords`` and keeps direction and spacing of their lines, so
@@ -160,7 +170,8 @@ class Contact(Linearised):
 
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
         """Names the nodes that lie in planes of symmetry: for the law ``"depth"`` a face all of whose nodes are named is
-        no surface, since the body goes on behind it. Replaces what was named before; an empty list names none."""
+        no surface, since the body goes on behind it. Replaces what was named before; an empty list names none, and flush
+        faces are not warned of."""
         numbers = np.ascontiguousarray(nodes if np.size(nodes) else [], dtype=np.int64).reshape(-1)
         with self._handle:
             self._handle.call(library.fmc_context_set_symmetry_nodes, numbers, len(numbers))

@@ -36,23 +36,25 @@ class NodalContact:
 
 @dataclass(frozen=True, eq=False)
 class ContactPoints:
-    """The m points from which a local law (``"fiber"``) sums its forces: pieces of lines inside both sides of a pair.
+    """The m points where a law presses. With ``"fiber"``: pieces of lines inside both sides of a pair. With ``"depth"``: the
+    centres of the pressure on what facets have inside the other side; facets of both bodies are pressed, each for half of
+    its area, facets against an obstacle for all of it.
 
     Axis 1 of the arrays of sides is the side, first and second. Empty with the law ``"volume"``.
     """
 
     position: np.ndarray
-    """Middle of the piece, (m, dim)."""
+    """Middle of the piece, or centre of pressure, (m, dim)."""
     normal: np.ndarray
-    """Unit vector along the line, outwards of the first side, (m, dim)."""
+    """Unit vector along the line, or that of the facet, outwards of the first side, (m, dim)."""
     gap: np.ndarray
-    """Minus the penetration, the length of the piece, (m,)."""
+    """Minus the penetration, (m,): the length of the piece; the mean depth of the facet's part below the other surface."""
     pressure: np.ndarray
     """Contact pressure, (m,)."""
     area: np.ndarray
-    """Area (2D: length) across the line for which the point stands, (m,)."""
+    """Area (2D: length) across the line, or of the facet's part, for which the point stands, (m,)."""
     patch: np.ndarray
-    """Number of the patch within the pair, (m,): points of one patch have one normal, up to its sign."""
+    """Number of the patch within the pair, (m,): points of one patch have one normal, up to its sign. 0 with ``"depth"``."""
     is_obstacle: np.ndarray
     """Whether a side is an obstacle, (m, 2)."""
     partner: np.ndarray
@@ -60,11 +62,12 @@ class ContactPoints:
     cell: np.ndarray
     """Cell of each side, counted over all blocks, (m, 2); -1 for an obstacle and for surfaces without cells."""
     ends: np.ndarray
-    """Where the line meets the boundary of each side, (m, 2, dim)."""
+    """Where the line meets the boundary of each side, (m, 2, dim); with ``"depth"`` the point, twice."""
     nodes: np.ndarray
-    """Nodes of the boundary face of each side, (m, 2, 4); -1 where there is none."""
+    """Nodes of the boundary face of each side, with ``"depth"`` of the cell on the side that has no facet there,
+    (m, 2, 8); -1 where there is none."""
     weights: np.ndarray
-    """Values of their shape functions at the end, (m, 2, 4): a force there goes to the nodes by these parts."""
+    """Values of their shape functions at the end, (m, 2, 8): a force there goes to the nodes by these parts."""
 
     def __len__(self) -> int:
         return len(self.gap)
@@ -89,7 +92,7 @@ def contact_points(handle: Handle, coords: View, dim: int) -> ContactPoints:
     kind = np.dtype(fmc_contact_point)
     points = np.frombuffer(found, kind) if count.value else np.empty(0, kind)
     sides = points["sides"]
-    unused = np.arange(4) >= sides["node_count"][..., None]
+    unused = np.arange(8) >= sides["node_count"][..., None]
     return ContactPoints(
         points["position"][:, :dim].copy(),
         points["normal"][:, :dim].copy(),

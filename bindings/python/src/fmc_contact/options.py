@@ -22,17 +22,17 @@ class Options(TypedDict, total=False):
     """
 
     law: str
-    """``"fiber"``: a pressure that grows with the penetration, along the directions of patches. ``"depth"``: the same on
-    flat faces, from the depth of the material below its own surface, without directions: for sharp, deep and moving
-    contact of bodies made of cells. ``"volume"``: energy k V^exponent per pair. The default is the library's,
-    ``"fiber"``."""
+    """``"depth"``: a pressure that grows with the penetration, from the depth of the material below its own surface, for
+    bodies made of cells. ``"fiber"``: the same on flat faces, along the directions of patches. ``"volume"``: energy
+    k V^exponent per pair. The default is the library's, ``"depth"``."""
     exponent: float
     """m >= 1, for the law ``"volume"`` only; 1."""
     smoothing_length: float
     """Smoothing length over which the pressure of the law ``"fiber"`` grows to k; 0: pressure k times penetration."""
     estimator: str
-    """``"fibers"``: sampled, for any shape. ``"exact"``: for straight-sided meshes and flat-sided obstacles. ``"auto"``:
-    exact where it can be, sampled with curved obstacles."""
+    """``"auto"``: exact where it can be, sampled with curved obstacles (not with the law ``"depth"``, which is exact with
+    them too); the default. ``"exact"``: for straight-sided meshes and flat-sided obstacles. ``"fibers"``: sampled, for any
+    shape."""
     pattern: str
     """``"lines"``: families of parallel lines. ``"isotropic"``: short segments, as in the paper."""
     weights: str

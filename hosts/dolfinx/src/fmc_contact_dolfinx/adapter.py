@@ -23,8 +23,9 @@ class DolfinxContact:
 
     ``whole_mesh``: whether all nodes are gathered and the cells handed over, so that the forces have the bits of any
     other host, and inverted cells are reported; or the nodes of the boundary only, which is less to send.
-    Default: the whole for the estimator ``"exact"`` and first order, the boundary otherwise. ``divisions`` of every
-    edge of a boundary face into flat facets; default: the order of the space.
+    Default: the whole for first order, but for the estimator ``"fibers"`` the boundary. ``divisions`` of every edge of a
+    boundary face into flat facets; default: the order of the space. Of second order the boundary alone is passed, and
+    the default law is ``"fiber"``: depth is that of cells.
 
     Every rank evaluates the whole contact and takes the forces on what it owns; what is gathered is numbered by input
     numbers, so that nothing depends on the number of ranks. All methods but ``coords`` are collective. An error on one
@@ -56,7 +57,7 @@ class DolfinxContact:
         fields = together(self.comm, lambda: [Displacement(space) for space in listed])
         first_order = divisions is None and all(field.order == 1 for field in fields)
         if whole_mesh is None:
-            whole_mesh = first_order and options.get("estimator") == "exact"
+            whole_mesh = first_order and options.get("estimator") != "fibers"
         if whole_mesh and not first_order:
             raise ValueError("the cells of a displacement of second order are not flat: whole_mesh is for first order")
         numbers = [None if one is None else np.asarray(one, np.int64) for one in given]
@@ -67,7 +68,7 @@ class DolfinxContact:
         self._first = np.cumsum([0] + [shown.replica.count for shown in self._shown])
         self._undeformed = np.concatenate([shown.undeformed for shown in self._shown])
         self._skin: Skin | None = None
-        options = {"stiffness": stiffness, **options}
+        options = {"stiffness": stiffness, **({} if whole_mesh else {"law": "fiber"}), **options}
         self.contact = together(self.comm, lambda: self._made(whole_mesh, options))
         self.dim = self.contact.dim
 

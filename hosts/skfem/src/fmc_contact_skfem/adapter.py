@@ -26,7 +26,8 @@ class SkfemContact:
 
     Meshes need not match: there is no supermesh, no search for pairs, and no side is the master.
 
-    With first order the cells are passed, so that inverted cells are reported; with second order the boundary.
+    With first order the cells are passed, so that inverted cells are reported; with second order the boundary, and the
+    default law is ``"fiber"``: depth is that of cells.
 
     Errors: ``LayoutError`` for a basis of another kind; those of ``fmc_contact.errors``.
     """
@@ -53,7 +54,7 @@ class SkfemContact:
         if divisions is None and all(one.order == 1 for one in fields):
             self.contact = self._from_cells(fields, bodies, options)
         else:
-            self.contact = self._from_faces(fields, divisions, bodies, options)
+            self.contact = self._from_faces(fields, divisions, bodies, {"law": "fiber", **options})
         reach = max(one.offset + one.basis.N for one in fields)
         self.size = reach if size is None else size
         if self.size < reach:

@@ -10,4 +10,5 @@ mod facet_clip;
 mod facet_integrals;
 mod piece_moments;
 
+pub(super) use cell_pieces::CellPieces;
 pub(super) use deep_bodies::DeepBodies;

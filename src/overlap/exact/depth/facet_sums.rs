@@ -1,8 +1,8 @@
 //! What the facets of a body have inside the other side, summed.
 
-use super::body_facet::BodyFacet;
 use super::node_sums::NodeSums;
-use crate::overlap::depth_integral::NodalDepth;
+use crate::overlap::depth_integral::FacetDepth;
+use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::points::block_sum::BlockSum;
@@ -12,14 +12,15 @@ use crate::overlap::points::block_sum::BlockSum;
 pub(crate) struct FacetSums<const D: usize> {
     pub(crate) gradient: NodeSums<D>,
     pub(crate) hessian: BlockSum<D>,
-    /// What of it belongs to the nodes of every facet.
-    pub(crate) shares: Vec<NodalDepth>,
+    /// What every facet has inside.
+    pub(crate) facets: Vec<FacetDepth<D>>,
     /// Their measure, the integral of the depth over it, and the largest depth.
     pub(crate) area: f64,
     pub(crate) depth: f64,
     pub(crate) deepest: f64,
     pub(crate) piece_count: usize,
-    pub(crate) facet_count: usize,
+    /// Measure of what lies in a face of the other side that looks the same way.
+    pub(crate) flush: f64,
 }
 
 impl<const D: usize> FacetSums<D> {
@@ -32,13 +33,18 @@ impl<const D: usize> FacetSums<D> {
         depths: &[f64; D],
         (of_b, weight): (bool, f64),
     ) {
-        self.facet_count += 1;
+        let in_measure = |sums: &[f64; D]| sums.map(|sum| sum * facet.measure);
+        self.facets.push(FacetDepth {
+            facet: facet.number,
+            of_b,
+            weight,
+            areas: in_measure(areas),
+            depths: in_measure(depths),
+        });
         for (corner, weights) in facet.weights.iter().enumerate() {
-            let [area, depth] = [areas[corner], depths[corner]].map(|m| m * facet.measure);
-            let force = facet.normal * (weight * depth);
+            let force = facet.normal * (weight * (depths[corner] * facet.measure));
             for (&node, &part) in facet.nodes.iter().zip(weights).filter(|(_, part)| **part != 0.0) {
                 self.gradient.add(node, of_b, &(force * part));
-                self.shares.push(NodalDepth { node, area: part * area, depth: part * depth });
             }
         }
     }
@@ -48,12 +54,12 @@ impl<const D: usize> FacetSums<D> {
         parts.into_iter().fold(Self::default(), |mut sum, part| {
             sum.gradient.add_sums(&part.gradient);
             sum.hessian.add_sum(part.hessian);
-            sum.shares.extend(part.shares);
+            sum.facets.extend(part.facets);
             sum.area += part.area;
             sum.depth += part.depth;
             sum.deepest = sum.deepest.max(part.deepest);
             sum.piece_count += part.piece_count;
-            sum.facet_count += part.facet_count;
+            sum.flush += part.flush;
             sum
         })
     }
@@ -77,7 +83,7 @@ impl<const D: usize> FacetSums<D> {
             penetration: self.deepest,
             fiber_count: 0,
             crossing_count: self.piece_count,
-            facet_count: self.facet_count,
+            facet_count: self.facets.len(),
             spacing: 0.0,
             warnings: Vec::new(),
         })

@@ -1,14 +1,13 @@
 //! A body and a rigid obstacle, which has the depth.
 //!
 //! Convex obstacles with flat faces in closed form: `convex_solid` · `convex_facets` (over facets) · `convex_volume` (over
-//! the overlap). Others by quadrature: `distance` · `adaptive` (division until nothing is missed) · `quadrature`.
+//! the overlap). Others by quadrature: `adaptive` (division until nothing is missed) · `quadrature`.
 //! `facet_moments` (what a facet adds) · `integral` (all of it together)
 
 mod adaptive;
 mod convex_facets;
 mod convex_solid;
 mod convex_volume;
-mod distance;
 mod facet_moments;
 mod integral;
 mod least_of;

@@ -13,6 +13,7 @@ use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::Pair;
+use crate::overlap::pair::warning::Warning;
 
 /// Facets, or pieces, that a thread takes at once.
 const CHUNK: usize = 64;
@@ -105,7 +106,11 @@ impl<const D: usize> DeepBodies<'_, D> {
             value += WEIGHT * found.depth;
             volume += 0.5 * found.volume;
         }
-        let overlap = sums.overlap(self.pair, volume, 0.5 * area)?;
+        let mut overlap = sums.overlap(self.pair, volume, 0.5 * area)?;
+        if sums.flush > 0.0 && !self.field.is_surface_told() {
+            let (a, b) = (overlap.a, overlap.b);
+            overlap.warnings.push(Warning::FlushFaces { a, b, area: sums.flush });
+        }
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         Some(DepthIntegral {
             value,
@@ -114,7 +119,7 @@ impl<const D: usize> DeepBodies<'_, D> {
             gradient,
             pose_gradient: None,
             hessian: sums.hessian.into_blocks(),
-            shares: sums.shares,
+            facets: sums.facets,
             mean_depth: if sides > 0.0 { depth / sides } else { 0.0 },
             overlap,
         })

@@ -11,9 +11,15 @@ use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_slopes;
 use crate::geometry::quadrature::for_each_simplex;
 use crate::overlap::depth_integral::SecondDerivative;
-use crate::overlap::exact::depth::body_facet::{BodyFacet, FACET_NODES};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
+use crate::overlap::pair::body_facet::{BodyFacet, FACET_NODES};
 use crate::overlap::points::block_sum::{BlockSum, product};
+
+/// Cosine of an angle between normals that is rounding.
+const SAME_WAY: f64 = 1.0 - 1e-9;
+
+/// A facet that is no deeper than this part of its size lies in the other's face.
+const FLAT: f64 = 1e-9;
 
 /// Nodes that take part where a facet lies in a cell.
 const MOST: usize = FACET_NODES + MOST_NODES;
@@ -72,6 +78,8 @@ impl<const D: usize> FacetsInCells<'_, D> {
     ) {
         let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
         let Scratch { work, values } = scratch;
+        let is_same_way = piece.is_at_surface && facet.normal.dot(&piece.gradient) < -SAME_WAY * piece.gradient.norm();
+        let flat = FLAT * facet.measure.powf(1.0 / (D - 1) as f64);
         clip(&facet.corners, &barycentric, &facet.area, piece, work, |inside, part| {
             sums.piece_count += 1;
             let part = part * piece.sign;
@@ -90,6 +98,9 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 sums.area += share * facet.measure;
                 sums.depth += share * facet.measure * total / D as f64;
                 sums.deepest = g.iter().fold(sums.deepest, |most, g| most.max(*g));
+                if is_same_way && g.iter().all(|g| g.abs() <= flat) {
+                    sums.flush += share * facet.measure;
+                }
                 let norm = share / (D * (D + 1)) as f64;
                 for (a, moment) in local.iter_mut().enumerate() {
                     let same: f64 = (0..D).map(|c| g[c] * corners[c][a]).sum();

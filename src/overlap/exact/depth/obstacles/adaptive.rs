@@ -5,11 +5,11 @@
 //! points. In each the distance is taken to be linear to find where it passes zero, and only for this: what is integrated
 //! vanishes there itself, so that the error is the square of that of the place.
 
-use super::distance::{Distance, ObstacleDistance};
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::simplex_rule::{InSimplex, degree_5};
 use crate::overlap::exact::depth::simplex_parts::{Corners, WHOLE, below, between};
+use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance};
 use crate::overlap::pair::sides::Pair;
 use std::ops::AddAssign;
 

@@ -6,7 +6,7 @@ use super::least_of::{candidates, cut_to_least};
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::quadrature::for_each_gauss_point;
 use crate::overlap::depth_integral::SecondDerivative;
-use crate::overlap::exact::depth::body_facet::BodyFacet;
+use crate::overlap::pair::body_facet::BodyFacet;
 
 /// What a facet has inside the solid. All integrands are of degree 2, which the quadrature takes exactly.
 pub(crate) fn facet_moments<const D: usize>(

@@ -3,8 +3,8 @@
 use crate::geometry::Vector;
 use crate::geometry::facet::area_slopes;
 use crate::overlap::depth_integral::SecondDerivative;
-use crate::overlap::exact::depth::body_facet::BodyFacet;
 use crate::overlap::exact::depth::facet_sums::FacetSums;
+use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::points::block_sum::product;
 use std::ops::AddAssign;
 

@@ -10,15 +10,15 @@
 
 use super::convex_facets::facet_moments;
 use super::convex_solid::ConvexSolid;
-use super::distance::ObstacleDistance;
 use super::quadrature::{over_facets, over_volume};
 use crate::Error;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::plane::Plane;
 use crate::geometry::{Pose, Shape, Vector, moment};
 use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
-use crate::overlap::exact::depth::body_facet::BodyFacet;
 use crate::overlap::exact::depth::facet_sums::FacetSums;
+use crate::overlap::pair::body_facet::BodyFacet;
+use crate::overlap::pair::obstacle_distance::ObstacleDistance;
 use crate::overlap::pair::obstacle_region;
 use crate::overlap::pair::overlap::{Overlap, PoseGradient};
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
@@ -108,7 +108,7 @@ fn assembled<const D: usize>(
         gradient,
         pose_gradient: Some(reaction),
         hessian: symmetric_part(sums.hessian.into_blocks()),
-        shares: sums.shares,
+        facets: sums.facets,
         mean_depth: if sums.area > 0.0 { sums.depth / sums.area } else { 0.0 },
         overlap,
     }

@@ -2,7 +2,6 @@
 
 use super::adaptive::{Adaptive, Quantity, Root};
 use super::convex_volume::DepthSum;
-use super::distance::{Distance, ObstacleDistance};
 use super::facet_moments::FacetMoments;
 use crate::Error;
 use crate::geometry::Vector;
@@ -10,8 +9,9 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::simplex_rule::InSimplex;
 use crate::overlap::depth_integral::SecondDerivative;
-use crate::overlap::exact::depth::body_facet::BodyFacet;
 use crate::overlap::exact::depth::facet_sums::FacetSums;
+use crate::overlap::pair::body_facet::BodyFacet;
+use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance};
 use crate::overlap::pair::sides::Pair;
 use std::ops::AddAssign;
 

@@ -9,6 +9,8 @@ pub(crate) const FACET_NODES: usize = 4;
 
 /// A facet that has a measure.
 pub(crate) struct BodyFacet<const D: usize> {
+    /// Index within its side.
+    pub(crate) number: u32,
     pub(crate) corners: [Vector<D>; D],
     pub(crate) area: Vector<D>,
     pub(crate) measure: f64,
@@ -41,6 +43,6 @@ impl<const D: usize> BodyFacet<D> {
                 weights[place(node)] += weight;
             }
         }
-        Some(Self { corners, area, measure, normal: area / measure, nodes, weights })
+        Some(Self { number, corners, area, measure, normal: area / measure, nodes, weights })
     }
 }

@@ -1,5 +1,6 @@
 //! The signed distance of any obstacle, in space.
 
+use super::sides::{Counterpart, ImplicitSide};
 use crate::Error;
 use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
@@ -8,7 +9,6 @@ use crate::geometry::facet::area_vector;
 use crate::geometry::nearest_on_facet::nearest;
 use crate::geometry::tree::Tree;
 use crate::geometry::{Pose, Shape, SignedDistance, Vector, signed_distance};
-use crate::overlap::pair::sides::{Counterpart, ImplicitSide};
 use std::cell::Cell;
 
 /// A value that is larger than the distance from a point where it is known allows by more than this part of it is no
@@ -111,7 +111,15 @@ fn from_facets<const D: usize>(side: &FacetSide<D>, tree: &Tree<D>, x: &Vector<D
         found.set((squared, from, facet));
         Some(squared)
     });
-    let (squared, from, facet) = found.get();
+    signed(side, x, found.get())
+}
+
+/// With its sign and gradient, given the squared distance from the nearest facet, the way from there, and the facet.
+pub(crate) fn signed<const D: usize>(
+    side: &FacetSide<D>,
+    x: &Vector<D>,
+    (squared, from, facet): (f64, Vector<D>, u32),
+) -> Distance<D> {
     let sign = if side.winding_number(x) == 0 { 1.0 } else { -1.0 };
     let phi = sign * squared.sqrt();
     // The direction to a point that is as near as rounding is made of rounding.

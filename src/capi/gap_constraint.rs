@@ -1,0 +1,73 @@
+//! A weighted gap as a plain struct, and its derivative in compressed rows.
+
+use super::evaluation::side_of;
+use crate::contact::GapConstraints;
+
+/// The weighted gap of a node of one body over the surface of one partner: gap = int N min(phi, reach) dA over the facets
+/// of the node, N being its shape function and phi the distance from the partner's surface, negative inside. Contact is
+/// gap >= 0.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_gap_constraint {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// The node, counted from the option `index_base`.
+    pub node: i64,
+    /// Its body, an index for `fmc_context_body`.
+    pub body: usize,
+    /// What the partner is: a value of `fmc_partner`.
+    pub partner_kind: i32,
+    /// Zero.
+    pub reserved_flags: i32,
+    /// Index of the partner for `fmc_context_body` or `fmc_context_obstacle`.
+    pub partner: usize,
+    /// Weighted gap, in length^dim.
+    pub gap: f64,
+    /// int N dA: `gap / area` is the mean gap at the node.
+    pub area: f64,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+/// What a context keeps of the gaps that were found last.
+pub(super) struct KeptGaps {
+    pub(super) rows: Vec<fmc_gap_constraint>,
+    /// Of degrees of freedom.
+    pub(super) row_offsets: Vec<i64>,
+    pub(super) cols: Vec<i64>,
+    pub(super) values: Vec<f64>,
+}
+
+impl Default for KeptGaps {
+    /// None.
+    fn default() -> Self {
+        Self { rows: Vec::new(), row_offsets: vec![0], cols: Vec::new(), values: Vec::new() }
+    }
+}
+
+impl KeptGaps {
+    pub(super) fn new<const D: usize>(found: &GapConstraints<D>, index_base: i32) -> Self {
+        let row = |r: usize| {
+            let [(_, body), (partner_kind, partner)] = found.partners[r].map(side_of);
+            fmc_gap_constraint {
+                struct_size: size_of::<fmc_gap_constraint>(),
+                node: i64::from(found.nodes[r]) + i64::from(index_base),
+                body,
+                partner_kind,
+                reserved_flags: 0,
+                partner,
+                gap: found.gaps[r],
+                area: found.areas[r],
+                reserved: [0; 4],
+            }
+        };
+        Self {
+            rows: (0..found.nodes.len()).map(row).collect(),
+            row_offsets: found.row_starts.iter().map(|start| (D * start) as i64).collect(),
+            cols: (found.columns.iter())
+                .flat_map(|&node| (0..D).map(move |axis| i64::from(node) * D as i64 + axis as i64))
+                .collect(),
+            values: found.slopes.iter().flatten().copied().collect(),
+        }
+    }
+}

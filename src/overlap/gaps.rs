@@ -1,0 +1,9 @@
+//! Gaps between surfaces that are near one another or overlap, whatever the law: what methods of others ask for.
+//!
+//! `near_surface` (the other side, up to a reach) · `facet_gaps` (of one facet over the other side) · `nodal_gaps` (of the nodes of both sides)
+
+mod facet_gaps;
+mod near_surface;
+mod nodal_gaps;
+
+pub(crate) use nodal_gaps::{NodalGap, nodal_gaps};

@@ -1,0 +1,75 @@
+//! The gap of one facet over the surface of the other side.
+
+use super::near_surface::NearSurface;
+use crate::Error;
+use crate::geometry::Vector;
+use crate::geometry::convex_piece::place;
+use crate::geometry::facet::area_slopes;
+use crate::geometry::simplex_rule::degree_5;
+use crate::overlap::pair::body_facet::BodyFacet;
+use crate::overlap::pair::sides::Pair;
+
+/// Of every corner, N being its barycentric coordinate.
+pub(crate) struct FacetGap<const D: usize> {
+    /// ∫ N min(φ, reach) dA.
+    pub(crate) gaps: [f64; D],
+    /// ∫ N dA.
+    pub(crate) areas: [f64; D],
+    /// Derivatives of the gaps with respect to nodes, each of which may come several times.
+    pub(crate) gradients: [Vec<(u32, Vector<D>)>; D],
+    /// Whether a point is within reach.
+    pub(crate) is_near: bool,
+}
+
+/// By quadrature of degree 5. Where φ is smooth over the facet its derivative is exact: the nearest point of the other
+/// surface moves along that surface, which changes the distance by nothing.
+///
+/// # Errors
+/// [`Error::SignedDistance`] where a function of the host fails.
+pub(crate) fn facet_gap<const D: usize>(
+    pair: &Pair<D>,
+    facet: &BodyFacet<D>,
+    surface: &NearSurface<D>,
+    reach: f64,
+) -> Result<FacetGap<D>, Error> {
+    let rule = degree_5(D - 1);
+    let weights: Vec<[f64; D]> = rule.iter().map(|(at, _)| std::array::from_fn(|c| at[c])).collect();
+    let points: Vec<Vector<D>> = weights.iter().map(|at| place(&facet.corners, at)).collect();
+    let mut gap =
+        FacetGap { gaps: [0.0; D], areas: [0.0; D], gradients: std::array::from_fn(|_| Vec::new()), is_near: false };
+    for (((_, share), at), found) in rule.iter().zip(&weights).zip(surface.nearest(&points)?) {
+        let phi = found.as_ref().map_or(reach, |found| found.distance.phi);
+        for corner in 0..D {
+            gap.areas[corner] += share * facet.measure * at[corner];
+            gap.gaps[corner] += share * facet.measure * at[corner] * phi;
+        }
+        let Some(found) = found else { continue };
+        gap.is_near = true;
+        for corner in 0..D {
+            let by = found.distance.gradient * (share * facet.measure * at[corner]);
+            let gradient = &mut gap.gradients[corner];
+            for (other, weights) in facet.weights.iter().enumerate() {
+                let own = facet.nodes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
+                gradient.extend(own.map(|(&node, weight)| (node, by * (at[other] * weight))));
+            }
+            for (vertex, weight) in found.foot.iter().flat_map(|(vertices, at)| vertices.iter().zip(at)) {
+                let of_vertex = pair.surface.nodes_of_vertex(*vertex);
+                gradient.extend(of_vertex.map(|(node, part)| (node, by * (-weight * part))));
+            }
+        }
+    }
+    add_stretch(facet, &mut gap);
+    Ok(gap)
+}
+
+/// What the change of the facet's area adds.
+fn add_stretch<const D: usize>(facet: &BodyFacet<D>, gap: &mut FacetGap<D>) {
+    for (slope, weights) in area_slopes(&facet.corners).iter().zip(&facet.weights) {
+        let of_measure: [f64; D] = std::array::from_fn(|k| (0..D).map(|i| facet.normal[i] * slope[i][k]).sum());
+        let by = Vector::from(of_measure) / facet.measure;
+        for (value, gradient) in gap.gaps.iter().zip(&mut gap.gradients) {
+            let own = facet.nodes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
+            gradient.extend(own.map(|(&node, weight)| (node, by * (value * weight))));
+        }
+    }
+}
