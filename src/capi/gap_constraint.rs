@@ -3,9 +3,9 @@
 use super::evaluation::side_of;
 use crate::contact::GapConstraints;
 
-/// The weighted gap of a node of one body over the surface of one partner: gap = int N min(phi, reach) dA over the facets
-/// of the node, N being its shape function and phi the distance from the partner's surface, negative inside. Contact is
-/// gap >= 0.
+/// The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over what the facets of the
+/// node have nearer than the reach and facing the partner, within 60 degrees of the way to its nearest point. N is the shape
+/// function of the node, phi the distance from the partner's surface, negative inside. Contact is gap >= 0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_gap_constraint {
@@ -23,7 +23,7 @@ pub struct fmc_gap_constraint {
     pub partner: usize,
     /// Weighted gap, in length^dim.
     pub gap: f64,
-    /// int N dA: `gap / area` is the mean gap at the node.
+    /// int N dA over the same part: `gap / area` is the mean gap at the node.
     pub area: f64,
     /// Zero.
     pub reserved: [u64; 4],

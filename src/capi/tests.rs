@@ -5,6 +5,7 @@ use super::context::{State, fmc_context, fmc_context_error, fmc_context_evaluate
 use super::creation::{fmc_context_free, fmc_context_new_from_cells};
 use super::evaluation::{Evaluation, fmc_result, fmc_resultant};
 use super::failure::Failure;
+use super::gap_constraint::KeptGaps;
 use super::getters::fmc_context_body;
 use super::kept_tangent::Kept;
 use super::mesh::{fmc_cell_block, fmc_cell_type};
@@ -113,6 +114,10 @@ impl Session for Brittle {
 
     unsafe fn contact_points(&mut self, _: &fmc_coords, _: i32) -> Result<Vec<fmc_contact_point>, Failure> {
         Ok(Vec::new())
+    }
+
+    unsafe fn gap_constraints(&mut self, _: &fmc_coords, _: f64, _: i32) -> Result<KeptGaps, Failure> {
+        Ok(KeptGaps::default())
     }
 
     unsafe fn stable_step(&mut self, _: &fmc_coords, _: &[f64], _: i32) -> Result<f64, Failure> {

@@ -5,8 +5,9 @@ use crate::overlap::{NodalGap, Partner};
 
 /// Weighted gaps and their derivatives, one row for every node that is within reach of a partner of its body.
 ///
-/// Row r is the gap of a node of one body over the surface of one partner, g_r = ∫ N min(φ, reach) dA over the facets of
-/// the node, N being its shape function and φ the distance from the partner's surface, negative inside. Contact is g_r ≥ 0.
+/// Row r is the gap of a node of one body over the surface of one partner, g_r = ∫ N φ dA over what the facets of the node have
+/// nearer than the reach and facing the partner, within 60° of the way to its nearest point: N is the shape function, φ the
+/// distance from the partner's surface, negative inside. Contact is g_r ≥ 0.
 /// Multipliers p_r (pressures) act with the nodal forces Σ_r p_r ∂g_r/∂x, which balance: partners that are bodies take the
 /// opposite. Both bodies of a pair have rows; a host that wants one side only takes the rows of one body.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,7 +18,7 @@ pub struct GapConstraints<const D: usize> {
     pub partners: Vec<[Partner; 2]>,
     /// g, in length^D.
     pub gaps: Vec<f64>,
-    /// ∫ N dA by row: g divided by it is the mean gap at the node.
+    /// ∫ N dA by row, over the same part: g divided by it is the mean gap at the node.
     pub areas: Vec<f64>,
     /// Entries of row r: `row_starts[r]..row_starts[r + 1]`.
     pub row_starts: Vec<usize>,

@@ -92,7 +92,7 @@ def test_options_that_are_changed_count_from_then_on(squares):
 
 def evaluated(squares, **options):
     coords, conn = squares
-    return contact_force(coords, conn, "quad", **{"stiffness": K, "law": "volume", **options})
+    return contact_force(coords, conn, "quad", **{"stiffness": K, "law": "volume", "estimator": "fibers", **options})
 
 
 def test_what_each_option_does(squares):

@@ -39,7 +39,7 @@ def test_facets_are_closed_and_nodes_move_points_by_the_shape_functions(name, or
     assert points.shape == (trace.point_count, coords.shape[1])
     assert volume(points, trace.facets) == pytest.approx(1.0, rel=1e-14)
     # The library refuses what is open, turned round or not connected.
-    Contact.from_facets(points, trace.facets, stiffness=K)
+    Contact.from_facets(points, trace.facets, stiffness=K, law="fiber")
     # A polynomial of the order is met at every point.
     polynomial = lambda x: (x @ np.arange(1.0, 1.0 + x.shape[1]) + 0.5) ** order  # noqa: E731
     found = skin.points(polynomial(nodes)[:, None])[:, 0]
@@ -66,7 +66,7 @@ def test_traces_are_numbered_one_after_another():
     assert skin.first_node.tolist() == [0, 8, 8 + second.node_count]
     points = skin.points(nodes)
     assert volume(points, skin.facets) == pytest.approx(2.0, rel=1e-14)
-    assert Contact.from_facets(points, skin.facets, stiffness=K).body_count == 2
+    assert Contact.from_facets(points, skin.facets, stiffness=K, law="fiber").body_count == 2
     assert points == pytest.approx(skin.prolongation @ nodes, abs=1e-15)
     forces = np.random.default_rng(2).standard_normal(points.shape)
     assert skin.to_nodes(forces) == pytest.approx(skin.prolongation.T @ forces, abs=1e-13)

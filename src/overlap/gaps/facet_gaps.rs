@@ -9,15 +9,19 @@ use crate::geometry::simplex_rule::degree_5;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::sides::Pair;
 
+/// A facet faces the other side where its normal is within 60° of the way to the nearest point there. The walls beside a face
+/// that is pressed do not: counted in, they would hide the gap at its rim.
+const FACING: f64 = 0.5;
+
 /// Of every corner, N being its barycentric coordinate.
 pub(crate) struct FacetGap<const D: usize> {
-    /// ∫ N min(φ, reach) dA.
+    /// ∫ N φ dA over the part that is within reach and faces the other side.
     pub(crate) gaps: [f64; D],
-    /// ∫ N dA.
+    /// ∫ N dA over it.
     pub(crate) areas: [f64; D],
     /// Derivatives of the gaps with respect to nodes, each of which may come several times.
     pub(crate) gradients: [Vec<(u32, Vector<D>)>; D],
-    /// Whether a point is within reach.
+    /// Whether there is such a part.
     pub(crate) is_near: bool,
 }
 
@@ -30,7 +34,6 @@ pub(crate) fn facet_gap<const D: usize>(
     pair: &Pair<D>,
     facet: &BodyFacet<D>,
     surface: &NearSurface<D>,
-    reach: f64,
 ) -> Result<FacetGap<D>, Error> {
     let rule = degree_5(D - 1);
     let weights: Vec<[f64; D]> = rule.iter().map(|(at, _)| std::array::from_fn(|c| at[c])).collect();
@@ -38,13 +41,12 @@ pub(crate) fn facet_gap<const D: usize>(
     let mut gap =
         FacetGap { gaps: [0.0; D], areas: [0.0; D], gradients: std::array::from_fn(|_| Vec::new()), is_near: false };
     for (((_, share), at), found) in rule.iter().zip(&weights).zip(surface.nearest(&points)?) {
-        let phi = found.as_ref().map_or(reach, |found| found.distance.phi);
+        let Some(found) = found.filter(|found| facet.normal.dot(&found.distance.gradient) <= -FACING) else { continue };
+        gap.is_near = true;
         for corner in 0..D {
             gap.areas[corner] += share * facet.measure * at[corner];
-            gap.gaps[corner] += share * facet.measure * at[corner] * phi;
+            gap.gaps[corner] += share * facet.measure * at[corner] * found.distance.phi;
         }
-        let Some(found) = found else { continue };
-        gap.is_near = true;
         for corner in 0..D {
             let by = found.distance.gradient * (share * facet.measure * at[corner]);
             let gradient = &mut gap.gradients[corner];

@@ -4,7 +4,6 @@ use super::facet_gaps::{FacetGap, facet_gap};
 use super::near_surface::NearSurface;
 use crate::Error;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::sides::Pair;
 use std::collections::BTreeMap;
@@ -18,15 +17,15 @@ pub(crate) struct NodalGap<const D: usize> {
     pub(crate) node: u32,
     /// Whether the node is of the second side.
     pub(crate) of_b: bool,
-    /// ∫ N min(φ, reach) dA over the facets of the node, φ being the distance from the other surface, negative inside.
+    /// ∫ N φ dA over what is within reach and faces the other side, φ being the distance from its surface, negative inside.
     pub(crate) gap: f64,
-    /// ∫ N dA.
+    /// ∫ N dA over the same part.
     pub(crate) area: f64,
     /// ∂gap/∂x of nodes, ascending.
     pub(crate) gradient: Vec<(u32, Vector<D>)>,
 }
 
-/// Gaps of the nodes of both sides that have a point nearer than `reach` on one of their facets, by side and by node; an
+/// Gaps of the nodes of both sides that have a part nearer than `reach` on one of their facets, by side and by node; an
 /// obstacle has no nodes, and a body has no gaps over itself.
 ///
 /// # Errors
@@ -48,29 +47,19 @@ fn of_side<const D: usize>(pair: &Pair<D>, of_b: bool, reach: f64) -> Result<Vec
     let of_facets = |numbers: &[u32]| -> Result<Vec<(BodyFacet<D>, FacetGap<D>)>, Error> {
         let parts = pair.in_chunks(numbers, CHUNK, |numbers| {
             let facets = numbers.iter().filter_map(|&number| BodyFacet::new(pair.surface, side, number));
-            facets.map(|facet| facet_gap(pair, &facet, &surface, reach).map(|gap| (facet, gap))).collect()
+            facets.map(|facet| facet_gap(pair, &facet, &surface).map(|gap| (facet, gap))).collect()
         });
         let parts: Vec<Vec<_>> = parts.into_iter().collect::<Result<_, _>>()?;
         Ok(parts.into_iter().flatten().collect())
     };
     let mut nodes: BTreeMap<u32, NodalGap<D>> = BTreeMap::new();
-    let mut bounds = Aabb::empty();
-    for (facet, gap) in of_facets(&surface.facets_opposite())? {
-        if gap.is_near {
-            bounds = bounds.union(&Aabb::of(&facet.corners));
-            for &node in &facet.nodes {
-                let none = NodalGap { node, of_b, gap: 0.0, area: 0.0, gradient: Vec::new() };
-                nodes.entry(node).or_insert(none);
-            }
+    for (facet, found) in of_facets(&surface.facets_opposite())? {
+        if !found.is_near {
+            continue;
         }
-    }
-    if nodes.is_empty() {
-        return Ok(Vec::new());
-    }
-    // All facets of these nodes, those that are out of reach too.
-    for (facet, found) in of_facets(&side.facets_in(&bounds))? {
         for (row, &node) in facet.nodes.iter().enumerate() {
-            let Some(sum) = nodes.get_mut(&node) else { continue };
+            let none = || NodalGap { node, of_b, gap: 0.0, area: 0.0, gradient: Vec::new() };
+            let sum = nodes.entry(node).or_insert_with(none);
             for corner in 0..D {
                 let weight = facet.weights[corner][row];
                 sum.gap += weight * found.gaps[corner];

@@ -28,7 +28,14 @@ CHOICES = {
 """Options that take one of a few values: names by number."""
 
 PARTNERS = {0: "body", 1: "obstacle"}
-WARNINGS = {1: "coarse_fibers", 2: "unresolved_overlap", 3: "swallowed_body", 4: "patch_left_out", 5: "unbalanced"}
+WARNINGS = {
+    1: "coarse_fibers",
+    2: "unresolved_overlap",
+    3: "swallowed_body",
+    4: "patch_left_out",
+    5: "unbalanced",
+    6: "flush_faces",
+}
 
 
 class fmc_options(Structure):

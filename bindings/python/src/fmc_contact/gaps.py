@@ -31,10 +31,10 @@ class GapConstraints:
     partner: np.ndarray
     """Index of the partner in ``Result.bodies`` or ``Result.obstacles``, (m,)."""
     gap: np.ndarray
-    """int N min(phi, reach) dA over the facets of the node, (m,): N is its shape function, phi the distance from the
-    partner's surface, negative inside."""
+    """int N phi dA, (m,), over what the facets of the node have nearer than the reach and facing the partner, within 60 degrees
+    of the way to its nearest point: N is the shape function, phi the distance from the partner's surface, negative inside."""
     area: np.ndarray
-    """int N dA, (m,): ``gap / area`` is the mean gap at the node."""
+    """int N dA over the same part, (m,): ``gap / area`` is the mean gap at the node."""
     data: np.ndarray
     """Entries of the derivative."""
     indices: np.ndarray

@@ -56,8 +56,8 @@ class Pair:
 class ContactWarning:
     """A caution about a result, which is valid all the same.
 
-    ``kind`` is ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"`` or
-    ``"unbalanced"``; ``text`` a sentence.
+    ``kind`` is ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"``,
+    ``"unbalanced"`` or ``"flush_faces"``; ``text`` a sentence.
     """
 
     kind: str

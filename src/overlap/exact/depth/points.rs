@@ -74,14 +74,14 @@ fn of_facet<const D: usize>(
         normal: facet.normal.into(),
         depth: total / area,
         area: found.weight * area,
-        other: other.and_then(|pieces| pieces.locate(&place(&facet.corners, &weights), own_cell)),
+        other: other.and_then(|pieces| pieces.locate(&place(&facet.corners, &weights), side.aabb.rounding(), own_cell)),
     })
 }
 
 impl<const D: usize> CellPieces<D> {
     /// The cell that a point lies in, the one whose faces it is farthest from; not in the cell `without`.
-    fn locate(&self, x: &Vector<D>, without: Option<u32>) -> Option<PlaceInCell> {
-        let (aabb, mut best) = (Aabb::of(&[*x]), None);
+    fn locate(&self, x: &Vector<D>, rounding: f64, without: Option<u32>) -> Option<PlaceInCell> {
+        let (aabb, mut best) = (Aabb::of(&[*x]).inflated(rounding), None);
         let mut farthest = INSIDE;
         self.tree.visit(
             |node| node.meets(&aabb),
