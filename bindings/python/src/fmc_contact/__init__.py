@@ -4,7 +4,7 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    contact_force, Contact  ->  linearised  ->  mesh, obstacles, options, result, fields, tangent  ->  _handle, _arrays  ->  _library
+    newton  ->  contact_force, Contact  ->  linearised  ->  mesh, obstacles, options, result, fields, tangent  ->  _handle, _arrays  ->  _library
                                                                            ->  _signatures, _structs  ->  errors
 """
 
@@ -13,6 +13,7 @@ from ._library import library as _shared
 from .contact import Contact
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
+from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options
 from .part import Part
 from .pose import Pose
@@ -33,8 +34,10 @@ __all__ = [
     "Contact",
     "ContactPoints",
     "ContactWarning",
+    "Equilibrium",
     "FmcError",
     "NodalContact",
+    "NotConvergedError",
     "Options",
     "Pair",
     "Part",
@@ -46,6 +49,7 @@ __all__ = [
     "contact_force",
     "errors",
     "has_feature",
+    "newton",
     "suggest_fiber_stiffness",
     "suggest_stiffness",
 ]
