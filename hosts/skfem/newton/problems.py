@@ -1,6 +1,6 @@
 """Five problems of contact between neo-Hookean bodies, with any number of cells along the side of contact.
 
-Bodies are pressed together by 0.1 in load steps that grow, the first by 0.004; the press fit is one load step. Lengths
+Bodies are pressed together by 0.1 in load steps that grow, the first by 0.0016; the press fit is one load step. Lengths
 in units of the disc's radius or the block's width.
 """
 
@@ -11,7 +11,7 @@ from fmc_contact_skfem import SkfemContact
 from skfem import Basis, ElementHex1, ElementTriP1, ElementVector, MeshHex, MeshTri
 from solid import Solid
 
-PUSHES = [-0.1 * (step / 5) ** 2 for step in range(1, 6)]
+PUSHES = [-0.1 * (step / 8) ** 2 for step in range(1, 9)]
 _ELEMENTS = {MeshTri: ElementTriP1, MeshHex: ElementHex1}
 
 

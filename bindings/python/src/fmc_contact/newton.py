@@ -172,7 +172,7 @@ class _Search:
                 raise self.failed(iteration, str(error)) from error
             residual = inside - contact
             size = max(np.linalg.norm(inside), np.linalg.norm(contact))
-            relative = np.linalg.norm(residual[self.free]) / size if size > 0 else 0.0
+            relative = np.linalg.norm(residual[self.free]) / size if size != 0 else 0.0
             if not np.isfinite(relative):
                 raise self.failed(iteration, "the residual is not finite")
             is_soft, is_moving = self.k < self.stiffness, bool(self.step.any())
