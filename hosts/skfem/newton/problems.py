@@ -11,7 +11,13 @@ from fmc_contact_skfem import SkfemContact
 from skfem import Basis, ElementHex1, ElementTriP1, ElementVector, MeshHex, MeshTri
 from solid import Solid
 
-PUSHES = [-0.1 * (step / 8) ** 2 for step in range(1, 9)]
+
+def growing(steps):
+    """Displacements after so many load steps. As their squares grow, so does the width of contact of a disc: evenly."""
+    return [-0.1 * (step / steps) ** 2 for step in range(1, steps + 1)]
+
+
+PUSHES = growing(8)
 _ELEMENTS = {MeshTri: ElementTriP1, MeshHex: ElementHex1}
 
 

@@ -24,7 +24,8 @@ class _Body:
         deformation = np.einsum("nieq,njeq->eqij", u[self.dofs][..., None], self.gradients, optimize=True)
         deformation = deformation + np.eye(self.gradients.shape[1])
         turned = np.einsum("eqji,njeq->nieq", np.linalg.inv(deformation), self.gradients, optimize=True)
-        return turned, deformation, np.log(np.linalg.det(deformation))
+        with np.errstate(invalid="ignore"):
+            return turned, deformation, np.log(np.linalg.det(deformation))
 
     def forces(self, u):
         turned, deformation, log = self._state(u)
@@ -56,8 +57,7 @@ class Solid:
 
     def forces(self, u):
         """Internal forces, (size,); not numbers where a cell is inverted."""
-        with np.errstate(invalid="ignore"):
-            return np.concatenate([body.forces(part) for body, part in self._each(u)])
+        return np.concatenate([body.forces(part) for body, part in self._each(u)])
 
     def stiffness(self, u):
         """Their derivative, (size, size)."""

@@ -1,9 +1,10 @@
 """Iterations of the plain Newton's method on five problems: the table of docs/newton.md.
 
-    python study.py [problem [cells [law [stiffness [recipe]]]]]   each a list with commas; "all" for all problems
+    python study.py [problem [cells [law [stiffness [recipe [load steps]]]]]]   each a list with commas, but the last; "all" for all problems
 
 Stiffnesses are by Young's modulus and the size of a facet. Recipes: "soft" is ``fmc_contact.newton``; "first" has the
-semidefinite tangent in the first two iterations of each load step, "always" in all of them, "full" in none.
+semidefinite tangent in the first two iterations of each load step, "always" in all of them, "full" in none. With the law
+"fiber" patches are kept from the start of each load step; with "anew", which is "soft" otherwise, they are not.
 """
 
 import sys
@@ -52,10 +53,10 @@ def load_steps(problem, contact, recipe="soft"):
     for push in problem.pushes:
         prescribed = u.copy()
         prescribed[problem.moved] = push
-        if contact.contact.options["law"] == "fiber":
+        if contact.contact.options["law"] == "fiber" and recipe != "anew":
             contact.keep_patches(u)
         try:
-            if recipe == "soft":
+            if recipe in ("soft", "anew"):
                 found = newton(host, contact, u, problem.free, prescribed, young=problem.young, max_iterations=LIMIT)
                 u, count, pressed = found.x, found.iterations, found.reactions[problem.moved].sum()
             else:
@@ -68,10 +69,12 @@ def load_steps(problem, contact, recipe="soft"):
     return counts, pressed
 
 
-def main(names="all", cells="16,32", laws="depth", stiffnesses="10", recipes="soft"):
+def main(names="all", cells="16,32", laws="depth", stiffnesses="10", recipes="soft", steps="8"):
     for name in list(problems.ALL) if names == "all" else names.split(","):
         for count in map(int, cells.split(",")):
             problem = problems.ALL[name](count)
+            if len(problem.pushes) > 1:
+                problem.pushes = problems.growing(int(steps))
             for law in laws.split(","):
                 for stiffness in map(float, stiffnesses.split(",")):
                     for recipe in recipes.split(","):
@@ -79,7 +82,8 @@ def main(names="all", cells="16,32", laws="depth", stiffnesses="10", recipes="so
                         counts, pressed = load_steps(problem, problem.contact(stiffness, **LAWS[law]), recipe)
                         took = time.perf_counter() - start
                         text = " ".join(map(str, counts))
-                        print(f"{name:10} {count:4} {law:6} {stiffness:5g} {recipe:6} | {text:22} | {-pressed:.5g} | {took:.1f} s", flush=True)
+                        case = f"{name:10} {count:4} {law:6} {stiffness:5g} {recipe:6}"
+                        print(f"{case} | {text:22} | {-pressed:.5g} | {took:.1f} s", flush=True)
 
 
 if __name__ == "__main__":
