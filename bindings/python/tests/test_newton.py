@@ -42,8 +42,8 @@ def test_two_columns_and_the_contact_between_them_are_springs_in_series(column):
     coords, contact, host = column
     start = coords.copy()
     found = newton(host, contact, coords, FREE, pushed(coords, 0.15), young=YOUNG)
-    # 0.05 is shared by two columns of E and the contact of k. At its rims contact bears less than k δ, and walls that are
-    # sunk in are pressed sideways: both by a part of the order of δ / h, 0.0024.
+    # 0.05 is shared by two columns of E and the contact of k. At its rims contact bears less than k δ, and walls that
+    # are sunk in are pressed sideways: both by a part of the order of δ / h, 0.0024.
     in_series = 0.05 / (2 / YOUNG + 1 / K)
     assert found.reactions[:2, 1].sum() == pytest.approx(in_series, rel=0.005)
     assert found.reactions[6:, 1].sum() == pytest.approx(-found.reactions[:2, 1].sum(), rel=1e-9)
@@ -83,7 +83,8 @@ def test_what_is_not_found_is_an_error_that_says_why(column):
         newton(lambda x: (np.full(16, np.nan), np.eye(16)), contact, coords, FREE, young=YOUNG)
     # The upper square is pushed through itself.
     with pytest.raises(NotConvergedError, match="cell 1") as caught:
-        newton(lambda x: (x.ravel() - coords.ravel(), np.eye(16)), contact, coords, FREE, pushed(coords, 3.0), young=YOUNG)
+        loose = lambda x: (x.ravel() - coords.ravel(), np.eye(16))  # noqa: E731
+        newton(loose, contact, coords, FREE, pushed(coords, 3.0), young=YOUNG)
     assert isinstance(caught.value.__cause__, errors.InvertedCellError)
 
 

@@ -24,12 +24,13 @@ from .contact import Contact
 from .errors import FmcError
 from .result import Result
 
-# Pressure, by Young's modulus, down to which a deep overlap is softened. Measured on the problems of docs/newton.md: with
-# 0.03 most load steps take an iteration more; with 0.4 cells under the corners of a punch are inverted.
+# Pressure, by Young's modulus, down to which a deep overlap is softened. Measured on the punch and the half-disc of
+# docs/newton.md with 64 cells, in three load steps: with 0.03 they take an iteration more; with 0.4 cells under the
+# corners of the punch are inverted.
 _BEARABLE = 0.2
 
-# Factor by which k is raised from one iteration to the next, at least. With 8 and more, surfaces at the corners of a
-# punch part and come back, one iteration after the other; with 2 there are two iterations more.
+# Factor by which k is raised from one iteration to the next, at least. With 8 and more, surfaces at the corners of that
+# punch part and come back, one iteration after the other, until a cell is inverted.
 _RAISE = 4.0
 
 # Pressure in an iteration by that of the equilibrium from which the load step begins, up to which nothing is softened.
@@ -62,7 +63,7 @@ class Equilibrium:
     result: Result
     """Contact at the solution."""
     reactions: np.ndarray
-    """Residual at the solution in the shape of ``x``: what holds the unknowns that are not free, 0 at those that are."""
+    """Residual at the solution, in the shape of ``x``: the forces that hold the unknowns that are not free."""
 
 
 def newton(
@@ -86,15 +87,15 @@ def newton(
     ``x``: where the load step begins, best the last equilibrium; it is not changed. ``free``: numbers of the unknowns
     that are solved for. ``prescribed``: in the shape of ``x``, what the others are at the end of the step, entries at
     free ones are not read; default: what they are in ``x``. ``young``: Young's modulus of the softest body, which says
-    what pressure cells bear. Converged: the residual at free unknowns is ``tolerance`` times the forces, in Euclid's norm,
-    of the bodies or of contact, whichever is larger. ``solve(matrix, right)``: a linear solver; default: scipy's ``splu``,
-    numpy's for an array.
+    what pressure cells bear. Converged: the residual at free unknowns is at most ``tolerance`` times the forces, in
+    Euclid's norm, of the bodies or of contact, whichever is larger. ``solve(matrix, right)``: a linear solver; default:
+    scipy's ``splu``, numpy's for an array. Lengths and pressures are in the units of the contact.
 
-    For laws of which the pressure is ``stiffness`` times the penetration: ``"depth"``, and ``"fiber"``. The stiffness of
-    the contact is changed during the call, and afterwards what it was, after an error too.
+    For laws of which the pressure is ``stiffness`` times the penetration: ``"depth"``, and ``"fiber"`` with kept
+    patches. The stiffness of the contact is changed during the call; afterwards, and after an error, it is what it was.
 
-    Errors: ``NotConvergedError``, also where a cell is inverted, where the matrix is singular, and where the residual is
-    not finite: a smaller load step helps, or, if the matrix is singular, a body must be held. ``ValueError`` for shapes.
+    Errors: ``NotConvergedError``, also where a cell is inverted, the matrix singular or the residual not finite. A
+    smaller load step helps; if the matrix is singular, a body must be held. ``ValueError`` for shapes.
     """
     search = _Search(residual_and_tangent, contact, np.array(x, np.float64), free, prescribed, young, solve or _solved)
     try:
@@ -106,7 +107,9 @@ def newton(
 class _Search:
     """One load step under way."""
 
-    def __init__(self, host: Any, contact: Any, x: np.ndarray, free: Any, prescribed: Any, young: float, solve: Any) -> None:
+    def __init__(
+        self, host: Any, contact: Any, x: np.ndarray, free: Any, prescribed: Any, young: float, solve: Any
+    ) -> None:
         self.host, self.contact, self.x, self.solve = host, contact, x, solve
         self.inner: Contact = contact if isinstance(contact, Contact) else contact.contact
         self.stiffness = self.k = float(self.inner.options["stiffness"])  # type: ignore[arg-type]
