@@ -33,6 +33,17 @@ def test_a_step_of_a_solver():
     assert float(energy) == pytest.approx(5.0)
 
 
+def test_newton_in_load_steps():
+    lines = [[float(number) for number in line.split()] for line in printed(PROGRAMS[2]).splitlines()]
+    assert len(lines) == 3 and all(iterations <= 8 for iterations, *_ in lines)
+    for push, (_, force, penetration) in zip((0.1, 0.12, 0.16), lines):
+        # 1e4 between the mean of the free nodes and that of the held ones, then k: springs in series. The walls sunk in
+        # are pressed sideways, by a part of the order of the penetration.
+        in_series = (push - 0.1) / (1 / 1e4 + 1 / 1e5)
+        assert force == pytest.approx(-in_series, rel=0.02, abs=1e-6)
+        assert penetration == pytest.approx(in_series / 1e5, rel=0.02, abs=1e-9)
+
+
 def test_the_docstrings_run():
     import doctest
 

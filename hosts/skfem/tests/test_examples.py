@@ -33,3 +33,14 @@ def test_the_first_force_of_the_readme_runs_in_ten_lines():
     # A strip 0.7 wide and 0.05 deep: pressure k times depth makes 350, and pushes the upper block up.
     force = float(run.stdout.replace("[", " ").replace("]", " ").split()[1])
     assert force == pytest.approx(350.0, rel=0.02)
+
+
+def test_the_load_steps_of_the_readme_take_at_most_eight_iterations():
+    text = (Path(__file__).parents[1] / "README.md").read_text()
+    code = text.split("```python\n")[2].split("```")[0]
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert run.returncode == 0, run.stderr
+    steps = [[float(number) for number in line.split()] for line in run.stdout.splitlines()]
+    assert len(steps) == 3 and all(iterations <= 8 for iterations, *_ in steps)
+    # What the top is pressed with, the bottom carries.
+    assert all(pressed == pytest.approx(-carried, rel=1e-6) and carried > 1e3 for _, pressed, carried in steps)

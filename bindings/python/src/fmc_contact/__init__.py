@@ -4,7 +4,7 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    contact_force, Contact  ->  linearised  ->  mesh, obstacles, options, result, fields, tangent  ->  _handle, _arrays  ->  _library
+    newton  ->  contact_force, Contact  ->  linearised  ->  mesh, obstacles, options, result, fields, tangent  ->  _handle, _arrays  ->  _library
                                                                            ->  _signatures, _structs  ->  errors
 """
 
@@ -14,6 +14,7 @@ from .contact import Contact
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
 from .gaps import GapConstraints
+from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options
 from .part import Part
 from .pose import Pose
@@ -34,8 +35,11 @@ __all__ = [
     "Contact",
     "ContactPoints",
     "ContactWarning",
+    "Equilibrium",
     "FmcError",
+    "GapConstraints",
     "NodalContact",
+    "NotConvergedError",
     "Options",
     "Pair",
     "Part",
@@ -47,6 +51,7 @@ __all__ = [
     "contact_force",
     "errors",
     "has_feature",
+    "newton",
     "suggest_fiber_stiffness",
     "suggest_stiffness",
 ]

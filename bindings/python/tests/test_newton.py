@@ -1,0 +1,126 @@
+"""``newton``: one load step, from what a host has: a residual and a matrix."""
+
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from fmc_contact import Contact, NotConvergedError, errors, newton
+from scenes import K
+
+YOUNG = 100.0
+
+
+@pytest.fixture
+def column():
+    """Two unit squares, one above the other and 0.1 apart, each of four springs up the sides, 1 E / length by area, and
+    two across; the bottom is held, the top is moved. Contact and host."""
+    coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0, 1.1], [1, 1.1], [1, 2.1], [0, 2.1]])
+    matrix = np.zeros((16, 16))
+    for a, b, axis in [(0, 3, 1), (1, 2, 1), (4, 7, 1), (5, 6, 1)] + [(n, n + 1, 0) for n in (0, 2, 4, 6)]:
+        p, q = 2 * a + axis, 2 * b + axis
+        matrix[[p, q], [p, q]] += YOUNG / 2
+        matrix[[p, q], [q, p]] -= YOUNG / 2
+    # Sideways the squares stand on soft ground: springs up their sides do not hold them there.
+    matrix += np.diag([1e-3, 0.0] * 8)
+    contact = Contact(coords, [[0, 1, 2, 3], [4, 5, 6, 7]], "quad", stiffness=K, law="depth", estimator="auto")
+    return coords, contact, lambda x: (matrix @ (x - coords).ravel(), matrix)
+
+
+HELD = [0, 1, 2, 3, 12, 13, 14, 15]
+FREE = np.setdiff1d(np.arange(16), HELD)
+
+
+def pushed(coords, by):
+    target = coords.copy()
+    target[6:, 1] -= by
+    return target
+
+
+def test_two_columns_and_the_contact_between_them_are_springs_in_series(column):
+    coords, contact, host = column
+    start = coords.copy()
+    found = newton(host, contact, coords, FREE, pushed(coords, 0.15), young=YOUNG)
+    # 0.05 is shared by two columns of E and the contact of k. At its rims contact bears less than k δ, and walls that
+    # are sunk in are pressed sideways: both by a part of the order of δ / h, 0.0024.
+    in_series = 0.05 / (2 / YOUNG + 1 / K)
+    assert found.reactions[:2, 1].sum() == pytest.approx(in_series, rel=0.005)
+    assert found.reactions[6:, 1].sum() == pytest.approx(-found.reactions[:2, 1].sum(), rel=1e-9)
+    assert found.residuals[-1] <= 1e-9 and len(found.residuals) == found.iterations + 1 <= 9
+    assert np.isnan(found.residuals[0]) and np.array_equal(found.x[6:], pushed(coords, 0.15)[6:])
+    assert np.abs(found.reactions.ravel()[FREE]).max() <= 1e-9 * YOUNG
+    assert np.array_equal(coords, start) and contact.options["stiffness"] == K
+
+
+def test_the_next_load_step_carries_bodies_in_contact_along(column):
+    coords, contact, host = column
+    first = newton(host, contact, coords, FREE, pushed(coords, 0.15), young=YOUNG)
+    second = newton(host, contact, first.x, FREE, pushed(coords, 0.16), young=YOUNG)
+    assert second.iterations <= 3 and second.soft_iterations == 0
+    again = newton(host, contact, second.x, FREE, young=YOUNG)
+    assert again.iterations == 0 and np.array_equal(again.x, second.x)
+
+
+def test_a_deep_overlap_is_met_softly_and_the_solution_is_that_of_the_full_stiffness(column):
+    coords, contact, host = column
+    gently = newton(host, contact, coords, FREE, pushed(coords, 0.12), young=YOUNG)
+    gently = newton(host, contact, gently.x, FREE, pushed(coords, 0.2), young=YOUNG)
+    contact.set_options(stiffness=K)
+    at_once = newton(host, contact, coords, FREE, pushed(coords, 0.2), young=YOUNG)
+    assert at_once.soft_iterations > 0
+    assert np.abs(at_once.x - gently.x).max() < 1e-7 and contact.options["stiffness"] == K
+
+
+def test_what_is_not_found_is_an_error_that_says_why(column):
+    coords, contact, host = column
+    with pytest.raises(NotConvergedError, match="after 1 iterations: the residual is") as caught:
+        newton(host, contact, coords, FREE, pushed(coords, 0.2), young=YOUNG, max_iterations=1)
+    assert len(caught.value.residuals) == 2 and contact.options["stiffness"] == K
+    with pytest.raises(NotConvergedError, match="the linear solver failed .* is every body held"):
+        newton(lambda x: (np.ones(16), np.zeros((16, 16))), contact, coords, FREE, young=YOUNG)
+    with pytest.raises(NotConvergedError, match="not finite"):
+        newton(lambda x: (np.full(16, np.nan), np.eye(16)), contact, coords, FREE, young=YOUNG)
+    # The upper square is pushed through itself.
+    with pytest.raises(NotConvergedError, match="cell 1") as caught:
+        loose = lambda x: (x.ravel() - coords.ravel(), np.eye(16))  # noqa: E731
+        newton(loose, contact, coords, FREE, pushed(coords, 3.0), young=YOUNG)
+    assert isinstance(caught.value.__cause__, errors.InvertedCellError)
+
+
+def test_wrong_arguments_are_told(column):
+    coords, contact, host = column
+    with pytest.raises(ValueError, match=r"shape \(16,\), that of x is \(8, 2\)"):
+        newton(host, contact, coords, FREE, coords.ravel(), young=YOUNG)
+    with pytest.raises(ValueError, match="residual has 3 entries, x has 16"):
+        newton(lambda x: (np.zeros(3), np.eye(3)), contact, coords, FREE, young=YOUNG)
+    with pytest.raises(ValueError, match="Young's modulus is 0"):
+        newton(host, contact, coords, FREE, young=0.0)
+
+
+def test_arrays_and_sparse_matrices_give_the_same(column):
+    sparse = pytest.importorskip("scipy.sparse")
+    coords, contact, host = column
+    dense = newton(host, contact, coords, FREE, pushed(coords, 0.15), young=YOUNG)
+    is_free = np.isin(np.arange(16), FREE)
+    found = newton(
+        lambda x: (host(x)[0].reshape(8, 2), sparse.csr_matrix(host(x)[1])), contact, coords, is_free,
+        pushed(coords, 0.15), young=YOUNG,
+    )  # fmt: skip
+    assert np.abs(found.x - dense.x).max() < 1e-12
+
+
+def test_it_runs_without_scipy():
+    program = """
+import sys; sys.modules["scipy"] = sys.modules["scipy.sparse"] = None
+import numpy as np
+from fmc_contact import Contact, newton
+coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+contact = Contact(coords, [[0, 1, 2, 3]], "quad", stiffness=1e3, law="depth", estimator="auto")
+contact.add_half_space((0, 0.1), (0, 1))
+host = lambda x: ((x - coords).ravel() * 1e3, np.eye(8) * 1e3)
+print(newton(host, contact, coords, range(8), young=1e3).iterations)
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert re.fullmatch(r"[1-8]\n", run.stdout)
