@@ -124,6 +124,8 @@ typedef enum {
   FMC_ERROR_EMPTY_COMPOUND = 34,
   // The mass of a node that feels contact is not positive.
   FMC_ERROR_NOT_POSITIVE_MASS = 35,
+  // No body of this index.
+  FMC_ERROR_BODY_OUT_OF_RANGE = 36,
 } fmc_status;
 
 // Contact energy.

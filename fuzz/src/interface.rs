@@ -18,7 +18,7 @@ pub const BUSY: fmc_status = 28;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 35;
+pub const LAST: fmc_status = 36;
 
 /// Opaque.
 #[repr(C)]

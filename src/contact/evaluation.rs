@@ -5,6 +5,7 @@ use super::forces::ContactForces;
 use super::kernels::{self, estimator, pair_law};
 use super::laws::PairLaw;
 use super::options::Options;
+use super::pair_table::PairTable;
 use super::rigid::{Rigid, check_pose};
 use super::state::State;
 use super::tangent::{Tangent, TangentPart};
@@ -25,7 +26,9 @@ pub struct Contact<const D: usize> {
     pub(super) options: Options,
     pub(super) pool: Option<rayon::ThreadPool>,
     pub(super) estimator: Box<dyn OverlapEstimator<D>>,
+    /// Of the pairs that have none of their own.
     pub(super) law: Box<dyn PairLaw<D>>,
+    pub(super) pair_table: PairTable<D>,
     /// Patches of the fiber law that are kept, by pair.
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
     pub(super) state: Mutex<Option<Box<State<D>>>>,
@@ -48,7 +51,8 @@ impl<const D: usize> Contact<D> {
             options,
             pool: pool(options.threads)?,
             estimator: estimator(&options)?,
-            law: pair_law(&options)?,
+            law: pair_law(&options.law)?,
+            pair_table: PairTable::new(),
             kept: Vec::new(),
             state: Mutex::new(None),
             in_symmetry_plane: Vec::new(),
@@ -117,12 +121,14 @@ impl<const D: usize> Contact<D> {
         Ok(())
     }
 
-    /// Replaces the options. Kept patches stay kept with another law, and are released with another estimator.
+    /// Replaces the options, not those that pairs have of their own ([`Self::set_pair_options`]). Kept patches stay kept with another law, and are released with another estimator.
     ///
     /// # Errors
-    /// As [`Self::new`]; the old options then stay in force.
+    /// As [`Self::new`]; [`Error::OfPair`] where the estimator does not support the law of a pair. The old options then
+    /// stay in force.
     pub fn set_options(&mut self, options: Options) -> Result<(), Error> {
         options.check()?;
+        self.pair_table.check(&options)?;
         if options.threads != self.options.threads {
             self.pool = pool(options.threads)?;
         }
@@ -130,7 +136,7 @@ impl<const D: usize> Contact<D> {
             self.release_patches();
             self.estimator = estimator(&options)?;
         }
-        self.law = pair_law(&options)?;
+        self.law = pair_law(&options.law)?;
         self.options = options;
         self.forget_found();
         Ok(())

@@ -1,7 +1,7 @@
 //! The pairs that may overlap.
 
 use super::Contact;
-use super::laws::Measured;
+use super::laws::{Measured, PairLaw};
 use super::state::State;
 use crate::Error;
 use crate::geometry::{Pose, Shape};
@@ -40,26 +40,42 @@ impl<const D: usize> Contact<D> {
         }
     }
 
-    /// Partners whose boxes meet, ascending: for every body itself (if asked for), later bodies, obstacles.
+    /// Partners that are not left out and whose boxes meet, ascending: for every body itself (if asked for), later bodies,
+    /// obstacles.
     fn pairs(&self, state: &State<D>) -> Vec<[Partner; 2]> {
         let mut pairs = Vec::new();
         let meeting = state.configuration.meeting_bodies();
         let mut next = meeting.iter().peekable();
         for i in 0..self.surface.body_count() {
-            if self.options.self_contact {
-                pairs.push([Partner::Body(i); 2]);
+            let itself = [Partner::Body(i); 2];
+            if self.pair_table.has(&itself, self.options.self_contact) {
+                pairs.push(itself);
             }
             while let Some((_, j)) = next.next_if(|(first, _)| *first == i) {
-                pairs.push([Partner::Body(i), Partner::Body(*j)]);
+                let pair = [Partner::Body(i), Partner::Body(*j)];
+                if self.pair_table.has(&pair, true) {
+                    pairs.push(pair);
+                }
             }
             let aabb = state.configuration.body_box(i);
             for (o, (rigid, placed)) in self.obstacles.iter().zip(&state.placed).enumerate() {
-                if rigid.may_meet(placed.as_ref(), &aabb) {
-                    pairs.push([Partner::Body(i), Partner::Obstacle(o)]);
+                let pair = [Partner::Body(i), Partner::Obstacle(o)];
+                if self.pair_table.has(&pair, true) && rigid.may_meet(placed.as_ref(), &aabb) {
+                    pairs.push(pair);
                 }
             }
         }
         pairs
+    }
+
+    /// The law that a pair follows.
+    fn law_of(&self, partners: &[Partner; 2]) -> &dyn PairLaw<D> {
+        self.pair_table.law(partners).unwrap_or(&*self.law)
+    }
+
+    /// The laws that pairs may follow.
+    pub(super) fn laws(&self) -> impl Iterator<Item = &dyn PairLaw<D>> {
+        std::iter::once(&*self.law).chain(self.pair_table.laws())
     }
 
     fn with_pair<T>(
@@ -95,10 +111,11 @@ impl<const D: usize> Contact<D> {
         // Outside the pool there is none to share the work with.
         let parallel = self.pool.is_some() && !counterpart.is_marched();
         let (surface, coords) = (&self.surface, configuration.coords());
-        let depth = self.depth_field();
+        let law = self.law_of(&partners);
+        let depth = self.depth_field(law);
         let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, parallel };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
-        work(&Measured { pair: &pair, estimator: &*self.estimator, kept, found })
+        work(&Measured { pair: &pair, law, estimator: &*self.estimator, kept, found })
     }
 }

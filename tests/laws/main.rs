@@ -21,6 +21,7 @@ mod hinged;
 mod law;
 mod motion;
 mod numbering;
+mod pair_options;
 mod patches;
 mod resolution;
 mod resting;

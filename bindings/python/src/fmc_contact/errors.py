@@ -250,6 +250,12 @@ class NotPositiveMassError(FmcError, ValueError):
     status = 35
 
 
+class BodyOutOfRangeError(FmcError, IndexError):
+    """No body of this index."""
+
+    status = 36
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 
