@@ -47,6 +47,10 @@
 // Flag of `fmc_context_tangent_csr`: `row_offsets` and `cols` count from 1, as in Fortran.
 #define FMC_FROM_ONE 16
 
+// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
+// after they change.
+#define FMC_LAW_OF_CONTEXT -1
+
 // Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
 // offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
 //
@@ -430,6 +434,32 @@ typedef struct {
   // Zero.
   uint64_t reserved[8];
 } fmc_pair;
+
+// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
+// has without options of its own.
+//
+// New options take the place of reserved fields; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
+  // default.
+  double stiffness;
+  // m >= 1, for the law "volume" only. Default 1.
+  double exponent;
+  // Smoothing length of the law "fiber"; 0, the default: the quadratic law.
+  double smoothing_length;
+  // Zero. Distance at which contact begins, for a later version of the library.
+  double gap_offset;
+  // Zero. Coefficient of friction, for a later version of the library.
+  double friction_coefficient;
+  // A value of `fmc_law`, or `FMC_LAW_OF_CONTEXT`, the default.
+  int32_t law;
+  // 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
+  int32_t excluded;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[10];
+} fmc_pair_options;
 
 // One end of a contact point: where, and the shape functions of the boundary face there.
 typedef struct {
@@ -869,6 +899,44 @@ fmc_status fmc_context_pair(const fmc_context *context, size_t index, fmc_pair *
 // One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
 // evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
 fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t *code, const char **text);
+
+// Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_pair_options_init(fmc_pair_options *options);
+
+// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
+// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
+//
+// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body` and obstacles as
+// `fmc_context_obstacle`. For a body with itself these options decide in place of the context's `self_contact` whether
+// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE` and `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, naming the
+// index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option that would have no effect, or a reserved
+// field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_UNSUPPORTED` for two obstacles,
+// for a law that the estimator of the context does not support, and for a gap offset or friction; `FMC_ERROR_BUSY`.
+// What was set before then stays. `fmc_context_set_options` refuses an estimator that does not support the law of a
+// pair. Threads: one call at a time on a context.
+fmc_status fmc_context_set_pair_options(fmc_context *context,
+                                        int32_t a_kind,
+                                        size_t a,
+                                        int32_t b_kind,
+                                        size_t b,
+                                        const fmc_pair_options *options);
+
+// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
+// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
+// `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_pair_options(const fmc_context *context,
+                                    int32_t a_kind,
+                                    size_t a,
+                                    int32_t b_kind,
+                                    size_t b,
+                                    fmc_pair_options *options);
 
 // The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
 // Every output may be NULL. All but `normal` have one entry per node, `node_count` of them, which is that of the mesh;

@@ -34,6 +34,7 @@ mod obstacle;
 mod option_keys;
 mod option_values;
 mod options;
+mod pair_options;
 mod part;
 mod patches;
 mod pointer;

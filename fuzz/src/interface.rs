@@ -157,6 +157,21 @@ pub struct fmc_pair {
 /// As in the header.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_pair_options {
+    pub struct_size: usize,
+    pub stiffness: f64,
+    pub exponent: f64,
+    pub smoothing_length: f64,
+    pub gap_offset: f64,
+    pub friction_coefficient: f64,
+    pub law: i32,
+    pub excluded: i32,
+    pub reserved: [u64; 10],
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_pose {
     pub position: [f64; 3],
     pub rotation: [f64; 9],
@@ -367,6 +382,23 @@ unsafe extern "C" {
         index: usize,
         code: *mut i32,
         text: *mut *const c_char,
+    ) -> fmc_status;
+    pub fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status;
+    pub fn fmc_context_set_pair_options(
+        context: *mut fmc_context,
+        a_kind: i32,
+        a: usize,
+        b_kind: i32,
+        b: usize,
+        options: *const fmc_pair_options,
+    ) -> fmc_status;
+    pub fn fmc_context_pair_options(
+        context: *const fmc_context,
+        a_kind: i32,
+        a: usize,
+        b_kind: i32,
+        b: usize,
+        options: *mut fmc_pair_options,
     ) -> fmc_status;
     pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;
     pub fn fmc_pose_along(dim: i32, position: *const f64, axis: *const f64, pose: *mut fmc_pose) -> fmc_status;

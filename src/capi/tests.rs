@@ -16,7 +16,8 @@ use super::shape::ShapeOf;
 use super::status::fmc_status;
 use super::status::fmc_status::*;
 use super::view::{fmc_coords, fmc_forces};
-use crate::contact::{NodalContact, TangentPart};
+use crate::contact::{NodalContact, PairOptions, TangentPart};
+use crate::overlap::Partner;
 use crate::{Bodies, CellBlock, CellType, EnergyLaw, Options, contact_force};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -86,6 +87,14 @@ impl Session for Brittle {
 
     fn set_pose(&mut self, _: usize, _: fmc_pose) -> Result<(), Failure> {
         Ok(())
+    }
+
+    fn set_pair_options(&mut self, _: [Partner; 2], _: Option<PairOptions>) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn pair_options(&self, _: [Partner; 2]) -> Result<PairOptions, Failure> {
+        Ok(PairOptions::default())
     }
 
     unsafe fn add_obstacle(&mut self, _: ShapeOf, _: fmc_pose, _: i32) -> Result<usize, Failure> {

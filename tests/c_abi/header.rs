@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 28] = [
+const SOURCES: [&str; 29] = [
     "version",
     "status",
     "failure",
@@ -24,6 +24,7 @@ const SOURCES: [&str; 28] = [
     "stable_step",
     "evaluation",
     "getters",
+    "pair_options",
     "nodal_lists",
     "nodal_contact",
     "contact_point",

@@ -14,6 +14,7 @@ from ._structs import (
     fmc_forces,
     fmc_options,
     fmc_pair,
+    fmc_pair_options,
     fmc_part,
     fmc_pose,
     fmc_result,
@@ -125,6 +126,15 @@ FUNCTIONS = {
     "fmc_context_obstacle": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),
     "fmc_context_pair": (STATUS, [Context, c_size_t, POINTER(fmc_pair)]),
     "fmc_context_warning": (STATUS, [Context, c_size_t, POINTER(c_int32), POINTER(c_char_p)]),
+    "fmc_pair_options_init": (STATUS, [POINTER(fmc_pair_options)]),
+    "fmc_context_set_pair_options": (
+        STATUS,
+        [Context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options)],
+    ),
+    "fmc_context_pair_options": (
+        STATUS,
+        [Context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options)],
+    ),
     "fmc_context_nodal_contact": (
         STATUS,
         [Context, _COORDS, Float64Array, Float64Array, Float64Array, Float64Array, Int32Array, c_size_t],

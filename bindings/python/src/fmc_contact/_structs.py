@@ -12,6 +12,7 @@ FMC_SEMIDEFINITE = 2
 FMC_BLOCKS = 4
 FMC_OBSTACLES = 8
 FMC_FROM_ONE = 16
+FMC_LAW_OF_CONTEXT = -1
 
 CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12}
 """Values of ``fmc_cell_type`` by the names of meshio."""
@@ -127,6 +128,20 @@ class fmc_pair(Structure):
         ("penetration", c_double),
         ("spacing", c_double),
         ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_pair_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("stiffness", c_double),
+        ("exponent", c_double),
+        ("smoothing_length", c_double),
+        ("gap_offset", c_double),
+        ("friction_coefficient", c_double),
+        ("law", c_int32),
+        ("excluded", c_int32),
+        ("reserved", c_uint64 * 10),
     ]
 
 
