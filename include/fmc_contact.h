@@ -130,6 +130,8 @@ typedef enum {
   FMC_ERROR_NOT_POSITIVE_MASS = 35,
   // No body of this index.
   FMC_ERROR_BODY_OUT_OF_RANGE = 36,
+  // The obstacle of this index was removed.
+  FMC_ERROR_OBSTACLE_REMOVED = 37,
 } fmc_status;
 
 // Contact energy.
@@ -197,7 +199,7 @@ typedef enum {
   FMC_PARTNER_OBSTACLE = 1,
 } fmc_partner;
 
-// Shape of a part of a compound.
+// Shape of an obstacle, and of a part of a compound.
 typedef enum {
   // As `fmc_context_add_half_space`.
   FMC_SHAPE_HALF_SPACE = 0,
@@ -215,6 +217,12 @@ typedef enum {
   FMC_SHAPE_POLYTOPE = 6,
   // As `fmc_context_add_convex_hull`: `points`.
   FMC_SHAPE_CONVEX_HULL = 7,
+  // As `fmc_context_add_height_field`; of obstacles, not of parts, as the next two.
+  FMC_SHAPE_HEIGHT_FIELD = 8,
+  // As `fmc_context_add_compound`.
+  FMC_SHAPE_COMPOUND = 9,
+  // As `fmc_context_add_signed_distance`.
+  FMC_SHAPE_SIGNED_DISTANCE = 10,
 } fmc_shape;
 
 // Kind of a warning.
@@ -912,12 +920,12 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // `fmc_context_obstacle`. For a body with itself these options decide in place of the context's `self_contact` whether
 // it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE` and `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, naming the
-// index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option that would have no effect, or a reserved
-// field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_UNSUPPORTED` for two obstacles,
-// for a law that the estimator of the context does not support, and for a gap offset or friction; `FMC_ERROR_BUSY`.
-// What was set before then stays. `fmc_context_set_options` refuses an estimator that does not support the law of a
-// pair. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
+// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
+// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
+// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
+// gap offset or friction; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+// estimator that does not support the law of a pair. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         int32_t a_kind,
                                         size_t a,
@@ -929,8 +937,8 @@ fmc_status fmc_context_set_pair_options(fmc_context *context,
 // hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
-// `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`. Threads:
-// several at once on one context, as long as no call changes it.
+// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_pair_options(const fmc_context *context,
                                     int32_t a_kind,
                                     size_t a,
@@ -995,7 +1003,8 @@ fmc_status fmc_part_init(fmc_part *part);
 // point and its outward normal.
 //
 // Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
-// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
+// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...,
+// also after others were removed.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_add_half_space(fmc_context *context, const fmc_pose *pose, size_t *obstacle);
@@ -1097,8 +1106,9 @@ fmc_status fmc_context_add_compound(fmc_context *context,
                                     const fmc_pose *pose,
                                     size_t *obstacle);
 
-// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context. They
-// are used on the thread that evaluates it. Only the estimator `fibers` supports it.
+// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context, or
+// the obstacle if it is removed before. They are used on the thread that evaluates the context. Only the estimator
+// `fibers` supports it.
 //
 // Errors: those of `fmc_context_add_half_space`. Threads: one call at a time on a context.
 fmc_status fmc_context_add_signed_distance(fmc_context *context,
@@ -1107,11 +1117,26 @@ fmc_status fmc_context_add_signed_distance(fmc_context *context,
                                            const fmc_pose *pose,
                                            size_t *obstacle);
 
+// Shape of an obstacle, a value of `fmc_shape`, and its pose as it stands. Either output may be NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
+// Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacle, int32_t *shape, fmc_pose *pose);
+
 // Moves an obstacle. Results of the last evaluation are kept.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`.
-// Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+// `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc_pose *pose);
+
+// Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
+// given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
+// last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed distance any
+// more.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED` if it was removed
+// before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
 
 // Stiffness k of the quadratic law "fiber" (Pa/length) from the largest contact pressure expected (Pa) and the
 // acceptable penetration at that pressure (length): their ratio. From a modulus E and facets of size h, take E and h /

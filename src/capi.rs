@@ -31,6 +31,7 @@ mod mesh;
 mod nodal_contact;
 mod nodal_lists;
 mod obstacle;
+mod obstacle_list;
 mod option_keys;
 mod option_values;
 mod options;

@@ -10,6 +10,7 @@ mod lanczos;
 mod laws;
 mod mass_scaled;
 mod momentum_correction;
+mod obstacles;
 mod options;
 mod pair_options;
 mod pair_table;

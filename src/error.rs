@@ -113,6 +113,11 @@ pub enum Error {
         /// Number of obstacles.
         count: usize,
     },
+    /// An obstacle that was removed.
+    ObstacleRemoved {
+        /// Obstacle asked for.
+        obstacle: usize,
+    },
     /// No such body.
     BodyOutOfRange {
         /// Body asked for, by index.
@@ -224,6 +229,7 @@ impl fmt::Display for Error {
             Error::ObstacleOutOfRange { obstacle, count } => {
                 write!(f, "there is no obstacle {obstacle}, only {count}")
             }
+            Error::ObstacleRemoved { obstacle } => write!(f, "obstacle {obstacle} was removed"),
             Error::BodyOutOfRange { body, count } => write!(f, "there is no body {body}, only {count}"),
             Error::OfPair { sides: [(first, a), (second, b)], cause } => {
                 write!(f, "pair of {first} {a} and {second} {b}: {cause}")

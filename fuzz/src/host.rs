@@ -293,6 +293,7 @@ impl Host {
                 // SAFETY: the host's own context and pose.
                 checked(unsafe { fmc_context_set_pose(self.context, *obstacle as usize % 4, &place) });
             }
+            Call::RemoveObstacle { obstacle, hole } => self.remove(usize::from(obstacle % 4), *hole),
             Call::SetPair { options, hole } => self.set_pair(options, *hole),
             Call::Move { node, axis, to } => {
                 let place = *node as usize % self.mesh.node_count() * self.mesh.dim + *axis as usize % self.mesh.dim;
@@ -649,6 +650,24 @@ impl Host {
             }
         });
         assert!(status == OK || obstacle == 77, "an error writes outputs");
+    }
+
+    fn remove(&mut self, obstacle: usize, hole: Hole) {
+        let (mut shape, mut place) = (77, fmc_pose { position: [0.5; 3], rotation: [0.5; 9], scale: 0.5 });
+        let untouched = place;
+        // SAFETY: the host's own context, and outputs that may be written.
+        unsafe {
+            let context = self.context;
+            let mut find = || {
+                let (shape, place) = (unless(hole, 0, &raw mut shape), unless(hole, 1, &raw mut place));
+                checked(fmc_context_obstacle_shape(context, obstacle, shape, place))
+            };
+            let before = find();
+            assert_eq!(checked(fmc_context_remove_obstacle(context, obstacle)), before);
+            assert_eq!(find(), if before == OK { REMOVED } else { before });
+            assert!(if before != OK || hole == 1 { shape == 77 } else { (0..=10).contains(&shape) });
+            assert!(if before != OK || hole == 2 { place == untouched } else { place.scale > 0.0 });
+        }
     }
 
     fn set_pair(&mut self, from: &PairOptions, hole: Hole) {

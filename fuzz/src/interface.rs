@@ -15,10 +15,12 @@ pub type fmc_status = i32;
 pub const OK: fmc_status = 0;
 /// `FMC_ERROR_BUSY`.
 pub const BUSY: fmc_status = 28;
+/// `FMC_ERROR_OBSTACLE_REMOVED`.
+pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 36;
+pub const LAST: fmc_status = 37;
 
 /// Opaque.
 #[repr(C)]
@@ -486,6 +488,13 @@ unsafe extern "C" {
         pose: *const fmc_pose,
         obstacle: *mut usize,
     ) -> fmc_status;
+    pub fn fmc_context_obstacle_shape(
+        context: *const fmc_context,
+        obstacle: usize,
+        shape: *mut i32,
+        pose: *mut fmc_pose,
+    ) -> fmc_status;
+    pub fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status;
     pub fn fmc_context_set_pose(context: *mut fmc_context, obstacle: usize, pose: *const fmc_pose) -> fmc_status;
     pub fn fmc_suggest_fiber_stiffness(pressure: f64, penetration: f64, stiffness: *mut f64) -> fmc_status;
     pub fn fmc_suggest_stiffness_from_modulus(

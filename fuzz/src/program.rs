@@ -177,6 +177,10 @@ pub enum Call {
         obstacle: u8,
         pose: Pose,
     },
+    RemoveObstacle {
+        obstacle: u8,
+        hole: Hole,
+    },
     SetPair {
         options: PairOptions,
         hole: Hole,

@@ -330,6 +330,9 @@ static void contexts(void) {
   EXPECT_IN_CONTEXT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_ball(context, 1, &pose, &index));
   EXPECT_OK(fmc_pose_init(&pose));
   EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_set_pose(context, 0, &pose));
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_remove_obstacle(context, 0));
+  EXPECT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 3", fmc_context_obstacle_shape(context, 3, NULL, NULL));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_remove_obstacle(NULL, 0));
   EXPECT_TRUE(index == 99);
 
   /* Pairs: what was set stays, here what holds for the pair in any case. */
@@ -410,6 +413,29 @@ static void contexts(void) {
   m.kind = 3;
   EXPECT_OK(EVALUATE(&x, &f));
   EXPECT_TRUE(m.inner == FMC_ERROR_BUSY);
+
+  /* An obstacle that is there, and one that was removed. */
+  int32_t shape = -7;
+  EXPECT_OK(fmc_context_obstacle_shape(context, 0, &shape, &pose));
+  EXPECT_TRUE(shape == FMC_SHAPE_SIGNED_DISTANCE && pose.scale == 1);
+  EXPECT_OK(fmc_context_remove_obstacle(context, 0));
+  m.kind = 1;
+  EXPECT_OK(EVALUATE(&x, &f));
+  EXPECT_TRUE(result.obstacle_count == 1);
+  shape = -7;
+  EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_obstacle_shape(context, 0, &shape, &pose));
+  EXPECT_TRUE(shape == -7);
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_remove_obstacle(context, 0));
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_set_pose(context, 0, &pose));
+  wanted = own;
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed",
+                    PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_OBSTACLE, 0));
+  pose.position[0] = 3;
+  EXPECT_OK(fmc_context_add_ball(context, 0.5, &pose, &index));
+  EXPECT_TRUE(index == 1);
+  memset(&pose, 0, sizeof pose);
+  EXPECT_OK(fmc_context_obstacle_shape(context, 1, &shape, &pose));
+  EXPECT_TRUE(shape == FMC_SHAPE_BALL && pose.position[0] == 3 && pose.rotation[8] == 1 && pose.scale == 1);
   EXPECT_OK(fmc_context_free(&context));
 }
 

@@ -156,12 +156,12 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 /// `fmc_context_obstacle`. For a body with itself these options decide in place of the context's `self_contact` whether
 /// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE` and `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, naming the
-/// index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option that would have no effect, or a reserved
-/// field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_UNSUPPORTED` for two obstacles,
-/// for a law that the estimator of the context does not support, and for a gap offset or friction; `FMC_ERROR_BUSY`.
-/// What was set before then stays. `fmc_context_set_options` refuses an estimator that does not support the law of a
-/// pair. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
+/// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
+/// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
+/// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
+/// gap offset or friction; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+/// estimator that does not support the law of a pair. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_pair_options(
     context: *mut fmc_context,
@@ -187,8 +187,8 @@ pub unsafe extern "C" fn fmc_context_set_pair_options(
 /// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
-/// `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`. Threads:
-/// several at once on one context, as long as no call changes it.
+/// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+/// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_pair_options(
     context: *const fmc_context,

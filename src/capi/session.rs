@@ -6,6 +6,8 @@ use super::failure::Failure;
 use super::kept_tangent::Kept;
 use super::mesh::Numbering;
 use super::nodal_lists::NodalLists;
+use super::obstacle_list::kind_of;
+use super::part::fmc_shape;
 use super::pose::fmc_pose;
 use super::shape::ShapeOf;
 use super::view::{check_node_count, fmc_coords, fmc_forces};
@@ -26,6 +28,10 @@ pub(super) trait Session: Send + Sync {
     fn counts(&self) -> Counts;
     fn set_options(&mut self, options: Options) -> Result<(), Failure>;
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure>;
+    fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure>;
+
+    /// Shape and pose of an obstacle.
+    fn obstacle(&self, obstacle: usize) -> Result<(fmc_shape, fmc_pose), Failure>;
 
     /// Sets the options of a pair; `None`: those of the contact.
     fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Failure>;
@@ -172,6 +178,15 @@ impl<const D: usize> Session for Resident<D> {
 
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure> {
         Ok(self.contact.set_pose(obstacle, pose.to_pose())?)
+    }
+
+    fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure> {
+        Ok(self.contact.remove_obstacle(obstacle)?)
+    }
+
+    fn obstacle(&self, obstacle: usize) -> Result<(fmc_shape, fmc_pose), Failure> {
+        let found = self.contact.obstacle(obstacle)?;
+        Ok((kind_of(&found.shape), (&found.pose).into()))
     }
 
     fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Failure> {

@@ -10,6 +10,7 @@ use super::kept_tangent::Kept;
 use super::mesh::{fmc_cell_block, fmc_cell_type};
 use super::nodal_lists::NodalLists;
 use super::options::fmc_options;
+use super::part::fmc_shape;
 use super::pose::fmc_pose;
 use super::session::{Counts, Session};
 use super::shape::ShapeOf;
@@ -87,6 +88,14 @@ impl Session for Brittle {
 
     fn set_pose(&mut self, _: usize, _: fmc_pose) -> Result<(), Failure> {
         Ok(())
+    }
+
+    fn remove_obstacle(&mut self, _: usize) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn obstacle(&self, _: usize) -> Result<(fmc_shape, fmc_pose), Failure> {
+        Ok((fmc_shape::FMC_SHAPE_HALF_SPACE, fmc_pose::default()))
     }
 
     fn set_pair_options(&mut self, _: [Partner; 2], _: Option<PairOptions>) -> Result<(), Failure> {

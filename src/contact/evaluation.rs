@@ -6,12 +6,12 @@ use super::kernels::{self, estimator, pair_law};
 use super::laws::PairLaw;
 use super::options::Options;
 use super::pair_table::PairTable;
-use super::rigid::{Rigid, check_pose};
+use super::rigid::Rigid;
 use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::depth::DepthField;
-use crate::geometry::{Bodies, CellBlock, Obstacle, Pose, Surface};
+use crate::geometry::{Bodies, CellBlock, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use std::sync::{Mutex, OnceLock};
 
@@ -22,7 +22,8 @@ use std::sync::{Mutex, OnceLock};
 /// [`contact_force`] gives the same bits as a `Contact` that is kept.
 pub struct Contact<const D: usize> {
     pub(super) surface: Surface<D>,
-    pub(super) obstacles: Vec<Rigid<D>>,
+    /// By index; `None` where one was removed.
+    pub(super) obstacles: Vec<Option<Rigid<D>>>,
     pub(super) options: Options,
     pub(super) pool: Option<rayon::ThreadPool>,
     pub(super) estimator: Box<dyn OverlapEstimator<D>>,
@@ -58,29 +59,6 @@ impl<const D: usize> Contact<D> {
             in_symmetry_plane: Vec::new(),
             depth: OnceLock::new(),
         })
-    }
-
-    /// Adds a rigid partner and returns its index.
-    ///
-    /// # Errors
-    /// [`Error::NotPositive`], [`Error::BadPose`]; for a polytope those of [`Surface::from_facets`].
-    pub fn add_obstacle(&mut self, obstacle: Obstacle<D>) -> Result<usize, Error> {
-        let index = self.obstacles.len();
-        self.obstacles.push(Rigid::new(obstacle, index)?);
-        Ok(index)
-    }
-
-    /// Moves an obstacle.
-    ///
-    /// # Errors
-    /// [`Error::ObstacleOutOfRange`], [`Error::BadPose`].
-    pub fn set_pose(&mut self, obstacle: usize, pose: Pose<D>) -> Result<(), Error> {
-        check_pose(&pose, obstacle)?;
-        let count = self.obstacles.len();
-        let rigid = self.obstacles.get_mut(obstacle).ok_or(Error::ObstacleOutOfRange { obstacle, count })?;
-        rigid.obstacle.pose = pose;
-        self.forget_found();
-        Ok(())
     }
 
     /// Sets the coordinates of all nodes without deformation, from which the law `depth` has its depths; those from which
@@ -150,11 +128,6 @@ impl<const D: usize> Contact<D> {
     /// The surface.
     pub fn surface(&self) -> &Surface<D> {
         &self.surface
-    }
-
-    /// Number of obstacles.
-    pub fn obstacle_count(&self) -> usize {
-        self.obstacles.len()
     }
 
     /// Contact forces at `coords`, `[node_count, D]`.

@@ -37,7 +37,7 @@ impl<const D: usize> Contact<D> {
     /// [`Self::keep_patches`] is called again.
     ///
     /// # Errors
-    /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`]; [`Error::Unsupported`] for two obstacles, which do not
+    /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles, which do not
     /// act on one another; [`Error::OfPair`] for a value out of its range, or a law that the estimator does not
     /// support. The old options then stay.
     pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
@@ -50,7 +50,7 @@ impl<const D: usize> Contact<D> {
     /// The options of a pair, in either order; `None` where it follows those of the contact.
     ///
     /// # Errors
-    /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`]; [`Error::Unsupported`] for two obstacles.
+    /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles.
     pub fn pair_options(&self, partners: [Partner; 2]) -> Result<Option<PairOptions>, Error> {
         Ok(self.pair_table.options(&self.checked_pair(partners)?))
     }
@@ -65,12 +65,7 @@ impl<const D: usize> Contact<D> {
                         return Err(Error::BodyOutOfRange { body, count });
                     }
                 }
-                Partner::Obstacle(obstacle) => {
-                    let count = self.obstacles.len();
-                    if obstacle >= count {
-                        return Err(Error::ObstacleOutOfRange { obstacle, count });
-                    }
-                }
+                Partner::Obstacle(obstacle) => drop(self.rigid(obstacle)?),
             }
         }
         partners.sort_unstable();

@@ -39,6 +39,11 @@ impl<const D: usize> PairTable<D> {
         Ok(())
     }
 
+    /// Takes the options of all pairs of a partner out.
+    pub(super) fn forget(&mut self, partner: Partner) {
+        self.0.retain(|pair, _| !pair.contains(&partner));
+    }
+
     pub(super) fn options(&self, pair: &[Partner; 2]) -> Option<PairOptions> {
         self.0.get(pair).map(|entry| entry.options)
     }

@@ -2,9 +2,10 @@
 
 use super::Contact;
 use super::laws::{Measured, PairLaw};
+use super::rigid::Rigid;
 use super::state::State;
 use crate::Error;
-use crate::geometry::{Pose, Shape};
+use crate::geometry::Shape;
 use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
 use rayon::prelude::*;
 
@@ -35,7 +36,10 @@ impl<const D: usize> Contact<D> {
 
     fn is_marched(&self, partners: &[Partner; 2]) -> bool {
         match partners[1] {
-            Partner::Obstacle(o) => matches!(self.obstacles[o].implicit(), Shape::SignedDistance(_)),
+            Partner::Obstacle(o) => {
+                let is_marched = |rigid: &Rigid<D>| matches!(rigid.implicit(), Shape::SignedDistance(_));
+                self.obstacles[o].as_ref().is_some_and(is_marched)
+            }
             Partner::Body(_) => false,
         }
     }
@@ -60,6 +64,7 @@ impl<const D: usize> Contact<D> {
             let aabb = state.configuration.body_box(i);
             for (o, (rigid, placed)) in self.obstacles.iter().zip(&state.placed).enumerate() {
                 let pair = [Partner::Body(i), Partner::Obstacle(o)];
+                let Some(rigid) = rigid else { continue };
                 if self.pair_table.has(&pair, true) && rigid.may_meet(placed.as_ref(), &aabb) {
                     pairs.push(pair);
                 }
@@ -87,11 +92,12 @@ impl<const D: usize> Contact<D> {
         let State { configuration, placed, found } = state;
         let Partner::Body(first) = partners[0] else { return Ok(None) };
         let a = configuration.body(&self.surface, first);
-        let pose: Option<&Pose<D>> = match partners[1] {
-            Partner::Obstacle(o) => Some(&self.obstacles[o].obstacle.pose),
+        let rigid = match partners[1] {
+            Partner::Obstacle(o) => self.obstacles[o].as_ref(),
             Partner::Body(_) => None,
         };
-        let counterpart = match (partners[1], pose) {
+        let pose = rigid.map(|rigid| &rigid.obstacle.pose);
+        let counterpart = match (partners[1], rigid) {
             (Partner::Body(second), _) if second == first => {
                 if !a.may_cross_itself() && self.surface.is_one_sheet(first) {
                     return Ok(None);
@@ -99,10 +105,10 @@ impl<const D: usize> Contact<D> {
                 Counterpart::Itself
             }
             (Partner::Body(second), _) => Counterpart::Facets(configuration.body(&self.surface, second)),
-            (Partner::Obstacle(obstacle), Some(pose)) => match &placed[obstacle] {
-                Some(placed) => Counterpart::Facets(self.obstacles[obstacle].side(placed)),
+            (Partner::Obstacle(obstacle), Some(rigid)) => match &placed[obstacle] {
+                Some(placed) => Counterpart::Facets(rigid.side(placed)),
                 None => {
-                    let shape = self.obstacles[obstacle].implicit();
+                    let (shape, pose) = (rigid.implicit(), &rigid.obstacle.pose);
                     Counterpart::Implicit(ImplicitSide { obstacle, shape, pose })
                 }
             },

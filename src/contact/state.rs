@@ -58,7 +58,10 @@ impl<const D: usize> Contact<D> {
         let prefers_facets = self.estimator.prefers_facets();
         state.placed.resize_with(self.obstacles.len(), || None);
         for (rigid, placed) in self.obstacles.iter().zip(&mut state.placed) {
-            rigid.place(prefers_facets, placed);
+            match rigid {
+                Some(rigid) => rigid.place(prefers_facets, placed),
+                None => *placed = None,
+            }
         }
         Ok(())
     }

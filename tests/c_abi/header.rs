@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 29] = [
+const SOURCES: [&str; 30] = [
     "version",
     "status",
     "failure",
@@ -32,6 +32,7 @@ const SOURCES: [&str; 29] = [
     "pose",
     "part",
     "obstacle",
+    "obstacle_list",
     "signed_distance",
     "stiffness",
 ];

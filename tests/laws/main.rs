@@ -23,6 +23,7 @@ mod motion;
 mod numbering;
 mod pair_options;
 mod patches;
+mod removed_obstacles;
 mod resolution;
 mod resting;
 mod same_bits;

@@ -31,7 +31,7 @@ STRUCTS = {
 }
 # Pointers that stand for an array (by the argument's name) take numpy arrays; the others one struct or number.
 ARRAYS = {"double": _signatures.Float64Array, "int32_t": _signatures.Int32Array, "int64_t": _signatures.Int64Array}
-SCALARS = {"volume", "stiffness", "factor", "code", "step"}
+SCALARS = {"volume", "stiffness", "factor", "code", "step", "shape"}
 
 
 def pointee(kind):
@@ -141,6 +141,8 @@ def test_numbers_of_the_header_are_those_of_the_package():
         assert enumeration(f"fmc_{option}") == {prefix + text.upper(): number for number, text in values.items()}
     partners = {f"FMC_PARTNER_{text.upper()}": number for number, text in _structs.PARTNERS.items()}
     assert enumeration("fmc_partner") == partners
+    shapes = {f"FMC_SHAPE_{text.upper()}": number for number, text in enumerate(_structs.SHAPES)}
+    assert enumeration("fmc_shape") == shapes
     warnings = {f"FMC_WARNING_{text.upper()}": number for number, text in _structs.WARNINGS.items()}
     assert enumeration("fmc_warning") == warnings
     assert sorted(enumeration("fmc_cell_type").values()) == sorted(_structs.CELL_TYPES.values())

@@ -28,6 +28,21 @@ CHOICES = {
 }
 """Options that take one of a few values: names by number."""
 
+SHAPES = (
+    "half_space",
+    "ball",
+    "cuboid",
+    "cylinder",
+    "cone",
+    "capsule",
+    "polytope",
+    "convex_hull",
+    "height_field",
+    "compound",
+    "signed_distance",
+)
+"""Names of ``fmc_shape``, in the order of its values."""
+
 PARTNERS = {0: "body", 1: "obstacle"}
 WARNINGS = {1: "coarse_fibers", 2: "unresolved_overlap", 3: "swallowed_body", 4: "patch_left_out", 5: "unbalanced"}
 

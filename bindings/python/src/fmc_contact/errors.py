@@ -256,6 +256,12 @@ class BodyOutOfRangeError(FmcError, IndexError):
     status = 36
 
 
+class ObstacleRemovedError(FmcError, IndexError):
+    """The obstacle of this index was removed."""
+
+    status = 37
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 
