@@ -47,6 +47,10 @@
 // Flag of `fmc_context_tangent_csr`: `row_offsets` and `cols` count from 1, as in Fortran.
 #define FMC_FROM_ONE 16
 
+// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
+// after they change.
+#define FMC_LAW_OF_CONTEXT -1
+
 // Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
 // offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
 //
@@ -124,6 +128,10 @@ typedef enum {
   FMC_ERROR_EMPTY_COMPOUND = 34,
   // The mass of a node that feels contact is not positive.
   FMC_ERROR_NOT_POSITIVE_MASS = 35,
+  // No body of this index.
+  FMC_ERROR_BODY_OUT_OF_RANGE = 36,
+  // The obstacle of this index was removed.
+  FMC_ERROR_OBSTACLE_REMOVED = 37,
 } fmc_status;
 
 // Contact energy.
@@ -191,7 +199,7 @@ typedef enum {
   FMC_PARTNER_OBSTACLE = 1,
 } fmc_partner;
 
-// Shape of a part of a compound.
+// Shape of an obstacle, and of a part of a compound.
 typedef enum {
   // As `fmc_context_add_half_space`.
   FMC_SHAPE_HALF_SPACE = 0,
@@ -209,6 +217,12 @@ typedef enum {
   FMC_SHAPE_POLYTOPE = 6,
   // As `fmc_context_add_convex_hull`: `points`.
   FMC_SHAPE_CONVEX_HULL = 7,
+  // As `fmc_context_add_height_field`; of obstacles, not of parts, as the next two.
+  FMC_SHAPE_HEIGHT_FIELD = 8,
+  // As `fmc_context_add_compound`.
+  FMC_SHAPE_COMPOUND = 9,
+  // As `fmc_context_add_signed_distance`.
+  FMC_SHAPE_SIGNED_DISTANCE = 10,
 } fmc_shape;
 
 // Kind of a warning.
@@ -434,7 +448,33 @@ typedef struct {
   uint64_t reserved[8];
 } fmc_pair;
 
-// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there.
+// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
+// has without options of its own.
+//
+// New options take the place of reserved fields; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
+  // default.
+  double stiffness;
+  // m >= 1, for the law "volume" only. Default 1.
+  double exponent;
+  // Smoothing length of the law "fiber"; 0, the default: the quadratic law.
+  double smoothing_length;
+  // Zero. Distance at which contact begins, for a later version of the library.
+  double gap_offset;
+  // Zero. Coefficient of friction, for a later version of the library.
+  double friction_coefficient;
+  // A value of `fmc_law`, or `FMC_LAW_OF_CONTEXT`, the default.
+  int32_t law;
+  // 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
+  int32_t excluded;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[10];
+} fmc_pair_options;
+
+// One end of a contact point: where, and the shape functions of the boundary face there.
 typedef struct {
   // A value of `fmc_partner`.
   int32_t kind;
@@ -902,6 +942,44 @@ fmc_status fmc_context_pair(const fmc_context *context, size_t index, fmc_pair *
 // evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
 fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t *code, const char **text);
 
+// Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_pair_options_init(fmc_pair_options *options);
+
+// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
+// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
+//
+// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body` and obstacles as
+// `fmc_context_obstacle`. For a body with itself these options decide in place of the context's `self_contact` whether
+// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
+// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
+// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
+// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
+// gap offset or friction; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+// estimator that does not support the law of a pair. Threads: one call at a time on a context.
+fmc_status fmc_context_set_pair_options(fmc_context *context,
+                                        int32_t a_kind,
+                                        size_t a,
+                                        int32_t b_kind,
+                                        size_t b,
+                                        const fmc_pair_options *options);
+
+// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
+// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
+// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_pair_options(const fmc_context *context,
+                                    int32_t a_kind,
+                                    size_t a,
+                                    int32_t b_kind,
+                                    size_t b,
+                                    fmc_pair_options *options);
+
 // The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
 // Every output may be NULL. All but `normal` have one entry per node, `node_count` of them, which is that of the mesh;
 // `normal` has `dim` per node, in dense rows.
@@ -996,7 +1074,8 @@ fmc_status fmc_part_init(fmc_part *part);
 // point and its outward normal.
 //
 // Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
-// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
+// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...,
+// also after others were removed.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_add_half_space(fmc_context *context, const fmc_pose *pose, size_t *obstacle);
@@ -1098,8 +1177,9 @@ fmc_status fmc_context_add_compound(fmc_context *context,
                                     const fmc_pose *pose,
                                     size_t *obstacle);
 
-// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context. They
-// are used on the thread that evaluates it. Only the estimator `fibers` supports it.
+// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context, or
+// the obstacle if it is removed before. They are used on the thread that evaluates the context. Only the estimator
+// `fibers` supports it.
 //
 // Errors: those of `fmc_context_add_half_space`. Threads: one call at a time on a context.
 fmc_status fmc_context_add_signed_distance(fmc_context *context,
@@ -1108,11 +1188,26 @@ fmc_status fmc_context_add_signed_distance(fmc_context *context,
                                            const fmc_pose *pose,
                                            size_t *obstacle);
 
+// Shape of an obstacle, a value of `fmc_shape`, and its pose as it stands. Either output may be NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
+// Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacle, int32_t *shape, fmc_pose *pose);
+
 // Moves an obstacle. Results of the last evaluation are kept.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`.
-// Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+// `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc_pose *pose);
+
+// Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
+// given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
+// last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed distance any
+// more.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED` if it was removed
+// before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
 
 // Stiffness k of the quadratic law "fiber" (Pa/length) from the largest contact pressure expected (Pa) and the
 // acceptable penetration at that pressure (length): their ratio. From a modulus E and facets of size h, take E and h /

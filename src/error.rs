@@ -113,6 +113,25 @@ pub enum Error {
         /// Number of obstacles.
         count: usize,
     },
+    /// An obstacle that was removed.
+    ObstacleRemoved {
+        /// Obstacle asked for.
+        obstacle: usize,
+    },
+    /// No such body.
+    BodyOutOfRange {
+        /// Body asked for, by index.
+        body: usize,
+        /// Number of bodies.
+        count: usize,
+    },
+    /// An option of a pair cannot be set.
+    OfPair {
+        /// Both sides, each `"body"` or `"obstacle"` with its index.
+        sides: [(&'static str, usize); 2],
+        /// Why.
+        cause: Box<Error>,
+    },
     /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
     DegenerateHull {
         /// Number of points.
@@ -209,6 +228,11 @@ impl fmt::Display for Error {
             }
             Error::ObstacleOutOfRange { obstacle, count } => {
                 write!(f, "there is no obstacle {obstacle}, only {count}")
+            }
+            Error::ObstacleRemoved { obstacle } => write!(f, "obstacle {obstacle} was removed"),
+            Error::BodyOutOfRange { body, count } => write!(f, "there is no body {body}, only {count}"),
+            Error::OfPair { sides: [(first, a), (second, b)], cause } => {
+                write!(f, "pair of {first} {a} and {second} {b}: {cause}")
             }
             Error::DegenerateHull { point_count } => {
                 write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")

@@ -7,7 +7,7 @@ use crate::guarded::Guarded;
 use crate::interface::*;
 use crate::mesh::Mesh;
 use crate::number::Number;
-use crate::program::{Call, Fault, Hole, Layout, MOST_CALLS, Options, Pose, Program, Shape};
+use crate::program::{Call, Fault, Hole, Layout, MOST_CALLS, Options, PairOptions, Pose, Program, Shape};
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::ptr::{null, null_mut};
 
@@ -293,6 +293,8 @@ impl Host {
                 // SAFETY: the host's own context and pose.
                 checked(unsafe { fmc_context_set_pose(self.context, *obstacle as usize % 4, &place) });
             }
+            Call::RemoveObstacle { obstacle, hole } => self.remove(usize::from(obstacle % 4), *hole),
+            Call::SetPair { options, hole } => self.set_pair(options, *hole),
             Call::Move { node, axis, to } => {
                 let place = *node as usize % self.mesh.node_count() * self.mesh.dim + *axis as usize % self.mesh.dim;
                 // Lines are few while all is ordinary, or counted.
@@ -648,6 +650,69 @@ impl Host {
             }
         });
         assert!(status == OK || obstacle == 77, "an error writes outputs");
+    }
+
+    fn remove(&mut self, obstacle: usize, hole: Hole) {
+        let (mut shape, mut place) = (77, fmc_pose { position: [0.5; 3], rotation: [0.5; 9], scale: 0.5 });
+        let untouched = place;
+        // SAFETY: the host's own context, and outputs that may be written.
+        unsafe {
+            let context = self.context;
+            let mut find = || {
+                let (shape, place) = (unless(hole, 0, &raw mut shape), unless(hole, 1, &raw mut place));
+                checked(fmc_context_obstacle_shape(context, obstacle, shape, place))
+            };
+            let before = find();
+            assert_eq!(checked(fmc_context_remove_obstacle(context, obstacle)), before);
+            assert_eq!(find(), if before == OK { REMOVED } else { before });
+            assert!(if before != OK || hole == 1 { shape == 77 } else { (0..=10).contains(&shape) });
+            assert!(if before != OK || hole == 2 { place == untouched } else { place.scale > 0.0 });
+        }
+    }
+
+    fn set_pair(&mut self, from: &PairOptions, hole: Hole) {
+        let [(a_kind, a), (b_kind, b)] = from.sides.map(|side| (i32::from(side % 5 / 2), usize::from(side / 5 % 4)));
+        let context = self.context;
+        let none = fmc_pair_options {
+            struct_size: 77,
+            stiffness: 0.0,
+            exponent: 0.0,
+            smoothing_length: 0.0,
+            gap_offset: 0.0,
+            friction_coefficient: 0.0,
+            law: 77,
+            excluded: 77,
+            reserved: [77; 10],
+        };
+        // SAFETY: the host's own context, and structs of the header's size.
+        unsafe {
+            let found = || {
+                let mut found = none;
+                let status = checked(fmc_context_pair_options(context, a_kind, a, b_kind, b, &raw mut found));
+                assert!(status == OK || found == none, "an error writes outputs");
+                (status, found)
+            };
+            let before = found();
+            let mut options = none;
+            assert_eq!(fmc_pair_options_init(&raw mut options), OK);
+            options.law = i32::from(from.law % 6) - 1;
+            // What belongs to a law is refused without one; often enough it is left out.
+            if options.law >= 0 || from.law >= 250 {
+                options.stiffness = from.stiffness.0;
+                options.exponent = from.exponent.map_or(1.0, |x| x.0);
+                options.smoothing_length = from.smoothing_length.map_or(0.0, |x| x.0);
+            }
+            options.excluded = i32::from(from.excluded % 3);
+            options.gap_offset = from.later.map_or(0.0, |x| x.0);
+            let given = unless(hole, 0, &raw mut options).cast_const();
+            let status = checked(fmc_context_set_pair_options(context, a_kind, a, b_kind, b, given));
+            let after = found();
+            if status == OK {
+                assert!(after.0 == OK && (given.is_null() || after.1 == options), "{after:?}");
+            } else {
+                assert_eq!(before, after);
+            }
+        }
     }
 
     fn getters(&self, index: usize, hole: Hole) {

@@ -15,10 +15,12 @@ pub type fmc_status = i32;
 pub const OK: fmc_status = 0;
 /// `FMC_ERROR_BUSY`.
 pub const BUSY: fmc_status = 28;
+/// `FMC_ERROR_OBSTACLE_REMOVED`.
+pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 35;
+pub const LAST: fmc_status = 37;
 
 /// Opaque.
 #[repr(C)]
@@ -152,6 +154,21 @@ pub struct fmc_pair {
     pub penetration: f64,
     pub spacing: f64,
     pub reserved: [u64; 8],
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_pair_options {
+    pub struct_size: usize,
+    pub stiffness: f64,
+    pub exponent: f64,
+    pub smoothing_length: f64,
+    pub gap_offset: f64,
+    pub friction_coefficient: f64,
+    pub law: i32,
+    pub excluded: i32,
+    pub reserved: [u64; 10],
 }
 
 /// As in the header.
@@ -368,6 +385,23 @@ unsafe extern "C" {
         code: *mut i32,
         text: *mut *const c_char,
     ) -> fmc_status;
+    pub fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status;
+    pub fn fmc_context_set_pair_options(
+        context: *mut fmc_context,
+        a_kind: i32,
+        a: usize,
+        b_kind: i32,
+        b: usize,
+        options: *const fmc_pair_options,
+    ) -> fmc_status;
+    pub fn fmc_context_pair_options(
+        context: *const fmc_context,
+        a_kind: i32,
+        a: usize,
+        b_kind: i32,
+        b: usize,
+        options: *mut fmc_pair_options,
+    ) -> fmc_status;
     pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;
     pub fn fmc_pose_along(dim: i32, position: *const f64, axis: *const f64, pose: *mut fmc_pose) -> fmc_status;
     pub fn fmc_context_add_half_space(
@@ -454,6 +488,13 @@ unsafe extern "C" {
         pose: *const fmc_pose,
         obstacle: *mut usize,
     ) -> fmc_status;
+    pub fn fmc_context_obstacle_shape(
+        context: *const fmc_context,
+        obstacle: usize,
+        shape: *mut i32,
+        pose: *mut fmc_pose,
+    ) -> fmc_status;
+    pub fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status;
     pub fn fmc_context_set_pose(context: *mut fmc_context, obstacle: usize, pose: *const fmc_pose) -> fmc_status;
     pub fn fmc_suggest_fiber_stiffness(pressure: f64, penetration: f64, stiffness: *mut f64) -> fmc_status;
     pub fn fmc_suggest_stiffness_from_modulus(

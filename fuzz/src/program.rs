@@ -98,6 +98,21 @@ pub enum Shape {
     },
 }
 
+/// Options of a pair.
+#[derive(Arbitrary, Clone, Debug)]
+pub struct PairOptions {
+    /// Kind and index of both sides, in one number each.
+    pub sides: [u8; 2],
+    /// One less is the law.
+    pub law: u8,
+    pub stiffness: Number,
+    pub exponent: Option<Number>,
+    pub smoothing_length: Option<Number>,
+    pub excluded: u8,
+    /// What is for a later version.
+    pub later: Option<Number>,
+}
+
 /// What a host's callback does wrong.
 #[derive(Arbitrary, Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
@@ -161,6 +176,14 @@ pub enum Call {
     SetPose {
         obstacle: u8,
         pose: Pose,
+    },
+    RemoveObstacle {
+        obstacle: u8,
+        hole: Hole,
+    },
+    SetPair {
+        options: PairOptions,
+        hole: Hole,
     },
     Move {
         node: u8,

@@ -111,6 +111,33 @@ static void run(int32_t estimator) {
   EXPECT(SAME(forces, reference));
   options.threads = 1;
 
+  /* A pair with the law and stiffness of its own in a context of others; left out; and as the context again. */
+  fmc_pair_options own, shown;
+  OK(fmc_pair_options_init(&own));
+  own.law = FMC_LAW_VOLUME;
+  own.stiffness = 1000;
+  own.exponent = 2;
+  options.stiffness = 7;
+  OK(fmc_context_set_options(context, &options));
+  OK(fmc_context_set_pair_options(context, FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 0, &own));
+  OK(fmc_context_pair_options(context, FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 1, &shown));
+  EXPECT(memcmp(&own, &shown, sizeof own) == 0);
+  OK(fmc_context_evaluate(context, &x, &f, 0, &result));
+  EXPECT(SAME(forces, reference));
+  own.excluded = 1;
+  OK(fmc_context_set_pair_options(context, FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 1, &own));
+  OK(fmc_context_evaluate(context, &x, NULL, 0, &result));
+  EXPECT(result.pair_count == 0 && result.energy == 0);
+  options.stiffness = 1000;
+  OK(fmc_context_set_options(context, &options));
+  OK(fmc_context_set_pair_options(context, FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 1, NULL));
+  OK(fmc_context_pair_options(context, FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 0, &shown));
+  EXPECT(shown.law == FMC_LAW_OF_CONTEXT && shown.excluded == 0 && shown.stiffness == 0);
+  OK(fmc_context_pair_options(context, FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 1, &shown));
+  EXPECT(shown.law == FMC_LAW_OF_CONTEXT && shown.excluded == 1);
+  OK(fmc_context_evaluate(context, &x, &f, 0, &result));
+  EXPECT(SAME(forces, reference));
+
   /* Resultants balance, and the pair names its sides. */
   fmc_resultant a, b;
   fmc_pair pair;

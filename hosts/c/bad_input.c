@@ -330,7 +330,51 @@ static void contexts(void) {
   EXPECT_IN_CONTEXT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_ball(context, 1, &pose, &index));
   EXPECT_OK(fmc_pose_init(&pose));
   EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_set_pose(context, 0, &pose));
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_remove_obstacle(context, 0));
+  EXPECT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 3", fmc_context_obstacle_shape(context, 3, NULL, NULL));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_remove_obstacle(NULL, 0));
   EXPECT_TRUE(index == 99);
+
+  /* Pairs: what was set stays, here what holds for the pair in any case. */
+  fmc_pair_options own, wanted, shown;
+  EXPECT(FMC_ERROR_NULL_POINTER, "'options'", fmc_pair_options_init(NULL));
+  EXPECT_OK(fmc_pair_options_init(&own));
+  own.law = FMC_LAW_VOLUME, own.stiffness = 1000;
+#define PAIR(ak, a, bk, b) fmc_context_set_pair_options(context, ak, a, bk, b, &wanted)
+#define BODIES PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 1)
+  wanted = own;
+  EXPECT_OK(BODIES);
+  EXPECT_IN_CONTEXT(FMC_ERROR_BODY_OUT_OF_RANGE, "no body 2, only 2", PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 2));
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", PAIR(FMC_PARTNER_OBSTACLE, 0, FMC_PARTNER_BODY, 0));
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "2 is no value of fmc_partner", PAIR(2, 0, FMC_PARTNER_BODY, 0));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'context'",
+         fmc_context_set_pair_options(NULL, FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 1, &wanted));
+  for (int k = 0; k < 4; k++) {
+    wanted = own, wanted.stiffness = k == 0 ? NAN : k == 1 ? INFINITY : k == 2 ? 0 : -1;
+    EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "pair of body 0 and body 1: 'stiffness' is ", BODIES);
+  }
+  wanted = own, wanted.exponent = 0.5;
+  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", BODIES);
+  wanted = own, wanted.struct_size = 0;
+  EXPECT_IN_CONTEXT(FMC_ERROR_STRUCT_SIZE, "fmc_pair_options has struct_size 0", BODIES);
+  wanted = own, wanted.reserved[9] = 1;
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "later version", BODIES);
+  wanted = own, wanted.law = 9;
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "option 'law' has no value 9", BODIES);
+  wanted = own, wanted.excluded = 2;
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "option 'excluded' has no value 2", BODIES);
+  wanted = own, wanted.law = FMC_LAW_OF_CONTEXT;
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "'stiffness' of a pair belongs to a law", BODIES);
+  wanted = own, wanted.gap_offset = 0.1;
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "'gap_offset' of a pair is 0.1: it is for a later version", BODIES);
+  wanted = own, wanted.friction_coefficient = 0.3;
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "'friction_coefficient' of a pair is 0.3", BODIES);
+#define SHOWN(kind, index, output) fmc_context_pair_options(context, kind, index, FMC_PARTNER_BODY, 1, output)
+  EXPECT(FMC_ERROR_NULL_POINTER, "'options'", SHOWN(FMC_PARTNER_BODY, 0, NULL));
+  EXPECT(FMC_ERROR_BODY_OUT_OF_RANGE, "no body 7", SHOWN(FMC_PARTNER_BODY, 7, &shown));
+  EXPECT(FMC_ERROR_UNKNOWN_OPTION, "-1 is no value", SHOWN(-1, 0, &shown));
+  EXPECT_OK(SHOWN(FMC_PARTNER_BODY, 0, &shown));
+  EXPECT_TRUE(memcmp(&shown, &own, sizeof own) == 0);
 
   /* Getters. */
   EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no body 2 in the last evaluation, only 2", fmc_context_body(context, 2, &body));
@@ -369,6 +413,29 @@ static void contexts(void) {
   m.kind = 3;
   EXPECT_OK(EVALUATE(&x, &f));
   EXPECT_TRUE(m.inner == FMC_ERROR_BUSY);
+
+  /* An obstacle that is there, and one that was removed. */
+  int32_t shape = -7;
+  EXPECT_OK(fmc_context_obstacle_shape(context, 0, &shape, &pose));
+  EXPECT_TRUE(shape == FMC_SHAPE_SIGNED_DISTANCE && pose.scale == 1);
+  EXPECT_OK(fmc_context_remove_obstacle(context, 0));
+  m.kind = 1;
+  EXPECT_OK(EVALUATE(&x, &f));
+  EXPECT_TRUE(result.obstacle_count == 1);
+  shape = -7;
+  EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_obstacle_shape(context, 0, &shape, &pose));
+  EXPECT_TRUE(shape == -7);
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_remove_obstacle(context, 0));
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_set_pose(context, 0, &pose));
+  wanted = own;
+  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed",
+                    PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_OBSTACLE, 0));
+  pose.position[0] = 3;
+  EXPECT_OK(fmc_context_add_ball(context, 0.5, &pose, &index));
+  EXPECT_TRUE(index == 1);
+  memset(&pose, 0, sizeof pose);
+  EXPECT_OK(fmc_context_obstacle_shape(context, 1, &shape, &pose));
+  EXPECT_TRUE(shape == FMC_SHAPE_BALL && pose.position[0] == 3 && pose.rotation[8] == 1 && pose.scale == 1);
   EXPECT_OK(fmc_context_free(&context));
 }
 

@@ -41,7 +41,8 @@ unsafe fn add(
 /// point and its outward normal.
 ///
 /// Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
-/// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...
+/// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...,
+/// also after others were removed.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
@@ -224,8 +225,9 @@ pub unsafe extern "C" fn fmc_context_add_compound(
     unsafe { add(context, pose, obstacle, || Ok(ShapeOf::Compound { parts, part_count })) }
 }
 
-/// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context. They
-/// are used on the thread that evaluates it. Only the estimator `fibers` supports it.
+/// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context, or
+/// the obstacle if it is removed before. They are used on the thread that evaluates the context. Only the estimator
+/// `fibers` supports it.
 ///
 /// Errors: those of `fmc_context_add_half_space`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
@@ -243,20 +245,4 @@ pub unsafe extern "C" fn fmc_context_add_signed_distance(
             Ok(ShapeOf::SignedDistance(Callback { function, user }))
         })
     }
-}
-
-/// Moves an obstacle. Results of the last evaluation are kept.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`.
-/// Threads: one call at a time on a context.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_set_pose(
-    context: *mut fmc_context,
-    obstacle: usize,
-    pose: *const fmc_pose,
-) -> fmc_status {
-    entry(|| {
-        // SAFETY: the host passes a context and a pose.
-        unsafe { write(context, |state| state.session.set_pose(obstacle, *reference("pose", pose)?)) }
-    })
 }

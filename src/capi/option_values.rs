@@ -47,16 +47,18 @@ pub(super) const MOMENTUM_CORRECTION: Choice = Choice { key: "momentum_correctio
 pub(super) const SELF_CONTACT: Choice = Choice { key: "self_contact", values: SWITCH };
 pub(super) const CHECK_CELLS: Choice = Choice { key: "check_cells", values: SWITCH };
 pub(super) const INDEX_BASE: Choice = Choice { key: "index_base", values: SWITCH };
+/// Of a pair.
+pub(super) const EXCLUDED: Choice = Choice { key: "excluded", values: SWITCH };
 
 impl Choice {
     /// Name of a value, or the failure that there is none.
-    fn name(&self, value: i32) -> Result<&'static str, Failure> {
+    pub(super) fn name(&self, value: i32) -> Result<&'static str, Failure> {
         self.values.iter().find(|(number, _)| *number == value).map(|(_, name)| *name).ok_or_else(|| {
             Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{}' has no value {value}", self.key))
         })
     }
 
-    fn is_on(&self, value: i32) -> Result<bool, Failure> {
+    pub(super) fn is_on(&self, value: i32) -> Result<bool, Failure> {
         Ok(self.name(value)? == "1")
     }
 }

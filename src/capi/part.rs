@@ -6,7 +6,7 @@ use super::pose::fmc_pose;
 use super::status::fmc_status;
 use super::view::fmc_coords;
 
-/// Shape of a part of a compound.
+/// Shape of an obstacle, and of a part of a compound.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum fmc_shape {
@@ -26,6 +26,12 @@ pub enum fmc_shape {
     FMC_SHAPE_POLYTOPE = 6,
     /// As `fmc_context_add_convex_hull`: `points`.
     FMC_SHAPE_CONVEX_HULL = 7,
+    /// As `fmc_context_add_height_field`; of obstacles, not of parts, as the next two.
+    FMC_SHAPE_HEIGHT_FIELD = 8,
+    /// As `fmc_context_add_compound`.
+    FMC_SHAPE_COMPOUND = 9,
+    /// As `fmc_context_add_signed_distance`.
+    FMC_SHAPE_SIGNED_DISTANCE = 10,
 }
 
 /// A part of a compound. Initialise it by `fmc_part_init`, then set the fields that its shape uses.

@@ -27,6 +27,17 @@ impl Default for fmc_pose {
     }
 }
 
+impl<const D: usize> From<&Pose<D>> for fmc_pose {
+    fn from(pose: &Pose<D>) -> Self {
+        let mut found = Self { scale: pose.scale, ..Self::default() };
+        found.position[..D].copy_from_slice(&pose.position);
+        for (i, row) in pose.rotation.iter().enumerate() {
+            found.rotation[3 * i..3 * i + D].copy_from_slice(row);
+        }
+        found
+    }
+}
+
 impl fmc_pose {
     /// The pose of the crate, which checks it.
     pub(super) fn to_pose<const D: usize>(self) -> Pose<D> {

@@ -7,10 +7,13 @@ use super::gap_constraint::KeptGaps;
 use super::kept_tangent::Kept;
 use super::mesh::Numbering;
 use super::nodal_lists::NodalLists;
+use super::obstacle_list::kind_of;
+use super::part::fmc_shape;
 use super::pose::fmc_pose;
 use super::shape::ShapeOf;
 use super::view::{check_node_count, fmc_coords, fmc_forces};
-use crate::contact::TangentPart;
+use crate::contact::{PairOptions, TangentPart};
+use crate::overlap::Partner;
 use crate::{Contact, ContactForces, Error, Obstacle, Options, Pose, Surface};
 
 /// Number of nodes, facets and bodies.
@@ -26,6 +29,16 @@ pub(super) trait Session: Send + Sync {
     fn counts(&self) -> Counts;
     fn set_options(&mut self, options: Options) -> Result<(), Failure>;
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure>;
+    fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure>;
+
+    /// Shape and pose of an obstacle.
+    fn obstacle(&self, obstacle: usize) -> Result<(fmc_shape, fmc_pose), Failure>;
+
+    /// Sets the options of a pair; `None`: those of the contact.
+    fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Failure>;
+
+    /// Options that hold for a pair.
+    fn pair_options(&self, partners: [Partner; 2]) -> Result<PairOptions, Failure>;
 
     /// Adds an obstacle and returns its index.
     ///
@@ -174,6 +187,25 @@ impl<const D: usize> Session for Resident<D> {
 
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure> {
         Ok(self.contact.set_pose(obstacle, pose.to_pose())?)
+    }
+
+    fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure> {
+        Ok(self.contact.remove_obstacle(obstacle)?)
+    }
+
+    fn obstacle(&self, obstacle: usize) -> Result<(fmc_shape, fmc_pose), Failure> {
+        let found = self.contact.obstacle(obstacle)?;
+        Ok((kind_of(&found.shape), (&found.pose).into()))
+    }
+
+    fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Failure> {
+        Ok(self.contact.set_pair_options(partners, options)?)
+    }
+
+    fn pair_options(&self, partners: [Partner; 2]) -> Result<PairOptions, Failure> {
+        let is_left_out = partners[0] == partners[1] && !self.contact.options().self_contact;
+        let by_default = PairOptions { excluded: is_left_out, law: None };
+        Ok(self.contact.pair_options(partners)?.unwrap_or(by_default))
     }
 
     unsafe fn add_obstacle(&mut self, shape: ShapeOf, pose: fmc_pose, index_base: i32) -> Result<usize, Failure> {

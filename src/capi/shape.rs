@@ -119,6 +119,9 @@ unsafe fn shape_of(part: &fmc_part) -> Result<ShapeOf, Failure> {
     } else if is(FMC_SHAPE_CONVEX_HULL) {
         ShapeOf::ConvexHull { points: points()? }
     } else {
-        return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("{} is no value of fmc_shape", part.shape)));
+        return Err(Failure::new(
+            FMC_ERROR_UNKNOWN_OPTION,
+            format!("{} is no value of fmc_shape that a part may have", part.shape),
+        ));
     })
 }

@@ -82,6 +82,10 @@ pub enum fmc_status {
     FMC_ERROR_EMPTY_COMPOUND = 34,
     /// The mass of a node that feels contact is not positive.
     FMC_ERROR_NOT_POSITIVE_MASS = 35,
+    /// No body of this index.
+    FMC_ERROR_BODY_OUT_OF_RANGE = 36,
+    /// The obstacle of this index was removed.
+    FMC_ERROR_OBSTACLE_REMOVED = 37,
 }
 
 use fmc_status::*;
@@ -124,6 +128,8 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NON_FINITE_HEIGHT, c"FMC_ERROR_NON_FINITE_HEIGHT"),
     (FMC_ERROR_EMPTY_COMPOUND, c"FMC_ERROR_EMPTY_COMPOUND"),
     (FMC_ERROR_NOT_POSITIVE_MASS, c"FMC_ERROR_NOT_POSITIVE_MASS"),
+    (FMC_ERROR_BODY_OUT_OF_RANGE, c"FMC_ERROR_BODY_OUT_OF_RANGE"),
+    (FMC_ERROR_OBSTACLE_REMOVED, c"FMC_ERROR_OBSTACLE_REMOVED"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -145,6 +151,9 @@ impl From<&Error> for fmc_status {
             Error::NotPositiveMass { .. } => FMC_ERROR_NOT_POSITIVE_MASS,
             Error::BadPose { .. } => FMC_ERROR_BAD_POSE,
             Error::ObstacleOutOfRange { .. } => FMC_ERROR_OBSTACLE_OUT_OF_RANGE,
+            Error::ObstacleRemoved { .. } => FMC_ERROR_OBSTACLE_REMOVED,
+            Error::BodyOutOfRange { .. } => FMC_ERROR_BODY_OUT_OF_RANGE,
+            Error::OfPair { cause, .. } => Self::from(&**cause),
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
             Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
             Error::NonFiniteHeight { .. } => FMC_ERROR_NON_FINITE_HEIGHT,
@@ -176,7 +185,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NOT_POSITIVE_MASS);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_OBSTACLE_REMOVED);
     }
 
     #[test]
@@ -199,6 +208,8 @@ mod tests {
             Error::NotPositiveMass { node: 0, value: 0.0 },
             Error::BadPose { obstacle: 0 },
             Error::ObstacleOutOfRange { obstacle: 0, count: 0 },
+            Error::BodyOutOfRange { body: 0, count: 0 },
+            Error::ObstacleRemoved { obstacle: 0 },
             Error::DegenerateHull { point_count: 3 },
             Error::TooFewHeights { axis: 0, count: 1 },
             Error::NonFiniteHeight { point: 0 },

@@ -11,13 +11,15 @@ use super::kept_tangent::Kept;
 use super::mesh::{fmc_cell_block, fmc_cell_type};
 use super::nodal_lists::NodalLists;
 use super::options::fmc_options;
+use super::part::fmc_shape;
 use super::pose::fmc_pose;
 use super::session::{Counts, Session};
 use super::shape::ShapeOf;
 use super::status::fmc_status;
 use super::status::fmc_status::*;
 use super::view::{fmc_coords, fmc_forces};
-use crate::contact::{NodalContact, TangentPart};
+use crate::contact::{NodalContact, PairOptions, TangentPart};
+use crate::overlap::Partner;
 use crate::{Bodies, CellBlock, CellType, EnergyLaw, Options, contact_force};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -86,6 +88,22 @@ impl Session for Brittle {
 
     fn set_pose(&mut self, _: usize, _: fmc_pose) -> Result<(), Failure> {
         Ok(())
+    }
+
+    fn remove_obstacle(&mut self, _: usize) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn obstacle(&self, _: usize) -> Result<(fmc_shape, fmc_pose), Failure> {
+        Ok((fmc_shape::FMC_SHAPE_HALF_SPACE, fmc_pose::default()))
+    }
+
+    fn set_pair_options(&mut self, _: [Partner; 2], _: Option<PairOptions>) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn pair_options(&self, _: [Partner; 2]) -> Result<PairOptions, Failure> {
+        Ok(PairOptions::default())
     }
 
     unsafe fn add_obstacle(&mut self, _: ShapeOf, _: fmc_pose, _: i32) -> Result<usize, Failure> {

@@ -6,12 +6,13 @@ use super::gap_constraints::GapConstraints;
 use super::kernels::{self, estimator, pair_law};
 use super::laws::PairLaw;
 use super::options::Options;
-use super::rigid::{Rigid, check_pose};
+use super::pair_table::PairTable;
+use super::rigid::Rigid;
 use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::depth::DepthField;
-use crate::geometry::{Bodies, CellBlock, Obstacle, Pose, Surface};
+use crate::geometry::{Bodies, CellBlock, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use std::sync::{Mutex, OnceLock};
 
@@ -22,11 +23,14 @@ use std::sync::{Mutex, OnceLock};
 /// [`contact_force`] gives the same bits as a `Contact` that is kept.
 pub struct Contact<const D: usize> {
     pub(super) surface: Surface<D>,
-    pub(super) obstacles: Vec<Rigid<D>>,
+    /// By index; `None` where one was removed.
+    pub(super) obstacles: Vec<Option<Rigid<D>>>,
     pub(super) options: Options,
     pub(super) pool: Option<rayon::ThreadPool>,
     pub(super) estimator: Box<dyn OverlapEstimator<D>>,
+    /// Of the pairs that have none of their own.
     pub(super) law: Box<dyn PairLaw<D>>,
+    pub(super) pair_table: PairTable<D>,
     /// Patches of the fiber law that are kept, by pair.
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
     pub(super) state: Mutex<Option<Box<State<D>>>>,
@@ -51,35 +55,13 @@ impl<const D: usize> Contact<D> {
             options,
             pool: pool(options.threads)?,
             estimator: estimator(&options)?,
-            law: pair_law(&options)?,
+            law: pair_law(&options.law)?,
+            pair_table: PairTable::new(),
             kept: Vec::new(),
             state: Mutex::new(None),
             in_symmetry_plane: None,
             depth: OnceLock::new(),
         })
-    }
-
-    /// Adds a rigid partner and returns its index.
-    ///
-    /// # Errors
-    /// [`Error::NotPositive`], [`Error::BadPose`]; for a polytope those of [`Surface::from_facets`].
-    pub fn add_obstacle(&mut self, obstacle: Obstacle<D>) -> Result<usize, Error> {
-        let index = self.obstacles.len();
-        self.obstacles.push(Rigid::new(obstacle, index)?);
-        Ok(index)
-    }
-
-    /// Moves an obstacle.
-    ///
-    /// # Errors
-    /// [`Error::ObstacleOutOfRange`], [`Error::BadPose`].
-    pub fn set_pose(&mut self, obstacle: usize, pose: Pose<D>) -> Result<(), Error> {
-        check_pose(&pose, obstacle)?;
-        let count = self.obstacles.len();
-        let rigid = self.obstacles.get_mut(obstacle).ok_or(Error::ObstacleOutOfRange { obstacle, count })?;
-        rigid.obstacle.pose = pose;
-        self.forget_found();
-        Ok(())
     }
 
     /// Sets the coordinates of all nodes without deformation, from which the law `depth` has its depths; those from which
@@ -121,13 +103,15 @@ impl<const D: usize> Contact<D> {
         Ok(())
     }
 
-    /// Replaces the options. Kept patches stay kept with another law, and are released with another estimator.
+    /// Replaces the options, not those that pairs have of their own ([`Self::set_pair_options`]). Kept patches stay kept with another law, and are released with another estimator.
     ///
     /// # Errors
-    /// As [`Self::new`]; the old options then stay in force.
+    /// As [`Self::new`]; [`Error::OfPair`] where the estimator does not support the law of a pair. The old options then
+    /// stay in force.
     pub fn set_options(&mut self, options: Options) -> Result<(), Error> {
         options.check()?;
         check_depth(&self.surface, &options)?;
+        self.pair_table.check(&options)?;
         if options.threads != self.options.threads {
             self.pool = pool(options.threads)?;
         }
@@ -135,7 +119,7 @@ impl<const D: usize> Contact<D> {
             self.release_patches();
             self.estimator = estimator(&options)?;
         }
-        self.law = pair_law(&options)?;
+        self.law = pair_law(&options.law)?;
         self.options = options;
         self.forget_found();
         Ok(())
@@ -149,11 +133,6 @@ impl<const D: usize> Contact<D> {
     /// The surface.
     pub fn surface(&self) -> &Surface<D> {
         &self.surface
-    }
-
-    /// Number of obstacles.
-    pub fn obstacle_count(&self) -> usize {
-        self.obstacles.len()
     }
 
     /// Contact forces at `coords`, `[node_count, D]`.

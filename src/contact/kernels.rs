@@ -4,7 +4,7 @@ use super::Contact;
 use super::fields::{NodalContact, PointOfContact, points_of_contact, points_of_depth};
 use super::forces::ContactForces;
 use super::gap_constraints::GapConstraints;
-use super::laws::{self, Measured, PairLaw};
+use super::laws::{self, EnergyLaw, Measured, PairLaw};
 use super::mass_scaled::largest_step;
 use super::options::Options;
 use super::tangent::{Tangent, TangentPart};
@@ -80,7 +80,7 @@ kernel! { /// Patches of all pairs, for all facets.
 patches = patches_in() -> patch_list }
 
 fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
-    let pairs = contact.for_each_pair(coords, |measured| contact.law.energy(measured))?;
+    let pairs = contact.for_each_pair(coords, |measured| measured.law.energy(measured))?;
     ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &pairs)
 }
 
@@ -90,7 +90,7 @@ fn tangent_in<const D: usize>(
     part: TangentPart,
 ) -> Result<Tangent<D>, Error> {
     let tangents =
-        contact.for_each_pair(coords, |measured| contact.law.tangent(measured, part, obstacle_node(measured)))?;
+        contact.for_each_pair(coords, |measured| measured.law.tangent(measured, part, obstacle_node(measured)))?;
     Tangent::sum(tangents).checked()
 }
 
@@ -106,7 +106,7 @@ fn evaluate_with_tangent_in<const D: usize>(
     part: TangentPart,
 ) -> Result<(ContactForces<D>, Tangent<D>), Error> {
     let found = contact.for_each_pair(coords, |measured| {
-        let found = contact.law.energy_and_tangent(measured, part, obstacle_node(measured))?;
+        let found = measured.law.energy_and_tangent(measured, part, obstacle_node(measured))?;
         Ok((found.0.is_some() || found.1.is_some()).then_some(found))
     })?;
     let (energies, tangents): (Vec<_>, Vec<_>) = found.into_iter().unzip();
@@ -120,11 +120,11 @@ fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], mas
 }
 
 fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
-    contact.for_each_pair(coords, |measured| contact.law.overlap(measured))
+    contact.for_each_pair(coords, |measured| measured.law.overlap(measured))
 }
 
 fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
-    let traces = contact.for_each_pair(coords, |measured| match contact.law.is_local() {
+    let traces = contact.for_each_pair(coords, |measured| match measured.law.is_local() {
         true => Ok(measured.contact_points(false)?.map(|points| points.trace(measured.pair))),
         false => measured.estimator.trace(measured.pair).map(Some),
     })?;
@@ -132,7 +132,7 @@ fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result
 }
 
 fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
-    let pairs = contact.for_each_pair(coords, |measured| contact.law.energy_and_nodal_sums(measured))?;
+    let pairs = contact.for_each_pair(coords, |measured| measured.law.energy_and_nodal_sums(measured))?;
     NodalContact::assemble(coords.len(), &pairs)
 }
 
@@ -141,7 +141,7 @@ fn contact_points_in<const D: usize>(
     coords: &[[f64; D]],
 ) -> Result<Vec<PointOfContact<D>>, Error> {
     let points = contact.for_each_pair(coords, |measured| {
-        let (law, pair) = (&contact.law, measured.pair);
+        let (law, pair) = (measured.law, measured.pair);
         let pressure = |penetration: f64| law.pressure_at(penetration);
         Ok(match () {
             () if law.is_local() => {
@@ -167,10 +167,13 @@ fn gap_constraints_in<const D: usize>(
 }
 
 fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<PatchesByPair<D>, Error> {
-    if !contact.law.is_local() {
+    if !contact.laws().any(|law| law.is_local()) {
         return Ok(Vec::new());
     }
     contact.for_each_pair(coords, |measured| {
+        if !measured.law.is_local() {
+            return Ok(None);
+        }
         let Some(mut patches) = measured.patches(Reach::Everywhere)? else { return Ok(None) };
         patches.spacing = measured.estimator.spacing(measured.pair, &patches)?;
         Ok(Some((measured.pair.partners, patches)))
@@ -188,13 +191,13 @@ pub(super) fn estimator<const D: usize>(options: &Options) -> Result<Box<dyn Ove
     if D == 2 { recast(in_plane(options)) } else { recast(in_space(options)) }
 }
 
-/// The law that the options name.
-pub(super) fn pair_law<const D: usize>(options: &Options) -> Result<Box<dyn PairLaw<D>>, Error> {
-    fn in_plane(options: &Options) -> Box<dyn PairLaw<2>> {
-        laws::pair_law(&options.law)
+/// The law as pairs follow it.
+pub(super) fn pair_law<const D: usize>(law: &EnergyLaw) -> Result<Box<dyn PairLaw<D>>, Error> {
+    fn in_plane(law: &EnergyLaw) -> Box<dyn PairLaw<2>> {
+        laws::pair_law(law)
     }
-    fn in_space(options: &Options) -> Box<dyn PairLaw<3>> {
-        laws::pair_law(&options.law)
+    fn in_space(law: &EnergyLaw) -> Box<dyn PairLaw<3>> {
+        laws::pair_law(law)
     }
-    if D == 2 { recast(in_plane(options)) } else { recast(in_space(options)) }
+    if D == 2 { recast(in_plane(law)) } else { recast(in_space(law)) }
 }

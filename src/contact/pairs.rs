@@ -1,10 +1,11 @@
 //! The pairs that may overlap.
 
 use super::Contact;
-use super::laws::Measured;
+use super::laws::{Measured, PairLaw};
+use super::rigid::Rigid;
 use super::state::State;
 use crate::Error;
-use crate::geometry::{Pose, Shape};
+use crate::geometry::Shape;
 use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
 use rayon::prelude::*;
 
@@ -45,31 +46,51 @@ impl<const D: usize> Contact<D> {
 
     fn is_marched(&self, partners: &[Partner; 2]) -> bool {
         match partners[1] {
-            Partner::Obstacle(o) => matches!(self.obstacles[o].implicit(), Shape::SignedDistance(_)),
+            Partner::Obstacle(o) => {
+                let is_marched = |rigid: &Rigid<D>| matches!(rigid.implicit(), Shape::SignedDistance(_));
+                self.obstacles[o].as_ref().is_some_and(is_marched)
+            }
             Partner::Body(_) => false,
         }
     }
 
-    /// Partners whose boxes meet, or nearly do, ascending: for every body itself (if asked for), later bodies, obstacles.
+    /// Partners that are not left out and whose boxes meet, or nearly do, ascending: for every body itself (if asked for),
+    /// later bodies, obstacles.
     fn pairs(&self, state: &State<D>, reach: f64) -> Vec<[Partner; 2]> {
         let mut pairs = Vec::new();
         let meeting = state.configuration.meeting_bodies(reach);
         let mut next = meeting.iter().peekable();
         for i in 0..self.surface.body_count() {
-            if self.options.self_contact {
-                pairs.push([Partner::Body(i); 2]);
+            let itself = [Partner::Body(i); 2];
+            if self.pair_table.has(&itself, self.options.self_contact) {
+                pairs.push(itself);
             }
             while let Some((_, j)) = next.next_if(|(first, _)| *first == i) {
-                pairs.push([Partner::Body(i), Partner::Body(*j)]);
+                let pair = [Partner::Body(i), Partner::Body(*j)];
+                if self.pair_table.has(&pair, true) {
+                    pairs.push(pair);
+                }
             }
             let aabb = state.configuration.body_box(i).inflated(reach);
             for (o, (rigid, placed)) in self.obstacles.iter().zip(&state.placed).enumerate() {
-                if rigid.may_meet(placed.as_ref(), &aabb) {
-                    pairs.push([Partner::Body(i), Partner::Obstacle(o)]);
+                let pair = [Partner::Body(i), Partner::Obstacle(o)];
+                let Some(rigid) = rigid else { continue };
+                if self.pair_table.has(&pair, true) && rigid.may_meet(placed.as_ref(), &aabb) {
+                    pairs.push(pair);
                 }
             }
         }
         pairs
+    }
+
+    /// The law that a pair follows.
+    fn law_of(&self, partners: &[Partner; 2]) -> &dyn PairLaw<D> {
+        self.pair_table.law(partners).unwrap_or(&*self.law)
+    }
+
+    /// The laws that pairs may follow.
+    pub(super) fn laws(&self) -> impl Iterator<Item = &dyn PairLaw<D>> {
+        std::iter::once(&*self.law).chain(self.pair_table.laws())
     }
 
     fn with_pair<T>(
@@ -81,11 +102,12 @@ impl<const D: usize> Contact<D> {
         let State { configuration, placed, found } = state;
         let Partner::Body(first) = partners[0] else { return Ok(None) };
         let a = configuration.body(&self.surface, first);
-        let pose: Option<&Pose<D>> = match partners[1] {
-            Partner::Obstacle(o) => Some(&self.obstacles[o].obstacle.pose),
+        let rigid = match partners[1] {
+            Partner::Obstacle(o) => self.obstacles[o].as_ref(),
             Partner::Body(_) => None,
         };
-        let counterpart = match (partners[1], pose) {
+        let pose = rigid.map(|rigid| &rigid.obstacle.pose);
+        let counterpart = match (partners[1], rigid) {
             (Partner::Body(second), _) if second == first => {
                 if !a.may_cross_itself() && self.surface.is_one_sheet(first) {
                     return Ok(None);
@@ -93,10 +115,10 @@ impl<const D: usize> Contact<D> {
                 Counterpart::Itself
             }
             (Partner::Body(second), _) => Counterpart::Facets(configuration.body(&self.surface, second)),
-            (Partner::Obstacle(obstacle), Some(pose)) => match &placed[obstacle] {
-                Some(placed) => Counterpart::Facets(self.obstacles[obstacle].side(placed)),
+            (Partner::Obstacle(obstacle), Some(rigid)) => match &placed[obstacle] {
+                Some(placed) => Counterpart::Facets(rigid.side(placed)),
                 None => {
-                    let shape = self.obstacles[obstacle].implicit();
+                    let (shape, pose) = (rigid.implicit(), &rigid.obstacle.pose);
                     Counterpart::Implicit(ImplicitSide { obstacle, shape, pose })
                 }
             },
@@ -105,10 +127,11 @@ impl<const D: usize> Contact<D> {
         // Outside the pool there is none to share the work with.
         let parallel = self.pool.is_some() && !counterpart.is_marched();
         let (surface, coords) = (&self.surface, configuration.coords());
-        let depth = self.depth_field();
+        let law = self.law_of(&partners);
+        let depth = self.depth_field(law);
         let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, parallel };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
-        work(&Measured { pair: &pair, estimator: &*self.estimator, kept, found })
+        work(&Measured { pair: &pair, law, estimator: &*self.estimator, kept, found })
     }
 }

@@ -1,7 +1,7 @@
 //! What a contact keeps from one evaluation to the next: nothing that any result depends on.
 
 use super::Contact;
-use super::laws::FoundPatches;
+use super::laws::{FoundPatches, PairLaw};
 use super::rigid::Placed;
 use crate::Error;
 use crate::configuration::Configuration;
@@ -37,8 +37,8 @@ impl<const D: usize> Contact<D> {
     }
 
     /// How deep the cells of bodies lie below their surfaces, where the law asks for it and there are cells.
-    pub(super) fn depth_field(&self) -> Option<&DepthField<D>> {
-        if !self.law.needs_depth() {
+    pub(super) fn depth_field(&self, law: &dyn PairLaw<D>) -> Option<&DepthField<D>> {
+        if !law.needs_depth() {
             return None;
         }
         self.depth.get_or_init(|| DepthField::new(&self.surface, self.in_symmetry_plane.as_deref())).as_ref()
@@ -58,7 +58,10 @@ impl<const D: usize> Contact<D> {
         let prefers_facets = self.estimator.prefers_facets();
         state.placed.resize_with(self.obstacles.len(), || None);
         for (rigid, placed) in self.obstacles.iter().zip(&mut state.placed) {
-            rigid.place(prefers_facets, placed);
+            match rigid {
+                Some(rigid) => rigid.place(prefers_facets, placed),
+                None => *placed = None,
+            }
         }
         Ok(())
     }

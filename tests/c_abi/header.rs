@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 30] = [
+const SOURCES: [&str; 32] = [
     "version",
     "status",
     "failure",
@@ -24,6 +24,7 @@ const SOURCES: [&str; 30] = [
     "stable_step",
     "evaluation",
     "getters",
+    "pair_options",
     "nodal_lists",
     "nodal_contact",
     "contact_point",
@@ -33,6 +34,7 @@ const SOURCES: [&str; 30] = [
     "pose",
     "part",
     "obstacle",
+    "obstacle_list",
     "signed_distance",
     "stiffness",
 ];

@@ -27,12 +27,12 @@ CALLBACKS = {"fmc_signed_distance": _signatures.SIGNED_DISTANCE, "fmc_log_callba
 STRUCTS = {
     name: getattr(_structs, name)
     for name in ("fmc_options", "fmc_coords", "fmc_forces", "fmc_cell_block", "fmc_cell_block_i64", "fmc_result")
-    + ("fmc_resultant", "fmc_pair", "fmc_contact_side", "fmc_contact_point")
+    + ("fmc_resultant", "fmc_pair", "fmc_pair_options", "fmc_contact_side", "fmc_contact_point")
     + ("fmc_gap_constraint", "fmc_pose", "fmc_part")
 }
 # Pointers that stand for an array (by the argument's name) take numpy arrays; the others one struct or number.
 ARRAYS = {"double": _signatures.Float64Array, "int32_t": _signatures.Int32Array, "int64_t": _signatures.Int64Array}
-SCALARS = {"volume", "stiffness", "factor", "code", "step"}
+SCALARS = {"volume", "stiffness", "factor", "code", "step", "shape"}
 
 
 def pointee(kind):
@@ -135,13 +135,15 @@ def enumeration(name):
 
 def test_numbers_of_the_header_are_those_of_the_package():
     assert re.search(r"#define FMC_ABI_VERSION (\d+)", CODE).group(1) == str(_structs.ABI_VERSION)
-    for flag in ("FMC_ADD", "FMC_SEMIDEFINITE", "FMC_BLOCKS", "FMC_OBSTACLES", "FMC_FROM_ONE"):
-        assert re.search(rf"#define {flag} (\d+)", CODE).group(1) == str(getattr(_structs, flag))
+    for flag in ("FMC_ADD", "FMC_SEMIDEFINITE", "FMC_BLOCKS", "FMC_OBSTACLES", "FMC_FROM_ONE", "FMC_LAW_OF_CONTEXT"):
+        assert re.search(rf"#define {flag} (-?\d+)", CODE).group(1) == str(getattr(_structs, flag))
     for option, values in _structs.CHOICES.items():
         prefix = f"FMC_{option.upper()}_"
         assert enumeration(f"fmc_{option}") == {prefix + text.upper(): number for number, text in values.items()}
     partners = {f"FMC_PARTNER_{text.upper()}": number for number, text in _structs.PARTNERS.items()}
     assert enumeration("fmc_partner") == partners
+    shapes = {f"FMC_SHAPE_{text.upper()}": number for number, text in enumerate(_structs.SHAPES)}
+    assert enumeration("fmc_shape") == shapes
     warnings = {f"FMC_WARNING_{text.upper()}": number for number, text in _structs.WARNINGS.items()}
     assert enumeration("fmc_warning") == warnings
     assert sorted(enumeration("fmc_cell_type").values()) == sorted(_structs.CELL_TYPES.values())

@@ -7,11 +7,13 @@ from fmc_contact.errors import (
     DegenerateHullError,
     EmptyCompoundError,
     NonFiniteHeightError,
+    ObstacleOutOfRangeError,
+    ObstacleRemovedError,
     SignedDistanceError,
     TooFewHeightsError,
     UnsupportedError,
 )
-from scenes import K
+from scenes import K, same_bits
 
 SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
 CUBE = np.vstack([np.c_[SQUARE, np.zeros(4)], np.c_[SQUARE, np.ones(4)]])
@@ -111,6 +113,39 @@ def test_an_obstacle_moves_with_its_pose():
     assert contact.evaluate(SQUARE).volume == pytest.approx(0.25)
     contact.set_pose(wall, None)
     assert contact.evaluate(SQUARE).volume == pytest.approx(0)
+
+
+def test_a_removed_obstacle_is_gone_and_the_others_keep_their_numbers():
+    def gone(points):
+        raise AssertionError("a removed obstacle is asked for its distance")
+
+    contact, alone = body(2), body(2)
+    moved = contact.add_signed_distance(gone)
+    wall = contact.add_half_space((0, 0.25), (0, 1))
+    alone.add_half_space((0, 0.25), (0, 1))
+    pose = Pose.along((1, 2), (3, 4), scale=2)
+    contact.set_pose(moved, pose)
+    shape, found = contact.obstacle(moved)
+    assert shape == "signed_distance" and repr(found) == repr(pose)
+    assert contact.obstacle(wall)[0] == "half_space" and contact.obstacle(wall)[1].position.tolist() == [0, 0.25]
+    contact.set_pair(0, ("obstacle", moved), excluded=True)
+    contact.remove_obstacle(moved)
+    result, expected = contact.evaluate(SQUARE), alone.evaluate(SQUARE)
+    assert same_bits(result.forces, expected.forces)
+    assert [obstacle.force.tolist() for obstacle in result.obstacles] == [[0, 0], expected.obstacles[0].force.tolist()]
+    for call in (
+        lambda: contact.remove_obstacle(moved),
+        lambda: contact.obstacle(moved),
+        lambda: contact.set_pose(moved, None),
+        lambda: contact.set_pair(0, ("obstacle", moved)),
+    ):
+        with pytest.raises(ObstacleRemovedError, match="obstacle 0 was removed"):
+            call()
+    with pytest.raises(ObstacleOutOfRangeError, match="no obstacle 2"):
+        contact.remove_obstacle(2)
+    with pytest.raises(IndexError, match="no obstacle -1"):
+        contact.obstacle(-1)
+    assert contact.add_ball(1.0, (5, 5)) == 2 == contact.obstacle_count - 1
 
 
 def test_poses_say_where_they_are():

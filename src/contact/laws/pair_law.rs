@@ -66,6 +66,8 @@ pub(crate) struct FoundPatches<const D: usize>(Mutex<BTreeMap<[Partner; 2], Opti
 /// A pair, and how it is measured.
 pub(crate) struct Measured<'a, const D: usize> {
     pub(crate) pair: &'a Pair<'a, D>,
+    /// The law that the pair follows.
+    pub(crate) law: &'a dyn PairLaw<D>,
     pub(crate) estimator: &'a dyn OverlapEstimator<D>,
     /// Patches that are kept during a solve.
     pub(crate) kept: Option<&'a Patches<D>>,

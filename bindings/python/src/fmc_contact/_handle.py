@@ -71,3 +71,7 @@ class Handle:
     def keep(self, key: object, callback: object) -> None:
         """Keeps a callback alive as long as the context, or until another takes its key."""
         self._callbacks[key] = callback
+
+    def release(self, key: object) -> None:
+        """Lets the callback of a key go, if there is one."""
+        self._callbacks.pop(key, None)

@@ -15,6 +15,7 @@ from ._structs import (
     fmc_gap_constraint,
     fmc_options,
     fmc_pair,
+    fmc_pair_options,
     fmc_part,
     fmc_pose,
     fmc_result,
@@ -126,6 +127,15 @@ FUNCTIONS = {
     "fmc_context_obstacle": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),
     "fmc_context_pair": (STATUS, [Context, c_size_t, POINTER(fmc_pair)]),
     "fmc_context_warning": (STATUS, [Context, c_size_t, POINTER(c_int32), POINTER(c_char_p)]),
+    "fmc_pair_options_init": (STATUS, [POINTER(fmc_pair_options)]),
+    "fmc_context_set_pair_options": (
+        STATUS,
+        [Context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options)],
+    ),
+    "fmc_context_pair_options": (
+        STATUS,
+        [Context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options)],
+    ),
     "fmc_context_nodal_contact": (
         STATUS,
         [Context, _COORDS, Float64Array, Float64Array, Float64Array, Float64Array, Int32Array, c_size_t],
@@ -153,7 +163,9 @@ FUNCTIONS = {
     "fmc_part_init": (STATUS, [POINTER(fmc_part)]),
     "fmc_context_add_compound": (STATUS, [Context, POINTER(fmc_part), c_size_t, _POSE, _COUNT]),
     "fmc_context_add_signed_distance": (STATUS, [Context, SIGNED_DISTANCE, c_void_p, _POSE, _COUNT]),
+    "fmc_context_obstacle_shape": (STATUS, [Context, c_size_t, POINTER(c_int32), _POSE]),
     "fmc_context_set_pose": (STATUS, [Context, c_size_t, _POSE]),
+    "fmc_context_remove_obstacle": (STATUS, [Context, c_size_t]),
     "fmc_suggest_fiber_stiffness": (STATUS, [c_double, c_double, _NUMBER]),
     "fmc_suggest_stiffness_from_modulus": (STATUS, [c_int32, c_double, c_double, c_double, _NUMBER]),
     "fmc_suggest_stiffness_from_pressure": (STATUS, [c_int32, c_double, c_double, c_double, _NUMBER]),

@@ -12,6 +12,7 @@ FMC_SEMIDEFINITE = 2
 FMC_BLOCKS = 4
 FMC_OBSTACLES = 8
 FMC_FROM_ONE = 16
+FMC_LAW_OF_CONTEXT = -1
 
 CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12}
 """Values of ``fmc_cell_type`` by the names of meshio."""
@@ -26,6 +27,21 @@ CHOICES = {
     "weights": {0: "balance", 1: "consistent"},
 }
 """Options that take one of a few values: names by number."""
+
+SHAPES = (
+    "half_space",
+    "ball",
+    "cuboid",
+    "cylinder",
+    "cone",
+    "capsule",
+    "polytope",
+    "convex_hull",
+    "height_field",
+    "compound",
+    "signed_distance",
+)
+"""Names of ``fmc_shape``, in the order of its values."""
 
 PARTNERS = {0: "body", 1: "obstacle"}
 WARNINGS = {
@@ -134,6 +150,20 @@ class fmc_pair(Structure):
         ("penetration", c_double),
         ("spacing", c_double),
         ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_pair_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("stiffness", c_double),
+        ("exponent", c_double),
+        ("smoothing_length", c_double),
+        ("gap_offset", c_double),
+        ("friction_coefficient", c_double),
+        ("law", c_int32),
+        ("excluded", c_int32),
+        ("reserved", c_uint64 * 10),
     ]
 
 

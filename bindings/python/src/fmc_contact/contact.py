@@ -17,6 +17,7 @@ from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .gaps import GapConstraints, gap_constraints
 from .linearised import Linearised
 from .options import changed, defaults, described
+from .pair_options import PairOptions
 from .result import Result, gather
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from .options import Options
 
 
-class Contact(Linearised):
+class Contact(PairOptions, Linearised):
     """Boundary, search trees and obstacles of a mesh, kept between evaluations.
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
@@ -95,7 +96,8 @@ class Contact(Linearised):
         return described(self._options)
 
     def set_options(self, **options: Unpack[Options]) -> None:
-        """Changes some options, ``stiffness`` too; the others stay. They apply from the next evaluation on."""
+        """Changes some options, ``stiffness`` too; the others stay, and those of single pairs (``set_pair``). They apply
+        from the next evaluation on."""
         with self._handle:
             replaced = changed(self._options, options)
             self._handle.call(library.fmc_context_set_options, byref(replaced))

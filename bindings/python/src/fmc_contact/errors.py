@@ -250,6 +250,18 @@ class NotPositiveMassError(FmcError, ValueError):
     status = 35
 
 
+class BodyOutOfRangeError(FmcError, IndexError):
+    """No body of this index."""
+
+    status = 36
+
+
+class ObstacleRemovedError(FmcError, IndexError):
+    """The obstacle of this index was removed."""
+
+    status = 37
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

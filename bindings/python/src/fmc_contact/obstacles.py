@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import addressof, byref, c_double, c_size_t
+from ctypes import addressof, byref, c_double, c_int32, c_size_t
 from typing import Callable, Sequence, Tuple
 
 import numpy as np
@@ -12,9 +12,9 @@ from ._arrays import coords_view, indices, vector
 from ._handle import Handle
 from ._library import library
 from ._signatures import SIGNED_DISTANCE
-from ._structs import fmc_part
+from ._structs import SHAPES, fmc_part, fmc_pose
 from .part import Part
-from .pose import Placement, Pose, pose_struct
+from .pose import Placement, Pose, placed, pose_struct
 
 SignedDistance = Callable[[np.ndarray], Tuple[ArrayLike, ArrayLike]]
 """From points (n, dim) to distances (n,), negative inside, and their gradients (n, dim), of any length."""
@@ -26,6 +26,12 @@ def _memory(pointer, *shape: int) -> np.ndarray:
     return np.frombuffer(memoryview(memory)).reshape(shape)
 
 
+def _index(obstacle: int) -> int:
+    if obstacle < 0:
+        raise IndexError(f"no obstacle {obstacle}")
+    return obstacle
+
+
 class Obstacles:
     """The part of ``Contact`` that deals with obstacles. Every ``add_`` returns the obstacle's index: 0, 1, 2, ...
 
@@ -35,7 +41,7 @@ class Obstacles:
 
     dim: int
     obstacle_count: int = 0
-    """Number of obstacles."""
+    """Number of obstacles, with those that were removed: the next one gets this index."""
     _handle: Handle
 
     def _add(self, function, *arguments, pose: Placement) -> int:
@@ -146,8 +152,24 @@ class Obstacles:
         return obstacle
 
     def set_pose(self, obstacle: int, pose: Placement) -> None:
-        """Moves an obstacle. Errors: ``ObstacleOutOfRangeError``, ``BadPoseError``, ``BusyError``."""
-        if obstacle < 0:
-            raise IndexError(f"no obstacle {obstacle}")
+        """Moves an obstacle. Errors: ``ObstacleOutOfRangeError``, ``ObstacleRemovedError``, ``BadPoseError``,
+        ``BusyError``."""
         with self._handle:
-            self._handle.call(library.fmc_context_set_pose, obstacle, byref(pose_struct(pose, self.dim)))
+            self._handle.call(library.fmc_context_set_pose, _index(obstacle), byref(pose_struct(pose, self.dim)))
+
+    def obstacle(self, obstacle: int) -> tuple[str, Pose]:
+        """Shape of an obstacle, what stands after ``add_`` in the method that made it, and its pose; a flat obstacle
+        made by a point and a normal is a ``"half_space"``. Errors: ``ObstacleOutOfRangeError``,
+        ``ObstacleRemovedError``, ``BusyError``."""
+        shape, pose = c_int32(), fmc_pose()
+        with self._handle:
+            self._handle.call(library.fmc_context_obstacle_shape, _index(obstacle), byref(shape), byref(pose))
+        return SHAPES[shape.value], placed(pose, self.dim)
+
+    def remove_obstacle(self, obstacle: int) -> None:
+        """Removes an obstacle, and the options of its pairs. The others keep their indices; its own is never given
+        again, and stands in ``Result.obstacles`` with a resultant of zero. Errors: ``ObstacleOutOfRangeError``,
+        ``ObstacleRemovedError``, ``BusyError``."""
+        with self._handle:
+            self._handle.call(library.fmc_context_remove_obstacle, _index(obstacle))
+            self._handle.release(obstacle)

@@ -10,17 +10,17 @@ from numpy.typing import ArrayLike
 
 from ._arrays import coords_view, vector
 from ._library import check, library
-from ._structs import fmc_part
+from ._structs import SHAPES, fmc_part
 from .pose import Placement, pose_struct
 
-SHAPES = ("half_space", "ball", "cuboid", "cylinder", "cone", "capsule", "polytope", "convex_hull")
-"""Names of ``fmc_shape``, in the order of its values."""
+PART_SHAPES = SHAPES[: SHAPES.index("convex_hull") + 1]
+"""Shapes that a part of a compound may have."""
 
 
 class Part:
     """A shape and its pose in a compound.
 
-    ``shape`` is one of ``SHAPES``; its sizes are those of the method ``add_`` of the same name: ``radius``,
+    ``shape`` is one of ``PART_SHAPES``; its sizes are those of the method ``add_`` of the same name: ``radius``,
     ``half_height``, ``half_extents``, ``points``, ``facets``.
     """
 
@@ -35,8 +35,8 @@ class Part:
         points: Optional[ArrayLike] = None,
         facets: Optional[ArrayLike] = None,
     ):
-        if shape not in SHAPES:
-            raise ValueError(f"no shape '{shape}' of a part; there are {', '.join(SHAPES)}")
+        if shape not in PART_SHAPES:
+            raise ValueError(f"no shape '{shape}' of a part; there are {', '.join(PART_SHAPES)}")
         self.shape, self.pose = shape, pose
         self.radius, self.half_height, self.half_extents = float(radius), float(half_height), half_extents
         self.points, self.facets = points, facets

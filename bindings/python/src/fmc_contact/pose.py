@@ -50,6 +50,11 @@ Placement = Union[Pose, ArrayLike, None]
 """A pose; a position alone, (dim,); or ``None`` for the origin."""
 
 
+def placed(struct: fmc_pose, dim: int) -> Pose:
+    """The pose of a contact in ``dim`` dimensions."""
+    return Pose(struct.position[:dim], np.array(struct.rotation[:]).reshape(3, 3)[:dim, :dim], struct.scale)
+
+
 def pose_struct(placement: Placement, dim: int) -> fmc_pose:
     """The pose for a contact in ``dim`` dimensions."""
     struct = fmc_pose()

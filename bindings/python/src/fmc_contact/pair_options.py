@@ -1,0 +1,95 @@
+"""Options of single pairs: left out, or with a law of their own."""
+
+from __future__ import annotations
+
+from ctypes import byref
+from typing import Tuple, Union
+
+from ._handle import Handle
+from ._library import check, library
+from ._structs import CHOICES, FMC_LAW_OF_CONTEXT, PARTNERS, fmc_options, fmc_pair_options
+
+Partner = Union[int, Tuple[str, int]]
+"""A body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``, as in
+``Pair.a``."""
+
+_OF_LAW = ("stiffness", "exponent", "smoothing_length")
+
+
+def _named(partner: Partner) -> tuple[int, int]:
+    kind, index = partner if isinstance(partner, tuple) else ("body", partner)
+    numbers = {name: number for number, name in PARTNERS.items()}
+    if kind not in numbers:
+        raise ValueError(f"no partner '{kind}': body or obstacle is wanted")
+    if index < 0:
+        raise IndexError(f"no {kind} {index}")
+    return numbers[kind], int(index)
+
+
+class PairOptions:
+    """The part of ``Contact`` that deals with options of single pairs.
+
+    Errors: ``BodyOutOfRangeError`` and ``ObstacleOutOfRangeError``, which name the index; ``NotPositiveError``;
+    ``UnknownOptionError`` for an unknown value, or one that would have no effect; ``UnsupportedError`` for two obstacles,
+    and for a law that the estimator does not support; ``BusyError``. What was set before then stays.
+    """
+
+    _handle: Handle
+    _options: fmc_options
+
+    def set_pair(
+        self,
+        a: Partner,
+        b: Partner,
+        *,
+        law: str | None = None,
+        stiffness: float | None = None,
+        exponent: float | None = None,
+        smoothing_length: float | None = None,
+        excluded: bool = False,
+    ) -> None:
+        """Gives the pair of ``a`` and ``b``, in either order, options of its own, in place of those it had.
+
+        ``excluded``: the pair is left out; it is not measured, and adds nothing to any result. ``law`` with ``stiffness``,
+        and ``exponent`` or ``smoothing_length``: the law of this pair, as in ``Options``. ``stiffness`` alone: the law
+        that the contact has now, with this stiffness. None of these: the law of the contact, also after it changes.
+
+        For a body with itself (``a == b``) this decides in place of the option ``self_contact`` whether it is evaluated
+        against itself: ``excluded`` switches that off for this body, and anything else on.
+        """
+        given = {"stiffness": stiffness, "exponent": exponent, "smoothing_length": smoothing_length}
+        own = fmc_pair_options()
+        check(library.fmc_pair_options_init(byref(own)))
+        own.excluded = bool(excluded)
+        if law is not None:
+            numbers = {name: number for number, name in CHOICES["law"].items()}
+            if law not in numbers:
+                raise ValueError(f"option 'law' has no value '{law}': {' or '.join(numbers)} is wanted")
+            own.law = numbers[law]
+        elif stiffness is not None:
+            own.law = self._options.law
+            given = {key: getattr(self._options, key) if value is None else value for key, value in given.items()}
+        for key, value in given.items():
+            if value is not None:
+                setattr(own, key, float(value))
+        self._set_pair(a, b, byref(own))
+
+    def reset_pair(self, a: Partner, b: Partner) -> None:
+        """Takes a pair's options back: it follows the options of the contact again."""
+        self._set_pair(a, b, None)
+
+    def _set_pair(self, a: Partner, b: Partner, options: object) -> None:
+        with self._handle:
+            self._handle.call(library.fmc_context_set_pair_options, *_named(a), *_named(b), options)
+
+    def pair_options(self, a: Partner, b: Partner) -> dict[str, object]:
+        """The options of a pair, as ``set_pair`` takes them: ``excluded``, and ``law`` with what belongs to it, ``None``
+        where it is the contact's. Of a pair without options of its own, those that hold for it."""
+        found = fmc_pair_options()
+        with self._handle:
+            self._handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
+        has_law = found.law != FMC_LAW_OF_CONTEXT
+        options: dict[str, object] = {"excluded": bool(found.excluded)}
+        options["law"] = CHOICES["law"][found.law] if has_law else None
+        options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
+        return options

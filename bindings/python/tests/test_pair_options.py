@@ -1,0 +1,112 @@
+"""Options of single pairs, on a tower of three squares on a floor; every contact is 0.1 deep and 1 wide."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from fmc_contact import Contact, errors
+from scenes import K, same_bits
+
+SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+TOWER = np.concatenate([SQUARE + [0, 0.9 * n] for n in range(3)])
+CELLS = np.arange(12).reshape(3, 4)
+FLOOR = ("obstacle", 0)
+
+
+def tower(**options: object) -> Contact:
+    contact = Contact(TOWER, CELLS, "quad", **({"stiffness": K, "law": "volume", "estimator": "exact"} | options))
+    contact.add_half_space((0, 0.1), (0, 1))
+    return contact
+
+
+def pressures(contact: Contact) -> dict[tuple, float]:
+    return {(pair.a[1], pair.b): pair.pressure for pair in contact.evaluate(TOWER).pairs}
+
+
+def test_every_pair_may_have_its_stiffness() -> None:
+    contact = tower()
+    contact.set_pair(1, 0, stiffness=7 * K)
+    contact.set_pair(("body", 1), ("body", 2), law="volume", stiffness=3 * K, exponent=2)
+    expected = {(0, ("body", 1)): 7 * K, (1, ("body", 2)): 3 * K * 2 * 0.1, (0, FLOOR): K}
+    assert pressures(contact) == pytest.approx(expected)
+    # Others follow the contact's options when they change; a law that was taken over does not.
+    contact.set_options(stiffness=2 * K)
+    assert pressures(contact) == pytest.approx(expected | {(0, FLOOR): 2 * K})
+    contact.reset_pair(0, 1)
+    contact.reset_pair(0, 1)
+    assert pressures(contact) == pytest.approx(expected | {(0, FLOOR): 2 * K, (0, ("body", 1)): 2 * K})
+
+
+def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
+    contact = tower(exponent=2)
+    contact.set_pair(FLOOR, 0, stiffness=5 * K)
+    assert contact.pair_options(0, FLOOR) == {
+        "excluded": False,
+        "law": "volume",
+        "stiffness": 5 * K,
+        "exponent": 2.0,
+        "smoothing_length": 0.0,
+    }
+    assert pressures(contact)[0, FLOOR] == pytest.approx(5 * K * 2 * 0.1)
+
+
+def test_laws_differ_from_pair_to_pair() -> None:
+    contact, alone = tower(), tower(law="depth")
+    contact.set_pair(0, 1, law="depth", stiffness=K)
+    for partner in (FLOOR, 2):
+        alone.set_pair(1 if partner == 2 else 0, partner, excluded=True)
+    forces, of_depth = contact.evaluate(TOWER).forces, alone.evaluate(TOWER).forces
+    assert len(alone.evaluate(TOWER).pairs) == 1 and np.abs(of_depth).max() > 0
+    contact.set_pair(0, 1, excluded=True)
+    assert forces == pytest.approx(of_depth + contact.evaluate(TOWER).forces, abs=1e-13 * K)
+
+
+def test_pairs_are_left_out() -> None:
+    contact = tower()
+    before = contact.evaluate(TOWER).forces
+    contact.set_pair(0, FLOOR, excluded=True)
+    contact.set_pair(2, 1, excluded=True)
+    assert contact.pair_options(1, 2)["excluded"] is True
+    result = contact.evaluate(TOWER)
+    assert [(pair.a, pair.b) for pair in result.pairs] == [(("body", 0), ("body", 1))]
+    assert np.all(result.forces[8:] == 0) and np.all(result.obstacles[0].force == 0)
+    contact.set_pair(0, FLOOR)
+    contact.reset_pair(1, 2)
+    assert same_bits(contact.evaluate(TOWER).forces, before)
+
+
+def test_self_contact_of_one_body() -> None:
+    contact = Contact(TOWER, CELLS, "quad", stiffness=K, law="volume", estimator="exact", bodies=[0, 0, 1])
+    assert contact.evaluate(TOWER).volume == pytest.approx(0.1)
+    assert contact.pair_options(0, 0)["excluded"] is True
+    contact.set_pair(0, 0)
+    assert contact.pair_options(0, 0)["excluded"] is False
+    assert contact.evaluate(TOWER).volume == pytest.approx(0.2)
+    contact.set_options(self_contact=True)
+    contact.set_pair(0, 0, excluded=True)
+    assert contact.evaluate(TOWER).volume == pytest.approx(0.1)
+
+
+def test_what_is_refused_changes_nothing() -> None:
+    contact = tower(estimator="fibers", law="fiber")
+    contact.set_pair(0, 1, stiffness=2 * K)
+    before, options = contact.evaluate(TOWER).forces, contact.pair_options(0, 1)
+    for error, text, change in [
+        (errors.BodyOutOfRangeError, "no body 3, only 3", lambda: contact.set_pair(0, 3)),
+        (errors.ObstacleOutOfRangeError, "no obstacle 1", lambda: contact.set_pair(0, ("obstacle", 1))),
+        (errors.UnsupportedError, "two obstacles", lambda: contact.set_pair(FLOOR, FLOOR)),
+        (errors.NotPositiveError, "pair of body 0 and body 1: 'stiffness' is NaN", lambda: contact.set_pair(0, 1, stiffness=np.nan)),
+        (errors.NotPositiveError, "'stiffness' is 0", lambda: contact.set_pair(0, 1, law="volume")),
+        (errors.UnknownOptionError, "'exponent' of a pair belongs to a law", lambda: contact.set_pair(0, 1, exponent=2)),
+        (errors.UnsupportedError, "law depth on sampled", lambda: contact.set_pair(0, 1, law="depth", stiffness=K)),
+        (ValueError, "no value 'glue'", lambda: contact.set_pair(0, 1, law="glue", stiffness=K)),
+        (ValueError, "no partner 'wall'", lambda: contact.set_pair(0, ("wall", 1))),
+        (IndexError, "no body -1", lambda: contact.set_pair(0, -1)),
+    ]:
+        with pytest.raises(error, match=text):
+            change()
+        assert contact.pair_options(0, 1) == options
+        assert same_bits(contact.evaluate(TOWER).forces, before)
+    with pytest.raises(errors.BodyOutOfRangeError) as caught:
+        contact.pair_options(0, 9)
+    assert caught.value.indices == {"body": (9,)}

@@ -1,0 +1,82 @@
+//! The obstacles of a context: asked for, moved, removed.
+
+use super::boundary::entry;
+use super::context::{fmc_context, read, write};
+use super::part::fmc_shape;
+use super::part::fmc_shape::*;
+use super::pointer::{Output, reference};
+use super::pose::fmc_pose;
+use super::status::fmc_status;
+use crate::Shape;
+
+/// Value of `fmc_shape` for the shape of an obstacle.
+pub(super) fn kind_of<const D: usize>(shape: &Shape<D>) -> fmc_shape {
+    match shape {
+        Shape::HalfSpace => FMC_SHAPE_HALF_SPACE,
+        Shape::Ball { .. } => FMC_SHAPE_BALL,
+        Shape::Cuboid { .. } => FMC_SHAPE_CUBOID,
+        Shape::Cylinder { .. } => FMC_SHAPE_CYLINDER,
+        Shape::Cone { .. } => FMC_SHAPE_CONE,
+        Shape::Capsule { .. } => FMC_SHAPE_CAPSULE,
+        Shape::Polytope { .. } => FMC_SHAPE_POLYTOPE,
+        Shape::ConvexHull { .. } => FMC_SHAPE_CONVEX_HULL,
+        Shape::HeightField(_) => FMC_SHAPE_HEIGHT_FIELD,
+        Shape::Compound { .. } => FMC_SHAPE_COMPOUND,
+        Shape::SignedDistance(_) => FMC_SHAPE_SIGNED_DISTANCE,
+    }
+}
+
+/// Shape of an obstacle, a value of `fmc_shape`, and its pose as it stands. Either output may be NULL.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
+/// Threads: several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_obstacle_shape(
+    context: *const fmc_context,
+    obstacle: usize,
+    shape: *mut i32,
+    pose: *mut fmc_pose,
+) -> fmc_status {
+    entry(|| {
+        let (shape, pose) = (Output::optional("shape", shape)?, Output::optional("pose", pose)?);
+        // SAFETY: the host passes a context.
+        let found = unsafe { read(context) }?.session.obstacle(obstacle)?;
+        // SAFETY: the outputs, where given, may be written.
+        unsafe {
+            shape.write(found.0 as i32);
+            pose.write(found.1);
+        }
+        Ok(())
+    })
+}
+
+/// Moves an obstacle. Results of the last evaluation are kept.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+/// `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_pose(
+    context: *mut fmc_context,
+    obstacle: usize,
+    pose: *const fmc_pose,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and a pose.
+        unsafe { write(context, |state| state.session.set_pose(obstacle, *reference("pose", pose)?)) }
+    })
+}
+
+/// Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
+/// given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
+/// last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed distance any
+/// more.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED` if it was removed
+/// before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        unsafe { write(context, |state| state.session.remove_obstacle(obstacle)) }
+    })
+}

@@ -1,0 +1,262 @@
+//! Options of single pairs.
+
+use super::boundary::entry;
+use super::context::{fmc_context, read, write};
+use super::evaluation::fmc_partner;
+use super::failure::Failure;
+use super::option_values::EXCLUDED;
+use super::options::{fmc_estimator, fmc_law, fmc_options};
+use super::pointer::{Output, optional};
+use super::status::fmc_status;
+use super::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION, FMC_ERROR_UNSUPPORTED};
+use crate::contact::PairOptions;
+use crate::overlap::Partner;
+use crate::{EnergyLaw, FiberProfile};
+
+/// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
+/// after they change.
+pub const FMC_LAW_OF_CONTEXT: i32 = -1;
+
+/// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
+/// has without options of its own.
+///
+/// New options take the place of reserved fields; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_pair_options {
+    /// Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
+    pub struct_size: usize,
+    /// k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
+    /// default.
+    pub stiffness: f64,
+    /// m >= 1, for the law "volume" only. Default 1.
+    pub exponent: f64,
+    /// Smoothing length of the law "fiber"; 0, the default: the quadratic law.
+    pub smoothing_length: f64,
+    /// Zero. Distance at which contact begins, for a later version of the library.
+    pub gap_offset: f64,
+    /// Zero. Coefficient of friction, for a later version of the library.
+    pub friction_coefficient: f64,
+    /// A value of `fmc_law`, or `FMC_LAW_OF_CONTEXT`, the default.
+    pub law: i32,
+    /// 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
+    pub excluded: i32,
+    /// Zero. Room for options of later versions.
+    pub reserved: [u64; 10],
+}
+
+impl Default for fmc_pair_options {
+    fn default() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            stiffness: 0.0,
+            exponent: 1.0,
+            smoothing_length: 0.0,
+            gap_offset: 0.0,
+            friction_coefficient: 0.0,
+            law: FMC_LAW_OF_CONTEXT,
+            excluded: 0,
+            reserved: [0; 10],
+        }
+    }
+}
+
+impl From<PairOptions> for fmc_pair_options {
+    fn from(options: PairOptions) -> Self {
+        let own = Self { excluded: options.excluded.into(), ..Self::default() };
+        match options.law {
+            None => own,
+            Some(EnergyLaw::Volume { stiffness, exponent }) => {
+                Self { law: fmc_law::FMC_LAW_VOLUME as i32, stiffness, exponent, ..own }
+            }
+            Some(EnergyLaw::Depth { stiffness }) => Self { law: fmc_law::FMC_LAW_DEPTH as i32, stiffness, ..own },
+            Some(EnergyLaw::Fiber { stiffness, profile }) => {
+                let smoothing_length = match profile {
+                    FiberProfile::Quadratic => 0.0,
+                    FiberProfile::Linear { smoothing_length } => smoothing_length,
+                };
+                Self { law: fmc_law::FMC_LAW_FIBER as i32, stiffness, smoothing_length, ..own }
+            }
+        }
+    }
+}
+
+impl fmc_pair_options {
+    /// The options of the crate, which checks the numbers.
+    fn to_pair_options(self) -> Result<PairOptions, Failure> {
+        if self.struct_size != size_of::<Self>() {
+            let text = format!(
+                "fmc_pair_options has struct_size {}, expected {}: call fmc_pair_options_init first",
+                self.struct_size,
+                size_of::<Self>()
+            );
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
+        }
+        if self.reserved != [0; 10] {
+            let text = "a reserved field of fmc_pair_options is not zero: an option of a later version of the library";
+            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+        }
+        for (key, value) in [("gap_offset", self.gap_offset), ("friction_coefficient", self.friction_coefficient)] {
+            if value != 0.0 {
+                let text = format!("option '{key}' of a pair is {value}: it is for a later version of the library");
+                return Err(Failure::new(FMC_ERROR_UNSUPPORTED, text));
+            }
+        }
+        Ok(PairOptions { excluded: EXCLUDED.is_on(self.excluded)?, law: self.law()? })
+    }
+
+    fn law(&self) -> Result<Option<EnergyLaw>, Failure> {
+        let &Self { law, stiffness, exponent, smoothing_length, .. } = self;
+        if law == FMC_LAW_OF_CONTEXT {
+            // Whoever sets one of these means something by it.
+            let set = [("stiffness", stiffness != 0.0), ("exponent", exponent != 1.0)];
+            let set =
+                set.into_iter().chain([("smoothing_length", smoothing_length != 0.0)]).find(|(_, is_set)| *is_set);
+            return match set {
+                None => Ok(None),
+                Some((key, _)) => {
+                    let text = format!("option '{key}' of a pair belongs to a law: set 'law' of the pair, too");
+                    Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text))
+                }
+            };
+        }
+        // What holds for the law of a context holds here. Of the estimators, "exact" has no options of its own.
+        let estimator = fmc_estimator::FMC_ESTIMATOR_EXACT as i32;
+        let alike = fmc_options { law, stiffness, exponent, smoothing_length, estimator, ..fmc_options::default() };
+        Ok(Some(alike.to_options()?.law))
+    }
+}
+
+/// The partner that the host names.
+fn partner(kind: i32, index: usize) -> Result<Partner, Failure> {
+    match kind {
+        _ if kind == fmc_partner::FMC_PARTNER_BODY as i32 => Ok(Partner::Body(index)),
+        _ if kind == fmc_partner::FMC_PARTNER_OBSTACLE as i32 => Ok(Partner::Obstacle(index)),
+        _ => Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("{kind} is no value of fmc_partner"))),
+    }
+}
+
+/// Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status {
+    entry(|| {
+        let output = Output::required("options", options)?;
+        // SAFETY: the host passes a struct of the header's size, which may be written.
+        unsafe { output.write(fmc_pair_options::default()) };
+        Ok(())
+    })
+}
+
+/// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
+/// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
+///
+/// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body` and obstacles as
+/// `fmc_context_obstacle`. For a body with itself these options decide in place of the context's `self_contact` whether
+/// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
+/// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
+/// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
+/// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
+/// gap offset or friction; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+/// estimator that does not support the law of a pair. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_pair_options(
+    context: *mut fmc_context,
+    a_kind: i32,
+    a: usize,
+    b_kind: i32,
+    b: usize,
+    options: *const fmc_pair_options,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context, and options or NULL.
+        unsafe {
+            write(context, |state| {
+                let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
+                let options = optional("options", options)?.map(|options| options.to_pair_options()).transpose()?;
+                state.session.set_pair_options(partners, options)
+            })
+        }
+    })
+}
+
+/// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
+/// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
+/// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+/// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_pair_options(
+    context: *const fmc_context,
+    a_kind: i32,
+    a: usize,
+    b_kind: i32,
+    b: usize,
+    options: *mut fmc_pair_options,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::required("options", options)?;
+        let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
+        // SAFETY: the host passes a context.
+        let found = unsafe { read(context) }?.session.pair_options(partners)?;
+        // SAFETY: the host passes an output that may be written.
+        unsafe { output.write(found.into()) };
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(change: impl FnOnce(&mut fmc_pair_options)) -> (fmc_status, String) {
+        let mut options = fmc_pair_options::default();
+        change(&mut options);
+        let failure = options.to_pair_options().unwrap_err();
+        (failure.status, failure.text)
+    }
+
+    #[test]
+    fn options_come_back_as_they_were_set() {
+        assert_eq!(fmc_pair_options::default().to_pair_options().unwrap(), PairOptions::default());
+        let linear = FiberProfile::Linear { smoothing_length: 1e-3 };
+        for law in [
+            EnergyLaw::Volume { stiffness: 3.0, exponent: 1.5 },
+            EnergyLaw::fiber(3.0),
+            EnergyLaw::Fiber { stiffness: 3.0, profile: linear },
+            EnergyLaw::depth(3.0),
+        ] {
+            for excluded in [false, true] {
+                let options = PairOptions { excluded, law: Some(law) };
+                assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_no_effect_or_no_meaning_is_refused() {
+        for (change, text) in [
+            ((|o| o.stiffness = 1.0) as fn(&mut fmc_pair_options), "'stiffness' of a pair belongs to a law"),
+            (|o| o.exponent = 2.0, "'exponent' of a pair belongs to a law"),
+            (|o| o.smoothing_length = f64::NAN, "'smoothing_length' of a pair belongs to a law"),
+            (|o| (o.law, o.exponent) = (1, 2.0), "'exponent' belongs to the law 'volume'"),
+            (|o| (o.law, o.smoothing_length) = (2, 1.0), "'smoothing_length' belongs to the law 'fiber'"),
+            (|o| o.law = 3, "option 'law' has no value 3"),
+            (|o| o.excluded = 2, "option 'excluded' has no value 2"),
+            (|o| o.reserved[9] = 1, "later version"),
+        ] {
+            let (status, found) = refused(change);
+            assert!(status == FMC_ERROR_UNKNOWN_OPTION && found.contains(text), "{found}");
+        }
+        for value in [0.3, f64::NAN, -1.0] {
+            assert_eq!(refused(|o| o.gap_offset = value).0, FMC_ERROR_UNSUPPORTED);
+            let (status, text) = refused(|o| o.friction_coefficient = value);
+            assert!(status == FMC_ERROR_UNSUPPORTED && text.contains("'friction_coefficient' of a pair is"), "{text}");
+        }
+        assert_eq!(refused(|o| o.struct_size = 0).0, FMC_ERROR_STRUCT_SIZE);
+    }
+}

@@ -1,0 +1,79 @@
+//! Options of a single pair of partners.
+
+use super::{Contact, EnergyLaw};
+use crate::Error;
+use crate::overlap::Partner;
+
+/// What holds for one pair of partners in place of the [`super::Options`]. The default changes nothing, but for a body
+/// with itself: its self-contact is then evaluated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PairOptions {
+    /// The pair is left out: it is not measured, and adds nothing to any result.
+    pub excluded: bool,
+    /// Energy law of the pair and its stiffness; `None`: those of the options, also after they change.
+    pub law: Option<EnergyLaw>,
+}
+
+impl PairOptions {
+    /// A pair that is left out.
+    pub fn excluded() -> Self {
+        Self { excluded: true, law: None }
+    }
+
+    /// A pair with a law of its own.
+    pub fn with_law(law: EnergyLaw) -> Self {
+        Self { excluded: false, law: Some(law) }
+    }
+}
+
+impl<const D: usize> Contact<D> {
+    /// Sets the options of a pair, body with body or body with obstacle, in either order; `None`: it follows the options
+    /// of the contact again, as every pair does at first.
+    ///
+    /// For a body with itself they decide in place of `Options::self_contact` whether it is evaluated against itself:
+    /// `excluded` switches that off for this body, and anything else on.
+    ///
+    /// Kept patches stay kept, and patches of a pair that gets a local law later are found at every evaluation, until
+    /// [`Self::keep_patches`] is called again.
+    ///
+    /// # Errors
+    /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles, which do not
+    /// act on one another; [`Error::OfPair`] for a value out of its range, or a law that the estimator does not
+    /// support. The old options then stay.
+    pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
+        let pair = self.checked_pair(partners)?;
+        self.pair_table.set(pair, options, &self.options)?;
+        self.forget_found();
+        Ok(())
+    }
+
+    /// The options of a pair, in either order; `None` where it follows those of the contact.
+    ///
+    /// # Errors
+    /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles.
+    pub fn pair_options(&self, partners: [Partner; 2]) -> Result<Option<PairOptions>, Error> {
+        Ok(self.pair_table.options(&self.checked_pair(partners)?))
+    }
+
+    /// The partners in the order in which pairs have them: bodies before obstacles, each by index.
+    fn checked_pair(&self, mut partners: [Partner; 2]) -> Result<[Partner; 2], Error> {
+        for partner in partners {
+            match partner {
+                Partner::Body(body) => {
+                    let count = self.surface.body_count();
+                    if body >= count {
+                        return Err(Error::BodyOutOfRange { body, count });
+                    }
+                }
+                Partner::Obstacle(obstacle) => drop(self.rigid(obstacle)?),
+            }
+        }
+        partners.sort_unstable();
+        match partners {
+            [Partner::Obstacle(_), _] => {
+                Err(Error::Unsupported { what: "a pair of two obstacles: they do not act on one another" })
+            }
+            pair => Ok(pair),
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! The pairs that have options of their own, and the law that each follows.
+
+use super::kernels::pair_law;
+use super::laws::PairLaw;
+use super::options::Options;
+use super::pair_options::PairOptions;
+use crate::Error;
+use crate::overlap::Partner;
+use std::collections::BTreeMap;
+
+/// Options by pair, bodies before obstacles; pairs that follow the options of the contact are not in it.
+pub(super) struct PairTable<const D: usize>(BTreeMap<[Partner; 2], Entry<D>>);
+
+struct Entry<const D: usize> {
+    options: PairOptions,
+    law: Option<Box<dyn PairLaw<D>>>,
+}
+
+impl<const D: usize> PairTable<D> {
+    pub(super) fn new() -> Self {
+        Self(BTreeMap::new())
+    }
+
+    /// Puts the options of a pair in, or takes them out.
+    pub(super) fn set(
+        &mut self,
+        pair: [Partner; 2],
+        options: Option<PairOptions>,
+        defaults: &Options,
+    ) -> Result<(), Error> {
+        match options {
+            Some(options) => {
+                check(&pair, &options, defaults)?;
+                let law = options.law.as_ref().map(pair_law).transpose()?;
+                self.0.insert(pair, Entry { options, law });
+            }
+            None => drop(self.0.remove(&pair)),
+        }
+        Ok(())
+    }
+
+    /// Takes the options of all pairs of a partner out.
+    pub(super) fn forget(&mut self, partner: Partner) {
+        self.0.retain(|pair, _| !pair.contains(&partner));
+    }
+
+    pub(super) fn options(&self, pair: &[Partner; 2]) -> Option<PairOptions> {
+        self.0.get(pair).map(|entry| entry.options)
+    }
+
+    /// Whether the pair is evaluated, where it would be `by_default`.
+    pub(super) fn has(&self, pair: &[Partner; 2], by_default: bool) -> bool {
+        // A body with itself that is in the table is there to be evaluated, unless the entry says otherwise.
+        self.0.get(pair).map_or(by_default, |entry| !entry.options.excluded)
+    }
+
+    /// The law of the pair, if it has one of its own.
+    pub(super) fn law(&self, pair: &[Partner; 2]) -> Option<&dyn PairLaw<D>> {
+        self.0.get(pair)?.law.as_deref()
+    }
+
+    /// The laws that pairs have of their own.
+    pub(super) fn laws(&self) -> impl Iterator<Item = &dyn PairLaw<D>> {
+        self.0.values().filter_map(|entry| entry.law.as_deref())
+    }
+
+    /// Whether all entries are allowed beside these options.
+    pub(super) fn check(&self, defaults: &Options) -> Result<(), Error> {
+        self.0.iter().try_for_each(|(pair, entry)| check(pair, &entry.options, defaults))
+    }
+}
+
+fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Result<(), Error> {
+    let Some(law) = options.law else { return Ok(()) };
+    let side = |partner| match partner {
+        Partner::Body(body) => ("body", body),
+        Partner::Obstacle(obstacle) => ("obstacle", obstacle),
+    };
+    let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
+    Options { law, ..*defaults }.check().map_err(of_pair)
+}
