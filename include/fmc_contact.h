@@ -474,7 +474,7 @@ typedef struct {
   uint64_t reserved[10];
 } fmc_pair_options;
 
-// One end of a contact point: where, and the shape functions of the boundary face there.
+// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there.
 typedef struct {
   // A value of `fmc_partner`.
   int32_t kind;
@@ -520,9 +520,9 @@ typedef struct {
   uint64_t reserved[8];
 } fmc_contact_point;
 
-// The weighted gap of a node of one body over the surface of one partner: gap = int N min(phi, reach) dA over the facets
-// of the node, N being its shape function and phi the distance from the partner's surface, negative inside. Contact is
-// gap >= 0.
+// The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over what the facets of the
+// node have nearer than the reach and facing the partner, within 60 degrees of the way to its nearest point. N is the shape
+// function of the node, phi the distance from the partner's surface, negative inside. Contact is gap >= 0.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
@@ -538,7 +538,7 @@ typedef struct {
   size_t partner;
   // Weighted gap, in length^dim.
   double gap;
-  // int N dA: `gap / area` is the mean gap at the node.
+  // int N dA over the same part: `gap / area` is the mean gap at the node.
   double area;
   // Zero.
   uint64_t reserved[4];
@@ -802,12 +802,18 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context, const int64_t *n
 // Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 // is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
 // beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
-// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be
-// NULL.
+// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the laws
+// "depth" and "fiber". Both may be NULL.
 //
-// With the law "fiber", kept patches and `momentum_correction` 0 it is the derivative of the forces of
-// `fmc_context_evaluate`; the momentum correction, which is small, is not differentiated. `flags`: 0 or
+// With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
+// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0 or
 // `FMC_SEMIDEFINITE`.
+//
+// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
+// a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
+// k * penetration of an iterate exceeds E / 10, and twice that of the last equilibrium, lower the option `stiffness` so that
+// it does not, raise it at least fourfold in every iteration, and take `FMC_SEMIDEFINITE` until it is k again; else take the
+// full tangent. docs/newton.md has the loop, and the iterations it takes on five problems.
 //
 // Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
 // call at a time on a context.

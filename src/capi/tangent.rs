@@ -30,12 +30,18 @@ pub(super) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
 /// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 /// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
 /// beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
-/// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the law "fiber". Both may be
-/// NULL.
+/// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the laws
+/// "depth" and "fiber". Both may be NULL.
 ///
-/// With the law "fiber", kept patches and `momentum_correction` 0 it is the derivative of the forces of
-/// `fmc_context_evaluate`; the momentum correction, which is small, is not differentiated. `flags`: 0 or
+/// With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
+/// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0 or
 /// `FMC_SEMIDEFINITE`.
+///
+/// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
+/// a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
+/// k * penetration of an iterate exceeds E / 10, and twice that of the last equilibrium, lower the option `stiffness` so that
+/// it does not, raise it at least fourfold in every iteration, and take `FMC_SEMIDEFINITE` until it is k again; else take the
+/// full tangent. docs/newton.md has the loop, and the iterations it takes on five problems.
 ///
 /// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
 /// call at a time on a context.
