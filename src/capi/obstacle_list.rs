@@ -2,29 +2,9 @@
 
 use super::boundary::entry;
 use super::context::{fmc_context, read, write};
-use super::part::fmc_shape;
-use super::part::fmc_shape::*;
 use super::pointer::{Output, reference};
 use super::pose::fmc_pose;
 use super::status::fmc_status;
-use crate::Shape;
-
-/// Value of `fmc_shape` for the shape of an obstacle.
-pub(super) fn kind_of<const D: usize>(shape: &Shape<D>) -> fmc_shape {
-    match shape {
-        Shape::HalfSpace => FMC_SHAPE_HALF_SPACE,
-        Shape::Ball { .. } => FMC_SHAPE_BALL,
-        Shape::Cuboid { .. } => FMC_SHAPE_CUBOID,
-        Shape::Cylinder { .. } => FMC_SHAPE_CYLINDER,
-        Shape::Cone { .. } => FMC_SHAPE_CONE,
-        Shape::Capsule { .. } => FMC_SHAPE_CAPSULE,
-        Shape::Polytope { .. } => FMC_SHAPE_POLYTOPE,
-        Shape::ConvexHull { .. } => FMC_SHAPE_CONVEX_HULL,
-        Shape::HeightField(_) => FMC_SHAPE_HEIGHT_FIELD,
-        Shape::Compound { .. } => FMC_SHAPE_COMPOUND,
-        Shape::SignedDistance(_) => FMC_SHAPE_SIGNED_DISTANCE,
-    }
-}
 
 /// Shape of an obstacle, a value of `fmc_shape`, and its pose as it stands. Either output may be NULL.
 ///

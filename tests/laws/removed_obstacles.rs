@@ -101,3 +101,17 @@ fn its_number_is_an_error_and_is_not_given_again() {
     let found = contact.obstacle(2).unwrap();
     assert!(matches!(found.shape, Shape::Cuboid { half_extents: [0.5, 0.5] }) && found.pose == pose);
 }
+
+/// The law of a pair stands in the way of an estimator; that of a pair that is gone does not.
+#[test]
+fn the_options_of_its_pairs_go_with_it() {
+    let scene = plane_scene(2);
+    let mut contact = scene.contact(exactly(EnergyLaw::fiber(1.0)));
+    let [wall, ..] = obstacles(false);
+    let wall = contact.add_obstacle(wall).unwrap();
+    contact.set_pair_options([Rigid(wall), Body(0)], Some(PairOptions::with_law(EnergyLaw::depth(1.0)))).unwrap();
+    let by_lines = lines(0.05, 2);
+    assert!(matches!(contact.set_options(by_lines), Err(Error::OfPair { .. })));
+    contact.remove_obstacle(wall).unwrap();
+    contact.set_options(by_lines).unwrap();
+}
