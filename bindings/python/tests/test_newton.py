@@ -88,6 +88,16 @@ def test_what_is_not_found_is_an_error_that_says_why(column):
     assert isinstance(caught.value.__cause__, errors.InvertedCellError)
 
 
+def test_bodies_that_move_as_one_are_in_equilibrium(column):
+    coords, contact, _ = column
+    free = np.arange(4)
+    for push in (0.1, 0.3, 1 / 3):
+        springs = 1e4 * (np.eye(16) - 0.125 * np.tile(np.eye(2), (8, 8)))
+        target = coords - [0.0, push]
+        found = newton(lambda x: (springs @ (x - coords).ravel(), springs), contact, coords, free, target, young=YOUNG)
+        assert found.iterations <= 2 and np.abs(found.x - target).max() < 1e-13
+
+
 def test_wrong_arguments_are_told(column):
     coords, contact, host = column
     with pytest.raises(ValueError, match=r"shape \(16,\), that of x is \(8, 2\)"):

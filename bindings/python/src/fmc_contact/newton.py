@@ -40,6 +40,10 @@ _GROWTH = 2.0
 _BALANCED = 0.01
 
 
+# Residual by |K| |x| that is made of rounding: some bits of the sums that a host takes over elements.
+_ROUNDING = 8 * np.finfo(np.float64).eps
+
+
 class NotConvergedError(FmcError, RuntimeError):
     """Newton's method did not find an equilibrium; ``residuals`` are those of all iterations, relative."""
 
@@ -88,7 +92,7 @@ def newton(
     that are solved for. ``prescribed``: in the shape of ``x``, what the others are at the end of the step, entries at
     free ones are not read; default: what they are in ``x``. ``young``: Young's modulus of the softest body, which says
     what pressure cells bear. Converged: the residual at free unknowns is at most ``tolerance`` times the forces, in
-    Euclid's norm, of the bodies or of contact, whichever is larger. ``solve(matrix, right)``: a linear solver; default:
+    Euclid's norm, of the bodies or of contact, whichever is larger, or rounding. ``solve(matrix, right)``: a linear solver; default:
     scipy's ``splu``, numpy's for an array. Lengths and pressures are in the units of the contact.
 
     For laws of which the pressure is ``stiffness`` times the penetration: ``"depth"``, and ``"fiber"`` with kept
@@ -175,7 +179,10 @@ class _Search:
                 raise self.failed(iteration, str(error)) from error
             residual = inside - contact
             size = max(np.linalg.norm(inside), np.linalg.norm(contact))
-            relative = np.linalg.norm(residual[self.free]) / size if size != 0 else 0.0
+            left = np.linalg.norm(residual[self.free])
+            # Bodies that moved as one have forces of rounding alone, of which no part is small.
+            rounding = _ROUNDING * np.linalg.norm(abs(matrix) @ abs(self.x.ravel()))
+            relative = left / size if left > rounding or not np.isfinite(left) else 0.0
             if not np.isfinite(relative):
                 raise self.failed(iteration, "the residual is not finite")
             is_soft, is_moving = self.k < self.stiffness, bool(self.step.any())
