@@ -92,8 +92,8 @@ def newton(
     that are solved for. ``prescribed``: in the shape of ``x``, what the others are at the end of the step, entries at
     free ones are not read; default: what they are in ``x``. ``young``: Young's modulus of the softest body, which says
     what pressure cells bear. Converged: the residual at free unknowns is at most ``tolerance`` times the forces, in
-    Euclid's norm, of the bodies or of contact, whichever is larger, or rounding. ``solve(matrix, right)``: a linear solver; default:
-    scipy's ``splu``, numpy's for an array. Lengths and pressures are in the units of the contact.
+    Euclid's norm, of the bodies or of contact, whichever is larger, or rounding. ``solve(matrix, right)``: a linear
+    solver; default: scipy's ``splu``, numpy's for an array. Lengths and pressures are in the units of the contact.
 
     For laws of which the pressure is ``stiffness`` times the penetration: ``"depth"``, and ``"fiber"`` with kept
     patches. The stiffness of the contact is changed during the call; afterwards, and after an error, it is what it was.
