@@ -113,7 +113,7 @@ def two_meshes(out, kind):
     us = [interpolate(fem.Function(space)) for space in spaces]
     tables = []
     for whole in (True, False):
-        contact = DolfinxContact(spaces, stiffness=1e4, estimator="exact", whole_mesh=whole)
+        contact = DolfinxContact(spaces, stiffness=1e4, law="fiber", estimator="exact", whole_mesh=whole)
         forces = [fem.Function(space) for space in spaces]
         for function, values in zip(forces, contact.force(*us)):
             function.x.array[: len(values)] = values

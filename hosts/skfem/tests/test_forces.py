@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import skfem
-from fmc_contact import contact_force
+from fmc_contact import Contact
 from fmc_contact_skfem import SkfemContact
 from fmc_contact_skfem.field import cells_of, mesh_from_cells
 from scenes import ELEMENTS, blocks, by_axis, displacement, joined
@@ -16,13 +16,15 @@ def test_first_order_gives_the_bits_of_the_package(element):
     bases = blocks(element)
     u = displacement(bases)
     contact = SkfemContact(joined(bases), stiffness=1e4, estimator="exact")
-    coords, cells, first = [], [], 0
+    undeformed, coords, cells, first = [], [], [], 0
     for basis, offset in joined(bases):
         kind, conn = cells_of(basis.mesh)
+        undeformed.append(basis.mesh.p.T)
         coords.append(basis.mesh.p.T + u[basis.nodal_dofs + offset].T)
         cells.append((kind, conn + first))
         first += len(coords[-1])
-    alone = contact_force(np.concatenate(coords), cells, stiffness=1e4, estimator="exact")
+    # Depths are those without displacement.
+    alone = Contact(np.concatenate(undeformed), cells, stiffness=1e4, estimator="exact").evaluate(np.concatenate(coords))
     assert alone.volume > 1e-4
     total = contact.force(u)
     start = 0
@@ -130,8 +132,8 @@ def test_cells_come_back_in_the_order_they_went_in(element):
 def test_divided_first_order_agrees_with_its_cells():
     bases = blocks("Q1 3D")
     u = displacement(bases)
-    by_cells = SkfemContact(joined(bases), stiffness=1e4, estimator="exact")
-    by_faces = SkfemContact(joined(bases), stiffness=1e4, estimator="exact", divisions=1)
+    by_cells = SkfemContact(joined(bases), stiffness=1e4, law="fiber", estimator="exact")
+    by_faces = SkfemContact(joined(bases), stiffness=1e4, law="fiber", estimator="exact", divisions=1)
     # The same facets, clipped by other simplices: rounding only.
     assert np.abs(by_cells.force(u) - by_faces.force(u)).max() < 1e-11 * np.abs(by_cells.force(u)).max()
 
@@ -162,7 +164,7 @@ def test_obstacles_of_the_contact_below():
 def test_nodal_pressure_at_vertices(element):
     bases = blocks(element)
     u = displacement(bases)
-    contact = SkfemContact(joined(bases), stiffness=1e4, estimator="exact")
+    contact = SkfemContact(joined(bases), stiffness=1e4, law="fiber", estimator="exact")
     field = contact.nodal_contact(u)
     coords = contact.coords(u)
     pressures, places = contact.at_vertices(field.pressure), contact.at_vertices(coords)
@@ -180,3 +182,14 @@ def test_nodal_pressure_at_vertices(element):
     # The force on the upper block, from the pressure at all points.
     carried = -(field.pressure * field.area)[:, None] * field.normal
     np.testing.assert_allclose(carried, contact.evaluate(u).forces, atol=1e-9)
+
+
+def test_nodal_pressure_of_the_depth_law_carries_the_force():
+    """Forces on nodes inside come to the surface above them: the sums over a block are what stays."""
+    bases = blocks("Q1 3D")
+    u = displacement(bases)
+    contact = SkfemContact(joined(bases), stiffness=1e4)
+    field, result = contact.nodal_contact(u), contact.evaluate(u)
+    carried = -(field.pressure * field.area)[:, None] * field.normal
+    upper = np.arange(len(carried)) >= bases[0].mesh.nvertices
+    np.testing.assert_allclose(carried[upper].sum(axis=0), result.bodies[1].force, atol=1e-9)
