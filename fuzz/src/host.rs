@@ -281,6 +281,7 @@ impl Host {
             }
             Call::StableStep { mass, hole } => self.stable_step(mass.0, *hole),
             Call::Fields { read, hole } => self.fields(*read, *hole),
+            Call::Gaps { reach, hole } => self.gaps(reach.0, *hole),
             Call::KeepPatches { forget, hole } => self.keep_patches(*forget, *hole),
             Call::SetOptions(from) => self.set_options(&options(from, self.mesh.is_ordinary())),
             Call::SetByName { key, value } => self.set_by_name(*key, value),
@@ -483,6 +484,36 @@ impl Host {
             }
             assert_eq!(checked(fmc_context_contact_points(self.context, points.ptr(), count)), OK);
             assert!(points.values().iter().all(|point| point.struct_size == size_of::<fmc_contact_point>()));
+        }
+    }
+
+    fn gaps(&mut self, reach: f64, hole: Hole) {
+        let array = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let (view, mut rows, mut entries) = (array.view, 77usize, 77usize);
+        // SAFETY: as in `evaluate`; rows and entries go where there is room for so many.
+        unsafe {
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let (rows_at, entries_at) = (unless(hole, 1, &raw mut rows), unless(hole, 2, &raw mut entries));
+            let status = fmc_context_find_gap_constraints(self.context, coords, reach, rows_at, entries_at);
+            if checked(status) != OK || (2..4).contains(&hole) {
+                assert!(rows == 77 || hole == 3);
+                return;
+            }
+            let blank = std::mem::MaybeUninit::<fmc_gap_constraint>::zeroed().assume_init();
+            let found = Guarded::new(&vec![blank; rows]);
+            let (offsets, cols) = (Guarded::new(&vec![-7i64; rows + 1]), Guarded::new(&vec![-7i64; entries]));
+            let values = Guarded::new(&vec![f64::from_bits(CANARY); entries]);
+            if rows > 0 {
+                assert_ne!(checked(fmc_context_gap_constraints(self.context, found.ptr(), rows - 1)), OK);
+            }
+            assert_eq!(checked(fmc_context_gap_constraints(self.context, found.ptr(), rows)), OK);
+            assert!(found.values().iter().all(|row| row.struct_size == size_of::<fmc_gap_constraint>()));
+            let (offsets_at, cols_at, values_at) = (offsets.ptr(), cols.ptr(), values.ptr());
+            assert_eq!(checked(fmc_context_gap_gradient(self.context, offsets_at, cols_at, values_at, entries)), OK);
+            assert_eq!(offsets.values().last().copied(), Some(entries as i64));
+            let size = (self.mesh.node_count() * self.mesh.dim) as i64;
+            assert!(cols.values().iter().all(|col| (0..size).contains(col)));
+            assert!(values.values().iter().all(|value| value.is_finite()));
         }
     }
 

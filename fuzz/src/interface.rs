@@ -119,7 +119,7 @@ pub struct fmc_contact_side {
     pub node_count: i32,
     pub index: usize,
     pub cell: i64,
-    pub nodes: [i64; 4],
+    pub nodes: [i64; 8],
     pub weights: [f64; 8],
     pub position: [f64; 3],
 }
@@ -136,6 +136,20 @@ pub struct fmc_contact_point {
     pub area: f64,
     pub sides: [fmc_contact_side; 2],
     pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fmc_gap_constraint {
+    pub struct_size: usize,
+    pub node: i64,
+    pub body: usize,
+    pub partner_kind: i32,
+    pub reserved_flags: i32,
+    pub partner: usize,
+    pub gap: f64,
+    pub area: f64,
+    pub reserved: [u64; 4],
 }
 
 #[repr(C)]
@@ -358,6 +372,25 @@ unsafe extern "C" {
     pub fn fmc_context_contact_points(
         context: *const fmc_context,
         points: *mut fmc_contact_point,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_find_gap_constraints(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        reach: f64,
+        count: *mut usize,
+        entry_count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_gap_constraints(
+        context: *const fmc_context,
+        rows: *mut fmc_gap_constraint,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_gap_gradient(
+        context: *const fmc_context,
+        row_offsets: *mut i64,
+        cols: *mut i64,
+        values: *mut f64,
         capacity: usize,
     ) -> fmc_status;
     pub fn fmc_context_keep_pattern(context: *mut fmc_context, keep: i32) -> fmc_status;

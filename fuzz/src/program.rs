@@ -151,6 +151,10 @@ pub enum Call {
     KeepPattern {
         keep: u8,
     },
+    Gaps {
+        reach: Number,
+        hole: Hole,
+    },
     StableStep {
         mass: Number,
         hole: Hole,

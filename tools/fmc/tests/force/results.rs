@@ -42,7 +42,7 @@ fn blocks_press_with_stiffness_times_area() {
     for (estimator, tolerance) in [("exact", 1e-12), ("fibers", 0.01)] {
         let found = json(
             "blocks_press_with_stiffness_times_area",
-            &format!("examples/two_blocks.msh --stiffness 1e6 --estimator {estimator}"),
+            &format!("examples/two_blocks.msh --stiffness 1e6 --law volume --estimator {estimator}"),
         );
         assert!((number(&found["volume"]) / 0.005 - 1.0).abs() < tolerance, "{found}");
         assert!((number(&found["energy"]) / 5000.0 - 1.0).abs() < tolerance);
@@ -61,7 +61,7 @@ fn blocks_press_with_stiffness_times_area() {
 /// where it is as deep as the balls in the cells of 0.125 along it are wide.
 #[test]
 fn blocks_press_by_their_depth() {
-    let found = json("blocks_press_by_their_depth", "examples/two_blocks.msh --stiffness 1e6 --law depth");
+    let found = json("blocks_press_by_their_depth", "examples/two_blocks.msh --stiffness 1e6");
     let [lower, upper] = [0, 1].map(|body| numbers(&found["bodies"][body]["force"]));
     assert!(upper[2] > 0.8 * 5000.0 && upper[2] < 5000.0, "{found}");
     assert!((0..3).all(|axis| close(upper[axis], -lower[axis], 5000.0)), "{found}");
@@ -126,7 +126,7 @@ fn bodies_are_files_parts_or_groups() {
     );
     let twice = "examples/ball.vtu examples/ball.vtu --translate 2=0,0,0.9";
     assert_eq!(names(twice), ["ball.vtu (mesh 1)", "ball.vtu (mesh 2)"]);
-    assert_eq!(names(&format!("{DATA}/shell_text.msh")), ["shell_text.msh, part 1", "shell_text.msh, part 2"]);
+    assert_eq!(names(&format!("{DATA}/shell_text.msh --law volume")), ["shell_text.msh, part 1", "shell_text.msh, part 2"]);
 }
 
 /// Sampled against exact: some 1 500 crossings tell the force to about 1 %; twice that is allowed.
@@ -166,14 +166,14 @@ fn written_forces_are_read_back() {
 #[test]
 fn fibers_shown_are_capped() {
     let count = |words: &str| {
-        let run = force("fibers_shown", &format!("{STAR} {words}"));
+        let run = force("fibers_shown", &format!("{STAR} --law volume {words}"));
         let file = std::fs::read_to_string(folder("fibers_shown").join("out/fibers.vtu")).unwrap();
         let cells = file.split("NumberOfCells=\"").nth(1).unwrap().split('"').next().unwrap();
         (run.stdout, cells.parse::<usize>().unwrap())
     };
-    let (text, all) = count("");
+    let (text, all) = count("--estimator fibers");
     assert!(text.contains("fibers in the overlap)") && all > 1000, "{text}");
-    let (text, few) = count("--fibers-shown 10");
+    let (text, few) = count("--estimator fibers --fibers-shown 10");
     assert!(text.contains("10 of the ") && (40..80).contains(&few), "{text}");
     let (text, none) = count("--estimator exact");
     assert!(text.contains("empty") && none == 0, "{text}");
