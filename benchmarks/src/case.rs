@@ -22,7 +22,7 @@ mod obstacle;
 mod place;
 mod time;
 
-pub use body::{Body, CellKind, Material, MaterialLaw, MeshSource};
+pub use body::{Body, CellKind, Material, MaterialLaw, MeshSource, QuadrilateralPart};
 pub use change::{Change, Origin};
 pub use contact::{Contact, EstimatorName, LawName, PatternName, WeightsName};
 pub use description::{Case, FigureKind, Figures, Output, Variant};

@@ -22,6 +22,7 @@
 mod animation;
 #[cfg(feature = "plots")]
 mod canvas;
+mod driven;
 mod equilibrium;
 mod fibers;
 mod fields;

@@ -89,6 +89,13 @@ pub enum MeshSource {
         /// Cells along the first and the second side.
         cells: [usize; 2],
     },
+    /// Convex quadrilaterals joined to one body; `quad4`. Common sides must be divided alike.
+    Quadrilaterals {
+        /// Kind of cell.
+        cell: CellKind,
+        /// The quadrilaterals.
+        parts: Vec<QuadrilateralPart>,
+    },
     /// Star about the origin, its first tip on the x axis; `tri3` or `quad4`.
     Star {
         /// Kind of cell.
@@ -137,6 +144,15 @@ pub enum MeshSource {
         /// Cells along x, y and z.
         cells: [usize; 3],
     },
+    /// Tetrahedron; `tet4`.
+    Tetrahedron {
+        /// Kind of cell.
+        cell: CellKind,
+        /// Corners.
+        corners: [[f64; 3]; 4],
+        /// Edges on each side.
+        edges: usize,
+    },
     /// Ball about the origin; `tet4`.
     Ball {
         /// Kind of cell.
@@ -182,16 +198,30 @@ pub enum MeshSource {
     },
 }
 
+/// A convex quadrilateral of several.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct QuadrilateralPart {
+    /// Corners, counter-clockwise.
+    pub corners: [[f64; 2]; 4],
+    /// Cells along the first and the second side.
+    pub cells: [usize; 2],
+}
+
 impl MeshSource {
     /// Dimension of the mesh that a generator makes; a file says it itself.
     pub fn dimension(&self) -> Option<usize> {
         match self {
             MeshSource::Rectangle { .. }
             | MeshSource::Quadrilateral { .. }
+            | MeshSource::Quadrilaterals { .. }
             | MeshSource::Star { .. }
             | MeshSource::GradedHalfDisc { .. }
             | MeshSource::Disc { .. } => Some(2),
-            MeshSource::Cuboid { .. } | MeshSource::Ball { .. } | MeshSource::GradedHalfBall { .. } => Some(3),
+            MeshSource::Cuboid { .. }
+            | MeshSource::Tetrahedron { .. }
+            | MeshSource::Ball { .. }
+            | MeshSource::GradedHalfBall { .. } => Some(3),
             MeshSource::GradedBlock { size, .. } => Some(size.len()),
             MeshSource::File { .. } => None,
         }

@@ -100,6 +100,8 @@ pub enum FigureKind {
     Punch,
     /// A die that slides over a block: forces and their ripple.
     Ironing,
+    /// A body that its supports drive, and may drive back: force, work, and what of it is left over a closed path.
+    Driven,
 }
 
 /// `[variants.NAME]`
@@ -149,6 +151,15 @@ impl FigureKind {
             FigureKind::Ironing => {
                 &["force_y_mean", "ripple_rms", "ripple_peak_to_peak", "force_x_mid", "steps_failed", "penetration_max"]
             }
+            FigureKind::Driven => &[
+                "force_peak",
+                "force_least",
+                "work_peak",
+                "work_error",
+                "loop_error",
+                "steps_failed",
+                "penetration_max",
+            ],
             FigureKind::Hertz => &["force", "half_width", "peak_pressure", "profile_error", "penetration_max"],
         }
     }

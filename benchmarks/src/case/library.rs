@@ -1,11 +1,12 @@
 //! The cases that are part of the program.
 
 /// Name and text of every case in `benchmarks/cases/`.
-pub const CASES: [(&str, &str); 13] = [
+pub const CASES: [(&str, &str); 15] = [
     ("bar", include_str!("../../cases/bar.toml")),
     ("bar3d", include_str!("../../cases/bar3d.toml")),
     ("blocks3d", include_str!("../../cases/blocks3d.toml")),
     ("cone", include_str!("../../cases/cone.toml")),
+    ("corner", include_str!("../../cases/corner.toml")),
     ("diamond", include_str!("../../cases/diamond.toml")),
     ("hertz", include_str!("../../cases/hertz.toml")),
     ("hertz3d", include_str!("../../cases/hertz3d.toml")),
@@ -13,6 +14,7 @@ pub const CASES: [(&str, &str); 13] = [
     ("patch2d", include_str!("../../cases/patch2d.toml")),
     ("patch3d", include_str!("../../cases/patch3d.toml")),
     ("punch", include_str!("../../cases/punch.toml")),
+    ("snap", include_str!("../../cases/snap.toml")),
     ("star", include_str!("../../cases/star.toml")),
     ("wedge", include_str!("../../cases/wedge.toml")),
 ];

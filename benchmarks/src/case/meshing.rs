@@ -8,7 +8,7 @@ use fmc_mesh_io as mesh;
 use fmc_shapes::{
     Diagonals, Mesh, ball_tet4, cuboid_hex8, cuboid_tet4, disc_quad4, disc_tri3, graded_block_hex8, graded_block_quad4,
     graded_block_tet4, graded_block_tri3, graded_half_disc_tri3, graded_quarter_half_ball_tet4, quadrilateral_quad4,
-    rectangle_quad4, rectangle_tri3, star_quad4, star_tri3,
+    quadrilaterals_quad4, rectangle_quad4, rectangle_tri3, star_quad4, star_tri3, tetrahedron_tet4,
 };
 use fmc_solid::dynamics::{Setup, Step};
 use fmc_solid::fem::{self, Constraints, Face, Model, Part};
@@ -157,6 +157,10 @@ impl MeshSource {
             &MeshSource::Quadrilateral { cell: Quad4, corners, cells } => {
                 Made::Flat(quadrilateral_quad4(corners, cells))
             }
+            MeshSource::Quadrilaterals { cell: Quad4, parts } => {
+                let parts: Vec<_> = parts.iter().map(|part| (part.corners, part.cells)).collect();
+                Made::Flat(quadrilaterals_quad4(&parts))
+            }
             &MeshSource::Star { cell: Quad4, tips, outer, inner, side_edges, half_width } => {
                 Made::Flat(star_quad4(tips, outer, inner, side_edges, half_width))
             }
@@ -170,6 +174,7 @@ impl MeshSource {
             }
             &MeshSource::Cuboid { cell: Hex8, min, max, cells } => Made::Solid(cuboid_hex8(min, max, cells)),
             &MeshSource::Cuboid { cell: Tet4, min, max, cells } => Made::Solid(cuboid_tet4(min, max, cells)),
+            &MeshSource::Tetrahedron { cell: Tet4, corners, edges } => Made::Solid(tetrahedron_tet4(corners, edges)),
             &MeshSource::Ball { cell: Tet4, radius, level, layers } => Made::Solid(ball_tet4(radius, level, layers)),
             &MeshSource::GradedHalfBall { cell: Tet4, radius, finest, edges } => {
                 Made::Solid(graded_quarter_half_ball_tet4(radius, finest, edges))

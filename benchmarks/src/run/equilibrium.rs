@@ -1,5 +1,6 @@
 //! From a case of statics to its last file.
 
+use super::driven::Drive;
 use super::hertz::HertzLine;
 use super::runner::{Ending, RunOptions};
 use super::summary::Summary;
@@ -51,6 +52,7 @@ impl<const D: usize> Solved<D> {
                 let hertz = HertzLine::new(case, &equilibrium)?;
                 (hertz.figures(penetration), Some(hertz.drawn()))
             }
+            FigureKind::Driven => (Drive::of(case)?.figures(case, &equilibrium, &steps), None),
             FigureKind::Patch => (patch::figures(case, &equilibrium, penetration)?, None),
             _ => indentation::figures(case, &equilibrium, &steps, penetration)?,
         };
@@ -122,12 +124,12 @@ fn run_in<const D: usize>(
         chart::draw(out, "pressure", &case.title, &profile.panels())?;
     }
     if steps.len() > 1 {
-        chart::draw(
-            out,
-            "reactions",
-            &format!("{}: contact force on {}", case.title, case.figures.body),
-            &[reactions::<D>(&steps)],
-        )?;
+        let panel = match case.figures.kind {
+            FigureKind::Driven => Drive::of(case)?.panel::<D>(&steps),
+            _ => reactions::<D>(&steps),
+        };
+        let title = format!("{}: contact force on {}", case.title, case.figures.body);
+        chart::draw(out, "reactions", &title, &[panel])?;
     }
     let contact = &equilibrium.balance().contact;
     let mut summary = Summary::new(document, case, figures, [0.0; 2]);

@@ -3,6 +3,7 @@
 #[path = "../folder/folder.rs"]
 mod folder;
 
+mod driven;
 mod files;
 mod mistakes;
 mod short_runs;

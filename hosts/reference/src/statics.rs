@@ -32,6 +32,7 @@ mod linearised;
 mod motion;
 mod newton;
 mod newton_settings;
+mod noise;
 mod path;
 mod pressure;
 mod problem;

@@ -26,15 +26,27 @@ impl Check<'_> {
             }
             MeshSource::Quadrilateral { cell, corners, cells } => {
                 cell_is(cell, &[CellKind::Quad4]);
-                let turn = |k: usize| {
-                    let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 4]);
-                    (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
-                };
-                if !(0..4).all(|k| turn(k) > 0.0) {
-                    let message = "they must make a convex quadrilateral, counter-clockwise".into();
-                    self.flaw(&key.then("corners"), message);
+                self.quadrilateral(key, corners, &cells);
+            }
+            MeshSource::Quadrilaterals { cell, ref parts } => {
+                cell_is(cell, &[CellKind::Quad4]);
+                if parts.is_empty() {
+                    self.flaw(&key.then("parts"), "it must have at least one quadrilateral".into());
                 }
-                self.counts(&key.then("cells"), &cells);
+                for (index, part) in parts.iter().enumerate() {
+                    self.quadrilateral(&key.then("parts").then(index), part.corners, &part.cells);
+                }
+            }
+            MeshSource::Tetrahedron { cell, corners, edges } => {
+                cell_is(cell, &[CellKind::Tet4]);
+                self.counts(&key.then("edges"), &[edges]);
+                let [u, v, w] = [1, 2, 3].map(|k| [0, 1, 2].map(|i| corners[k][i] - corners[0][i]));
+                let volume = u[0] * (v[1] * w[2] - v[2] * w[1])
+                    + u[1] * (v[2] * w[0] - v[0] * w[2])
+                    + u[2] * (v[0] * w[1] - v[1] * w[0]);
+                if !(volume.is_finite() && volume != 0.0) {
+                    self.flaw(&key.then("corners"), "they must not lie in a plane".into());
+                }
             }
             MeshSource::Star { cell, tips, outer, inner, side_edges, half_width } => {
                 cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
@@ -92,6 +104,18 @@ impl Check<'_> {
             }
             MeshSource::File { .. } => {}
         }
+    }
+
+    fn quadrilateral(&mut self, key: &Key, corners: [[f64; 2]; 4], cells: &[usize]) {
+        let turn = |k: usize| {
+            let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 4]);
+            (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+        };
+        if !(0..4).all(|k| turn(k) > 0.0) {
+            let message = "they must make a convex quadrilateral, counter-clockwise".into();
+            self.flaw(&key.then("corners"), message);
+        }
+        self.counts(&key.then("cells"), cells);
     }
 
     fn box_shape(&mut self, key: &Key, min: &[f64], max: &[f64], cells: &[usize]) {

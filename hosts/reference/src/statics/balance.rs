@@ -1,5 +1,6 @@
 //! Forces and energies of a state.
 
+use super::noise::Noise;
 use crate::fem::Constraints;
 use fmc_contact::ContactForces;
 
@@ -18,6 +19,8 @@ pub struct Balance<const D: usize> {
     pub norm: f64,
     /// Largest of the norms of the internal, contact and external forces.
     pub scale: f64,
+    /// What rounding of the displacement calls up; a residual below it is none.
+    pub(super) noise: Noise,
     /// What the contact had to say.
     pub contact: ContactForces<D>,
 }
@@ -28,14 +31,15 @@ impl<const D: usize> Balance<D> {
         self.strain + self.contact_energy - self.work
     }
 
-    /// Residual by the forces; 0 where there are none.
+    /// Residual by the forces; 0 where there are none. A body that is free of stress after it was moved has forces of rounding
+    /// alone, and by themselves these would never balance.
     pub fn relative(&self) -> f64 {
-        if self.norm == 0.0 { 0.0 } else { self.norm / self.scale }
+        if self.norm <= self.noise.force { 0.0 } else { self.norm / self.scale }
     }
 
     /// What rounding may change in the energy.
     pub(super) fn rounding(&self) -> f64 {
-        64.0 * f64::EPSILON * self.magnitude()
+        64.0 * f64::EPSILON * self.magnitude() + self.noise.energy
     }
 
     /// Sum of the energies' magnitudes.
@@ -66,7 +70,7 @@ impl<const D: usize> Balance<D> {
         supports.clear(&mut free);
         let norm = free.iter().flatten().map(|r| r * r).sum::<f64>().sqrt();
         let scale = squares.into_iter().fold(0.0, f64::max).sqrt();
-        Self { strain, contact_energy: contact.energy, work, residual, norm, scale, contact }
+        Self { strain, contact_energy: contact.energy, work, residual, norm, scale, noise: Noise::default(), contact }
     }
 
     /// Slope of the energy along a direction that moves nothing held.

@@ -219,7 +219,8 @@ impl<const D: usize> Equilibrium<D> {
         let forces = &self.problem.load;
         let dead = self.from.1 + load * (1.0 - self.from.1);
         let external = |node: usize| forces[node].map(|f| dead * f);
-        let balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
+        let mut balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
+        balance.noise = self.noise();
         if !balance.energy().is_finite() || !balance.norm.is_finite() {
             return Err(StaticsError::Inverted { load, cell: None });
         }

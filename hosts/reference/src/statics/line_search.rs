@@ -35,7 +35,8 @@ impl<const D: usize> Equilibrium<D> {
                 Ok(reached) => {
                     let promised = balance.energy() + GAIN * length * slope + balance.rounding();
                     // Near the end the energy is flat within rounding; then the forces tell.
-                    let is_flat = (reached.energy() - balance.energy()).abs() <= FLAT * balance.magnitude();
+                    let flat = FLAT * balance.magnitude() + balance.noise.energy;
+                    let is_flat = (reached.energy() - balance.energy()).abs() <= flat;
                     if reached.energy() <= promised || is_flat && reached.norm <= 0.5 * balance.norm {
                         return Ok((next, reached, length));
                     }

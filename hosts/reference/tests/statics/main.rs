@@ -6,3 +6,4 @@ mod depth;
 mod hertz;
 mod patch;
 mod refusals;
+mod swallowed;
