@@ -1,15 +1,18 @@
 //! Bodies that their supports drive into others: every check of their files holds.
 
-use super::{Folder, document, finish};
-use fmc_benchmarks::run::Summary;
+use super::{Folder, document};
+use fmc_benchmarks::run::{Ending, RunOptions, Summary, run_at_rest};
+use std::ops::ControlFlow;
 
 fn run(case: &str, variant: Option<&str>) -> Summary {
     let folder = Folder::new(&format!("{case}-{}", variant.unwrap_or("itself")));
     let mut document = document(case, &["output.frames=0"]);
     variant.into_iter().for_each(|variant| document.choose(variant).unwrap());
-    let summary = finish(&document, &folder.0);
+    let options = RunOptions { out: folder.0.clone(), threads: 1, resume: false };
+    let ending = run_at_rest(&document, &document.case().unwrap(), &options, &mut |_| ControlFlow::Continue(()));
+    let Ok(Ending::Finished(summary)) = ending else { panic!("{case} {variant:?}: {:?}", ending.err()) };
     assert!(summary.is_ok(), "{case} {variant:?}: {:#?}", summary.checks);
-    summary
+    *summary
 }
 
 /// One cell deep, by soft contact; hard, the fiber law gives the same.

@@ -6,4 +6,3 @@ mod depth;
 mod hertz;
 mod patch;
 mod refusals;
-mod swallowed;
