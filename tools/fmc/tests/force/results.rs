@@ -126,7 +126,10 @@ fn bodies_are_files_parts_or_groups() {
     );
     let twice = "examples/ball.vtu examples/ball.vtu --translate 2=0,0,0.9";
     assert_eq!(names(twice), ["ball.vtu (mesh 1)", "ball.vtu (mesh 2)"]);
-    assert_eq!(names(&format!("{DATA}/shell_text.msh --law volume")), ["shell_text.msh, part 1", "shell_text.msh, part 2"]);
+    assert_eq!(
+        names(&format!("{DATA}/shell_text.msh --law volume")),
+        ["shell_text.msh, part 1", "shell_text.msh, part 2"]
+    );
 }
 
 /// Sampled against exact: some 1 500 crossings tell the force to about 1 %; twice that is allowed.
