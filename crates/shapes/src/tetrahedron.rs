@@ -33,7 +33,7 @@ mod tests {
             let mesh = tetrahedron_tet4(corners, edges);
             assert_eq!(mesh.cell_count(), edges.pow(3));
             assert!((mesh.measure() - 1.0).abs() < 1e-13 && mesh.smallest_jacobian() > 0.0);
-            assert_eq!((mesh.euler_characteristic(), mesh.boundary_faces().len()), (1, 4 * edges * edges));
+            assert_eq!((mesh.boundary().euler_characteristic(), mesh.boundary_faces().len()), (2, 4 * edges * edges));
         }
     }
 }
