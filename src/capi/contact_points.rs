@@ -4,7 +4,7 @@ use super::boundary::entry;
 use super::contact_point::fmc_contact_point;
 use super::context::{fmc_context, read, write};
 use super::failure::Failure;
-use super::pointer::{Output, check, reference};
+use super::pointer::{Output, copy_list, reference};
 use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;
 use super::view::fmc_coords;
@@ -52,12 +52,7 @@ pub unsafe extern "C" fn fmc_context_contact_points(
             let text = format!("there is room for {capacity} contact points, and there are {}", state.points.len());
             return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
         }
-        if state.points.is_empty() {
-            return Ok(());
-        }
-        check("points", points.cast_const())?;
         // SAFETY: the host guarantees `capacity` entries, of which there are no more than that.
-        unsafe { std::ptr::copy_nonoverlapping(state.points.as_ptr(), points, state.points.len()) };
-        Ok(())
+        unsafe { copy_list("points", &state.points, points) }
     })
 }

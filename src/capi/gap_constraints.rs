@@ -4,7 +4,7 @@ use super::boundary::entry;
 use super::context::{fmc_context, read, write};
 use super::failure::Failure;
 use super::gap_constraint::fmc_gap_constraint;
-use super::pointer::{Output, check, reference};
+use super::pointer::{Output, check, copy_list, reference};
 use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;
 use super::view::fmc_coords;
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn fmc_context_gap_constraints(
         unsafe {
             let state = read(context)?;
             room(&state.gaps.rows, capacity, "gap constraints")?;
-            copy("rows", &state.gaps.rows, rows)
+            copy_list("rows", &state.gaps.rows, rows)
         }
     })
 }
@@ -90,9 +90,9 @@ pub unsafe extern "C" fn fmc_context_gap_gradient(
                 check(name, output.cast_const())?;
             }
             check("values", values.cast_const())?;
-            copy("row_offsets", &state.gaps.row_offsets, row_offsets)?;
-            copy("cols", &state.gaps.cols, cols)?;
-            copy("values", &state.gaps.values, values)
+            copy_list("row_offsets", &state.gaps.row_offsets, row_offsets)?;
+            copy_list("cols", &state.gaps.cols, cols)?;
+            copy_list("values", &state.gaps.values, values)
         }
     })
 }
@@ -101,19 +101,6 @@ fn room<T>(list: &[T], capacity: usize, what: &str) -> Result<(), Failure> {
     if capacity < list.len() {
         let text = format!("there is room for {capacity} {what}, and there are {}", list.len());
         return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
-    }
-    Ok(())
-}
-
-/// Writes a list; nothing for an empty one.
-///
-/// # Safety
-/// The host guarantees room for the list.
-unsafe fn copy<T: Copy>(name: &'static str, list: &[T], output: *mut T) -> Result<(), Failure> {
-    if !list.is_empty() {
-        check(name, output.cast_const())?;
-        // SAFETY: passed on to the caller; the list is our own and cannot overlap it.
-        unsafe { std::ptr::copy_nonoverlapping(list.as_ptr(), output, list.len()) };
     }
     Ok(())
 }

@@ -45,6 +45,20 @@ pub(super) unsafe fn slice<'a, T>(
     Ok(unsafe { std::slice::from_raw_parts(pointer, length) })
 }
 
+/// Writes a list to an array of the host; an empty one is not written, whatever the pointer.
+///
+/// # Safety
+/// The host guarantees room for the list.
+pub(super) unsafe fn copy_list<T: Copy>(name: &str, list: &[T], output: *mut T) -> Result<(), Failure> {
+    if !list.is_empty() {
+        check(name, output.cast_const())?;
+        // SAFETY: not NULL and aligned as just checked; the caller guarantees the room, and the list is our own and cannot
+        // overlap it.
+        unsafe { std::ptr::copy_nonoverlapping(list.as_ptr(), output, list.len()) };
+    }
+    Ok(())
+}
+
 /// What `pointer` points to.
 ///
 /// # Safety
