@@ -24,6 +24,7 @@ mod dimension;
 mod evaluate_tangent;
 mod evaluation;
 mod failure;
+mod friction;
 mod gap_constraint;
 mod gap_constraints;
 mod getters;

@@ -5,13 +5,13 @@ use super::context::{FMC_ADD, evaluated, fmc_context};
 use super::evaluation::fmc_result;
 use super::pointer::{Output, optional, reference};
 use super::status::fmc_status;
-use super::tangent::{FMC_SEMIDEFINITE, part_of};
+use super::tangent::{FMC_SEMIDEFINITE, FMC_SYMMETRIC, part_of};
 use super::view::{fmc_coords, fmc_forces};
 
 /// `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
 /// bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
 ///
-/// `flags`: `FMC_ADD` and `FMC_SEMIDEFINITE`. All outputs may be NULL, and are written only on success.
+/// `flags`: `FMC_ADD`, `FMC_SEMIDEFINITE` and `FMC_SYMMETRIC`. All outputs may be NULL, and are written only on success.
 ///
 /// Errors: those of the two. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
@@ -27,7 +27,7 @@ pub unsafe extern "C" fn fmc_context_evaluate_tangent(
     entry(|| {
         let entries = Output::optional("entry_count", entry_count)?;
         let parts = Output::optional("rank_one_count", rank_one_count)?;
-        let part = part_of(flags, FMC_ADD | FMC_SEMIDEFINITE)?;
+        let part = part_of(flags, FMC_ADD | FMC_SEMIDEFINITE | FMC_SYMMETRIC)?;
         // SAFETY: the host passes a context, both views and outputs, or NULL where it may.
         unsafe {
             evaluated(context, result, |state| {

@@ -39,8 +39,18 @@ pub struct fmc_result {
     pub obstacle_count: usize,
     /// Warnings, for `fmc_context_warning`.
     pub warning_count: usize,
+    /// Energy stored in the stick of friction; 0 without friction, as the next four.
+    pub friction_energy: f64,
+    /// Energy dissipated by friction since the step began, never negative.
+    pub friction_dissipation: f64,
+    /// Area (2D: length) that sticks.
+    pub stick_area: f64,
+    /// Area (2D: length) that slides.
+    pub slip_area: f64,
+    /// Largest slip since the step began that was not elastic.
+    pub largest_slip: f64,
     /// Zero.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 3],
 }
 
 /// Contact force and moment on one body or obstacle.
@@ -55,6 +65,10 @@ pub struct fmc_resultant {
     pub moment: [f64; 3],
     /// Nodes on the body's surface; 0 for an obstacle.
     pub node_count: usize,
+    /// The part of `force` that is friction.
+    pub friction: [f64; 3],
+    /// Zero.
+    pub reserved: [u64; 4],
 }
 
 /// Kind of a partner.
@@ -94,8 +108,16 @@ pub struct fmc_pair {
     pub penetration: f64,
     /// Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
     pub spacing: f64,
+    /// Energy stored in the stick of friction.
+    pub friction_energy: f64,
+    /// Energy dissipated by friction since the step began.
+    pub friction_dissipation: f64,
+    /// Area (2D: length) that sticks.
+    pub stick_area: f64,
+    /// Area (2D: length) that slides.
+    pub slip_area: f64,
     /// Zero.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 4],
 }
 
 /// Kind of a warning.
@@ -159,7 +181,12 @@ impl<const D: usize> From<&ContactForces<D>> for Evaluation {
                 body_count: forces.bodies.len(),
                 obstacle_count: forces.obstacles.len(),
                 warning_count: forces.warnings.len(),
-                reserved: [0; 8],
+                friction_energy: forces.friction.stored,
+                friction_dissipation: forces.friction.dissipated,
+                stick_area: forces.friction.stick_area,
+                slip_area: forces.friction.slip_area,
+                largest_slip: forces.friction.largest_slip,
+                reserved: [0; 3],
             },
             bodies: forces.bodies.iter().map(resultant).collect(),
             obstacles: forces.obstacles.iter().map(resultant).collect(),
@@ -170,7 +197,14 @@ impl<const D: usize> From<&ContactForces<D>> for Evaluation {
 }
 
 fn resultant<const D: usize>(found: &Resultant<D>) -> fmc_resultant {
-    fmc_resultant { id: found.id, force: padded(&found.force), moment: found.moment, node_count: found.node_count }
+    fmc_resultant {
+        id: found.id,
+        force: padded(&found.force),
+        moment: found.moment,
+        node_count: found.node_count,
+        friction: padded(&found.friction),
+        reserved: [0; 4],
+    }
 }
 
 /// A vector as one in space; in 2D the last entry is 0.
@@ -201,6 +235,10 @@ fn pair(found: &PairForces) -> fmc_pair {
         contact_area: found.contact_area,
         penetration: found.penetration,
         spacing: found.spacing,
-        reserved: [0; 8],
+        friction_energy: found.friction.stored,
+        friction_dissipation: found.friction.dissipated,
+        stick_area: found.friction.stick_area,
+        slip_area: found.friction.slip_area,
+        reserved: [0; 4],
     }
 }

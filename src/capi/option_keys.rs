@@ -14,7 +14,8 @@ use std::str::FromStr;
 
 /// The keys, for the message about an unknown one.
 const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, seed, law, smoothing_length, estimator, pattern, \
-                    weights, momentum_correction, self_contact, check_cells, threads, index_base";
+                    weights, momentum_correction, self_contact, check_cells, friction_coefficient, friction_stiffness, cohesion, shear_limit, \
+                    threads, index_base";
 
 fn unknown_value(key: &str, value: &str, wanted: &str) -> Failure {
     Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{key}' has no value '{value}': {wanted} is wanted"))
@@ -42,6 +43,10 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
         "stiffness" => options.stiffness = number(key, value)?,
         "exponent" => options.exponent = number(key, value)?,
         "smoothing_length" => options.smoothing_length = number(key, value)?,
+        "friction_coefficient" => options.friction_coefficient = number(key, value)?,
+        "friction_stiffness" => options.friction_stiffness = number(key, value)?,
+        "cohesion" => options.cohesion = number(key, value)?,
+        "shear_limit" => options.shear_limit = number(key, value)?,
         "spacing" => options.spacing = number(key, value)?,
         "fiber_length" => options.fiber_length = number(key, value)?,
         "fiber_count" => options.fiber_count = whole(key, value)?,

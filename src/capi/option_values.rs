@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::options::{fmc_estimator, fmc_law, fmc_options, fmc_pattern, fmc_weights};
 use super::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
+use crate::contact::Friction;
 use crate::{EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
 
 /// An option that takes one of a few values, each with its number and name.
@@ -74,7 +75,7 @@ impl fmc_options {
             );
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
         }
-        if self.reserved_flags != 0 || self.reserved != [0; 15] {
+        if self.reserved_flags != 0 || self.reserved != [0; 11] {
             let text = "a reserved field of fmc_options is not zero: an option of a later version of the library";
             return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
         }
@@ -104,6 +105,7 @@ impl fmc_options {
             threads,
             self_contact: SELF_CONTACT.is_on(self.self_contact)?,
             check_cells: CHECK_CELLS.is_on(self.check_cells)?,
+            friction: self.friction(),
             ..Options::new(law)
         })
     }
@@ -134,6 +136,15 @@ impl fmc_options {
                 Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{key}' belongs to {owner}")))
             }
             None => Ok(()),
+        }
+    }
+
+    fn friction(&self) -> Friction {
+        Friction {
+            coefficient: self.friction_coefficient,
+            stiffness: (self.friction_stiffness != 0.0).then_some(self.friction_stiffness),
+            cohesion: self.cohesion,
+            shear_limit: if self.shear_limit == 0.0 { f64::INFINITY } else { self.shear_limit },
         }
     }
 
@@ -193,6 +204,15 @@ mod tests {
     fn defaults_are_those_of_the_crate() {
         let options = fmc_options { stiffness: 3.0, ..fmc_options::default() };
         assert_eq!(options.to_options().unwrap(), Options::new(EnergyLaw::depth(3.0)));
+    }
+
+    #[test]
+    fn friction_has_four_numbers() {
+        let options = fmc_options { stiffness: 3.0, friction_coefficient: 0.3, ..fmc_options::default() };
+        assert_eq!(options.to_options().unwrap().friction, Friction::coulomb(0.3));
+        let options = fmc_options { friction_stiffness: 2.0, cohesion: 1.0, shear_limit: 7.0, ..options };
+        let friction = Friction { coefficient: 0.3, stiffness: Some(2.0), cohesion: 1.0, shear_limit: 7.0 };
+        assert_eq!(options.to_options().unwrap().friction, friction);
     }
 
     #[test]

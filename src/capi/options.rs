@@ -103,8 +103,18 @@ pub struct fmc_options {
     /// Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
     /// with `FMC_LAW_FIBER`.
     pub smoothing_length: f64,
+    /// Coefficient of Coulomb friction of all pairs that have none of their own, at least 0. Default 0: no friction. With
+    /// it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. Not with the law
+    /// "volume".
+    pub friction_coefficient: f64,
+    /// Tangential stiffness of the stick, a pressure per length; 0, the default: the stiffness of the law at a first touch.
+    pub friction_stiffness: f64,
+    /// Shear traction that is transmitted without pressure wherever there is contact, at least 0, a pressure. Default 0.
+    pub cohesion: f64,
+    /// Largest shear traction, a pressure; 0, the default: no limit.
+    pub shear_limit: f64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 15],
+    pub reserved: [u64; 11],
 }
 
 impl Default for fmc_options {
@@ -128,7 +138,11 @@ impl Default for fmc_options {
             index_base: 0,
             reserved_flags: 0,
             smoothing_length: 0.0,
-            reserved: [0; 15],
+            friction_coefficient: 0.0,
+            friction_stiffness: 0.0,
+            cohesion: 0.0,
+            shear_limit: 0.0,
+            reserved: [0; 11],
         }
     }
 }

@@ -17,6 +17,10 @@ use crate::{EnergyLaw, FiberProfile};
 /// after they change.
 pub const FMC_LAW_OF_CONTEXT: i32 = -1;
 
+/// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
+/// changes.
+pub const FMC_FRICTION_OF_CONTEXT: f64 = -1.0;
+
 /// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 /// has without options of its own.
 ///
@@ -35,7 +39,8 @@ pub struct fmc_pair_options {
     pub smoothing_length: f64,
     /// Zero. Distance at which contact begins, for a later version of the library.
     pub gap_offset: f64,
-    /// Zero. Coefficient of friction, for a later version of the library.
+    /// Coefficient of friction, at least 0, or `FMC_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
+    /// the context's options.
     pub friction_coefficient: f64,
     /// A value of `fmc_law`, or `FMC_LAW_OF_CONTEXT`, the default.
     pub law: i32,
@@ -53,7 +58,7 @@ impl Default for fmc_pair_options {
             exponent: 1.0,
             smoothing_length: 0.0,
             gap_offset: 0.0,
-            friction_coefficient: 0.0,
+            friction_coefficient: FMC_FRICTION_OF_CONTEXT,
             law: FMC_LAW_OF_CONTEXT,
             excluded: 0,
             reserved: [0; 10],
@@ -63,7 +68,8 @@ impl Default for fmc_pair_options {
 
 impl From<PairOptions> for fmc_pair_options {
     fn from(options: PairOptions) -> Self {
-        let own = Self { excluded: options.excluded.into(), ..Self::default() };
+        let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_FRICTION_OF_CONTEXT);
+        let own = Self { excluded: options.excluded.into(), friction_coefficient, ..Self::default() };
         match options.law {
             None => own,
             Some(EnergyLaw::Volume { stiffness, exponent }) => {
@@ -96,13 +102,14 @@ impl fmc_pair_options {
             let text = "a reserved field of fmc_pair_options is not zero: an option of a later version of the library";
             return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
         }
-        for (key, value) in [("gap_offset", self.gap_offset), ("friction_coefficient", self.friction_coefficient)] {
-            if value != 0.0 {
-                let text = format!("option '{key}' of a pair is {value}: it is for a later version of the library");
-                return Err(Failure::new(FMC_ERROR_UNSUPPORTED, text));
-            }
+        if self.gap_offset != 0.0 {
+            let value = self.gap_offset;
+            let text = format!("option 'gap_offset' of a pair is {value}: it is for a later version of the library");
+            return Err(Failure::new(FMC_ERROR_UNSUPPORTED, text));
         }
-        Ok(PairOptions { excluded: EXCLUDED.is_on(self.excluded)?, law: self.law()? })
+        let coefficient = self.friction_coefficient;
+        let friction_coefficient = (coefficient != FMC_FRICTION_OF_CONTEXT).then_some(coefficient);
+        Ok(PairOptions { excluded: EXCLUDED.is_on(self.excluded)?, law: self.law()?, friction_coefficient })
     }
 
     fn law(&self) -> Result<Option<EnergyLaw>, Failure> {
@@ -160,7 +167,7 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 /// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
 /// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 /// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-/// gap offset or friction; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+/// gap offset; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 /// estimator that does not support the law of a pair. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_pair_options(
@@ -231,8 +238,10 @@ mod tests {
             EnergyLaw::depth(3.0),
         ] {
             for excluded in [false, true] {
-                let options = PairOptions { excluded, law: Some(law) };
-                assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
+                for friction_coefficient in [None, Some(0.0), Some(0.3)] {
+                    let options = PairOptions { excluded, law: Some(law), friction_coefficient };
+                    assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
+                }
             }
         }
     }
@@ -254,8 +263,6 @@ mod tests {
         }
         for value in [0.3, f64::NAN, -1.0] {
             assert_eq!(refused(|o| o.gap_offset = value).0, FMC_ERROR_UNSUPPORTED);
-            let (status, text) = refused(|o| o.friction_coefficient = value);
-            assert!(status == FMC_ERROR_UNSUPPORTED && text.contains("'friction_coefficient' of a pair is"), "{text}");
         }
         assert_eq!(refused(|o| o.struct_size = 0).0, FMC_ERROR_STRUCT_SIZE);
     }

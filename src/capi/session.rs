@@ -54,6 +54,30 @@ pub(super) trait Session: Send + Sync {
     /// Names the nodes in planes of symmetry, as the host counts them.
     fn set_symmetry_nodes(&mut self, nodes: &[i64], index_base: i32) -> Result<(), Failure>;
 
+    /// Begins a step with friction.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn begin_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure>;
+
+    /// Accepts it.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn commit_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure>;
+
+    /// Freezes friction at these coordinates, or releases it.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn freeze_friction(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<(), Failure>;
+
+    /// The elastic slip that was carried into the step, node by node.
+    fn slip(&self) -> Result<&[f64], Failure>;
+
+    /// Sets it.
+    fn set_slip(&mut self, slip: &[f64], index_base: i32) -> Result<(), Failure>;
+
     /// Keeps the patches at these coordinates, or none; returns the number of directions.
     ///
     /// # Safety
@@ -203,7 +227,7 @@ impl<const D: usize> Session for Resident<D> {
 
     fn pair_options(&self, partners: [Partner; 2]) -> Result<PairOptions, Failure> {
         let is_left_out = partners[0] == partners[1] && !self.contact.options().self_contact;
-        let by_default = PairOptions { excluded: is_left_out, law: None };
+        let by_default = PairOptions { excluded: is_left_out, ..PairOptions::default() };
         Ok(self.contact.pair_options(partners)?.unwrap_or(by_default))
     }
 
@@ -223,6 +247,34 @@ impl<const D: usize> Session for Resident<D> {
         let numbering = Numbering { index_base, node_count: self.contact.surface().node_count() };
         let nodes = numbering.zero_based(nodes, 1, 0)?;
         self.contact.set_symmetry_nodes(&nodes).map_err(Failure::counted_from(index_base))
+    }
+
+    unsafe fn begin_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.begin_step(rows)) }
+    }
+
+    unsafe fn commit_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.commit_step(rows)) }
+    }
+
+    unsafe fn freeze_friction(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<(), Failure> {
+        let Some(coords) = coords else {
+            self.contact.release_friction();
+            return Ok(());
+        };
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.freeze_friction(rows)) }
+    }
+
+    fn slip(&self) -> Result<&[f64], Failure> {
+        Ok(self.contact.slip()?.as_flattened())
+    }
+
+    fn set_slip(&mut self, slip: &[f64], index_base: i32) -> Result<(), Failure> {
+        let (rows, _) = slip.as_chunks::<D>();
+        self.contact.set_slip(rows).map_err(Failure::counted_from(index_base))
     }
 
     unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure> {

@@ -86,6 +86,8 @@ pub enum fmc_status {
     FMC_ERROR_BODY_OUT_OF_RANGE = 36,
     /// The obstacle of this index was removed.
     FMC_ERROR_OBSTACLE_REMOVED = 37,
+    /// Friction is asked for, but no step has begun: call `fmc_context_begin_step`.
+    FMC_ERROR_NO_STEP = 38,
 }
 
 use fmc_status::*;
@@ -130,6 +132,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NOT_POSITIVE_MASS, c"FMC_ERROR_NOT_POSITIVE_MASS"),
     (FMC_ERROR_BODY_OUT_OF_RANGE, c"FMC_ERROR_BODY_OUT_OF_RANGE"),
     (FMC_ERROR_OBSTACLE_REMOVED, c"FMC_ERROR_OBSTACLE_REMOVED"),
+    (FMC_ERROR_NO_STEP, c"FMC_ERROR_NO_STEP"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -154,6 +157,7 @@ impl From<&Error> for fmc_status {
             Error::ObstacleRemoved { .. } => FMC_ERROR_OBSTACLE_REMOVED,
             Error::BodyOutOfRange { .. } => FMC_ERROR_BODY_OUT_OF_RANGE,
             Error::OfPair { cause, .. } => Self::from(&**cause),
+            Error::NoStep => FMC_ERROR_NO_STEP,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
             Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
             Error::NonFiniteHeight { .. } => FMC_ERROR_NON_FINITE_HEIGHT,
@@ -185,7 +189,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_OBSTACLE_REMOVED);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NO_STEP);
     }
 
     #[test]
@@ -210,6 +214,7 @@ mod tests {
             Error::ObstacleOutOfRange { obstacle: 0, count: 0 },
             Error::BodyOutOfRange { body: 0, count: 0 },
             Error::ObstacleRemoved { obstacle: 0 },
+            Error::NoStep,
             Error::DegenerateHull { point_count: 3 },
             Error::TooFewHeights { axis: 0, count: 1 },
             Error::NonFiniteHeight { point: 0 },

@@ -15,27 +15,36 @@ use crate::contact::TangentPart;
 /// far from a solution.
 pub const FMC_SEMIDEFINITE: u32 = 2;
 
+/// Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
+pub const FMC_SYMMETRIC: u32 = 32;
+
 /// The part that `flags` ask for, which may hold no other than the `known` ones.
 pub(super) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
     if flags & !known != 0 {
         return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}")));
     }
-    Ok(if flags & FMC_SEMIDEFINITE != 0 { TangentPart::Semidefinite } else { TangentPart::Full })
+    Ok(match () {
+        () if flags & FMC_SEMIDEFINITE != 0 => TangentPart::Semidefinite,
+        () if flags & FMC_SYMMETRIC != 0 => TangentPart::Symmetric,
+        () => TangentPart::Full,
+    })
 }
 
 /// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
 /// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
 /// `fmc_context_tangent_entries`.
 ///
-/// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
+/// Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
+/// place of Cholesky or conjugate gradients, or ask for `FMC_SYMMETRIC`, with which Newton's method takes more
+/// iterations, and fails sooner at large coefficients of friction. Row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 /// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
 /// beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
 /// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the laws
 /// "depth" and "fiber". Both may be NULL.
 ///
 /// With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
-/// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0 or
-/// `FMC_SEMIDEFINITE`.
+/// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
+/// `FMC_SYMMETRIC` or `FMC_SEMIDEFINITE`, which is symmetric too.
 ///
 /// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
 /// a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
@@ -56,7 +65,7 @@ pub unsafe extern "C" fn fmc_context_tangent(
     entry(|| {
         let entries = Output::optional("entry_count", entry_count)?;
         let parts = Output::optional("rank_one_count", rank_one_count)?;
-        let part = part_of(flags, FMC_SEMIDEFINITE)?;
+        let part = part_of(flags, FMC_SEMIDEFINITE | FMC_SYMMETRIC)?;
         // SAFETY: the host passes a context and a view.
         let counts = unsafe {
             write(context, |state| {

@@ -118,6 +118,26 @@ impl Session for Brittle {
         Ok(())
     }
 
+    unsafe fn begin_step(&mut self, _: &fmc_coords, _: i32) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    unsafe fn commit_step(&mut self, _: &fmc_coords, _: i32) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    unsafe fn freeze_friction(&mut self, _: Option<&fmc_coords>, _: i32) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn slip(&self) -> Result<&[f64], Failure> {
+        Ok(&[])
+    }
+
+    fn set_slip(&mut self, _: &[f64], _: i32) -> Result<(), Failure> {
+        Ok(())
+    }
+
     unsafe fn keep_patches(&mut self, _: Option<&fmc_coords>, _: i32) -> Result<usize, Failure> {
         Ok(0)
     }

@@ -2,6 +2,7 @@
 
 use super::fields::{NodalContact, PointOfContact};
 use super::forces::ContactForces;
+use super::friction::{FrozenPoints, Step};
 use super::gap_constraints::GapConstraints;
 use super::kernels::{self, estimator, pair_law};
 use super::laws::PairLaw;
@@ -33,6 +34,10 @@ pub struct Contact<const D: usize> {
     pub(super) pair_table: PairTable<D>,
     /// Patches of the fiber law that are kept, by pair.
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
+    /// Where the step began, once one has begun.
+    pub(super) step: Option<Step<D>>,
+    /// Points and pressures at which friction is frozen.
+    pub(super) frozen: Option<FrozenPoints<D>>,
     pub(super) state: Mutex<Option<Box<State<D>>>>,
     /// Whether a node lies in a plane of symmetry; `None` where that was not said.
     pub(super) in_symmetry_plane: Option<Vec<bool>>,
@@ -58,6 +63,8 @@ impl<const D: usize> Contact<D> {
             law: pair_law(&options.law)?,
             pair_table: PairTable::new(),
             kept: Vec::new(),
+            step: None,
+            frozen: None,
             state: Mutex::new(None),
             in_symmetry_plane: None,
             depth: OnceLock::new(),
@@ -139,7 +146,8 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`],
-    /// [`Error::TooManyFibers`], [`Error::Unsupported`], [`Error::SignedDistance`], [`Error::Overflow`].
+    /// [`Error::TooManyFibers`], [`Error::Unsupported`], [`Error::SignedDistance`], [`Error::Overflow`]; with friction
+    /// [`Error::NoStep`].
     pub fn evaluate(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
         kernels::evaluate(self, coords)
     }

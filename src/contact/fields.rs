@@ -6,4 +6,4 @@ mod points;
 
 pub use nodal_contact::{NodalContact, NodeStatus};
 pub use point_of_contact::{PointOfContact, SideOfPoint};
-pub(super) use points::{points_of_contact, points_of_depth};
+pub(super) use points::points_of_contact;

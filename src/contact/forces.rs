@@ -1,5 +1,6 @@
 //! What an evaluation returns.
 
+use super::friction::{FrictionTotals, Tractions};
 use super::laws::PairEnergy;
 use crate::Error;
 use crate::geometry::{Surface, Vector, moment};
@@ -14,6 +15,8 @@ pub struct Resultant<const D: usize> {
     pub force: [f64; D],
     /// Moment of the contact forces on it about the origin of space; in 2D only the last entry differs from zero.
     pub moment: [f64; 3],
+    /// The part of `force` that is friction.
+    pub friction: [f64; D],
     /// Nodes of its surface; 0 for an obstacle.
     pub node_count: usize,
 }
@@ -39,6 +42,8 @@ pub struct PairForces {
     pub penetration: f64,
     /// Spacing of the fibers; 0 for `exact`. Given back as `Resolution::Spacing`, it keeps the pattern.
     pub spacing: f64,
+    /// Its friction.
+    pub friction: FrictionTotals,
 }
 
 /// Contact forces and what belongs to them.
@@ -69,6 +74,8 @@ pub struct ContactForces<const D: usize> {
     pub bodies: Vec<Resultant<D>>,
     /// Resultants on the obstacles.
     pub obstacles: Vec<Resultant<D>>,
+    /// Friction, summed over the pairs.
+    pub friction: FrictionTotals,
     /// The overlapping pairs.
     pub pairs: Vec<PairForces>,
     /// What the user should know.
@@ -82,8 +89,9 @@ impl<const D: usize> ContactForces<D> {
         obstacle_count: usize,
         coords: &[[f64; D]],
         pairs: &[PairEnergy<D>],
+        tractions: &[Tractions<D>],
     ) -> Result<Self, Error> {
-        let resultant = |id: i64, node_count: usize| Resultant { id, force: [0.0; D], moment: [0.0; 3], node_count };
+        let resultant = |id: i64, node_count: usize| Resultant { id, force: [0.0; D], moment: [0.0; 3], friction: [0.0; D], node_count };
         let mut total = Self {
             forces: vec![[0.0; D]; coords.len()],
             volume: 0.0,
@@ -98,11 +106,15 @@ impl<const D: usize> ContactForces<D> {
                 .map(|(body, &id)| resultant(id, surface.surface_node_count(body)))
                 .collect(),
             obstacles: (0..obstacle_count).map(|o| resultant(o as i64, 0)).collect(),
+            friction: FrictionTotals::default(),
             pairs: Vec::with_capacity(pairs.len()),
             warnings: Vec::new(),
         };
         for pair in pairs {
             total.add(coords, pair);
+        }
+        for pair in tractions {
+            total.add_friction(coords, pair);
         }
         total.standard_error = total.standard_error.sqrt();
         total.check()?;
@@ -119,6 +131,7 @@ impl<const D: usize> ContactForces<D> {
             ("energy", self.energy),
             ("contact area", self.contact_area),
             ("penetration", self.penetration),
+            ("energy of friction", self.friction.stored + self.friction.dissipated),
             ("resultant of a body", force.unwrap_or(0.0)),
         ];
         match quantities.into_iter().find(|(_, value)| !value.is_finite()) {
@@ -150,6 +163,7 @@ impl<const D: usize> ContactForces<D> {
             contact_area: overlap.contact_area,
             penetration: overlap.penetration,
             spacing: overlap.spacing,
+            friction: FrictionTotals::default(),
         };
         self.volume += pair.volume;
         self.standard_error += pair.standard_error * pair.standard_error;
@@ -163,6 +177,23 @@ impl<const D: usize> ContactForces<D> {
         self.warnings.extend(overlap.warnings.iter().cloned());
     }
 
+    fn add_friction(&mut self, coords: &[[f64; D]], pair: &Tractions<D>) {
+        let [a, b] = pair.partners;
+        for ((&node, force), &of_b) in pair.nodes.iter().zip(&pair.forces).zip(&pair.of_b) {
+            for axis in 0..D {
+                self.forces[node as usize][axis] += force[axis];
+            }
+            let x = Vector::from(coords[node as usize]);
+            self.resultant(if of_b { b } else { a }).add_friction(force, &moment(&x, force));
+        }
+        let (force, moment) = &pair.on_obstacle;
+        self.resultant(b).add_friction(force, moment);
+        self.friction = self.friction.plus(pair.totals);
+        if let Some(found) = self.pairs.iter_mut().find(|found| (found.a, found.b) == (a, b)) {
+            found.friction = pair.totals;
+        }
+    }
+
     fn resultant(&mut self, partner: Partner) -> &mut Resultant<D> {
         match partner {
             Partner::Body(body) => &mut self.bodies[body],
@@ -172,6 +203,13 @@ impl<const D: usize> ContactForces<D> {
 }
 
 impl<const D: usize> Resultant<D> {
+    fn add_friction(&mut self, force: &Vector<D>, moment: &[f64; 3]) {
+        self.add(force, moment);
+        for axis in 0..D {
+            self.friction[axis] += force[axis];
+        }
+    }
+
     fn add(&mut self, force: &Vector<D>, moment: &[f64; 3]) {
         for axis in 0..D {
             self.force[axis] += force[axis];

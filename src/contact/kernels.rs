@@ -1,10 +1,11 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
 use super::Contact;
-use super::fields::{NodalContact, PointOfContact, points_of_contact, points_of_depth};
+use super::fields::{NodalContact, PointOfContact, points_of_contact};
 use super::forces::ContactForces;
+use super::friction::{SlipPoints, Tractions};
 use super::gap_constraints::GapConstraints;
-use super::laws::{self, EnergyLaw, Measured, PairLaw};
+use super::laws::{self, Answer, Asked, EnergyLaw, PairEnergy, PairLaw};
 use super::mass_scaled::largest_step;
 use super::options::Options;
 use super::tangent::{Tangent, TangentPart};
@@ -12,6 +13,9 @@ use crate::Error;
 use crate::dimension::{recast, rows};
 use crate::overlap::{self, FiberTrace, Overlap, OverlapEstimator, Partner, Patches, Reach};
 use std::any::Any;
+
+/// Points with friction by pair.
+pub(super) type SlipPointsByPair<const D: usize> = Vec<SlipPoints<D>>;
 
 /// Patches by pair.
 pub(super) type PatchesByPair<const D: usize> = Vec<([Partner; 2], Patches<D>)>;
@@ -56,6 +60,7 @@ macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
 macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
 macro_rules! point_list { ($d:expr) => { Vec<PointOfContact<$d>> }; }
 macro_rules! constraint_rows { ($d:expr) => { GapConstraints<$d> }; }
+macro_rules! slip_list { ($d:expr) => { SlipPointsByPair<$d> }; }
 macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
 
 kernel! { /// Forces.
@@ -76,12 +81,46 @@ kernel! { /// The contact points.
 contact_points = contact_points_in() -> point_list }
 kernel! { /// Gaps of the nodes within reach.
 gap_constraints = gap_constraints_in(reach: f64) -> constraint_rows }
+kernel! { /// Points at which friction acts.
+slip_points = slip_points_in() -> slip_list }
 kernel! { /// Patches of all pairs, for all facets.
 patches = patches_in() -> patch_list }
 
+/// What is asked of every pair, with its friction.
+fn measured_pairs<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    asked: &Asked,
+) -> Result<(Vec<Answer<D>>, Vec<Tractions<D>>), Error> {
+    contact.check_step()?;
+    let found = contact.for_each_pair(coords, |measured| {
+        let slides = if contact.frozen.is_none() { contact.sliding(measured)? } else { None };
+        let asked = Asked { points: asked.points || slides.is_some(), ..*asked };
+        let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
+        let tractions = slides.map(|slides| Tractions::new(&slides.points(measured, &answer.points), coords.len(), asked.tangent));
+        Ok(Some((answer, tractions)))
+    })?;
+    let (answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
+    let frozen = contact.frozen_at(coords);
+    tractions.extend(frozen.iter().map(|points| Tractions::new(points, coords.len(), asked.tangent)));
+    Ok((answers, tractions))
+}
+
 fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
-    let pairs = contact.for_each_pair(coords, |measured| measured.law.energy(measured))?;
-    ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &pairs)
+    let asked = Asked { energy: true, ..Asked::default() };
+    let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
+    forces_of(contact, coords, answers.into_iter().filter_map(|answer| answer.energy), &tractions)
+}
+
+fn forces_of<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    energies: impl Iterator<Item = PairEnergy<D>>,
+    tractions: &[Tractions<D>],
+) -> Result<ContactForces<D>, Error> {
+    let energies: Vec<_> = energies.collect();
+    ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &energies, tractions)
 }
 
 fn tangent_in<const D: usize>(
@@ -89,15 +128,16 @@ fn tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<Tangent<D>, Error> {
-    let tangents =
-        contact.for_each_pair(coords, |measured| measured.law.tangent(measured, part, obstacle_node(measured)))?;
-    Tangent::sum(tangents).checked()
+    let asked = Asked { tangent: Some(part), ..Asked::default() };
+    let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
+    tangent_of(answers.into_iter().filter_map(|answer| answer.tangent), tractions)
 }
 
-/// Number of the translation of the pair's obstacle, if it has one, in the tangent.
-fn obstacle_node<const D: usize>(measured: &Measured<D>) -> u32 {
-    let obstacle = if let Partner::Obstacle(obstacle) = measured.pair.partners[1] { obstacle } else { 0 };
-    (measured.pair.coords.len() + obstacle) as u32
+fn tangent_of<const D: usize>(
+    of_laws: impl Iterator<Item = Tangent<D>>,
+    tractions: Vec<Tractions<D>>,
+) -> Result<Tangent<D>, Error> {
+    Tangent::sum(of_laws.chain(tractions.into_iter().map(|tractions| tractions.tangent)).collect()).checked()
 }
 
 fn evaluate_with_tangent_in<const D: usize>(
@@ -105,18 +145,26 @@ fn evaluate_with_tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<(ContactForces<D>, Tangent<D>), Error> {
-    let found = contact.for_each_pair(coords, |measured| {
-        let found = measured.law.energy_and_tangent(measured, part, obstacle_node(measured))?;
-        Ok((found.0.is_some() || found.1.is_some()).then_some(found))
-    })?;
-    let (energies, tangents): (Vec<_>, Vec<_>) = found.into_iter().unzip();
-    let energies: Vec<_> = energies.into_iter().flatten().collect();
-    let forces = ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &energies)?;
-    Ok((forces, Tangent::sum(tangents.into_iter().flatten().collect()).checked()?))
+    let asked = Asked { energy: true, tangent: Some(part), ..Asked::default() };
+    let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
+    let (energies, tangents): (Vec<_>, Vec<_>) =
+        answers.into_iter().map(|answer| (answer.energy, answer.tangent)).unzip();
+    let forces = forces_of(contact, coords, energies.into_iter().flatten(), &tractions)?;
+    Ok((forces, tangent_of(tangents.into_iter().flatten(), tractions)?))
+}
+
+/// All points at which friction acts, by pair.
+fn slip_points_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<SlipPointsByPair<D>, Error> {
+    let asked = Asked { points: true, ..Asked::default() };
+    contact.for_each_pair(coords, |measured| {
+        let Some(slides) = contact.sliding(measured)? else { return Ok(None) };
+        let answer = measured.law.measure(measured, &asked)?;
+        Ok(answer.map(|answer| slides.points(measured, &answer.points)))
+    })
 }
 
 fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
-    largest_step(&tangent_in(contact, coords, TangentPart::Full)?, masses)
+    largest_step(&tangent_in(contact, coords, TangentPart::Symmetric)?, masses)
 }
 
 fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
@@ -132,7 +180,11 @@ fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result
 }
 
 fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
-    let pairs = contact.for_each_pair(coords, |measured| measured.law.energy_and_nodal_sums(measured))?;
+    let asked = Asked { energy: true, nodal_sums: true, ..Asked::default() };
+    let pairs = contact.for_each_pair(coords, |measured| {
+        let answer = measured.law.measure(measured, &asked)?;
+        Ok(answer.and_then(|answer| Some((answer.energy?, answer.nodal_sums))))
+    })?;
     NodalContact::assemble(coords.len(), &pairs)
 }
 
@@ -140,16 +192,10 @@ fn contact_points_in<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
 ) -> Result<Vec<PointOfContact<D>>, Error> {
+    let asked = Asked { points: true, ..Asked::default() };
     let points = contact.for_each_pair(coords, |measured| {
-        let (law, pair) = (measured.law, measured.pair);
-        let pressure = |penetration: f64| law.pressure_at(penetration);
-        Ok(match () {
-            () if law.is_local() => {
-                measured.contact_points(false)?.map(|found| points_of_contact(&found, pair, pressure))
-            }
-            () if law.needs_depth() => Some(points_of_depth(&measured.estimator.depth_points(pair)?, pair, pressure)),
-            () => None,
-        })
+        let answer = measured.law.measure(measured, &asked)?;
+        Ok(answer.map(|answer| points_of_contact(&answer.points, measured.pair)))
     })?;
     Ok(points.into_iter().flatten().collect())
 }

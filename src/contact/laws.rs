@@ -8,9 +8,11 @@ pub(super) mod energy_law;
 mod fiber_law;
 mod pair_energy;
 mod pair_law;
+mod pressure_point;
 mod volume_law;
 
 pub(super) use by_options::pair_law;
 pub use energy_law::{EnergyLaw, FiberProfile};
 pub(super) use pair_energy::PairEnergy;
-pub(super) use pair_law::{FoundPatches, Measured, PairLaw};
+pub(super) use pair_law::{Answer, Asked, FoundPatches, Measured, PairLaw};
+pub(super) use pressure_point::{PointOnSide, PressurePoint};

@@ -1,6 +1,6 @@
 //! Options of an evaluation.
 
-use super::EnergyLaw;
+use super::{EnergyLaw, Friction};
 use crate::Error;
 use crate::overlap::{Estimator, Resolution};
 use crate::sampling::FiberPattern;
@@ -17,6 +17,9 @@ pub struct Options {
     /// Self-contact: also evaluate the overlap of each body with itself. Off by default: it lays lines through whole
     /// bodies.
     pub self_contact: bool,
+    /// Friction of all pairs that have none of their own. Off by default. With it the tangent is unsymmetric, and steps
+    /// are begun and committed: see `Contact::begin_step`.
+    pub friction: Friction,
     /// Check the orientation of every cell at every evaluation. On by default; it costs some ns per cell.
     pub check_cells: bool,
 }
@@ -24,12 +27,17 @@ pub struct Options {
 impl Options {
     /// Defaults with this law.
     pub fn new(law: EnergyLaw) -> Self {
-        Self { law, estimator: Estimator::default(), threads: 1, self_contact: false, check_cells: true }
+        Self { law, estimator: Estimator::default(), threads: 1, self_contact: false, friction: Friction::default(), check_cells: true }
     }
 
     /// Checks every value.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.law.check()?;
+        self.friction.check()?;
+        if self.friction.is_active() && matches!(self.law, EnergyLaw::Volume { .. }) {
+            let what = "friction with the law volume, whose pressure is one for a whole pair: use the law depth or fiber";
+            return Err(Error::Unsupported { what });
+        }
         let positive = |name, value: f64| {
             if value.is_finite() && value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
         };

@@ -12,17 +12,25 @@ pub struct PairOptions {
     pub excluded: bool,
     /// Energy law of the pair and its stiffness; `None`: those of the options, also after they change.
     pub law: Option<EnergyLaw>,
+    /// Coefficient of friction of the pair, at least 0; `None`: that of the options, also after it changes. All else of the
+    /// friction is that of the options.
+    pub friction_coefficient: Option<f64>,
 }
 
 impl PairOptions {
     /// A pair that is left out.
     pub fn excluded() -> Self {
-        Self { excluded: true, law: None }
+        Self { excluded: true, ..Self::default() }
     }
 
     /// A pair with a law of its own.
     pub fn with_law(law: EnergyLaw) -> Self {
-        Self { excluded: false, law: Some(law) }
+        Self { law: Some(law), ..Self::default() }
+    }
+
+    /// A pair with a coefficient of friction of its own.
+    pub fn with_friction(coefficient: f64) -> Self {
+        Self { friction_coefficient: Some(coefficient), ..Self::default() }
     }
 }
 

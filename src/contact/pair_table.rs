@@ -1,5 +1,6 @@
 //! The pairs that have options of their own, and the law that each follows.
 
+use super::friction::Friction;
 use super::kernels::pair_law;
 use super::laws::PairLaw;
 use super::options::Options;
@@ -64,6 +65,17 @@ impl<const D: usize> PairTable<D> {
         self.0.values().filter_map(|entry| entry.law.as_deref())
     }
 
+    /// The friction of the pair, which has that of the contact but for a coefficient of its own.
+    pub(super) fn friction(&self, pair: &[Partner; 2], of_contact: Friction) -> Friction {
+        let own = self.0.get(pair).and_then(|entry| entry.options.friction_coefficient);
+        own.map_or(of_contact, |coefficient| Friction { coefficient, ..of_contact })
+    }
+
+    /// Whether any pair has a coefficient of friction of its own that is not zero.
+    pub(super) fn has_friction(&self) -> bool {
+        self.0.values().any(|entry| entry.options.friction_coefficient.is_some_and(|coefficient| coefficient > 0.0))
+    }
+
     /// Whether all entries are allowed beside these options.
     pub(super) fn check(&self, defaults: &Options) -> Result<(), Error> {
         self.0.iter().try_for_each(|(pair, entry)| check(pair, &entry.options, defaults))
@@ -71,11 +83,12 @@ impl<const D: usize> PairTable<D> {
 }
 
 fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Result<(), Error> {
-    let Some(law) = options.law else { return Ok(()) };
+    let coefficient = options.friction_coefficient.unwrap_or(defaults.friction.coefficient);
+    let (law, friction) = (options.law.unwrap_or(defaults.law), Friction { coefficient, ..defaults.friction });
     let side = |partner| match partner {
         Partner::Body(body) => ("body", body),
         Partner::Obstacle(obstacle) => ("obstacle", obstacle),
     };
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
-    Options { law, ..*defaults }.check().map_err(of_pair)
+    Options { law, friction, ..*defaults }.check().map_err(of_pair)
 }

@@ -10,7 +10,10 @@ pub enum TangentPart {
     /// All of it: the derivative of the force. Newton converges quadratically near the solution.
     #[default]
     Full,
-    /// Without the part from the turning of facets, which can be negative: safe far from the solution.
+    /// Without what makes it unsymmetric: that a frictional force grows with the pressure. The same as `Full` without
+    /// friction.
+    Symmetric,
+    /// Symmetric and without the part from the turning of facets, which can be negative: safe far from the solution.
     Semidefinite,
 }
 

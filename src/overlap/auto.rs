@@ -1,7 +1,6 @@
 //! Exact where that is possible, lines elsewhere.
 
-use super::depth_integral::{DepthIntegral, SecondDerivative};
-use super::depth_points::DepthPoint;
+use super::depth_integral::{DepthIntegral, DepthRequest};
 use super::estimator::{Imbalance, OverlapEstimator};
 use super::exact::ExactEstimator;
 use super::fibers::FiberEstimator;
@@ -58,17 +57,8 @@ impl<const D: usize> OverlapEstimator<D> for AutoEstimator<D> {
         self.of(pair).contact_points(pair, patches, derivative)
     }
 
-    fn depth_integral(
-        &self,
-        pair: &Pair<D>,
-        second: SecondDerivative,
-        obstacle_node: u32,
-    ) -> Result<Option<DepthIntegral<D>>, Error> {
-        ExactEstimator.depth_integral(pair, second, obstacle_node)
-    }
-
-    fn depth_points(&self, pair: &Pair<D>) -> Result<Vec<DepthPoint<D>>, Error> {
-        ExactEstimator.depth_points(pair)
+    fn depth_integral(&self, pair: &Pair<D>, request: &DepthRequest) -> Result<Option<DepthIntegral<D>>, Error> {
+        ExactEstimator.depth_integral(pair, request)
     }
 
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {

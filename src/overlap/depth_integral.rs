@@ -1,5 +1,6 @@
 //! Depth summed over an overlap, which is what the law `depth` stands on.
 
+use super::depth_points::DepthPoint;
 use super::pair::overlap::{Overlap, PoseGradient};
 use super::pair::sides::Pair;
 use super::points::block_sum::Block;
@@ -16,6 +17,16 @@ pub(crate) enum SecondDerivative {
     Full,
 }
 
+/// What is asked for beside the value and its gradient.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DepthRequest {
+    pub(crate) second: SecondDerivative,
+    /// Number of the translation of the pair's obstacle in the second derivative.
+    pub(crate) obstacle_node: u32,
+    /// Whether the points where the forces act are asked for.
+    pub(crate) points: bool,
+}
+
 /// J = ∫ over A ∩ B of the mean of the depths below both surfaces, or of the depth below an obstacle's alone.
 #[derive(Clone, Debug)]
 pub(crate) struct DepthIntegral<const D: usize> {
@@ -30,6 +41,8 @@ pub(crate) struct DepthIntegral<const D: usize> {
     pub(crate) hessian: Vec<Block<D>>,
     /// What the facets have inside the other side.
     pub(crate) facets: Vec<FacetDepth<D>>,
+    /// Where its forces act, by side and by facet; empty where that is not asked for.
+    pub(crate) points: Vec<DepthPoint<D>>,
     /// Depth of the boundaries of A ∩ B, each below the other surface, as a mean over their area.
     pub(crate) mean_depth: f64,
     /// Volume, area and what else is told of an overlap; its gradient is empty.
@@ -42,8 +55,6 @@ pub(crate) struct FacetDepth<const D: usize> {
     /// Index within its side.
     pub(crate) facet: u32,
     pub(crate) of_b: bool,
-    /// Part with which its force counts: half where the other side's facets press too.
-    pub(crate) weight: f64,
     pub(crate) areas: [f64; D],
     pub(crate) depths: [f64; D],
 }

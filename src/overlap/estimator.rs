@@ -1,7 +1,6 @@
 //! What every estimator can be asked for a pair of bodies.
 
-use super::depth_integral::{DepthIntegral, SecondDerivative};
-use super::depth_points::DepthPoint;
+use super::depth_integral::{DepthIntegral, DepthRequest};
 use super::pair::fiber_trace::FiberTrace;
 use super::pair::overlap::Overlap;
 use super::pair::sides::Pair;
@@ -32,23 +31,11 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error>;
 
-    /// The depths of the sides below each other's surfaces, summed over the overlap, or `None` where they are apart; the
-    /// translation of the pair's obstacle has the number `obstacle_node`.
+    /// The depths of the sides below each other's surfaces, summed over the overlap, or `None` where they are apart.
     ///
     /// # Errors
     /// [`Error::Unsupported`] where the estimator has no such sum.
-    fn depth_integral(
-        &self,
-        pair: &Pair<D>,
-        second: SecondDerivative,
-        obstacle_node: u32,
-    ) -> Result<Option<DepthIntegral<D>>, Error>;
-
-    /// Where the forces of that sum act on facets.
-    ///
-    /// # Errors
-    /// As [`Self::depth_integral`].
-    fn depth_points(&self, pair: &Pair<D>) -> Result<Vec<DepthPoint<D>>, Error>;
+    fn depth_integral(&self, pair: &Pair<D>, request: &DepthRequest) -> Result<Option<DepthIntegral<D>>, Error>;
 
     /// Distance between the lines along the directions of `patches`, where there are lines.
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error>;

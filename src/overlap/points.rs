@@ -8,5 +8,6 @@ pub(crate) mod end_motion;
 mod facet_sums;
 pub(crate) mod hessian;
 pub(crate) mod nodal_sums;
+pub(crate) mod node_sums;
 pub(crate) mod silhouette_hessian;
 pub(crate) mod trace;

@@ -1,40 +1,33 @@
 //! Contact points from those of the laws.
 
 use super::point_of_contact::{PointOfContact, SideOfPoint};
+use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::Vector;
-use crate::overlap::{ContactPoints, DepthPoint, Pair, Partner, PlaceInCell, SurfacePoint, nodes_of};
+use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint, nodes_of};
 
-/// The contact points of a pair; `pressure` is a function of the penetration.
-pub(crate) fn points_of_contact<const D: usize>(
-    points: &ContactPoints<D>,
-    pair: &Pair<D>,
-    pressure: impl Fn(f64) -> f64,
-) -> Vec<PointOfContact<D>> {
-    let is_second = |end: &SurfacePoint<D>| !matches!(end, SurfacePoint::Facet { of_b: false, .. });
-    (points.points.iter())
-        .map(|point| {
-            let mut ends = point.ends;
-            if is_second(&ends[0]) && !is_second(&ends[1]) {
-                ends.swap(0, 1);
-            }
-            let sides = ends.each_ref().map(|end| side_of_point(pair, end));
-            let along = points.patches.directions[point.direction as usize];
-            let normal = if along.dot(&pair.normal_at(&ends[0])) < 0.0 { -along } else { along };
-            PointOfContact {
-                partners: pair.partners,
-                position: std::array::from_fn(|i| 0.5 * (sides[0].position[i] + sides[1].position[i])),
-                normal: normal.into(),
-                gap: -point.length,
-                pressure: pressure(point.length),
-                area: point.weight,
-                patch: point.direction as usize,
-                sides,
-            }
-        })
-        .collect()
+/// The contact points of a pair.
+pub(crate) fn points_of_contact<const D: usize>(points: &[PressurePoint<D>], pair: &Pair<D>) -> Vec<PointOfContact<D>> {
+    let of_point = |point: &PressurePoint<D>| {
+        let sides = point.sides.each_ref().map(|side| match side {
+            PointOnSide::Surface(end) => of_surface(pair, end),
+            PointOnSide::Cell(place) => in_cell(pair, place),
+            PointOnSide::Rigid(position) => SideOfPoint::at(position),
+        });
+        PointOfContact {
+            partners: pair.partners,
+            position: std::array::from_fn(|i| 0.5 * (sides[0].position[i] + sides[1].position[i])),
+            normal: point.normal.into(),
+            gap: -point.penetration,
+            pressure: point.pressure,
+            area: point.area,
+            patch: point.patch,
+            sides,
+        }
+    };
+    points.iter().map(of_point).collect()
 }
 
-fn side_of_point<const D: usize>(pair: &Pair<D>, end: &SurfacePoint<D>) -> SideOfPoint<D> {
+fn of_surface<const D: usize>(pair: &Pair<D>, end: &SurfacePoint<D>) -> SideOfPoint<D> {
     let mut side = SideOfPoint::at(&pair.position(end));
     let SurfacePoint::Facet { of_b, facet, weights } = *end else { return side };
     let Partner::Body(body) = pair.partners[usize::from(of_b)] else { return side };
@@ -54,48 +47,20 @@ fn side_of_point<const D: usize>(pair: &Pair<D>, end: &SurfacePoint<D>) -> SideO
     side
 }
 
-/// The same of the law `depth`.
-pub(crate) fn points_of_depth<const D: usize>(
-    points: &[DepthPoint<D>],
-    pair: &Pair<D>,
-    pressure: impl Fn(f64) -> f64,
-) -> Vec<PointOfContact<D>> {
-    (points.iter())
-        .map(|point| {
-            let &DepthPoint { of_b, facet, weights, .. } = point;
-            let own = side_of_point(pair, &SurfacePoint::Facet { of_b, facet, weights });
-            let position = own.position;
-            let mut sides = [own, SideOfPoint::at(&position.into())];
-            if let (Some(place), Some(cells)) = (&point.other, &pair.surface.cells) {
-                sides[1].take_place(place, cells.nodes(place.cell as usize));
-            }
-            if of_b {
-                sides.swap(0, 1);
-            }
-            PointOfContact {
-                partners: pair.partners,
-                position,
-                normal: point.normal.map(|n| if of_b { -n } else { n }),
-                gap: -point.depth,
-                pressure: pressure(point.depth),
-                area: point.area,
-                patch: 0,
-                sides,
-            }
-        })
-        .collect()
+fn in_cell<const D: usize>(pair: &Pair<D>, place: &PlaceInCell<D>) -> SideOfPoint<D> {
+    let nodes = pair.surface.cells.as_ref().map_or(&[][..], |cells| cells.nodes(place.cell as usize));
+    let terms = nodes.iter().zip(&place.weights).map(|(&n, &weight)| Vector::from(pair.coords[n as usize]) * weight);
+    let mut side = SideOfPoint::at(&terms.fold(Vector::zeros(), |x, term| x + term));
+    side.cell = Some(place.cell as usize);
+    side.node_count = nodes.len();
+    side.nodes[..nodes.len()].copy_from_slice(nodes);
+    side.weights = place.weights;
+    side
 }
 
 impl<const D: usize> SideOfPoint<D> {
     /// A place that belongs to no cell.
     fn at(position: &Vector<D>) -> Self {
         Self { position: (*position).into(), cell: None, node_count: 0, nodes: [0; 8], weights: [0.0; 8] }
-    }
-
-    fn take_place(&mut self, place: &PlaceInCell, nodes: &[u32]) {
-        self.cell = Some(place.cell as usize);
-        self.node_count = nodes.len();
-        self.nodes[..nodes.len()].copy_from_slice(nodes);
-        self.weights = place.weights;
     }
 }

@@ -3,22 +3,21 @@
 
 use super::energy_law::EnergyLaw;
 use super::pair_energy::PairEnergy;
-use super::pair_law::{Measured, PairLaw};
+use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use crate::Error;
-use crate::contact::tangent::{Tangent, TangentPart};
 use crate::overlap::Overlap;
 
 /// w = p Σ measure L.
 struct ConstantPressure(f64);
 
 impl<const D: usize> PairLaw<D> for ConstantPressure {
-    fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
+    fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error> {
+        if asked.tangent.is_some() {
+            return Err(Error::Unsupported { what: "the tangent of a constant pressure" });
+        }
         let overlap = PairLaw::<D>::overlap(self, measured)?;
-        Ok(overlap.map(|overlap| PairEnergy::of_volume(overlap, &EnergyLaw::volume(self.0))))
-    }
-
-    fn tangent(&self, _: &Measured<D>, _: TangentPart, _: u32) -> Result<Option<Tangent<D>>, Error> {
-        Err(Error::Unsupported { what: "the tangent of a constant pressure" })
+        let energy = overlap.map(|overlap| PairEnergy::of_volume(overlap, &EnergyLaw::volume(self.0)));
+        Ok(Some(Answer { energy, tangent: None, nodal_sums: None, points: Vec::new() }))
     }
 
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {

@@ -2,10 +2,11 @@
 //! without a step wherever corners, edges and whole bodies go.
 
 use super::pair_energy::PairEnergy;
-use super::pair_law::{EnergyAndSums, EnergyAndTangent, Measured, PairLaw};
+use super::pair_law::{Answer, Asked, Measured, PairLaw};
+use super::pressure_point::of_depth_points;
 use crate::Error;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::{DepthIntegral, NodalSum, Overlap, SecondDerivative};
+use crate::overlap::{DepthIntegral, DepthRequest, NodalSum, Overlap, Pair, SecondDerivative};
 
 /// The depth law.
 pub(super) struct DepthLaw {
@@ -31,55 +32,38 @@ impl DepthLaw {
         blocks.iter_mut().flat_map(|block| block.value.iter_mut().flatten()).for_each(|x| *x *= self.stiffness);
         Tangent { blocks, rank_one: Vec::new() }
     }
+
+    /// The pressure of a point of a facet is k times its depth.
+    fn nodal_sums<const D: usize>(&self, depth: &DepthIntegral<D>, pair: &Pair<D>) -> Vec<NodalSum> {
+        let mut sums = Vec::with_capacity(D * depth.facets.len());
+        depth.for_each_share(pair, |node, area, penetration| {
+            sums.push(NodalSum { node, area, pressure: self.stiffness * penetration, penetration });
+        });
+        sums
+    }
 }
 
-fn second(part: TangentPart) -> SecondDerivative {
+fn second(part: Option<TangentPart>) -> SecondDerivative {
     match part {
-        TangentPart::Full => SecondDerivative::Full,
-        TangentPart::Semidefinite => SecondDerivative::Semidefinite,
+        None => SecondDerivative::No,
+        Some(TangentPart::Full | TangentPart::Symmetric) => SecondDerivative::Full,
+        Some(TangentPart::Semidefinite) => SecondDerivative::Semidefinite,
     }
 }
 
 impl<const D: usize> PairLaw<D> for DepthLaw {
-    fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
-        let depth = measured.estimator.depth_integral(measured.pair, SecondDerivative::No, 0)?;
-        Ok(depth.map(|depth| self.energy_of(depth)))
-    }
-
-    fn tangent(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-        obstacle_node: u32,
-    ) -> Result<Option<Tangent<D>>, Error> {
-        let depth = measured.estimator.depth_integral(measured.pair, second(part), obstacle_node)?;
-        Ok(depth.map(|mut depth| self.tangent_of(&mut depth)))
-    }
-
-    fn energy_and_tangent(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-        obstacle_node: u32,
-    ) -> Result<EnergyAndTangent<D>, Error> {
-        let Some(mut depth) = measured.estimator.depth_integral(measured.pair, second(part), obstacle_node)? else {
-            return Ok((None, None));
-        };
-        let tangent = self.tangent_of(&mut depth);
-        Ok((Some(self.energy_of(depth)), Some(tangent)))
-    }
-
-    /// With the forces on inner nodes at the surface above them; the pressure of a point of a facet is k times its depth.
-    fn energy_and_nodal_sums(&self, measured: &Measured<D>) -> Result<Option<EnergyAndSums<D>>, Error> {
-        let Some(mut depth) = measured.estimator.depth_integral(measured.pair, SecondDerivative::No, 0)? else {
-            return Ok(None);
-        };
-        depth.bring_to_surface(measured.pair);
-        let mut sums = Vec::with_capacity(D * depth.facets.len());
-        depth.for_each_share(measured.pair, |node, area, penetration| {
-            sums.push(NodalSum { node, area, pressure: self.stiffness * penetration, penetration });
+    /// With sums at the nodes, the forces on inner nodes come at the surface above them.
+    fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error> {
+        let (second, obstacle_node) = (second(asked.tangent), measured.obstacle_node());
+        let request = DepthRequest { second, obstacle_node, points: asked.points };
+        let Some(mut depth) = measured.estimator.depth_integral(measured.pair, &request)? else { return Ok(None) };
+        let tangent = asked.tangent.map(|_| self.tangent_of(&mut depth));
+        let points = of_depth_points(&std::mem::take(&mut depth.points), measured.pair, self.stiffness);
+        let nodal_sums = asked.nodal_sums.then(|| {
+            depth.bring_to_surface(measured.pair);
+            self.nodal_sums(&depth, measured.pair)
         });
-        Ok(Some((self.energy_of(depth), Some(sums))))
+        Ok(Some(Answer { energy: asked.energy.then(|| self.energy_of(depth)), tangent, nodal_sums, points }))
     }
 
     /// The volume of the overlap and its gradient, as the law `volume` has them.
@@ -95,7 +79,7 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
         true
     }
 
-    fn pressure_at(&self, penetration: f64) -> f64 {
-        self.stiffness * penetration
+    fn initial_stiffness(&self) -> Option<f64> {
+        Some(self.stiffness)
     }
 }

@@ -2,53 +2,33 @@
 
 use super::energy_law::EnergyLaw;
 use super::pair_energy::PairEnergy;
-use super::pair_law::{EnergyAndSums, EnergyAndTangent, Measured, PairLaw};
+use super::pair_law::{Answer, Asked, Measured, PairLaw};
+use super::pressure_point::of_contact_points;
 use crate::Error;
 use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::{ContactPoints, Overlap};
+use crate::overlap::Overlap;
 
 /// The fiber law, and any local law of the penetration.
 pub(super) struct FiberLaw(pub(super) EnergyLaw);
 
-impl FiberLaw {
-    fn energy_of<const D: usize>(&self, points: &ContactPoints<D>, measured: &Measured<D>) -> PairEnergy<D> {
-        PairEnergy::of_points(points, measured.pair, &self.0, measured.estimator.imbalance_of_points(measured.pair))
-    }
-}
-
 impl<const D: usize> PairLaw<D> for FiberLaw {
-    fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
-        Ok(measured.contact_points(false)?.map(|points| self.energy_of(&points, measured)))
-    }
-
-    fn tangent(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-        obstacle_node: u32,
-    ) -> Result<Option<Tangent<D>>, Error> {
-        let points = measured.contact_points(part == TangentPart::Full)?;
-        Ok(points.map(|points| Tangent::of_points(&points, measured.pair, &self.0, part, obstacle_node)))
-    }
-
-    fn energy_and_tangent(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-        obstacle_node: u32,
-    ) -> Result<EnergyAndTangent<D>, Error> {
+    fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error> {
+        let (pair, law) = (measured.pair, &self.0);
         // What the derivative asks for beside the points does not change them.
-        let Some(points) = measured.contact_points(part == TangentPart::Full)? else { return Ok((None, None)) };
-        let tangent = Tangent::of_points(&points, measured.pair, &self.0, part, obstacle_node);
-        Ok((Some(self.energy_of(&points, measured)), Some(tangent)))
-    }
-
-    fn energy_and_nodal_sums(&self, measured: &Measured<D>) -> Result<Option<EnergyAndSums<D>>, Error> {
-        let pressure = |penetration: f64| self.0.energy_gradient(penetration);
-        Ok(measured.contact_points(false)?.map(|points| {
-            let sums = points.nodal_sums(measured.pair, &pressure);
-            (self.energy_of(&points, measured), Some(sums))
+        let derivative = !matches!(asked.tangent, None | Some(TangentPart::Semidefinite));
+        let Some(points) = measured.contact_points(derivative)? else { return Ok(None) };
+        let pressure = |penetration: f64| law.energy_gradient(penetration);
+        let expected = || measured.estimator.imbalance_of_points(pair);
+        Ok(Some(Answer {
+            energy: asked.energy.then(|| PairEnergy::of_points(&points, pair, law, expected())),
+            tangent: (asked.tangent).map(|part| Tangent::of_points(&points, pair, law, part, measured.obstacle_node())),
+            nodal_sums: asked.nodal_sums.then(|| points.nodal_sums(pair, &pressure)),
+            points: if asked.points {
+                of_contact_points(&points, pair, pressure, |penetration| law.energy_hessian(penetration))
+            } else {
+                Vec::new()
+            },
         }))
     }
 
@@ -66,7 +46,7 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         true
     }
 
-    fn pressure_at(&self, penetration: f64) -> f64 {
-        self.0.energy_gradient(penetration)
+    fn initial_stiffness(&self) -> Option<f64> {
+        Some(self.0.energy_hessian(0.0))
     }
 }

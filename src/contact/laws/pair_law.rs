@@ -1,6 +1,7 @@
 //! What every contact law can be asked for a pair of bodies.
 
 use super::pair_energy::PairEnergy;
+use super::pressure_point::PressurePoint;
 use crate::Error;
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::overlap::{ContactPoints, NodalSum, Overlap, OverlapEstimator, Pair, Partner, Patches, Reach, find_patches};
@@ -10,31 +11,12 @@ use std::sync::Mutex;
 /// Energy of a pair and its derivatives. A new law is a type of this kind, and its line in
 /// `by_options.rs`.
 pub(crate) trait PairLaw<const D: usize>: Send + Sync {
-    /// Energy and its gradient, or `None` where the sides are apart.
-    fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error>;
-
-    /// Second derivative of the energy; the translation of the pair's obstacle has the number `obstacle_node`.
-    fn tangent(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-        obstacle_node: u32,
-    ) -> Result<Option<Tangent<D>>, Error>;
-
-    /// Both, from one measurement where they can share it, with the bits of each alone.
-    fn energy_and_tangent(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-        obstacle_node: u32,
-    ) -> Result<EnergyAndTangent<D>, Error> {
-        Ok((self.energy(measured)?, self.tangent(measured, part, obstacle_node)?))
-    }
-
-    /// Energy, and of a law that acts at contact points their sums at the nodes, from one measurement.
-    fn energy_and_nodal_sums(&self, measured: &Measured<D>) -> Result<Option<EnergyAndSums<D>>, Error> {
-        Ok(self.energy(measured)?.map(|energy| (energy, None)))
-    }
+    /// What is asked for, from one measurement; what is asked for beside changes no bit of any part. `None` where the
+    /// sides are apart.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for a part that the law does not have.
+    fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error>;
 
     /// The overlap on which the law stands.
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error>;
@@ -47,17 +29,33 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
         false
     }
 
-    /// Pressure where the penetration is given; of a law whose pressure follows it.
-    fn pressure_at(&self, _penetration: f64) -> f64 {
-        0.0
+    /// The stiffness of its pressure at a first touch, per penetration, where it has one.
+    fn initial_stiffness(&self) -> Option<f64> {
+        None
     }
 }
 
-/// Energy with its gradient, and its second derivative, each `None` where the sides are apart.
-pub(crate) type EnergyAndTangent<const D: usize> = (Option<PairEnergy<D>>, Option<Tangent<D>>);
+/// What is asked of a law.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Asked {
+    /// Energy and its gradient.
+    pub(crate) energy: bool,
+    /// Its second derivative.
+    pub(crate) tangent: Option<TangentPart>,
+    /// Sums at the nodes, of a law that presses point by point.
+    pub(crate) nodal_sums: bool,
+    /// The points at which it presses.
+    pub(crate) points: bool,
+}
 
-/// Energy with its gradient, and sums at the nodes where there are contact points.
-pub(crate) type EnergyAndSums<const D: usize> = (PairEnergy<D>, Option<Vec<NodalSum>>);
+/// What a law answers: the parts that were asked for.
+pub(crate) struct Answer<const D: usize> {
+    pub(crate) energy: Option<PairEnergy<D>>,
+    pub(crate) tangent: Option<Tangent<D>>,
+    pub(crate) nodal_sums: Option<Vec<NodalSum>>,
+    /// Empty for a law that has one pressure for the whole pair.
+    pub(crate) points: Vec<PressurePoint<D>>,
+}
 
 /// Patches that were found at the coordinates in force, by pair.
 #[derive(Default)]
@@ -75,6 +73,12 @@ pub(crate) struct Measured<'a, const D: usize> {
 }
 
 impl<const D: usize> Measured<'_, D> {
+    /// The number of the translation of the pair's obstacle, if it has one, in tangents.
+    pub(crate) fn obstacle_node(&self) -> u32 {
+        let obstacle = if let Partner::Obstacle(obstacle) = self.pair.partners[1] { obstacle } else { 0 };
+        (self.pair.coords.len() + obstacle) as u32
+    }
+
     /// Contact points on the kept patches, or on those that are found now; `None` where the sides are apart.
     pub(crate) fn contact_points(&self, derivative: bool) -> Result<Option<ContactPoints<D>>, Error> {
         let points = match self.kept {

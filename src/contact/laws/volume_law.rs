@@ -2,7 +2,7 @@
 
 use super::energy_law::EnergyLaw;
 use super::pair_energy::PairEnergy;
-use super::pair_law::{EnergyAndTangent, Measured, PairLaw};
+use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use crate::Error;
 use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
@@ -27,44 +27,33 @@ impl VolumeLaw {
         overlap: Option<&Overlap<D>>,
         measured: &Measured<D>,
         part: TangentPart,
-        obstacle_node: u32,
     ) -> Result<Option<Tangent<D>>, Error> {
         let Some(overlap) = overlap.filter(|overlap| overlap.volume > 0.0) else { return Ok(None) };
+        let obstacle_node = measured.obstacle_node();
         let blocks = match part {
             TangentPart::Semidefinite => Vec::new(),
-            TangentPart::Full => measured.estimator.volume_hessian(measured.pair, obstacle_node)?,
+            TangentPart::Full | TangentPart::Symmetric => {
+                measured.estimator.volume_hessian(measured.pair, obstacle_node)?
+            }
         };
         Ok(Some(Tangent::of_volume(overlap, blocks, &self.0, obstacle_node)))
     }
 }
 
 impl<const D: usize> PairLaw<D> for VolumeLaw {
-    fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
-        Ok(self.overlap(measured)?.map(|overlap| PairEnergy::of_volume(overlap, &self.0)))
-    }
-
-    fn tangent(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-        obstacle_node: u32,
-    ) -> Result<Option<Tangent<D>>, Error> {
-        measured.estimator.check_tangent(measured.pair)?;
+    fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error> {
+        if asked.tangent.is_some() {
+            measured.estimator.check_tangent(measured.pair)?;
+        }
         let overlap = measured.estimator.overlap(measured.pair)?;
-        self.tangent_of(overlap.as_ref(), measured, part, obstacle_node)
-    }
-
-    fn energy_and_tangent(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-        obstacle_node: u32,
-    ) -> Result<EnergyAndTangent<D>, Error> {
-        measured.estimator.check_tangent(measured.pair)?;
-        let overlap = measured.estimator.overlap(measured.pair)?;
-        let tangent = self.tangent_of(overlap.as_ref(), measured, part, obstacle_node)?;
-        let corrected = Self::corrected(overlap, measured);
-        Ok((corrected.map(|overlap| PairEnergy::of_volume(overlap, &self.0)), tangent))
+        let tangent = match asked.tangent {
+            Some(part) => self.tangent_of(overlap.as_ref(), measured, part)?,
+            None => None,
+        };
+        let corrected = if asked.energy { Self::corrected(overlap, measured) } else { None };
+        let energy = corrected.map(|overlap| PairEnergy::of_volume(overlap, &self.0));
+        let is_empty = energy.is_none() && tangent.is_none();
+        Ok((!is_empty).then_some(Answer { energy, tangent, nodal_sums: None, points: Vec::new() }))
     }
 
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {

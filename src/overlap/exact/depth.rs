@@ -8,15 +8,11 @@
 //! need the first two moments of A in every such piece: from pieces of A clipped by pieces of B.
 //!
 //! `integral` (which of the two it is) · `bodies` (two of cells, or one with itself) · `obstacles` (a rigid partner)
-//! · `points` (where the forces act)
 
 mod bodies;
 mod facet_sums;
 mod integral;
-mod node_sums;
 mod obstacles;
-mod points;
 mod simplex_parts;
 
 pub(crate) use integral::depth_integral;
-pub(crate) use points::depth_points;

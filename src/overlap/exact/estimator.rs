@@ -1,10 +1,9 @@
 //! Exact clipping as an estimator.
 
 use super::clipping::volume::ExactPair;
-use super::depth::{depth_integral, depth_points};
+use super::depth::depth_integral;
 use crate::Error;
-use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
-use crate::overlap::depth_points::DepthPoint;
+use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
@@ -51,17 +50,8 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         ExactPair { pair }.contact_points(patches, derivative)
     }
 
-    fn depth_integral(
-        &self,
-        pair: &Pair<D>,
-        second: SecondDerivative,
-        obstacle_node: u32,
-    ) -> Result<Option<DepthIntegral<D>>, Error> {
-        depth_integral(pair, second, obstacle_node)
-    }
-
-    fn depth_points(&self, pair: &Pair<D>) -> Result<Vec<DepthPoint<D>>, Error> {
-        depth_points(pair)
+    fn depth_integral(&self, pair: &Pair<D>, request: &DepthRequest) -> Result<Option<DepthIntegral<D>>, Error> {
+        depth_integral(pair, request)
     }
 
     fn spacing(&self, _: &Pair<D>, _: &Patches<D>) -> Result<Option<f64>, Error> {

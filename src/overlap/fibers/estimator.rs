@@ -2,8 +2,7 @@
 
 use super::layout::FiberPair;
 use crate::Error;
-use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
-use crate::overlap::depth_points::DepthPoint;
+use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::options::FiberOptions;
@@ -63,11 +62,7 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         self.of(pair).contact_points(patches)
     }
 
-    fn depth_integral(&self, _: &Pair<D>, _: SecondDerivative, _: u32) -> Result<Option<DepthIntegral<D>>, Error> {
-        Err(Error::Unsupported { what: NO_DEPTH })
-    }
-
-    fn depth_points(&self, _: &Pair<D>) -> Result<Vec<DepthPoint<D>>, Error> {
+    fn depth_integral(&self, _: &Pair<D>, _: &DepthRequest) -> Result<Option<DepthIntegral<D>>, Error> {
         Err(Error::Unsupported { what: NO_DEPTH })
     }
 

@@ -1,7 +1,8 @@
 //! What the facets of a body have inside the other side, summed.
 
-use super::node_sums::NodeSums;
+use crate::overlap::points::node_sums::NodeSums;
 use crate::overlap::depth_integral::FacetDepth;
+use crate::overlap::depth_points::DepthPoint;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
@@ -14,6 +15,8 @@ pub(crate) struct FacetSums<const D: usize> {
     pub(crate) hessian: BlockSum<D>,
     /// What every facet has inside.
     pub(crate) facets: Vec<FacetDepth<D>>,
+    /// Where its forces act, if that is asked for.
+    pub(crate) points: Vec<DepthPoint<D>>,
     /// Their measure, the integral of the depth over it, and the largest depth.
     pub(crate) area: f64,
     pub(crate) depth: f64,
@@ -37,7 +40,6 @@ impl<const D: usize> FacetSums<D> {
         self.facets.push(FacetDepth {
             facet: facet.number,
             of_b,
-            weight,
             areas: in_measure(areas),
             depths: in_measure(depths),
         });
@@ -55,6 +57,7 @@ impl<const D: usize> FacetSums<D> {
             sum.gradient.add_sums(&part.gradient);
             sum.hessian.add_sum(part.hessian);
             sum.facets.extend(part.facets);
+            sum.points.extend(part.points);
             sum.area += part.area;
             sum.depth += part.depth;
             sum.deepest = sum.deepest.max(part.deepest);

@@ -5,7 +5,7 @@ use crate::depth::MOST_NODES;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
 use crate::overlap::depth_integral::SecondDerivative;
-use crate::overlap::exact::depth::node_sums::NodeSums;
+use crate::overlap::points::node_sums::NodeSums;
 use crate::overlap::points::block_sum::BlockSum;
 
 /// Volume of the overlap and the integral of the depth over it.

@@ -8,7 +8,7 @@ use crate::configuration::FacetSide;
 use crate::depth::DepthField;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
-use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
+use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::Region;
@@ -23,7 +23,7 @@ pub(crate) struct DeepBodies<'a, const D: usize> {
     pub(crate) pair: &'a Pair<'a, D>,
     pub(crate) cells: &'a Cells,
     pub(crate) field: &'a DepthField<D>,
-    pub(crate) second: SecondDerivative,
+    pub(crate) request: &'a DepthRequest,
 }
 
 /// Part with which the depth of either body counts.
@@ -102,7 +102,7 @@ impl<const D: usize> DeepBodies<'_, D> {
         for (which, (pieces, moments)) in cells.iter().enumerate() {
             let FacetSums { gradient, hessian, .. } = &mut sums;
             let side = (which == 1, WEIGHT);
-            let found = cell_integrals(self.cells, pieces, moments, side, self.second, gradient, hessian);
+            let found = cell_integrals(self.cells, pieces, moments, side, self.request.second, gradient, hessian);
             value += WEIGHT * found.depth;
             volume += 0.5 * found.volume;
         }
@@ -120,6 +120,7 @@ impl<const D: usize> DeepBodies<'_, D> {
             pose_gradient: None,
             hessian: sums.hessian.into_blocks(),
             facets: sums.facets,
+            points: sums.points,
             mean_depth: if sides > 0.0 { depth / sides } else { 0.0 },
             overlap,
         })
@@ -139,10 +140,10 @@ impl<const D: usize> DeepBodies<'_, D> {
         other: &CellPieces<D>,
         rounding: f64,
     ) -> FacetSums<D> {
-        let (surface, cells, second) = (self.pair.surface, self.cells, self.second);
+        let (surface, cells, request) = (self.pair.surface, self.cells, self.request);
         let body = if let Partner::Body(body) = self.pair.partners[0] { body } else { 0 };
         let own_cell = own.then(|| &surface.facet_cell[surface.ranges[body].clone()]);
-        let of_side = FacetsInCells { surface, cells, side, of_b, other, weight: WEIGHT, second, own_cell };
+        let of_side = FacetsInCells { surface, cells, side, of_b, other, weight: WEIGHT, request, own_cell };
         let parts = self.pair.in_chunks(facets, CHUNK, |facets| of_side.integrals(facets, rounding));
         FacetSums::of_parts(parts)
     }

@@ -10,7 +10,8 @@ use crate::geometry::cells::Cells;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_slopes;
 use crate::geometry::quadrature::for_each_simplex;
-use crate::overlap::depth_integral::SecondDerivative;
+use super::point_sums::PointSums;
+use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::{BodyFacet, FACET_NODES};
 use crate::overlap::points::block_sum::{BlockSum, product};
@@ -34,7 +35,7 @@ pub(crate) struct FacetsInCells<'a, const D: usize> {
     pub(crate) other: &'a CellPieces<D>,
     /// Part with which it counts.
     pub(crate) weight: f64,
-    pub(crate) second: SecondDerivative,
+    pub(crate) request: &'a DepthRequest,
     /// Cell of every facet of the side, which does not count, where the other body is the same.
     pub(crate) own_cell: Option<&'a [u32]>,
 }
@@ -48,7 +49,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
             let Some(facet) = BodyFacet::new(self.surface, self.side, number) else { continue };
             let aabb = Aabb::of(&facet.corners);
             let before = sums.piece_count;
-            let mut moments = Moments { area: [0.0; D], depth: [0.0; D] };
+            let mut moments = Moments { area: [0.0; D], depth: [0.0; D], points: PointSums::default() };
             self.other.tree.visit(
                 |node| node.meets(&aabb),
                 |j| {
@@ -62,6 +63,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
             if sums.piece_count > before {
                 let side = (self.of_b, self.weight);
                 sums.add_to_nodes(&facet, &moments.area, &moments.depth, side);
+                sums.points.extend(moments.points.into_points(&facet, side));
             }
         }
         sums
@@ -86,7 +88,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
             let coordinates =
                 |w: &[f64; D]| -> [f64; 4] { std::array::from_fn(|k| (0..D).map(|c| w[c] * barycentric[c][k]).sum()) };
             let depth = |at: &[f64; 4]| -> f64 { (0..=D).map(|k| at[k] * piece.depths[k]).sum() };
-            let mut local = [0.0; D];
+            let (mut area, mut local) = (0.0, [0.0; D]);
             // Products of the functions that move with nodes.
             let mut products = [[0.0; MOST]; MOST];
             let count = facet.nodes.len() + self.cells.nodes(piece.cell as usize).len();
@@ -95,6 +97,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 let at = corners.map(&coordinates);
                 let g: [f64; D] = std::array::from_fn(|c| depth(&at[c]));
                 let total: f64 = g.iter().sum();
+                area += share;
                 sums.area += share * facet.measure;
                 sums.depth += share * facet.measure * total / D as f64;
                 sums.deepest = g.iter().fold(sums.deepest, |most, g| most.max(*g));
@@ -108,7 +111,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                     *moment += norm * (same + total * sum);
                     moments.area[a] += share * sum / D as f64;
                 }
-                if self.second != SecondDerivative::No {
+                if self.request.second != SecondDerivative::No {
                     let of_corners: [[f64; MOST]; D] =
                         std::array::from_fn(|c| self.shapes(facet, piece, corners[c], &at[c]));
                     add_products(&mut products, &of_corners, count, norm);
@@ -117,7 +120,10 @@ impl<const D: usize> FacetsInCells<'_, D> {
             for (sum, moment) in moments.depth.iter_mut().zip(&local) {
                 *sum += moment;
             }
-            if self.second != SecondDerivative::No {
+            if self.request.points {
+                moments.points.add(piece, area, &local, &barycentric);
+            }
+            if self.request.second != SecondDerivative::No {
                 self.add_blocks(facet, piece, &products, &local, values, &mut sums.hessian);
             }
         });
@@ -152,7 +158,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
         hessian: &mut BlockSum<D>,
     ) {
         let (n, g) = (&facet.normal, &piece.gradient);
-        let semidefinite = self.second == SecondDerivative::Semidefinite;
+        let semidefinite = self.request.second == SecondDerivative::Semidefinite;
         if semidefinite && (n.dot(g) <= 0.0 || piece.sign < 0.0) {
             return;
         }
@@ -190,10 +196,11 @@ impl<const D: usize> FacetsInCells<'_, D> {
     }
 }
 
-/// ∫ N_a and ∫ g N_a over what a facet has inside, in parts of its measure.
+/// ∫ N_a and ∫ g N_a over what a facet has inside, in parts of its measure, and its points.
 struct Moments<const D: usize> {
     area: [f64; D],
     depth: [f64; D],
+    points: PointSums<D>,
 }
 
 /// Memory that is used again.

@@ -2,7 +2,8 @@
 
 use crate::geometry::Vector;
 use crate::geometry::facet::area_slopes;
-use crate::overlap::depth_integral::SecondDerivative;
+use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
+use crate::overlap::depth_points::DepthPoint;
 use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::points::block_sum::product;
@@ -73,6 +74,20 @@ impl<const D: usize> FacetMoments<D> {
         &self.depth
     }
 
+    /// The centre of pressure of a facet; `None` where there is no pressure.
+    fn point(&self, facet: &BodyFacet<D>) -> Option<DepthPoint<D>> {
+        let (area, total): (f64, f64) = (self.area.iter().sum(), self.depth());
+        (area > 0.0 && total > 0.0).then(|| DepthPoint {
+            of_b: false,
+            facet: facet.number,
+            weights: self.depth.map(|depth| depth / total),
+            depth: total / area,
+            area: area * facet.measure,
+            slope: self.slopes.as_flattened().iter().fold(Vector::zeros(), |sum, slope| sum + slope) * facet.measure,
+            other: None,
+        })
+    }
+
     /// ∫ of the depth.
     pub(crate) fn depth(&self) -> f64 {
         self.depth.iter().sum()
@@ -95,14 +110,8 @@ impl<const D: usize> AddAssign for FacetMoments<D> {
 }
 
 impl<const D: usize> FacetSums<D> {
-    /// Adds a facet; the translation of the obstacle has the number `obstacle_node`.
-    pub(crate) fn add(
-        &mut self,
-        facet: &BodyFacet<D>,
-        moments: &FacetMoments<D>,
-        second: SecondDerivative,
-        obstacle_node: u32,
-    ) {
+    /// Adds a facet.
+    pub(crate) fn add(&mut self, facet: &BodyFacet<D>, moments: &FacetMoments<D>, request: &DepthRequest) {
         if moments.piece_count == 0 {
             return;
         }
@@ -111,20 +120,18 @@ impl<const D: usize> FacetSums<D> {
         self.deepest = self.deepest.max(moments.deepest);
         self.piece_count += moments.piece_count;
         self.add_to_nodes(facet, &moments.area, &moments.depth, (false, 1.0));
-        if second != SecondDerivative::No {
-            self.add_blocks(facet, moments, second, obstacle_node);
+        if request.points {
+            self.points.extend(moments.point(facet));
+        }
+        if request.second != SecondDerivative::No {
+            self.add_blocks(facet, moments, request);
         }
     }
 
     /// The depth at a point of a facet changes by ∇g·(w − t), w being its displacement and t that of the obstacle; its
     /// area vector changes with its own corners.
-    fn add_blocks(
-        &mut self,
-        facet: &BodyFacet<D>,
-        moments: &FacetMoments<D>,
-        second: SecondDerivative,
-        obstacle_node: u32,
-    ) {
+    fn add_blocks(&mut self, facet: &BodyFacet<D>, moments: &FacetMoments<D>, request: &DepthRequest) {
+        let &DepthRequest { second, obstacle_node, .. } = request;
         let own = facet.nodes.len();
         let count = own + 1;
         let mut nodes = facet.nodes.clone();

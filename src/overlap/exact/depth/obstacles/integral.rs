@@ -15,7 +15,7 @@ use crate::Error;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::plane::Plane;
 use crate::geometry::{Pose, Shape, Vector, moment};
-use crate::overlap::depth_integral::{DepthIntegral, SecondDerivative};
+use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_distance::ObstacleDistance;
@@ -31,8 +31,7 @@ const CHUNK: usize = 64;
 pub(crate) fn of_obstacle<const D: usize>(
     pair: &Pair<D>,
     pose: &Pose<D>,
-    second: SecondDerivative,
-    obstacle_node: u32,
+    request: &DepthRequest,
 ) -> Result<Option<DepthIntegral<D>>, Error> {
     let solid = match &pair.counterpart {
         Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, .. }) => {
@@ -50,11 +49,11 @@ pub(crate) fn of_obstacle<const D: usize>(
     let (sums, whole) = match solid {
         Some(solid) => {
             let facets = pair.a.facets_in(&within);
-            (in_convex_solid(pair, &solid, &facets, second, obstacle_node), solid.sums(&pair.a))
+            (in_convex_solid(pair, &solid, &facets, request), solid.sums(&pair.a))
         }
         None => {
             let distance = ObstacleDistance::new(&pair.counterpart, pose);
-            let sums = over_facets(pair, &distance, &within, second, obstacle_node)?;
+            let sums = over_facets(pair, &distance, &within, request)?;
             (sums, over_volume(pair, &distance, &within)?)
         }
     };
@@ -66,16 +65,15 @@ fn in_convex_solid<const D: usize>(
     pair: &Pair<D>,
     solid: &ConvexSolid<D>,
     facets: &[u32],
-    second: SecondDerivative,
-    obstacle_node: u32,
+    request: &DepthRequest,
 ) -> FacetSums<D> {
     let rounding = pair.a.aabb.rounding();
     let parts = pair.in_chunks(facets, CHUNK, |facets| {
         let (mut sums, mut work) = (FacetSums::default(), Piece::default());
         for &facet in facets {
             if let Some(facet) = BodyFacet::new(pair.surface, &pair.a, facet) {
-                let moments = facet_moments(solid, &facet, rounding, second, &mut work);
-                sums.add(&facet, &moments, second, obstacle_node);
+                let moments = facet_moments(solid, &facet, rounding, request.second, &mut work);
+                sums.add(&facet, &moments, request);
             }
         }
         sums
@@ -109,6 +107,7 @@ fn assembled<const D: usize>(
         pose_gradient: Some(reaction),
         hessian: symmetric_part(sums.hessian.into_blocks()),
         facets: sums.facets,
+        points: sums.points,
         mean_depth: if sums.area > 0.0 { sums.depth / sums.area } else { 0.0 },
         overlap,
     }

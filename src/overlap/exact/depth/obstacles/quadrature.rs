@@ -8,7 +8,7 @@ use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::simplex_rule::InSimplex;
-use crate::overlap::depth_integral::SecondDerivative;
+use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance};
@@ -53,8 +53,7 @@ pub(crate) fn over_facets<const D: usize>(
     pair: &Pair<D>,
     distance: &ObstacleDistance<D>,
     within: &Aabb<D>,
-    second: SecondDerivative,
-    obstacle_node: u32,
+    request: &DepthRequest,
 ) -> Result<FacetSums<D>, Error> {
     let facets = pair.a.facets_in(within);
     let facets: Vec<BodyFacet<D>> =
@@ -69,7 +68,7 @@ pub(crate) fn over_facets<const D: usize>(
         .collect();
     let integrand = |root: u32, w: &InSimplex, part: f64, at: &Distance<D>, sum: &mut FacetMoments<D>| {
         let gradient = -at.gradient;
-        let slopes = (second != SecondDerivative::No).then_some((&gradient, &facets[root as usize].normal));
+        let slopes = (request.second != SecondDerivative::No).then_some((&gradient, &facets[root as usize].normal));
         sum.piece_count = 1;
         sum.add_point(&std::array::from_fn(|c| w[c]), part, -at.phi, slopes);
     };
@@ -77,7 +76,7 @@ pub(crate) fn over_facets<const D: usize>(
         Adaptive { pair, distance, dimension: D - 1, tolerance: TOLERANCES[D - 2], integrand }.integrals(&roots)?;
     let mut sums = FacetSums::default();
     for (facet, moments) in facets.iter().zip(&found) {
-        sums.add(facet, moments, second, obstacle_node);
+        sums.add(facet, moments, request);
     }
     Ok(sums)
 }

@@ -1,0 +1,151 @@
+//! How the material at one side of a contact point moved since the step began, and what moves it.
+//!
+//! A traction acts at the middle of the two points, as if that were fixed rigidly to either side: with r the way there, h
+//! the gradients of a facet's shape functions and n its normal, the middle moves by
+//!
+//! ```text
+//! Σ_a [ (N_a + h_a·r) I − (r·n) h_a nᵀ ] δx_a
+//! ```
+//!
+//! so that forces and moments of both sides cancel.
+
+use super::step::Step;
+use crate::contact::laws::PointOnSide;
+use crate::geometry::facet::area_vector;
+use crate::geometry::facet_slopes::slopes;
+use crate::geometry::{Pose, Vector};
+use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint};
+use nalgebra::SMatrix;
+
+/// One side of a contact point.
+pub(crate) struct SideMotion<const D: usize> {
+    /// The material point now, and when the step began.
+    pub(crate) now: Vector<D>,
+    pub(crate) start: Vector<D>,
+    /// Deformation since then.
+    pub(crate) deformation: SMatrix<f64, D, D>,
+    /// Unit outward normal, of a point on the boundary.
+    pub(crate) normal: Option<Vector<D>>,
+    pub(crate) movers: Movers<D>,
+}
+
+/// What moves a side.
+pub(crate) enum Movers<const D: usize> {
+    /// A facet of a body: its vertices, their shape functions and the gradients of these.
+    Facet { vertices: [u32; D], weights: [f64; D], gradients: [Vector<D>; D], normal: Vector<D> },
+    /// A cell.
+    Cell { cell: u32, weights: [f64; 8] },
+    /// An obstacle.
+    Rigid,
+}
+
+impl<const D: usize> SideMotion<D> {
+    /// `None` where a facet has no measure, or a cell is flat.
+    pub(crate) fn new(pair: &Pair<D>, step: &Step<D>, side: &PointOnSide<D>) -> Option<Self> {
+        match side {
+            PointOnSide::Surface(SurfacePoint::Facet { of_b, facet, weights }) if !of_b || pair.pose.is_none() => {
+                Self::of_facet(pair, step, *of_b, *facet, weights)
+            }
+            PointOnSide::Surface(end) => {
+                Self::of_obstacle(pair, step, pair.position(end), Some(pair.normal_at(end)))
+            }
+            PointOnSide::Rigid(position) => Self::of_obstacle(pair, step, *position, None),
+            PointOnSide::Cell(place) => Self::in_cell(pair, step, place),
+        }
+    }
+
+    fn of_facet(pair: &Pair<D>, step: &Step<D>, of_b: bool, facet: u32, weights: &[f64; D]) -> Option<Self> {
+        let vertices = pair.side(of_b).facets[facet as usize];
+        let corners = pair.side(of_b).corners(facet as usize);
+        let starts = vertices.map(|v| step.points[v as usize]);
+        let FacetFrame { gradients, normal, deformation } = FacetFrame::new(&corners, &starts)?;
+        let sum = |x: &[Vector<D>; D]| x.iter().zip(weights).fold(Vector::zeros(), |sum, (x, w)| sum + x * *w);
+        Some(Self {
+            now: sum(&corners),
+            start: sum(&starts),
+            deformation,
+            normal: Some(normal),
+            movers: Movers::Facet { vertices, weights: *weights, gradients, normal },
+        })
+    }
+
+    fn in_cell(pair: &Pair<D>, step: &Step<D>, place: &PlaceInCell<D>) -> Option<Self> {
+        let nodes = pair.surface.cells.as_ref()?.nodes(place.cell as usize);
+        let (mut now, mut start, mut back) = (Vector::zeros(), Vector::zeros(), SMatrix::<f64, D, D>::zeros());
+        for ((&node, &weight), gradient) in nodes.iter().zip(&place.weights).zip(&place.gradients) {
+            let old = Vector::from(step.coords[node as usize]);
+            now += Vector::from(pair.coords[node as usize]) * weight;
+            start += old * weight;
+            back += old * gradient.transpose();
+        }
+        let movers = Movers::Cell { cell: place.cell, weights: place.weights };
+        Some(Self { now, start, deformation: back.try_inverse()?, normal: None, movers })
+    }
+
+    fn of_obstacle(pair: &Pair<D>, step: &Step<D>, now: Vector<D>, normal: Option<Vector<D>>) -> Option<Self> {
+        let (Partner::Obstacle(obstacle), Some(pose)) = (pair.partners[1], pair.pose) else { return None };
+        let old: &Pose<D> = step.pose(obstacle, pose);
+        let turn = |pose: &Pose<D>| SMatrix::<f64, D, D>::from_fn(|i, j| pose.rotation[i][j] * pose.scale);
+        let deformation = turn(pose) * turn(old).transpose() / (old.scale * old.scale);
+        Some(Self { now, start: old.place(&pose.unplace(&now)), deformation, normal, movers: Movers::Rigid })
+    }
+
+    /// The elastic slip that the side carries, `None` where it carries none.
+    pub(crate) fn carried(&self, of_vertices: &[Vector<D>]) -> Option<Vector<D>> {
+        let Movers::Facet { vertices, weights, .. } = &self.movers else { return None };
+        Some(vertices.iter().zip(weights).fold(Vector::zeros(), |sum, (&v, w)| sum + of_vertices[v as usize] * *w))
+    }
+
+    /// Calls `visit(node, shape function at the point, by what the middle moves with the node)`; the middle lies at `arm`
+    /// from the point.
+    pub(crate) fn for_each_node(
+        &self,
+        pair: &Pair<D>,
+        arm: &Vector<D>,
+        obstacle_node: u32,
+        mut visit: impl FnMut(u32, f64, SMatrix<f64, D, D>),
+    ) {
+        let identity = SMatrix::<f64, D, D>::identity();
+        match &self.movers {
+            Movers::Facet { vertices, weights, gradients, normal } => {
+                for ((&vertex, &weight), h) in vertices.iter().zip(weights).zip(gradients) {
+                    let row = identity * (weight + h.dot(arm)) - h * normal.transpose() * arm.dot(normal);
+                    for (node, part) in pair.surface.nodes_of_vertex(vertex) {
+                        visit(node, weight * part, row * part);
+                    }
+                }
+            }
+            Movers::Cell { cell, weights } => {
+                let nodes = pair.surface.cells.as_ref().map_or(&[][..], |cells| cells.nodes(*cell as usize));
+                nodes.iter().zip(weights).for_each(|(&node, &weight)| visit(node, weight, identity * weight));
+            }
+            Movers::Rigid => visit(obstacle_node, 1.0, identity),
+        }
+    }
+}
+
+/// A facet, and its deformation since another state.
+pub(crate) struct FacetFrame<const D: usize> {
+    /// Of the shape functions now, within the facet.
+    gradients: [Vector<D>; D],
+    normal: Vector<D>,
+    /// Of vectors within the facet, and of its normal into the normal now.
+    pub(crate) deformation: SMatrix<f64, D, D>,
+}
+
+impl<const D: usize> FacetFrame<D> {
+    /// `None` where it has no measure.
+    pub(crate) fn new(corners: &[Vector<D>; D], starts: &[Vector<D>; D]) -> Option<Self> {
+        let (normal, gradients) = frame(corners)?;
+        let (old_normal, old_gradients) = frame(starts)?;
+        let deformation = (corners.iter().zip(&old_gradients))
+            .fold(normal * old_normal.transpose(), |sum, (x, h)| sum + (x - corners[0]) * h.transpose());
+        Some(Self { gradients, normal, deformation })
+    }
+}
+
+/// Unit normal, and the gradients of the shape functions.
+fn frame<const D: usize>(corners: &[Vector<D>; D]) -> Option<(Vector<D>, [Vector<D>; D])> {
+    let normal = area_vector(corners).try_normalize(0.0)?;
+    Some((normal, slopes(corners, &normal)?.1))
+}

@@ -1,0 +1,35 @@
+//! The state at the start of a step.
+
+use crate::geometry::{Pose, Surface, Vector};
+
+/// Where all stood when the step began, and the elastic slip that was carried into it.
+#[derive(Clone)]
+pub(crate) struct Step<const D: usize> {
+    /// Coordinates of all nodes.
+    pub(crate) coords: Vec<[f64; D]>,
+    /// Places of the surface's vertices.
+    pub(crate) points: Vec<Vector<D>>,
+    /// Poses of the obstacles; `None` for one that was removed.
+    pub(crate) poses: Vec<Option<Pose<D>>>,
+    /// Elastic slip of the surface at every node against what it faces; zero inside bodies.
+    pub(crate) slip: Vec<[f64; D]>,
+    /// The same at the surface's vertices.
+    pub(crate) carried: Vec<Vector<D>>,
+}
+
+impl<const D: usize> Step<D> {
+    pub(crate) fn new(
+        surface: &Surface<D>,
+        coords: &[[f64; D]],
+        poses: Vec<Option<Pose<D>>>,
+        slip: Vec<[f64; D]>,
+    ) -> Self {
+        let (points, carried) = (surface.points(coords), surface.points(&slip));
+        Self { coords: coords.to_vec(), points, poses, slip, carried }
+    }
+
+    /// Where an obstacle stood; one that came later has not moved.
+    pub(crate) fn pose<'a>(&'a self, obstacle: usize, now: &'a Pose<D>) -> &'a Pose<D> {
+        self.poses.get(obstacle).and_then(Option::as_ref).unwrap_or(now)
+    }
+}

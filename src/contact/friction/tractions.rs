@@ -1,0 +1,124 @@
+//! The tractions of a pair, summed at its nodes.
+
+use super::slip_points::{Row, SlipPoint, SlipPoints};
+use crate::contact::tangent::{Tangent, TangentPart};
+use crate::geometry::{Vector, moment};
+use crate::overlap::{BlockSum, NodeSums, Partner};
+use nalgebra::SMatrix;
+
+/// Friction of a pair.
+pub(crate) struct Tractions<const D: usize> {
+    pub(crate) partners: [Partner; 2],
+    /// Forces on nodes, and the side to which each belongs.
+    pub(crate) nodes: Vec<u32>,
+    pub(crate) of_b: Vec<bool>,
+    pub(crate) forces: Vec<Vector<D>>,
+    /// Force on an obstacle, and its moment about the origin.
+    pub(crate) on_obstacle: (Vector<D>, [f64; 3]),
+    pub(crate) tangent: Tangent<D>,
+    pub(crate) totals: FrictionTotals,
+}
+
+/// What friction does in sum; all zero without.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct FrictionTotals {
+    /// Energy stored in the stick.
+    pub stored: f64,
+    /// Energy dissipated since the step began, never negative.
+    pub dissipated: f64,
+    /// Area that sticks.
+    pub stick_area: f64,
+    /// Area that slides.
+    pub slip_area: f64,
+    /// Largest slip since the step began that was not elastic.
+    pub largest_slip: f64,
+}
+
+impl FrictionTotals {
+    fn add<const D: usize>(&mut self, point: &SlipPoint<D>) {
+        let traction = point.slider.traction(&point.trial);
+        self.stored += point.area * traction.stored;
+        self.dissipated += point.area * traction.dissipated;
+        match traction.sliding {
+            Some(_) => self.slip_area += point.area,
+            None => self.stick_area += point.area,
+        }
+        self.largest_slip = self.largest_slip.max((point.trial - traction.elastic).norm());
+    }
+
+    /// Both together.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self {
+            stored: self.stored + other.stored,
+            dissipated: self.dissipated + other.dissipated,
+            stick_area: self.stick_area + other.stick_area,
+            slip_area: self.slip_area + other.slip_area,
+            largest_slip: self.largest_slip.max(other.largest_slip),
+        }
+    }
+}
+
+impl<const D: usize> Tractions<D> {
+    /// Forces and, if asked for, the tangent, of which `Full` knows that the limit grows with the pressure.
+    pub(crate) fn new(points: &SlipPoints<D>, node_count: usize, part: Option<TangentPart>) -> Self {
+        let (mut sums, mut on_obstacle) = (NodeSums::default(), (Vector::zeros(), [0.0; 3]));
+        let (mut totals, mut blocks) = (FrictionTotals::default(), BlockSum::default());
+        let mut scratch = Scratch { nodes: Vec::new(), values: Vec::new() };
+        for (point, rows, traction) in points.tractions() {
+            totals.add(point);
+            let along = traction.value * point.area;
+            for row in rows {
+                let force = -(row.slip.transpose() * along);
+                if (row.node as usize) < node_count {
+                    sums.add(row.node, row.of_b, &force);
+                } else {
+                    on_obstacle.0 += force;
+                    on_obstacle.1.iter_mut().zip(moment(&point.position, &force)).for_each(|(sum, m)| *sum += m);
+                }
+            }
+            if let Some(part) = part {
+                let with_limit = part == TangentPart::Full;
+                scratch.add_blocks(point, rows, with_limit, &mut blocks);
+            }
+        }
+        let (nodes, of_b, forces) = sums.into_nodes();
+        let tangent = Tangent { blocks: blocks.into_blocks(), rank_one: Vec::new() };
+        Self { partners: points.partners, nodes, of_b, forces, on_obstacle, tangent, totals }
+    }
+}
+
+/// Memory that is used again.
+struct Scratch<const D: usize> {
+    nodes: Vec<u32>,
+    values: Vec<[[f64; D]; D]>,
+}
+
+impl<const D: usize> Scratch<D> {
+    /// Adds c Bᵀ C B, C = ∂q/∂s, and, where the point slides, Bᵀ ŝ times the derivative of its limit.
+    fn add_blocks(&mut self, point: &SlipPoint<D>, rows: &[Row<D>], with_limit: bool, blocks: &mut BlockSum<D>) {
+        let Scratch { nodes, values } = self;
+        let tangential = SMatrix::<f64, D, D>::identity() - point.normal * point.normal.transpose();
+        let traction = point.slider.traction(&point.trial);
+        let stiffness = match traction.sliding {
+            None => tangential * point.slider.stiffness,
+            Some(s) => (tangential - s * s.transpose()) * (point.slider.limit / point.trial.norm()),
+        } * point.area;
+        let pushed = traction.sliding.filter(|_| with_limit);
+        nodes.clear();
+        nodes.extend(rows.iter().map(|row| row.node));
+        values.clear();
+        for row in rows {
+            let left = row.slip.transpose() * stiffness;
+            let along = pushed.map(|s| row.slip.transpose() * s);
+            for col in rows {
+                let mut value = left * col.slip;
+                if let Some(along) = along {
+                    value += along * col.limit.transpose();
+                }
+                values.push(std::array::from_fn(|i| std::array::from_fn(|j| value[(i, j)])));
+            }
+        }
+        blocks.add_square(nodes, values);
+    }
+}

@@ -1,0 +1,128 @@
+//! Steps of a contact with friction: what is carried from one to the next.
+
+use super::Contact;
+use super::friction::{CarriedSlip, Friction, FrozenPoints, SlipPoints, Step};
+use super::kernels;
+use super::laws::{Measured, PressurePoint};
+use crate::Error;
+use crate::geometry::Pose;
+use crate::overlap::Partner;
+
+/// How a pair slides.
+pub(super) struct Sliding<'a, const D: usize> {
+    friction: Friction,
+    stiffness: f64,
+    step: &'a Step<D>,
+}
+
+impl<const D: usize> Sliding<'_, D> {
+    /// The points at which a law presses, with their slip.
+    pub(super) fn points(&self, measured: &Measured<D>, pressed: &[PressurePoint<D>]) -> SlipPoints<D> {
+        let law = (&self.friction, self.stiffness);
+        SlipPoints::new(measured.pair, self.step, pressed, law, measured.obstacle_node())
+    }
+}
+
+impl<const D: usize> Contact<D> {
+    /// Begins a step with friction at `coords`, with obstacles where they are: slip is counted from here. The elastic slip
+    /// that was carried so far stays, none at first; [`Self::commit_step`] begins the next step by itself. To try a step
+    /// again nothing has to be undone.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::NonFiniteCoordinate`].
+    pub fn begin_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        self.surface.check_coords(coords, true)?;
+        let slip = match self.step.take() {
+            Some(step) => step.slip,
+            None => vec![[0.0; D]; coords.len()],
+        };
+        self.step = Some(Step::new(&self.surface, coords, self.poses(), slip));
+        self.frozen = None;
+        Ok(())
+    }
+
+    /// Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
+    /// Frozen friction is released. On an error nothing has changed.
+    ///
+    /// # Errors
+    /// [`Error::NoStep`]; else as [`Self::evaluate`].
+    pub fn commit_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        let step = self.step.as_ref().ok_or(Error::NoStep)?;
+        let pairs = kernels::slip_points(self, coords)?;
+        let mut carried = CarriedSlip::new(&self.surface, step, coords);
+        pairs.iter().for_each(|points| carried.add(points, coords.len()));
+        self.step = Some(Step::new(&self.surface, coords, self.poses(), carried.at_nodes()));
+        self.frozen = None;
+        Ok(())
+    }
+
+    /// The elastic slip that was carried into the step, a vector for every node: that of the surface there against what it
+    /// faces. With the coordinates at which the step began it is all that a restart needs.
+    ///
+    /// # Errors
+    /// [`Error::NoStep`].
+    pub fn slip(&self) -> Result<&[[f64; D]], Error> {
+        Ok(&self.step.as_ref().ok_or(Error::NoStep)?.slip)
+    }
+
+    /// Sets the elastic slip that was carried into the step that has begun, after [`Self::begin_step`] at the coordinates
+    /// of that time.
+    ///
+    /// # Errors
+    /// [`Error::NoStep`], [`Error::Length`], [`Error::NonFiniteCoordinate`]; the old one then stays.
+    pub fn set_slip(&mut self, slip: &[[f64; D]]) -> Result<(), Error> {
+        self.surface.check_coords(slip, true)?;
+        let step = self.step.as_mut().ok_or(Error::NoStep)?;
+        *step = Step::new(&self.surface, &std::mem::take(&mut step.coords), std::mem::take(&mut step.poses), slip.to_vec());
+        self.frozen = None;
+        Ok(())
+    }
+
+    /// Freezes the points of friction and their pressure as they are at `coords`, until the step ends or
+    /// [`Self::release_friction`]: the forces of friction are then minus the gradient of a convex potential, and their
+    /// tangent is symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the
+    /// solution with the current pressure.
+    ///
+    /// # Errors
+    /// [`Error::NoStep`]; else as [`Self::evaluate`]. What was frozen before then stays.
+    pub fn freeze_friction(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        self.step.as_ref().ok_or(Error::NoStep)?;
+        let pairs = kernels::slip_points(self, coords)?;
+        self.frozen = Some(FrozenPoints { pairs, coords: coords.to_vec(), poses: self.poses() });
+        Ok(())
+    }
+
+    /// Takes the pressure of the coordinates at hand again.
+    pub fn release_friction(&mut self) {
+        self.frozen = None;
+    }
+
+    /// Where the obstacles are; `None` for one that was removed.
+    fn poses(&self) -> Vec<Option<Pose<D>>> {
+        self.obstacles.iter().map(|rigid| rigid.as_ref().map(|rigid| rigid.obstacle.pose)).collect()
+    }
+
+    /// Refuses friction before a step has begun.
+    pub(super) fn check_step(&self) -> Result<(), Error> {
+        let has_friction = self.options.friction.is_active() || self.pair_table.has_friction();
+        if has_friction && self.step.is_none() { Err(Error::NoStep) } else { Ok(()) }
+    }
+
+    /// How a pair slides, `None` for one without friction.
+    pub(super) fn sliding<'a>(&'a self, measured: &Measured<D>) -> Result<Option<Sliding<'a, D>>, Error> {
+        let friction = self.friction_of(&measured.pair.partners);
+        let Some(step) = self.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
+        let what = "friction with a law that has no stiffness of its own: set the friction's";
+        let stiffness = friction.stiffness.or(measured.law.initial_stiffness()).ok_or(Error::Unsupported { what })?;
+        Ok(Some(Sliding { friction, stiffness, step }))
+    }
+
+    fn friction_of(&self, partners: &[Partner; 2]) -> Friction {
+        self.pair_table.friction(partners, self.options.friction)
+    }
+
+    /// The frozen points at these coordinates.
+    pub(super) fn frozen_at(&self, coords: &[[f64; D]]) -> Vec<SlipPoints<D>> {
+        self.frozen.as_ref().map_or_else(Vec::new, |frozen| frozen.at(coords, &self.poses()))
+    }
+}

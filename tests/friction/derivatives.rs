@@ -1,0 +1,60 @@
+//! The tangent against differences. What it leaves out is of the size of the penetration by that of the facets.
+
+use crate::scene::Scene;
+use crate::{begun, in_plane, in_space, laws, slid};
+use fmc_contact::Options;
+use fmc_contact::contact::{Friction, TangentPart};
+use fmc_shapes::Splitmix;
+
+/// Largest difference of the friction's part of the tangent from that of its forces, by its largest product.
+fn error<const D: usize>(scene: &Scene<D>, options: Options, by: f64, delta: f64) -> f64 {
+    let contact = begun(scene, options, &scene.coords);
+    let smooth = scene.contact(Options { friction: Friction::default(), ..options });
+    let mut random = Splitmix::new(5);
+    let mut coords = slid(scene, by);
+    coords.iter_mut().flatten().for_each(|x| *x += 0.05 * delta * random.between(-1.0, 1.0));
+    let tangent = contact.tangent(&coords, TangentPart::Full).expect("a tangent");
+    let without = smooth.tangent(&coords, TangentPart::Full).expect("a tangent");
+    let mut largest = (0.0f64, 0.0f64);
+    for _ in 0..4 {
+        let direction: Vec<[f64; D]> = coords.iter().map(|_| std::array::from_fn(|_| random.between(-1.0, 1.0))).collect();
+        let friction_at = |h: f64| {
+            let at: Vec<[f64; D]> =
+                coords.iter().zip(&direction).map(|(x, d)| std::array::from_fn(|i| x[i] + h * d[i])).collect();
+            let (with, without) = (contact.evaluate(&at).expect("forces"), smooth.evaluate(&at).expect("forces"));
+            let pairs = with.forces.into_iter().flatten().zip(without.forces.into_iter().flatten());
+            pairs.map(|(f, g)| f - g).collect::<Vec<f64>>()
+        };
+        let step = 1e-5 * delta;
+        let (plus, minus) = (friction_at(step), friction_at(-step));
+        let (with, without) = (tangent.product(&direction), without.product(&direction));
+        let products = with.iter().flatten().zip(without.iter().flatten()).map(|(p, q)| p - q);
+        for (product, (p, m)) in products.zip(plus.iter().zip(&minus)) {
+            let slope = (m - p) / (2.0 * step);
+            largest = (largest.0.max((slope - product).abs()), largest.1.max(product.abs()));
+        }
+    }
+    largest.0 / largest.1
+}
+
+#[test]
+fn of_the_friction_part() {
+    // Facets of about 0.3.
+    for delta in [1e-2, 1e-3] {
+        let most = 0.5 * delta / 0.3 * 4.0;
+        for by in [0.1 * delta, delta] {
+            for options in laws(0.3) {
+                for scene in in_plane(delta) {
+                    let found = error(&scene, options, by, delta);
+                    println!("2D {:?} by {by}: {found:.2e} of {most:.2e}", options.law);
+                    assert!(found < most, "{:?} by {by}: {found} of {most}", options.law);
+                }
+                for scene in in_space(delta) {
+                    let found = error(&scene, options, by, delta);
+                    println!("3D {:?} by {by}: {found:.2e} of {most:.2e}", options.law);
+                    assert!(found < most, "{:?} by {by}: {found} of {most}", options.law);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Friction at a frozen pressure: a convex potential.
+
+use crate::{begun, in_plane, in_space, laws, slid};
+use fmc_contact::contact::TangentPart;
+use fmc_contact::{Contact, Options};
+use fmc_shapes::Splitmix;
+
+/// The tangent of friction alone, as a function.
+fn product<const D: usize>(contact: &Contact<D>, smooth: &Contact<D>, coords: &[[f64; D]], x: &[[f64; D]]) -> Vec<f64> {
+    let of = |contact: &Contact<D>| contact.tangent(coords, TangentPart::Full).expect("a tangent").product(x);
+    of(contact).iter().flatten().zip(of(smooth).iter().flatten()).map(|(p, q)| p - q).collect()
+}
+
+fn is_a_potential<const D: usize>(scene: &crate::Scene<D>, options: Options) {
+    let mut contact = begun(scene, options, &scene.coords);
+    let mut random = Splitmix::new(9);
+    let mut shake = |size: f64| -> Vec<[f64; D]> {
+        scene.coords.iter().map(|_| std::array::from_fn(|_| size * random.between(-1.0, 1.0))).collect()
+    };
+    let add = |x: &[[f64; D]], y: &[[f64; D]], h: f64| -> Vec<[f64; D]> {
+        x.iter().zip(y).map(|(x, y)| std::array::from_fn(|i| x[i] + h * y[i])).collect()
+    };
+    // Some points stick, others slide.
+    let base = slid(scene, 3e-4);
+    let (base, at) = (add(&base, &shake(2e-4), 1.0), add(&base, &shake(2e-4), 1.0));
+    contact.freeze_friction(&base).expect("a step has begun");
+    let smooth = scene.contact(Options { friction: Default::default(), ..options });
+    let found = contact.evaluate(&at).expect("forces");
+    assert!(found.friction.stick_area > 0.05 && found.friction.slip_area > 0.05, "{:?}", found.friction);
+    let energy = |x: &[[f64; D]]| {
+        let friction = contact.evaluate(x).expect("forces").friction;
+        friction.stored + friction.dissipated
+    };
+    let (p, q) = (shake(1.0), shake(1.0));
+    let with = contact.evaluate(&at).expect("forces").forces;
+    let without = smooth.evaluate(&at).expect("forces").forces;
+    let along: f64 = (with.iter().flatten().zip(without.iter().flatten()).zip(p.iter().flatten()))
+        .map(|((f, g), p)| (f - g) * p)
+        .sum();
+    let slope = (energy(&add(&at, &p, 1e-8)) - energy(&add(&at, &p, -1e-8))) / 2e-8;
+    assert!((along + slope).abs() < 1e-6 * slope.abs(), "{along} {slope}");
+    let dot = |x: &[f64], y: &[[f64; D]]| x.iter().zip(y.iter().flatten()).map(|(x, y)| x * y).sum::<f64>();
+    let (kp, kq) = (product(&contact, &smooth, &at, &p), product(&contact, &smooth, &at, &q));
+    let (pkq, qkp) = (dot(&kq, &p), dot(&kp, &q));
+    let size = dot(&kp, &p) + dot(&kq, &q);
+    assert!((pkq - qkp).abs() < 1e-12 * size, "{pkq} {qkp}");
+    for _ in 0..20 {
+        let x = shake(1.0);
+        assert!(dot(&product(&contact, &smooth, &at, &x), &x) > -1e-12 * size);
+    }
+    // The pressure of the coordinates at hand, where they are those at which it was frozen.
+    let frozen = contact.evaluate(&base).expect("forces");
+    contact.release_friction();
+    let current = contact.evaluate(&base).expect("forces");
+    let largest = current.forces.iter().flatten().fold(0.0f64, |m, f| m.max(f.abs()));
+    for (f, g) in frozen.forces.iter().flatten().zip(current.forces.iter().flatten()) {
+        assert!((f - g).abs() < 1e-12 * largest);
+    }
+}
+
+#[test]
+fn convex_and_symmetric() {
+    laws(0.3).into_iter().for_each(|options| in_plane(1e-3).iter().for_each(|scene| is_a_potential(scene, options)));
+    laws(0.3).into_iter().for_each(|options| in_space(1e-3).iter().for_each(|scene| is_a_potential(scene, options)));
+}
