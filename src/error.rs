@@ -132,6 +132,11 @@ pub enum Error {
         /// Why.
         cause: Box<Error>,
     },
+    /// An elastic slip is NaN or infinite.
+    NonFiniteSlip {
+        /// Facet, counted over the surface.
+        facet: usize,
+    },
     /// Friction is asked for, but no step has begun from which slip could be counted.
     NoStep,
     /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
@@ -236,7 +241,10 @@ impl fmt::Display for Error {
             Error::OfPair { sides: [(first, a), (second, b)], cause } => {
                 write!(f, "pair of {first} {a} and {second} {b}: {cause}")
             }
-            Error::NoStep => write!(f, "with friction a step has to begin before contact is evaluated: call begin_step"),
+            Error::NonFiniteSlip { facet } => write!(f, "the slip of facet {facet} is not finite"),
+            Error::NoStep => {
+                write!(f, "with friction a step has to begin before contact is evaluated: call begin_step")
+            }
             Error::DegenerateHull { point_count } => {
                 write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")
             }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 31] = [
+const ROOMS: [&str; 32] = [
     "error",
     "dimension",
     "geometry",
@@ -35,6 +35,7 @@ const ROOMS: [&str; 31] = [
     "contact/tangent",
     "contact/momentum_correction",
     "contact/laws",
+    "contact/friction",
     "contact/fields",
     "contact",
     "capi",

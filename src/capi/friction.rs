@@ -37,7 +37,7 @@ pub unsafe extern "C" fn fmc_context_commit_step(context: *mut fmc_context, coor
     })
 }
 
-/// Freezes the points of friction and their pressure as they are at `coords`, until the step is committed or this is
+/// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
 /// called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
 /// symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the solution with
 /// the current pressure, and goes on where Newton's method on that fails, at large coefficients of friction.
@@ -51,16 +51,12 @@ pub unsafe extern "C" fn fmc_context_freeze_friction(
 ) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context, and a view or NULL.
-        unsafe {
-            write(context, |state| {
-                state.session.freeze_friction(optional("coords", coords)?, state.index_base)
-            })
-        }
+        unsafe { write(context, |state| state.session.freeze_friction(optional("coords", coords)?, state.index_base)) }
     })
 }
 
-/// Writes the elastic slip that was carried into the step, `dim` numbers for every node in dense rows, to `slip`, which
-/// has room for `capacity` numbers: that of the surface at the node against what it faces, zero inside bodies. With the
+/// Writes the elastic slip that was carried into the step, `dim` numbers for every facet (`fmc_context_facet_count`) in dense
+/// rows, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
 /// coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
 /// `fmc_context_set_slip`, gives the bits of the unbroken run.
 ///
@@ -89,7 +85,7 @@ pub unsafe extern "C" fn fmc_context_slip(context: *const fmc_context, slip: *mu
 /// them.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another length than `dim` times the
-/// number of nodes, `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
+/// number of facets, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
 /// time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_slip(
@@ -103,10 +99,10 @@ pub unsafe extern "C" fn fmc_context_set_slip(
             write(context, |state| {
                 let (slip, expected) = (slice("slip", slip, length, 1)?, state.session.slip()?.len());
                 if length != expected {
-                    let text = format!("'slip' has {length} numbers, the mesh has {expected} degrees of freedom");
+                    let text = format!("'slip' has {length} numbers, and {expected} are expected: dim for every facet");
                     return Err(Failure::new(FMC_ERROR_LENGTH, text));
                 }
-                state.session.set_slip(slip, state.index_base)
+                state.session.set_slip(slip)
             })
         }
     })

@@ -72,11 +72,11 @@ pub(super) trait Session: Send + Sync {
     /// The host guarantees the view.
     unsafe fn freeze_friction(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<(), Failure>;
 
-    /// The elastic slip that was carried into the step, node by node.
+    /// The elastic slip that was carried into the step, facet by facet.
     fn slip(&self) -> Result<&[f64], Failure>;
 
     /// Sets it.
-    fn set_slip(&mut self, slip: &[f64], index_base: i32) -> Result<(), Failure>;
+    fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure>;
 
     /// Keeps the patches at these coordinates, or none; returns the number of directions.
     ///
@@ -272,9 +272,9 @@ impl<const D: usize> Session for Resident<D> {
         Ok(self.contact.slip()?.as_flattened())
     }
 
-    fn set_slip(&mut self, slip: &[f64], index_base: i32) -> Result<(), Failure> {
+    fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure> {
         let (rows, _) = slip.as_chunks::<D>();
-        self.contact.set_slip(rows).map_err(Failure::counted_from(index_base))
+        Ok(self.contact.set_slip(rows)?)
     }
 
     unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure> {

@@ -88,6 +88,8 @@ pub enum fmc_status {
     FMC_ERROR_OBSTACLE_REMOVED = 37,
     /// Friction is asked for, but no step has begun: call `fmc_context_begin_step`.
     FMC_ERROR_NO_STEP = 38,
+    /// An elastic slip is NaN or infinite.
+    FMC_ERROR_NON_FINITE_SLIP = 39,
 }
 
 use fmc_status::*;
@@ -133,6 +135,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_BODY_OUT_OF_RANGE, c"FMC_ERROR_BODY_OUT_OF_RANGE"),
     (FMC_ERROR_OBSTACLE_REMOVED, c"FMC_ERROR_OBSTACLE_REMOVED"),
     (FMC_ERROR_NO_STEP, c"FMC_ERROR_NO_STEP"),
+    (FMC_ERROR_NON_FINITE_SLIP, c"FMC_ERROR_NON_FINITE_SLIP"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -157,6 +160,7 @@ impl From<&Error> for fmc_status {
             Error::ObstacleRemoved { .. } => FMC_ERROR_OBSTACLE_REMOVED,
             Error::BodyOutOfRange { .. } => FMC_ERROR_BODY_OUT_OF_RANGE,
             Error::OfPair { cause, .. } => Self::from(&**cause),
+            Error::NonFiniteSlip { .. } => FMC_ERROR_NON_FINITE_SLIP,
             Error::NoStep => FMC_ERROR_NO_STEP,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
             Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
@@ -189,7 +193,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NO_STEP);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NON_FINITE_SLIP);
     }
 
     #[test]
@@ -215,6 +219,7 @@ mod tests {
             Error::BodyOutOfRange { body: 0, count: 0 },
             Error::ObstacleRemoved { obstacle: 0 },
             Error::NoStep,
+            Error::NonFiniteSlip { facet: 0 },
             Error::DegenerateHull { point_count: 3 },
             Error::TooFewHeights { axis: 0, count: 1 },
             Error::NonFiniteHeight { point: 0 },

@@ -134,7 +134,7 @@ impl Session for Brittle {
         Ok(&[])
     }
 
-    fn set_slip(&mut self, _: &[f64], _: i32) -> Result<(), Failure> {
+    fn set_slip(&mut self, _: &[f64]) -> Result<(), Failure> {
         Ok(())
     }
 

@@ -2,7 +2,7 @@
 
 use super::fields::{NodalContact, PointOfContact};
 use super::forces::ContactForces;
-use super::friction::{FrozenPoints, Step};
+use super::friction::{FrozenFriction, Step};
 use super::gap_constraints::GapConstraints;
 use super::kernels::{self, estimator, pair_law};
 use super::laws::PairLaw;
@@ -36,8 +36,8 @@ pub struct Contact<const D: usize> {
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
     /// Where the step began, once one has begun.
     pub(super) step: Option<Step<D>>,
-    /// Points and pressures at which friction is frozen.
-    pub(super) frozen: Option<FrozenPoints<D>>,
+    /// Facets and pressures at which friction is frozen.
+    pub(super) frozen: Option<FrozenFriction<D>>,
     pub(super) state: Mutex<Option<Box<State<D>>>>,
     /// Whether a node lies in a plane of symmetry; `None` where that was not said.
     pub(super) in_symmetry_plane: Option<Vec<bool>>,

@@ -91,7 +91,13 @@ impl<const D: usize> ContactForces<D> {
         pairs: &[PairEnergy<D>],
         tractions: &[Tractions<D>],
     ) -> Result<Self, Error> {
-        let resultant = |id: i64, node_count: usize| Resultant { id, force: [0.0; D], moment: [0.0; 3], friction: [0.0; D], node_count };
+        let resultant = |id: i64, node_count: usize| Resultant {
+            id,
+            force: [0.0; D],
+            moment: [0.0; 3],
+            friction: [0.0; D],
+            node_count,
+        };
         let mut total = Self {
             forces: vec![[0.0; D]; coords.len()],
             volume: 0.0,

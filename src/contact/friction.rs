@@ -1,4 +1,4 @@
-//! Friction: tractions along the surfaces, at the points where a law presses.
+//! Friction: tractions along the surfaces, on the facets on which a law presses.
 //!
 //! ```text
 //! s = e + g      g: slip of two material points that face one another, since the step began, without what both bodies
@@ -7,22 +7,20 @@
 //! ```
 //!
 //! `options` · `return_mapping` (from slip to traction) · `step` (the state when the step began) · `side_motion` (how one
-//! side moved since) · `slip_points` (the points of a pair with their slip) · `tractions` (forces, tangent and energies of a
-//! pair) · `frozen` (points and pressure of an earlier iteration) · `carried_slip` (what a step leaves to the next)
+//! side moved since) · `slip_facets` (the facets of a pair with their slip) · `tractions` (forces, tangent and energies of a
+//! pair) · `frozen` (facets and pressure of an earlier iteration)
 
-mod carried_slip;
 mod frozen;
 mod options;
 mod return_mapping;
 mod side_motion;
-mod slip_points;
+mod slip_facets;
 mod step;
 mod tractions;
 
-pub(super) use carried_slip::CarriedSlip;
-pub(super) use frozen::FrozenPoints;
+pub(super) use frozen::FrozenFriction;
 pub use options::Friction;
-pub(super) use slip_points::SlipPoints;
+pub(super) use slip_facets::{Sliding, SlipFacets};
 pub(super) use step::Step;
 pub use tractions::FrictionTotals;
 pub(super) use tractions::Tractions;

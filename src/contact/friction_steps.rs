@@ -1,27 +1,12 @@
 //! Steps of a contact with friction: what is carried from one to the next.
 
 use super::Contact;
-use super::friction::{CarriedSlip, Friction, FrozenPoints, SlipPoints, Step};
+use super::friction::{Friction, FrozenFriction, Sliding, SlipFacets, Step};
 use super::kernels;
-use super::laws::{Measured, PressurePoint};
+use super::laws::Measured;
 use crate::Error;
-use crate::geometry::Pose;
+use crate::geometry::{Pose, Vector};
 use crate::overlap::Partner;
-
-/// How a pair slides.
-pub(super) struct Sliding<'a, const D: usize> {
-    friction: Friction,
-    stiffness: f64,
-    step: &'a Step<D>,
-}
-
-impl<const D: usize> Sliding<'_, D> {
-    /// The points at which a law presses, with their slip.
-    pub(super) fn points(&self, measured: &Measured<D>, pressed: &[PressurePoint<D>]) -> SlipPoints<D> {
-        let law = (&self.friction, self.stiffness);
-        SlipPoints::new(measured.pair, self.step, pressed, law, measured.obstacle_node())
-    }
-}
 
 impl<const D: usize> Contact<D> {
     /// Begins a step with friction at `coords`, with obstacles where they are: slip is counted from here. The elastic slip
@@ -34,7 +19,7 @@ impl<const D: usize> Contact<D> {
         self.surface.check_coords(coords, true)?;
         let slip = match self.step.take() {
             Some(step) => step.slip,
-            None => vec![[0.0; D]; coords.len()],
+            None => vec![[0.0; D]; self.surface.facets.len()],
         };
         self.step = Some(Step::new(&self.surface, coords, self.poses(), slip));
         self.frozen = None;
@@ -47,17 +32,23 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::NoStep`]; else as [`Self::evaluate`].
     pub fn commit_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
-        let step = self.step.as_ref().ok_or(Error::NoStep)?;
-        let pairs = kernels::slip_points(self, coords)?;
-        let mut carried = CarriedSlip::new(&self.surface, step, coords);
-        pairs.iter().for_each(|points| carried.add(points, coords.len()));
-        self.step = Some(Step::new(&self.surface, coords, self.poses(), carried.at_nodes()));
+        self.step.as_ref().ok_or(Error::NoStep)?;
+        let mut sums = vec![(0.0, Vector::<D>::zeros()); self.surface.facets.len()];
+        for pair in kernels::slip_facets(self, coords)? {
+            pair.for_each_elastic_slip(|facet, area, slip| {
+                sums[facet].0 += area;
+                sums[facet].1 += slip * area;
+            });
+        }
+        // A facet that faces several partners carries the mean.
+        let slip = sums.iter().map(|(area, sum)| if *area > 0.0 { (sum / *area).into() } else { [0.0; D] });
+        self.step = Some(Step::new(&self.surface, coords, self.poses(), slip.collect()));
         self.frozen = None;
         Ok(())
     }
 
-    /// The elastic slip that was carried into the step, a vector for every node: that of the surface there against what it
-    /// faces. With the coordinates at which the step began it is all that a restart needs.
+    /// The elastic slip that was carried into the step, a vector for every facet of the surface: that of the facet against
+    /// what it faces. With the coordinates at which the step began it is all that a restart needs.
     ///
     /// # Errors
     /// [`Error::NoStep`].
@@ -69,16 +60,22 @@ impl<const D: usize> Contact<D> {
     /// of that time.
     ///
     /// # Errors
-    /// [`Error::NoStep`], [`Error::Length`], [`Error::NonFiniteCoordinate`]; the old one then stays.
+    /// [`Error::NoStep`], [`Error::Length`], [`Error::NonFiniteSlip`]; the old one then stays.
     pub fn set_slip(&mut self, slip: &[[f64; D]]) -> Result<(), Error> {
-        self.surface.check_coords(slip, true)?;
+        let expected = self.surface.facets.len();
+        if slip.len() != expected {
+            return Err(Error::Length { array: "slip", expected, found: slip.len() });
+        }
+        if let Some(facet) = slip.iter().position(|vector| !vector.iter().all(|x| x.is_finite())) {
+            return Err(Error::NonFiniteSlip { facet });
+        }
         let step = self.step.as_mut().ok_or(Error::NoStep)?;
-        *step = Step::new(&self.surface, &std::mem::take(&mut step.coords), std::mem::take(&mut step.poses), slip.to_vec());
+        step.slip = slip.to_vec();
         self.frozen = None;
         Ok(())
     }
 
-    /// Freezes the points of friction and their pressure as they are at `coords`, until the step ends or
+    /// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step ends or
     /// [`Self::release_friction`]: the forces of friction are then minus the gradient of a convex potential, and their
     /// tangent is symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the
     /// solution with the current pressure.
@@ -87,8 +84,8 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NoStep`]; else as [`Self::evaluate`]. What was frozen before then stays.
     pub fn freeze_friction(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.step.as_ref().ok_or(Error::NoStep)?;
-        let pairs = kernels::slip_points(self, coords)?;
-        self.frozen = Some(FrozenPoints { pairs, coords: coords.to_vec(), poses: self.poses() });
+        let pairs = kernels::slip_facets(self, coords)?;
+        self.frozen = Some(FrozenFriction::new(pairs, coords, self.poses()));
         Ok(())
     }
 
@@ -121,8 +118,8 @@ impl<const D: usize> Contact<D> {
         self.pair_table.friction(partners, self.options.friction)
     }
 
-    /// The frozen points at these coordinates.
-    pub(super) fn frozen_at(&self, coords: &[[f64; D]]) -> Vec<SlipPoints<D>> {
+    /// The frozen friction at these coordinates.
+    pub(super) fn frozen_at(&self, coords: &[[f64; D]]) -> Vec<SlipFacets<D>> {
         self.frozen.as_ref().map_or_else(Vec::new, |frozen| frozen.at(coords, &self.poses()))
     }
 }

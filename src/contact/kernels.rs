@@ -3,7 +3,7 @@
 use super::Contact;
 use super::fields::{NodalContact, PointOfContact, points_of_contact};
 use super::forces::ContactForces;
-use super::friction::{SlipPoints, Tractions};
+use super::friction::{SlipFacets, Tractions};
 use super::gap_constraints::GapConstraints;
 use super::laws::{self, Answer, Asked, EnergyLaw, PairEnergy, PairLaw};
 use super::mass_scaled::largest_step;
@@ -14,8 +14,8 @@ use crate::dimension::{recast, rows};
 use crate::overlap::{self, FiberTrace, Overlap, OverlapEstimator, Partner, Patches, Reach};
 use std::any::Any;
 
-/// Points with friction by pair.
-pub(super) type SlipPointsByPair<const D: usize> = Vec<SlipPoints<D>>;
+/// Facets with friction by pair.
+pub(super) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
 
 /// Patches by pair.
 pub(super) type PatchesByPair<const D: usize> = Vec<([Partner; 2], Patches<D>)>;
@@ -60,7 +60,7 @@ macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
 macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
 macro_rules! point_list { ($d:expr) => { Vec<PointOfContact<$d>> }; }
 macro_rules! constraint_rows { ($d:expr) => { GapConstraints<$d> }; }
-macro_rules! slip_list { ($d:expr) => { SlipPointsByPair<$d> }; }
+macro_rules! slip_list { ($d:expr) => { SlipFacetsByPair<$d> }; }
 macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
 
 kernel! { /// Forces.
@@ -81,8 +81,8 @@ kernel! { /// The contact points.
 contact_points = contact_points_in() -> point_list }
 kernel! { /// Gaps of the nodes within reach.
 gap_constraints = gap_constraints_in(reach: f64) -> constraint_rows }
-kernel! { /// Points at which friction acts.
-slip_points = slip_points_in() -> slip_list }
+kernel! { /// Facets on which friction acts.
+slip_facets = slip_facets_in() -> slip_list }
 kernel! { /// Patches of all pairs, for all facets.
 patches = patches_in() -> patch_list }
 
@@ -97,13 +97,16 @@ fn measured_pairs<const D: usize>(
         let slides = if contact.frozen.is_none() { contact.sliding(measured)? } else { None };
         let asked = Asked { points: asked.points || slides.is_some(), ..*asked };
         let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
-        let tractions = slides.map(|slides| Tractions::new(&slides.points(measured, &answer.points), coords.len(), asked.tangent));
+        let tractions = slides.map(|sliding| {
+            let facets = SlipFacets::new(measured.pair, &sliding, &answer.points, measured.obstacle_node());
+            Tractions::new(&facets, coords.len(), asked.tangent)
+        });
         Ok(Some((answer, tractions)))
     })?;
     let (answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
     let frozen = contact.frozen_at(coords);
-    tractions.extend(frozen.iter().map(|points| Tractions::new(points, coords.len(), asked.tangent)));
+    tractions.extend(frozen.iter().map(|facets| Tractions::new(facets, coords.len(), asked.tangent)));
     Ok((answers, tractions))
 }
 
@@ -153,13 +156,13 @@ fn evaluate_with_tangent_in<const D: usize>(
     Ok((forces, tangent_of(tangents.into_iter().flatten(), tractions)?))
 }
 
-/// All points at which friction acts, by pair.
-fn slip_points_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<SlipPointsByPair<D>, Error> {
+/// All facets on which friction acts, by pair.
+fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<SlipFacetsByPair<D>, Error> {
     let asked = Asked { points: true, ..Asked::default() };
     contact.for_each_pair(coords, |measured| {
-        let Some(slides) = contact.sliding(measured)? else { return Ok(None) };
+        let Some(sliding) = contact.sliding(measured)? else { return Ok(None) };
         let answer = measured.law.measure(measured, &asked)?;
-        Ok(answer.map(|answer| slides.points(measured, &answer.points)))
+        Ok(answer.map(|answer| SlipFacets::new(measured.pair, &sliding, &answer.points, measured.obstacle_node())))
     })
 }
 

@@ -27,7 +27,14 @@ pub struct Options {
 impl Options {
     /// Defaults with this law.
     pub fn new(law: EnergyLaw) -> Self {
-        Self { law, estimator: Estimator::default(), threads: 1, self_contact: false, friction: Friction::default(), check_cells: true }
+        Self {
+            law,
+            estimator: Estimator::default(),
+            threads: 1,
+            self_contact: false,
+            friction: Friction::default(),
+            check_cells: true,
+        }
     }
 
     /// Checks every value.
@@ -35,7 +42,8 @@ impl Options {
         self.law.check()?;
         self.friction.check()?;
         if self.friction.is_active() && matches!(self.law, EnergyLaw::Volume { .. }) {
-            let what = "friction with the law volume, whose pressure is one for a whole pair: use the law depth or fiber";
+            let what =
+                "friction with the law volume, whose pressure is one for a whole pair: use the law depth or fiber";
             return Err(Error::Unsupported { what });
         }
         let positive = |name, value: f64| {

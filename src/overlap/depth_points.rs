@@ -2,21 +2,29 @@
 
 use crate::geometry::Vector;
 
-/// A facet's part inside a cell of the other side, or inside an obstacle, as a point: the centre of its pressure.
+/// A facet's part inside a cell of the other side, or inside an obstacle, as a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DepthPoint<const D: usize> {
     pub(crate) of_b: bool,
     /// Index within its side.
     pub(crate) facet: u32,
-    /// Barycentric coordinates of the point.
-    pub(crate) weights: [f64; D],
+    /// Centre of its pressure, and of its area.
+    pub(crate) pressed: DepthPlace<D>,
+    pub(crate) middle: DepthPlace<D>,
     /// Mean depth of the part below the other surface.
     pub(crate) depth: f64,
     /// Area for which the force of the point stands.
     pub(crate) area: f64,
     /// ∫ of the depth's gradient over that area; zero against an obstacle where no second derivative is asked for.
     pub(crate) slope: Vector<D>,
-    /// The place in the other body; `None` in an obstacle.
+}
+
+/// A place on a facet.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DepthPlace<const D: usize> {
+    /// Barycentric coordinates.
+    pub(crate) weights: [f64; D],
+    /// The same place in the other body; `None` in an obstacle.
     pub(crate) other: Option<PlaceInCell<D>>,
 }
 

@@ -17,7 +17,8 @@ fn error<const D: usize>(scene: &Scene<D>, options: Options, by: f64, delta: f64
     let without = smooth.tangent(&coords, TangentPart::Full).expect("a tangent");
     let mut largest = (0.0f64, 0.0f64);
     for _ in 0..4 {
-        let direction: Vec<[f64; D]> = coords.iter().map(|_| std::array::from_fn(|_| random.between(-1.0, 1.0))).collect();
+        let direction: Vec<[f64; D]> =
+            coords.iter().map(|_| std::array::from_fn(|_| random.between(-1.0, 1.0))).collect();
         let friction_at = |h: f64| {
             let at: Vec<[f64; D]> =
                 coords.iter().zip(&direction).map(|(x, d)| std::array::from_fn(|i| x[i] + h * d[i])).collect();

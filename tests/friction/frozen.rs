@@ -21,8 +21,8 @@ fn is_a_potential<const D: usize>(scene: &crate::Scene<D>, options: Options) {
         x.iter().zip(y).map(|(x, y)| std::array::from_fn(|i| x[i] + h * y[i])).collect()
     };
     // Some points stick, others slide.
-    let base = slid(scene, 3e-4);
-    let (base, at) = (add(&base, &shake(2e-4), 1.0), add(&base, &shake(2e-4), 1.0));
+    let base = slid(scene, 2.9e-4);
+    let (base, at) = (add(&base, &shake(5e-5), 1.0), add(&base, &shake(5e-5), 1.0));
     contact.freeze_friction(&base).expect("a step has begun");
     let smooth = scene.contact(Options { friction: Default::default(), ..options });
     let found = contact.evaluate(&at).expect("forces");

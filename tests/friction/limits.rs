@@ -38,7 +38,9 @@ fn pushed<const D: usize>(scene: &Scene<D>, options: Options) {
         let (found, _) = force_at(by);
         let held = found.bodies[1].friction[0] / (-STIFFNESS * area * by);
         assert!((held - 1.0).abs() < 0.02, "{held}");
-        assert!(found.friction.dissipated == 0.0 && found.friction.slip_area < 0.02, "{:?}", found.friction);
+        // Walls that are sunk in bear little.
+        let friction = found.friction;
+        assert!(friction.dissipated < 1e-3 * friction.stored && friction.slip_area < 0.02, "{friction:?}");
         let stored = found.friction.stored / (0.5 * STIFFNESS * area * by * by);
         assert!((stored - 1.0).abs() < 0.02, "{stored}");
     }

@@ -1,4 +1,6 @@
 //! Bodies that stick together and turn: their traction turns along, and nothing slides.
+//!
+//! To rounding with the law `depth`. The directions of the law `fiber` are found anew everywhere, to 1e-8.
 
 use crate::scene::norm;
 use crate::{begun, in_plane, in_space, laws, slid};
@@ -17,8 +19,9 @@ fn turn<const D: usize>(coords: &[[f64; D]], [i, j]: [usize; 2], angle: f64) -> 
         .collect()
 }
 
-fn turned<const D: usize>(scene: &crate::Scene<D>, axes: [usize; 2], degrees: f64, tolerance: f64) {
-    for options in laws(0.5) {
+fn turned<const D: usize>(scene: &crate::Scene<D>, axes: [usize; 2], degrees: f64) {
+    let tolerances = [1e-10, 1e-6];
+    for (options, tolerance) in laws(0.5).into_iter().zip(tolerances) {
         let mut contact = begun(scene, options, &scene.coords);
         // Loaded to a half of the limit.
         let loaded = slid(scene, 2.5e-4);
@@ -32,8 +35,13 @@ fn turned<const D: usize>(scene: &crate::Scene<D>, axes: [usize; 2], degrees: f6
             let expected = turn(&[first.bodies[1].friction, [0.0; D]], axes, angle);
             let expected: [f64; D] = std::array::from_fn(|i| expected[0][i] - expected[1][i]);
             let error: [f64; D] = std::array::from_fn(|i| found.bodies[1].friction[i] - expected[i]);
-            assert!(norm(&[error]) < tolerance * norm(&[expected]), "{degrees}: {error:?} of {expected:?}");
-            assert!(found.friction.dissipated <= first.friction.dissipated, "{:?}", found.friction);
+            assert!(
+                norm(&[error]) < tolerance * norm(&[expected]),
+                "{:?} {step} of {degrees}: {error:?} of {expected:?}",
+                options.law
+            );
+            // But for what lies at its limit and beyond it by rounding.
+            assert!(found.friction.dissipated < 1e-12 * found.friction.stored, "{:?}", found.friction);
             contact.commit_step(&coords).expect("valid coordinates");
         }
     }
@@ -42,14 +50,14 @@ fn turned<const D: usize>(scene: &crate::Scene<D>, axes: [usize; 2], degrees: f6
 #[test]
 fn in_the_plane() {
     for scene in in_plane(1e-3) {
-        [1.0, 10.0, 30.0].into_iter().for_each(|degrees| turned(&scene, [0, 1], degrees, 1e-10));
+        [1.0, 10.0, 30.0].into_iter().for_each(|degrees| turned(&scene, [0, 1], degrees));
     }
 }
 
 #[test]
 fn in_space_about_any_axis() {
     for scene in in_space(1e-3) {
-        [[0, 1], [0, 2], [1, 2]].into_iter().for_each(|axes| turned(&scene, axes, 30.0, 1e-10));
-        turned(&scene, [0, 2], 10.0, 1e-10);
+        [[0, 1], [0, 2], [1, 2]].into_iter().for_each(|axes| turned(&scene, axes, 30.0));
+        turned(&scene, [0, 2], 10.0);
     }
 }

@@ -1,34 +1,41 @@
-//! Friction with the points and the pressure of an earlier iteration: the forces are then those of a convex potential.
+//! Friction with the facets and the pressure of an earlier iteration: the forces are then those of a convex potential.
 
-use super::slip_points::SlipPoints;
+use super::slip_facets::SlipFacets;
 use crate::geometry::{Pose, Vector};
 use crate::overlap::Partner;
 
-/// The points of all pairs, and where all stood when they were taken.
+/// The facets of all pairs, and where all stood when they were taken.
 #[derive(Clone)]
-pub(crate) struct FrozenPoints<const D: usize> {
-    pub(crate) pairs: Vec<SlipPoints<D>>,
-    pub(crate) coords: Vec<[f64; D]>,
-    pub(crate) poses: Vec<Option<Pose<D>>>,
+pub(crate) struct FrozenFriction<const D: usize> {
+    pairs: Vec<SlipFacets<D>>,
+    coords: Vec<[f64; D]>,
+    poses: Vec<Option<Pose<D>>>,
 }
 
-impl<const D: usize> FrozenPoints<D> {
-    /// The points with the slip that displacements since then have added; nothing else of them changes.
-    pub(crate) fn at(&self, coords: &[[f64; D]], poses: &[Option<Pose<D>>]) -> Vec<SlipPoints<D>> {
+impl<const D: usize> FrozenFriction<D> {
+    /// Freezes the facets as they are.
+    pub(crate) fn new(mut pairs: Vec<SlipFacets<D>>, coords: &[[f64; D]], poses: Vec<Option<Pose<D>>>) -> Self {
+        // A frozen limit does not change.
+        pairs.iter_mut().flat_map(|pair| &mut pair.rows).for_each(|row| row.limit = Vector::zeros());
+        Self { pairs, coords: coords.to_vec(), poses }
+    }
+
+    /// The facets with the slip that displacements since then have added; nothing else of them changes.
+    pub(crate) fn at(&self, coords: &[[f64; D]], poses: &[Option<Pose<D>>]) -> Vec<SlipFacets<D>> {
         let mut pairs = self.pairs.clone();
-        for SlipPoints { partners, points, rows } in &mut pairs {
-            for point in points {
+        for SlipFacets { partners, facets, rows } in &mut pairs {
+            for facet in facets {
                 let mut slip = Vector::zeros();
-                for row in &rows[point.rows.clone()] {
+                for row in &rows[facet.rows.clone()] {
                     let node = row.node as usize;
                     let moved = match (coords.get(node), partners[1]) {
                         (Some(x), _) => Vector::from(*x) - Vector::from(self.coords[node]),
-                        (None, Partner::Obstacle(o)) => self.moved_with(o, &poses[o], &point.position),
+                        (None, Partner::Obstacle(o)) => self.moved_with(o, &poses[o], &facet.position),
                         _ => Vector::zeros(),
                     };
                     slip += row.slip * moved;
                 }
-                point.trial += slip - point.normal * point.normal.dot(&slip);
+                facet.trial += slip - facet.normal * facet.normal.dot(&slip);
             }
         }
         pairs

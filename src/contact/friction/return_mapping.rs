@@ -3,15 +3,13 @@
 use super::options::Friction;
 use crate::geometry::Vector;
 
-/// The law of a point under pressure: a spring with a slider.
+/// A spring with a slider.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slider {
     /// k_T.
     pub(crate) stiffness: f64,
     /// Traction at which it slides.
     pub(crate) limit: f64,
-    /// What that changes by with the pressure.
-    pub(crate) limit_slope: f64,
 }
 
 /// What a slip leads to.
@@ -29,26 +27,21 @@ pub(crate) struct Traction<const D: usize> {
     pub(crate) dissipated: f64,
 }
 
-impl Slider {
-    pub(crate) fn new(friction: &Friction, stiffness: f64, pressure: f64) -> Self {
-        let pressed = friction.coefficient * pressure + friction.cohesion;
-        let limit = pressed.min(friction.shear_limit);
-        let limit_slope = if pressed > friction.shear_limit { 0.0 } else { friction.coefficient };
-        Self { stiffness, limit, limit_slope }
+impl Friction {
+    /// Traction at which a point under this pressure slides, and what that changes by with the pressure.
+    pub(crate) fn limit(&self, pressure: f64) -> (f64, f64) {
+        let pressed = self.coefficient * pressure + self.cohesion;
+        if pressed > self.shear_limit { (self.shear_limit, 0.0) } else { (pressed, self.coefficient) }
     }
+}
 
+impl Slider {
     /// Traction at this elastic slip, if none of it were plastic.
     pub(crate) fn traction<const D: usize>(&self, trial: &Vector<D>) -> Traction<D> {
         let (size, most) = (trial.norm(), self.limit / self.stiffness);
         if size <= most {
             let stored = 0.5 * self.stiffness * size * size;
-            return Traction {
-                value: trial * self.stiffness,
-                elastic: *trial,
-                sliding: None,
-                stored,
-                dissipated: 0.0,
-            };
+            return Traction { value: trial * self.stiffness, elastic: *trial, sliding: None, stored, dissipated: 0.0 };
         }
         let along = trial / size;
         Traction {
@@ -67,7 +60,7 @@ mod tests {
 
     #[test]
     fn sticks_below_the_limit_and_slides_at_it() {
-        let slider = Slider::new(&Friction::coulomb(0.5), 100.0, 8.0);
+        let slider = Slider { stiffness: 100.0, limit: Friction::coulomb(0.5).limit(8.0).0 };
         let stuck = slider.traction(&Vector::<2>::new(0.03, 0.0));
         assert_eq!((stuck.value[0], stuck.sliding, stuck.dissipated), (3.0, None, 0.0));
         let slid = slider.traction(&Vector::<2>::new(0.0, -0.1));
@@ -75,7 +68,7 @@ mod tests {
         // The work of the spring at the limit is stored, that of the slider lost.
         assert!((slid.stored - 0.08).abs() < 1e-15 && (slid.dissipated - 4.0 * 0.06).abs() < 1e-15);
         let limited = Friction { shear_limit: 1.0, cohesion: 0.25, ..Friction::coulomb(0.5) };
-        assert_eq!(Slider::new(&limited, 1.0, 1.0).limit, 0.75);
-        assert_eq!((Slider::new(&limited, 1.0, 9.0).limit, Slider::new(&limited, 1.0, 9.0).limit_slope), (1.0, 0.0));
+        assert_eq!(limited.limit(1.0), (0.75, 0.5));
+        assert_eq!(limited.limit(9.0), (1.0, 0.0));
     }
 }

@@ -46,9 +46,7 @@ impl<const D: usize> SideMotion<D> {
             PointOnSide::Surface(SurfacePoint::Facet { of_b, facet, weights }) if !of_b || pair.pose.is_none() => {
                 Self::of_facet(pair, step, *of_b, *facet, weights)
             }
-            PointOnSide::Surface(end) => {
-                Self::of_obstacle(pair, step, pair.position(end), Some(pair.normal_at(end)))
-            }
+            PointOnSide::Surface(end) => Self::of_obstacle(pair, step, pair.position(end), Some(pair.normal_at(end))),
             PointOnSide::Rigid(position) => Self::of_obstacle(pair, step, *position, None),
             PointOnSide::Cell(place) => Self::in_cell(pair, step, place),
         }
@@ -88,12 +86,6 @@ impl<const D: usize> SideMotion<D> {
         let turn = |pose: &Pose<D>| SMatrix::<f64, D, D>::from_fn(|i, j| pose.rotation[i][j] * pose.scale);
         let deformation = turn(pose) * turn(old).transpose() / (old.scale * old.scale);
         Some(Self { now, start: old.place(&pose.unplace(&now)), deformation, normal, movers: Movers::Rigid })
-    }
-
-    /// The elastic slip that the side carries, `None` where it carries none.
-    pub(crate) fn carried(&self, of_vertices: &[Vector<D>]) -> Option<Vector<D>> {
-        let Movers::Facet { vertices, weights, .. } = &self.movers else { return None };
-        Some(vertices.iter().zip(weights).fold(Vector::zeros(), |sum, (&v, w)| sum + of_vertices[v as usize] * *w))
     }
 
     /// Calls `visit(node, shape function at the point, by what the middle moves with the node)`; the middle lies at `arm`

@@ -11,10 +11,8 @@ pub(crate) struct Step<const D: usize> {
     pub(crate) points: Vec<Vector<D>>,
     /// Poses of the obstacles; `None` for one that was removed.
     pub(crate) poses: Vec<Option<Pose<D>>>,
-    /// Elastic slip of the surface at every node against what it faces; zero inside bodies.
+    /// Elastic slip of every facet against what it faces.
     pub(crate) slip: Vec<[f64; D]>,
-    /// The same at the surface's vertices.
-    pub(crate) carried: Vec<Vector<D>>,
 }
 
 impl<const D: usize> Step<D> {
@@ -24,8 +22,7 @@ impl<const D: usize> Step<D> {
         poses: Vec<Option<Pose<D>>>,
         slip: Vec<[f64; D]>,
     ) -> Self {
-        let (points, carried) = (surface.points(coords), surface.points(&slip));
-        Self { coords: coords.to_vec(), points, poses, slip, carried }
+        Self { coords: coords.to_vec(), points: surface.points(coords), poses, slip }
     }
 
     /// Where an obstacle stood; one that came later has not moved.

@@ -1,6 +1,6 @@
 //! The tractions of a pair, summed at its nodes.
 
-use super::slip_points::{Row, SlipPoint, SlipPoints};
+use super::slip_facets::{Row, SlipFacet, SlipFacets};
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::geometry::{Vector, moment};
 use crate::overlap::{BlockSum, NodeSums, Partner};
@@ -36,15 +36,15 @@ pub struct FrictionTotals {
 }
 
 impl FrictionTotals {
-    fn add<const D: usize>(&mut self, point: &SlipPoint<D>) {
-        let traction = point.slider.traction(&point.trial);
-        self.stored += point.area * traction.stored;
-        self.dissipated += point.area * traction.dissipated;
+    fn add<const D: usize>(&mut self, facet: &SlipFacet<D>) {
+        let traction = facet.slider.traction(&facet.trial);
+        self.stored += facet.area * traction.stored;
+        self.dissipated += facet.area * traction.dissipated;
         match traction.sliding {
-            Some(_) => self.slip_area += point.area,
-            None => self.stick_area += point.area,
+            Some(_) => self.slip_area += facet.area,
+            None => self.stick_area += facet.area,
         }
-        self.largest_slip = self.largest_slip.max((point.trial - traction.elastic).norm());
+        self.largest_slip = self.largest_slip.max((facet.trial - traction.elastic).norm());
     }
 
     /// Both together.
@@ -61,30 +61,30 @@ impl FrictionTotals {
 
 impl<const D: usize> Tractions<D> {
     /// Forces and, if asked for, the tangent, of which `Full` knows that the limit grows with the pressure.
-    pub(crate) fn new(points: &SlipPoints<D>, node_count: usize, part: Option<TangentPart>) -> Self {
+    pub(crate) fn new(slipping: &SlipFacets<D>, node_count: usize, part: Option<TangentPart>) -> Self {
         let (mut sums, mut on_obstacle) = (NodeSums::default(), (Vector::zeros(), [0.0; 3]));
         let (mut totals, mut blocks) = (FrictionTotals::default(), BlockSum::default());
         let mut scratch = Scratch { nodes: Vec::new(), values: Vec::new() };
-        for (point, rows, traction) in points.tractions() {
-            totals.add(point);
-            let along = traction.value * point.area;
+        for (facet, rows, traction) in slipping.tractions() {
+            totals.add(facet);
+            let along = traction.value * facet.area;
             for row in rows {
                 let force = -(row.slip.transpose() * along);
                 if (row.node as usize) < node_count {
                     sums.add(row.node, row.of_b, &force);
                 } else {
                     on_obstacle.0 += force;
-                    on_obstacle.1.iter_mut().zip(moment(&point.position, &force)).for_each(|(sum, m)| *sum += m);
+                    on_obstacle.1.iter_mut().zip(moment(&facet.position, &force)).for_each(|(sum, m)| *sum += m);
                 }
             }
             if let Some(part) = part {
                 let with_limit = part == TangentPart::Full;
-                scratch.add_blocks(point, rows, with_limit, &mut blocks);
+                scratch.add_blocks(facet, rows, with_limit, &mut blocks);
             }
         }
         let (nodes, of_b, forces) = sums.into_nodes();
         let tangent = Tangent { blocks: blocks.into_blocks(), rank_one: Vec::new() };
-        Self { partners: points.partners, nodes, of_b, forces, on_obstacle, tangent, totals }
+        Self { partners: slipping.partners, nodes, of_b, forces, on_obstacle, tangent, totals }
     }
 }
 
@@ -95,15 +95,15 @@ struct Scratch<const D: usize> {
 }
 
 impl<const D: usize> Scratch<D> {
-    /// Adds c Bᵀ C B, C = ∂q/∂s, and, where the point slides, Bᵀ ŝ times the derivative of its limit.
-    fn add_blocks(&mut self, point: &SlipPoint<D>, rows: &[Row<D>], with_limit: bool, blocks: &mut BlockSum<D>) {
+    /// Adds c Bᵀ C B, C = ∂q/∂s, and, where the facet slides, Bᵀ ŝ times the derivative of its limit.
+    fn add_blocks(&mut self, facet: &SlipFacet<D>, rows: &[Row<D>], with_limit: bool, blocks: &mut BlockSum<D>) {
         let Scratch { nodes, values } = self;
-        let tangential = SMatrix::<f64, D, D>::identity() - point.normal * point.normal.transpose();
-        let traction = point.slider.traction(&point.trial);
+        let tangential = SMatrix::<f64, D, D>::identity() - facet.normal * facet.normal.transpose();
+        let traction = facet.slider.traction(&facet.trial);
         let stiffness = match traction.sliding {
-            None => tangential * point.slider.stiffness,
-            Some(s) => (tangential - s * s.transpose()) * (point.slider.limit / point.trial.norm()),
-        } * point.area;
+            None => tangential * facet.slider.stiffness,
+            Some(s) => (tangential - s * s.transpose()) * (facet.slider.limit / facet.trial.norm()),
+        } * facet.area;
         let pushed = traction.sliding.filter(|_| with_limit);
         nodes.clear();
         nodes.extend(rows.iter().map(|row| row.node));

@@ -1,12 +1,14 @@
 //! Where a law presses, point by point: what hosts see of a contact, and what friction acts on.
 
 use crate::geometry::Vector;
-use crate::overlap::{ContactPoint, ContactPoints, DepthPoint, Pair, PlaceInCell, SurfacePoint};
+use crate::overlap::{ContactPoint, ContactPoints, DepthPlace, DepthPoint, Pair, PlaceInCell, SurfacePoint};
 
 /// A point at which two sides are pressed together.
 pub(crate) struct PressurePoint<const D: usize> {
-    /// On either side, in the order of the partners.
+    /// The centre of its pressure on either side, in the order of the partners.
     pub(crate) sides: [PointOnSide<D>; 2],
+    /// The centre of its area, which stays where it is as the pressure changes.
+    pub(crate) middles: [PointOnSide<D>; 2],
     /// Unit vector, outwards of the first side, along which the penetration is measured.
     pub(crate) normal: Vector<D>,
     pub(crate) penetration: f64,
@@ -54,6 +56,7 @@ pub(crate) fn of_contact_points<const D: usize>(
         }
         PressurePoint {
             sides: ends.map(PointOnSide::Surface),
+            middles: ends.map(PointOnSide::Surface),
             normal: if along.dot(&pair.normal_at(&ends[0])) < 0.0 { -along } else { along },
             penetration: point.length,
             pressure: pressure(point.length),
@@ -72,23 +75,23 @@ pub(crate) fn of_depth_points<const D: usize>(
     stiffness: f64,
 ) -> Vec<PressurePoint<D>> {
     let of_point = |point: &DepthPoint<D>| {
-        let &DepthPoint { of_b, facet, weights, .. } = point;
-        let own = SurfacePoint::Facet { of_b, facet, weights };
-        let other = point.other.map_or_else(|| PointOnSide::Rigid(pair.position(&own)), PointOnSide::Cell);
-        let (normal, slope) = (pair.normal_at(&own), point.slope * stiffness);
-        let (mut sides, mut slopes) = ([PointOnSide::Surface(own), other], [slope, -slope]);
-        if of_b {
-            sides.swap(0, 1);
-            slopes.swap(0, 1);
-        }
+        let &DepthPoint { of_b, facet, .. } = point;
+        let both = |place: &DepthPlace<D>| {
+            let own = SurfacePoint::Facet { of_b, facet, weights: place.weights };
+            let other = place.other.map_or_else(|| PointOnSide::Rigid(pair.position(&own)), PointOnSide::Cell);
+            if of_b { [other, PointOnSide::Surface(own)] } else { [PointOnSide::Surface(own), other] }
+        };
+        let normal = pair.normal_at(&SurfacePoint::Facet { of_b, facet, weights: point.middle.weights });
+        let slope = point.slope * if of_b { -stiffness } else { stiffness };
         PressurePoint {
-            sides,
+            sides: both(&point.pressed),
+            middles: both(&point.middle),
             normal: if of_b { -normal } else { normal },
             penetration: point.depth,
             pressure: stiffness * point.depth,
             area: point.area,
             patch: 0,
-            slopes,
+            slopes: [slope, -slope],
         }
     };
     points.iter().map(of_point).collect()

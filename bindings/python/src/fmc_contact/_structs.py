@@ -12,7 +12,9 @@ FMC_SEMIDEFINITE = 2
 FMC_BLOCKS = 4
 FMC_OBSTACLES = 8
 FMC_FROM_ONE = 16
+FMC_SYMMETRIC = 32
 FMC_LAW_OF_CONTEXT = -1
+FMC_FRICTION_OF_CONTEXT = -1.0
 
 CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12}
 """Values of ``fmc_cell_type`` by the names of meshio."""
@@ -74,7 +76,11 @@ class fmc_options(Structure):
         ("index_base", c_int32),
         ("reserved_flags", c_int32),
         ("smoothing_length", c_double),
-        ("reserved", c_uint64 * 15),
+        ("friction_coefficient", c_double),
+        ("friction_stiffness", c_double),
+        ("cohesion", c_double),
+        ("shear_limit", c_double),
+        ("reserved", c_uint64 * 11),
     ]
 
 
@@ -122,7 +128,12 @@ class fmc_result(Structure):
         ("body_count", c_size_t),
         ("obstacle_count", c_size_t),
         ("warning_count", c_size_t),
-        ("reserved", c_uint64 * 8),
+        ("friction_energy", c_double),
+        ("friction_dissipation", c_double),
+        ("stick_area", c_double),
+        ("slip_area", c_double),
+        ("largest_slip", c_double),
+        ("reserved", c_uint64 * 3),
     ]
 
 
@@ -132,6 +143,8 @@ class fmc_resultant(Structure):
         ("force", c_double * 3),
         ("moment", c_double * 3),
         ("node_count", c_size_t),
+        ("friction", c_double * 3),
+        ("reserved", c_uint64 * 4),
     ]
 
 

@@ -5,8 +5,8 @@ use crate::depth::MOST_NODES;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
 use crate::overlap::depth_integral::SecondDerivative;
-use crate::overlap::points::node_sums::NodeSums;
 use crate::overlap::points::block_sum::BlockSum;
+use crate::overlap::points::node_sums::NodeSums;
 
 /// Volume of the overlap and the integral of the depth over it.
 #[derive(Clone, Copy, Debug, Default)]

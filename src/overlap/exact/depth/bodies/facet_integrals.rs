@@ -2,6 +2,7 @@
 
 use super::cell_pieces::CellPieces;
 use super::facet_clip::clip;
+use super::point_sums::PointSums;
 use crate::configuration::FacetSide;
 use crate::depth::{DepthPiece, MOST_NODES};
 use crate::geometry::Surface;
@@ -10,7 +11,6 @@ use crate::geometry::cells::Cells;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_slopes;
 use crate::geometry::quadrature::for_each_simplex;
-use super::point_sums::PointSums;
 use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::{BodyFacet, FACET_NODES};
@@ -88,7 +88,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
             let coordinates =
                 |w: &[f64; D]| -> [f64; 4] { std::array::from_fn(|k| (0..D).map(|c| w[c] * barycentric[c][k]).sum()) };
             let depth = |at: &[f64; 4]| -> f64 { (0..=D).map(|k| at[k] * piece.depths[k]).sum() };
-            let (mut area, mut local) = (0.0, [0.0; D]);
+            let (mut areas, mut local) = ([0.0; D], [0.0; D]);
             // Products of the functions that move with nodes.
             let mut products = [[0.0; MOST]; MOST];
             let count = facet.nodes.len() + self.cells.nodes(piece.cell as usize).len();
@@ -97,7 +97,6 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 let at = corners.map(&coordinates);
                 let g: [f64; D] = std::array::from_fn(|c| depth(&at[c]));
                 let total: f64 = g.iter().sum();
-                area += share;
                 sums.area += share * facet.measure;
                 sums.depth += share * facet.measure * total / D as f64;
                 sums.deepest = g.iter().fold(sums.deepest, |most, g| most.max(*g));
@@ -110,6 +109,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                     let sum: f64 = (0..D).map(|c| corners[c][a]).sum();
                     *moment += norm * (same + total * sum);
                     moments.area[a] += share * sum / D as f64;
+                    areas[a] += share * sum / D as f64;
                 }
                 if self.request.second != SecondDerivative::No {
                     let of_corners: [[f64; MOST]; D] =
@@ -121,7 +121,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 *sum += moment;
             }
             if self.request.points {
-                moments.points.add(piece, area, &local, &barycentric);
+                moments.points.add(piece, &areas, &local, &barycentric);
             }
             if self.request.second != SecondDerivative::No {
                 self.add_blocks(facet, piece, &products, &local, values, &mut sums.hessian);

@@ -2,50 +2,50 @@
 
 use crate::depth::DepthPiece;
 use crate::geometry::Vector;
-use crate::overlap::depth_points::{DepthPoint, PlaceInCell};
+use crate::overlap::depth_points::{DepthPlace, DepthPoint, PlaceInCell};
 use crate::overlap::pair::body_facet::BodyFacet;
 
 /// Sums over what a facet has inside the cells of the other body, in parts of its measure.
 #[derive(Default)]
 pub(crate) struct PointSums<const D: usize>(Vec<InCell<D>>);
 
-/// Sums over what it has inside one cell; of what belongs to the cell, times the depth.
+/// What it has inside one cell.
 struct InCell<const D: usize> {
     cell: u32,
-    area: f64,
-    depths: [f64; D],
     slope: Vector<D>,
-    weights: [f64; 8],
+    /// Sums with the depth, and with 1, for weight.
+    pressed: PlaceSums<D>,
+    middle: PlaceSums<D>,
+}
+
+/// Sums for a mean place, with some weight.
+struct PlaceSums<const D: usize> {
+    /// ∫ of the shape functions of the facet's corners, and of the cell's nodes.
+    on_facet: [f64; D],
+    in_cell: [f64; 8],
+    /// Gradients of the latter.
     gradients: [Vector<D>; 8],
 }
 
 impl<const D: usize> PointSums<D> {
-    /// Adds what lies inside a piece: its area, ∫ N g dA for the corners of the facet, whose coordinates in the piece are
+    /// Adds what lies inside a piece: ∫ N dA and ∫ N g dA for the corners of the facet, whose coordinates in the piece are
     /// `barycentric`.
-    pub(crate) fn add(&mut self, piece: &DepthPiece<D>, area: f64, depths: &[f64; D], barycentric: &[[f64; 4]; D]) {
+    pub(crate) fn add(
+        &mut self,
+        piece: &DepthPiece<D>,
+        areas: &[f64; D],
+        depths: &[f64; D],
+        barycentric: &[[f64; 4]; D],
+    ) {
         let place = self.0.iter().position(|sums| sums.cell == piece.cell).unwrap_or_else(|| {
-            self.0.push(InCell {
-                cell: piece.cell,
-                area: 0.0,
-                depths: [0.0; D],
-                slope: Vector::zeros(),
-                weights: [0.0; 8],
-                gradients: [Vector::zeros(); 8],
-            });
+            let [pressed, middle] = [PlaceSums::new(), PlaceSums::new()];
+            self.0.push(InCell { cell: piece.cell, slope: Vector::zeros(), pressed, middle });
             self.0.len() - 1
         });
         let sums = &mut self.0[place];
-        let total: f64 = depths.iter().sum();
-        sums.area += area;
-        sums.depths.iter_mut().zip(depths).for_each(|(sum, depth)| *sum += depth);
-        sums.slope += piece.gradient * area;
-        let at: [f64; 4] = std::array::from_fn(|k| (0..D).map(|c| depths[c] * barycentric[c][k]).sum());
-        sums.weights.iter_mut().zip(piece.at_nodes(&at)).for_each(|(sum, weight)| *sum += weight);
-        for (weights, slope) in piece.weights.iter().zip(&piece.slopes).take(D + 1) {
-            for (sum, weight) in sums.gradients.iter_mut().zip(weights) {
-                *sum += slope * (weight * total);
-            }
-        }
+        sums.slope += piece.gradient * areas.iter().sum::<f64>();
+        sums.pressed.add(piece, depths, barycentric);
+        sums.middle.add(piece, areas, barycentric);
     }
 
     /// The points where there is pressure, in the order in which their cells came; the force of the facet counts by
@@ -57,21 +57,48 @@ impl<const D: usize> PointSums<D> {
     ) -> impl Iterator<Item = DepthPoint<D>> {
         let (number, measure) = (facet.number, facet.measure);
         self.0.into_iter().filter_map(move |sums| {
-            let total: f64 = sums.depths.iter().sum();
-            let is_pressed = sums.area > 0.0 && total > 0.0;
+            let (depth, area) = (sums.pressed.total(), sums.middle.total());
+            let is_pressed = area > 0.0 && depth > 0.0;
             is_pressed.then(|| DepthPoint {
                 of_b,
                 facet: number,
-                weights: sums.depths.map(|depth| depth / total),
-                depth: total / sums.area,
-                area: weight * measure * sums.area,
+                pressed: sums.pressed.mean(sums.cell),
+                middle: sums.middle.mean(sums.cell),
+                depth: depth / area,
+                area: weight * measure * area,
                 slope: sums.slope * (weight * measure),
-                other: Some(PlaceInCell {
-                    cell: sums.cell,
-                    weights: sums.weights.map(|weight| weight / total),
-                    gradients: sums.gradients.map(|gradient| gradient / total),
-                }),
             })
         })
+    }
+}
+
+impl<const D: usize> PlaceSums<D> {
+    fn new() -> Self {
+        Self { on_facet: [0.0; D], in_cell: [0.0; 8], gradients: [Vector::zeros(); 8] }
+    }
+
+    fn add(&mut self, piece: &DepthPiece<D>, on_facet: &[f64; D], barycentric: &[[f64; 4]; D]) {
+        let total: f64 = on_facet.iter().sum();
+        self.on_facet.iter_mut().zip(on_facet).for_each(|(sum, part)| *sum += part);
+        let at: [f64; 4] = std::array::from_fn(|k| (0..D).map(|c| on_facet[c] * barycentric[c][k]).sum());
+        self.in_cell.iter_mut().zip(piece.at_nodes(&at)).for_each(|(sum, part)| *sum += part);
+        for (weights, slope) in piece.weights.iter().zip(&piece.slopes).take(D + 1) {
+            for (sum, weight) in self.gradients.iter_mut().zip(weights) {
+                *sum += slope * (weight * total);
+            }
+        }
+    }
+
+    fn total(&self) -> f64 {
+        self.on_facet.iter().sum()
+    }
+
+    fn mean(&self, cell: u32) -> DepthPlace<D> {
+        let total = self.total();
+        let (weights, gradients) = (self.in_cell.map(|sum| sum / total), self.gradients.map(|sum| sum / total));
+        DepthPlace {
+            weights: self.on_facet.map(|sum| sum / total),
+            other: Some(PlaceInCell { cell, weights, gradients }),
+        }
     }
 }

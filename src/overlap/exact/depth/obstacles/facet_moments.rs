@@ -3,7 +3,7 @@
 use crate::geometry::Vector;
 use crate::geometry::facet::area_slopes;
 use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
-use crate::overlap::depth_points::DepthPoint;
+use crate::overlap::depth_points::{DepthPlace, DepthPoint};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::points::block_sum::product;
@@ -74,17 +74,17 @@ impl<const D: usize> FacetMoments<D> {
         &self.depth
     }
 
-    /// The centre of pressure of a facet; `None` where there is no pressure.
+    /// A facet as a point; `None` where there is no pressure.
     fn point(&self, facet: &BodyFacet<D>) -> Option<DepthPoint<D>> {
         let (area, total): (f64, f64) = (self.area.iter().sum(), self.depth());
         (area > 0.0 && total > 0.0).then(|| DepthPoint {
             of_b: false,
             facet: facet.number,
-            weights: self.depth.map(|depth| depth / total),
+            pressed: DepthPlace { weights: self.depth.map(|depth| depth / total), other: None },
+            middle: DepthPlace { weights: self.area.map(|part| part / area), other: None },
             depth: total / area,
             area: area * facet.measure,
             slope: self.slopes.as_flattened().iter().fold(Vector::zeros(), |sum, slope| sum + slope) * facet.measure,
-            other: None,
         })
     }
 

@@ -1,0 +1,219 @@
+//! The facets of a pair on which friction acts, with their slip.
+//!
+//! Every facet is one spring with one slider: its slip is the mean of that of its points, and its limit is the sum of
+//! theirs. So the elastic slip is one vector for every facet, and nothing is carried from one to another: what does not
+//! slide does not creep.
+
+use super::options::Friction;
+use super::return_mapping::{Slider, Traction};
+use super::side_motion::{FacetFrame, SideMotion};
+use super::step::Step;
+use crate::contact::laws::{PointOnSide, PressurePoint};
+use crate::geometry::Vector;
+use crate::overlap::{Pair, Partner, SurfacePoint};
+use nalgebra::SMatrix;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// All facets of a pair.
+#[derive(Clone)]
+pub(crate) struct SlipFacets<const D: usize> {
+    pub(crate) partners: [Partner; 2],
+    pub(crate) facets: Vec<SlipFacet<D>>,
+    /// What moves the facets against the other side, one after the other.
+    pub(crate) rows: Vec<Row<D>>,
+}
+
+/// A facet on which friction acts.
+#[derive(Clone)]
+pub(crate) struct SlipFacet<const D: usize> {
+    /// Index within the surface.
+    pub(crate) facet: usize,
+    pub(crate) of_b: bool,
+    /// Its part of `rows`.
+    pub(crate) rows: Range<usize>,
+    /// Where the traction acts.
+    pub(crate) position: Vector<D>,
+    /// Unit normal of the tangent plane.
+    pub(crate) normal: Vector<D>,
+    /// Area for which it stands.
+    pub(crate) area: f64,
+    pub(crate) slider: Slider,
+    /// Elastic slip of side 0 against side 1 if nothing slides: what was carried into the step, and the slip of the step.
+    pub(crate) trial: Vector<D>,
+}
+
+/// A node that moves a facet, or what it faces.
+#[derive(Clone, Copy)]
+pub(crate) struct Row<const D: usize> {
+    /// From the number of nodes on: an obstacle.
+    pub(crate) node: u32,
+    pub(crate) of_b: bool,
+    /// What the slip changes by as the node moves: that of side 0 against side 1.
+    pub(crate) slip: SMatrix<f64, D, D>,
+    /// What the limit, times the area, changes by as the node moves.
+    pub(crate) limit: Vector<D>,
+}
+
+/// Sums over the points of a facet.
+struct Sums<const D: usize> {
+    /// The weight of all means.
+    area: f64,
+    /// Traction at which the facet slides, times the area.
+    limit: f64,
+    slip: Vector<D>,
+    position: Vector<D>,
+    normal: Vector<D>,
+    rows: Vec<Row<D>>,
+}
+
+/// How a pair slides.
+pub(crate) struct Sliding<'a, const D: usize> {
+    pub(crate) friction: Friction,
+    /// k_T.
+    pub(crate) stiffness: f64,
+    pub(crate) step: &'a Step<D>,
+}
+
+impl<const D: usize> SlipFacets<D> {
+    /// The facets on which a law presses. The translation of the pair's obstacle has the number `obstacle_node`.
+    pub(crate) fn new(pair: &Pair<D>, sliding: &Sliding<D>, pressed: &[PressurePoint<D>], obstacle_node: u32) -> Self {
+        let mut of_facets: BTreeMap<(bool, u32), Sums<D>> = BTreeMap::new();
+        for point in pressed.iter().filter(|point| !is_swallowed(pair, point)) {
+            add_point(&mut of_facets, pair, sliding, point, obstacle_node);
+        }
+        let mut all = Self { partners: pair.partners, facets: Vec::with_capacity(of_facets.len()), rows: Vec::new() };
+        for ((of_b, facet), sums) in of_facets {
+            all.add(pair, sliding, (of_b, facet), sums);
+        }
+        all
+    }
+
+    fn add(&mut self, pair: &Pair<D>, sliding: &Sliding<D>, (of_b, facet): (bool, u32), sums: Sums<D>) -> Option<()> {
+        let Partner::Body(body) = pair.partners[usize::from(of_b && !pair.is_own())] else { return None };
+        let in_surface = pair.surface.ranges[body].start + facet as usize;
+        let normal = sums.normal.try_normalize(0.0)?;
+        let starts = pair.side(of_b).facets[facet as usize].map(|v| sliding.step.points[v as usize]);
+        let turned = FacetFrame::new(&pair.side(of_b).corners(facet as usize), &starts)?.deformation;
+        let sign = if of_b { -1.0 } else { 1.0 };
+        let trial = turned * Vector::from(sliding.step.slip[in_surface]) * sign + sums.slip / sums.area;
+        let begin = self.rows.len();
+        self.rows.extend(sums.rows.iter().map(|row| Row { slip: row.slip / sums.area, ..*row }));
+        self.facets.push(SlipFacet {
+            facet: in_surface,
+            of_b,
+            rows: begin..self.rows.len(),
+            position: sums.position / sums.area,
+            normal,
+            area: sums.area,
+            slider: Slider { stiffness: sliding.stiffness, limit: sums.limit / sums.area },
+            trial: trial - normal * normal.dot(&trial),
+        });
+        Some(())
+    }
+
+    /// Every facet with its rows and its traction.
+    pub(crate) fn tractions(&self) -> impl Iterator<Item = (&SlipFacet<D>, &[Row<D>], Traction<D>)> {
+        self.facets.iter().map(|facet| (facet, &self.rows[facet.rows.clone()], facet.slider.traction(&facet.trial)))
+    }
+
+    /// Calls `visit(facet of the surface, area, elastic slip of that facet against what it faces)`.
+    pub(crate) fn for_each_elastic_slip(&self, mut visit: impl FnMut(usize, f64, Vector<D>)) {
+        for (facet, _, traction) in self.tractions() {
+            visit(facet.facet, facet.area, traction.elastic * if facet.of_b { -1.0 } else { 1.0 });
+        }
+    }
+}
+
+/// Adds a point to the facets on which it lies: to both by halves where both sides are facets of bodies.
+fn add_point<const D: usize>(
+    of_facets: &mut BTreeMap<(bool, u32), Sums<D>>,
+    pair: &Pair<D>,
+    sliding: &Sliding<D>,
+    point: &PressurePoint<D>,
+    obstacle_node: u32,
+) -> Option<()> {
+    let (traction, slope) = sliding.friction.limit(point.pressure);
+    if traction <= 0.0 {
+        return None;
+    }
+    let sides = [
+        SideMotion::new(pair, sliding.step, &point.middles[0])?,
+        SideMotion::new(pair, sliding.step, &point.middles[1])?,
+    ];
+    // The tangent plane is that of the surfaces, not that across the line on which the penetration is measured.
+    let normal = match (sides[0].normal, sides[1].normal) {
+        (Some(n), Some(m)) => (n - m).try_normalize(0.0)?,
+        (Some(n), None) => n,
+        (None, Some(m)) => -m,
+        (None, None) => return None,
+    };
+    let along = point.normal.dot(&normal);
+    if along <= 0.0 {
+        return None;
+    }
+    let turned = (sides[0].deformation + sides[1].deformation) * 0.5;
+    let slip = (sides[0].now - sides[1].now) - turned * (sides[0].start - sides[1].start);
+    let slip = slip - normal * normal.dot(&slip);
+    let position = (sides[0].now + sides[1].now) * 0.5;
+    let carriers = point.middles.each_ref().map(|side| facet_of(pair, side));
+    let share = 1.0 / carriers.iter().flatten().count() as f64;
+    for (which, of_b, facet) in (0..2).filter_map(|k| carriers[k].map(|(of_b, facet)| (k == 1, of_b, facet))) {
+        // A body against itself has facets in both roles.
+        let key = (which, facet);
+        debug_assert!(pair.is_own() || which == of_b);
+        let sums = of_facets.entry(key).or_insert_with(Sums::new);
+        let area = share * point.area / along;
+        sums.area += area;
+        sums.limit += area * traction;
+        sums.slip += slip * area;
+        sums.position += position * area;
+        sums.normal += normal * area;
+        for (of_b, side) in [(false, &sides[0]), (true, &sides[1])] {
+            let signed = if of_b { -area } else { area };
+            let slope = point.slopes[usize::from(of_b)] * (slope * share / along);
+            side.for_each_node(pair, &(position - side.now), obstacle_node, |node, shape, moved| {
+                sums.add_row(Row { node, of_b, slip: moved * signed, limit: slope * shape });
+            });
+        }
+    }
+    Some(())
+}
+
+impl<const D: usize> Sums<D> {
+    fn new() -> Self {
+        let zero = Vector::zeros();
+        Self { area: 0.0, limit: 0.0, slip: zero, position: zero, normal: zero, rows: Vec::new() }
+    }
+
+    fn add_row(&mut self, row: Row<D>) {
+        match self.rows.iter_mut().find(|known| (known.node, known.of_b) == (row.node, row.of_b)) {
+            Some(known) => {
+                known.slip += row.slip;
+                known.limit += row.limit;
+            }
+            None => self.rows.push(row),
+        }
+    }
+}
+
+/// The facet of a body on which a point lies, with the side that has it.
+fn facet_of<const D: usize>(pair: &Pair<D>, side: &PointOnSide<D>) -> Option<(bool, u32)> {
+    match *side {
+        PointOnSide::Surface(SurfacePoint::Facet { of_b, facet, .. }) if !of_b || pair.pose.is_none() => {
+            Some((of_b, facet))
+        }
+        _ => None,
+    }
+}
+
+/// Whether a line has both its ends on one side: that lies within the other, and its surfaces do not face.
+fn is_swallowed<const D: usize>(pair: &Pair<D>, point: &PressurePoint<D>) -> bool {
+    let side = |point: &PointOnSide<D>| match point {
+        PointOnSide::Surface(SurfacePoint::Facet { of_b, .. }) => Some(*of_b),
+        PointOnSide::Surface(SurfacePoint::Point { .. }) => Some(true),
+        _ => None,
+    };
+    let sides = point.sides.each_ref().map(side);
+    !pair.is_own() && sides[0].is_some() && sides[0] == sides[1]
+}
