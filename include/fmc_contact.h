@@ -38,6 +38,9 @@
 // far from a solution.
 #define FMC_SEMIDEFINITE 2
 
+// Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
+#define FMC_SYMMETRIC 32
+
 // Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
 #define FMC_BLOCKS 4
 
@@ -50,6 +53,10 @@
 // Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 // after they change.
 #define FMC_LAW_OF_CONTEXT -1
+
+// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
+// changes.
+#define FMC_FRICTION_OF_CONTEXT -1.0
 
 // Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
 // offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
@@ -132,6 +139,10 @@ typedef enum {
   FMC_ERROR_BODY_OUT_OF_RANGE = 36,
   // The obstacle of this index was removed.
   FMC_ERROR_OBSTACLE_REMOVED = 37,
+  // Friction is asked for, but no step has begun: call `fmc_context_begin_step`.
+  FMC_ERROR_NO_STEP = 38,
+  // An elastic slip is NaN or infinite.
+  FMC_ERROR_NON_FINITE_SLIP = 39,
 } fmc_status;
 
 // Contact energy.
@@ -308,8 +319,18 @@ typedef struct {
   // Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
   // with `FMC_LAW_FIBER`.
   double smoothing_length;
+  // Coefficient of Coulomb friction of all pairs that have none of their own, at least 0. Default 0: no friction. With
+  // it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. Not with the law
+  // "volume".
+  double friction_coefficient;
+  // Tangential stiffness of the stick, a pressure per length; 0, the default: the stiffness of the law at a first touch.
+  double friction_stiffness;
+  // Shear traction that is transmitted without pressure wherever there is contact, at least 0, a pressure. Default 0.
+  double cohesion;
+  // Largest shear traction, a pressure; 0, the default: no limit.
+  double shear_limit;
   // Zero. Room for options of later versions.
-  uint64_t reserved[15];
+  uint64_t reserved[11];
 } fmc_options;
 
 // Coordinates of nodes, read during the call and not kept: component `axis` of node `node` is
@@ -402,8 +423,18 @@ typedef struct {
   size_t obstacle_count;
   // Warnings, for `fmc_context_warning`.
   size_t warning_count;
+  // Energy stored in the stick of friction; 0 without friction, as the next four.
+  double friction_energy;
+  // Energy dissipated by friction since the step began, never negative.
+  double friction_dissipation;
+  // Area (2D: length) that sticks.
+  double stick_area;
+  // Area (2D: length) that slides.
+  double slip_area;
+  // Largest slip since the step began that was not elastic.
+  double largest_slip;
   // Zero.
-  uint64_t reserved[8];
+  uint64_t reserved[3];
 } fmc_result;
 
 // Contact force and moment on one body or obstacle.
@@ -416,6 +447,10 @@ typedef struct {
   double moment[3];
   // Nodes on the body's surface; 0 for an obstacle.
   size_t node_count;
+  // The part of `force` that is friction.
+  double friction[3];
+  // Zero.
+  uint64_t reserved[4];
 } fmc_resultant;
 
 // One overlapping pair; no side is master or slave.
@@ -444,8 +479,16 @@ typedef struct {
   double penetration;
   // Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
   double spacing;
+  // Energy stored in the stick of friction.
+  double friction_energy;
+  // Energy dissipated by friction since the step began.
+  double friction_dissipation;
+  // Area (2D: length) that sticks.
+  double stick_area;
+  // Area (2D: length) that slides.
+  double slip_area;
   // Zero.
-  uint64_t reserved[8];
+  uint64_t reserved[4];
 } fmc_pair;
 
 // Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
@@ -464,7 +507,8 @@ typedef struct {
   double smoothing_length;
   // Zero. Distance at which contact begins, for a later version of the library.
   double gap_offset;
-  // Zero. Coefficient of friction, for a later version of the library.
+  // Coefficient of friction, at least 0, or `FMC_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
+  // the context's options.
   double friction_coefficient;
   // A value of `fmc_law`, or `FMC_LAW_OF_CONTEXT`, the default.
   int32_t law;
@@ -778,6 +822,53 @@ const char *fmc_context_error(const fmc_context *context);
 // Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
 fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coords, size_t *direction_count);
 
+// Begins a step with friction at `coords`, with the obstacles where they are: slip is counted from here. With friction
+// this comes before the first evaluation, and `fmc_context_commit_step` after every step that is accepted, which begins
+// the next. A step may be tried as often as the host likes: nothing has to be undone.
+//
+// Elastic slip that was carried so far stays; there is none at first.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
+// `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_begin_step(fmc_context *context, const fmc_coords *coords);
+
+// Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
+// Frozen friction is released. Call it with the coordinates that the host has accepted, and never within an iteration.
+//
+// Errors: `FMC_ERROR_NO_STEP` before `fmc_context_begin_step`; else as `fmc_context_evaluate`. Nothing has changed then.
+// Threads: one call at a time on a context.
+fmc_status fmc_context_commit_step(fmc_context *context,
+                                   const fmc_coords *coords);
+
+// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
+// called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
+// symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the solution with
+// the current pressure, and goes on where Newton's method on that fails, at large coefficients of friction.
+//
+// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. What was frozen before then stays. Threads: one call at a
+// time on a context.
+fmc_status fmc_context_freeze_friction(fmc_context *context,
+                                       const fmc_coords *coords);
+
+// Writes the elastic slip that was carried into the step, `dim` numbers for every facet (`fmc_context_facet_count`) in dense
+// rows, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
+// coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
+// `fmc_context_set_slip`, gives the bits of the unbroken run.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several
+// at once on one context, as long as no call changes it.
+fmc_status fmc_context_slip(const fmc_context *context,
+                            double *slip,
+                            size_t capacity);
+
+// Sets the elastic slip that was carried into the step that has begun: `length` numbers, as `fmc_context_slip` writes
+// them.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another length than `dim` times the
+// number of facets, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
+// time on a context.
+fmc_status fmc_context_set_slip(fmc_context *context, const double *slip, size_t length);
+
 // Sets the coordinates of all nodes without deformation, from which the law "depth" has its depths; those at which the
 // context was created are the default.
 //
@@ -799,15 +890,17 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context, const int64_t *n
 // to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
 // `fmc_context_tangent_entries`.
 //
-// Symmetric; row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
+// Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
+// place of Cholesky or conjugate gradients, or ask for `FMC_SYMMETRIC`, with which Newton's method takes more
+// iterations, and fails sooner at large coefficients of friction. Row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 // is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
 // beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
 // `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the laws
 // "depth" and "fiber". Both may be NULL.
 //
 // With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
-// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0 or
-// `FMC_SEMIDEFINITE`.
+// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
+// `FMC_SYMMETRIC` or `FMC_SEMIDEFINITE`, which is symmetric too.
 //
 // Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
 // a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
@@ -903,7 +996,7 @@ fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
 // `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
 // bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
 //
-// `flags`: `FMC_ADD` and `FMC_SEMIDEFINITE`. All outputs may be NULL, and are written only on success.
+// `flags`: `FMC_ADD`, `FMC_SEMIDEFINITE` and `FMC_SYMMETRIC`. All outputs may be NULL, and are written only on success.
 //
 // Errors: those of the two. Threads: one call at a time on a context.
 fmc_status fmc_context_evaluate_tangent(fmc_context *context,
@@ -964,7 +1057,7 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
 // that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 // `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-// gap offset or friction; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+// gap offset; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 // estimator that does not support the law of a pair. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         int32_t a_kind,

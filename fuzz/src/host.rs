@@ -131,6 +131,9 @@ fn options(from: &Options, is_ordinary: bool) -> fmc_options {
     options.stiffness = from.stiffness.0;
     options.exponent = from.exponent.map_or(options.exponent, |x| x.0);
     options.smoothing_length = from.smoothing_length.map_or(0.0, |x| x.0);
+    options.friction_coefficient = from.friction.map_or(0.0, |x| x.0);
+    options.friction_stiffness = from.friction_stiffness.map_or(0.0, |x| x.0);
+    options.cohesion = from.cohesion.map_or(0.0, |x| x.0);
     options.fiber_length = from.fiber_length.map_or(0.0, |x| x.0);
     options.seed = from.seed;
     let choice = |which: u32| i32::from((from.choices >> (2 * which)) & 3) - 1;
@@ -314,6 +317,7 @@ impl Host {
             Call::Suggest { dim, values } => suggest(i32::from(*dim % 5), values.map(|x| x.0)),
             Call::Texts { status, feature } => texts(*status, feature),
             Call::SetReference { read, factor, hole } => self.set_reference(*read, factor.0, *hole),
+            Call::Step { what, read, value, hole } => self.step(*what, *read, value.0, *hole),
             Call::SetSymmetryNodes { nodes, hole } => self.set_symmetry_nodes(nodes, *hole),
         }
     }
@@ -541,6 +545,35 @@ impl Host {
         });
     }
 
+    fn step(&mut self, what: u8, read: Layout, value: f64, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
+        let view = coords.view();
+        let coords = unless(hole, 0, (&raw const view).cast_mut()).cast_const();
+        let count = self.mesh.dim * self.facet_count();
+        let length = count.saturating_sub(usize::from(what > 250));
+        let mut slip = Guarded::new(&vec![value; length]);
+        // SAFETY: a living context or NULL, a view or NULL, as many numbers as it says.
+        unsafe {
+            match what % 5 {
+                0 => checked(fmc_context_begin_step(self.context, coords)),
+                1 => checked(fmc_context_commit_step(self.context, coords)),
+                2 => checked(fmc_context_freeze_friction(self.context, coords)),
+                3 => checked(fmc_context_set_slip(self.context, unless(hole, 1, slip.ptr()).cast_const(), length)),
+                _ => checked(fmc_context_slip(self.context, unless(hole, 1, slip.ptr()), length)),
+            };
+        }
+    }
+
+    /// Facets of the context's surface.
+    fn facet_count(&self) -> usize {
+        let mut count = 0;
+        // SAFETY: a living context or NULL, and room for one number.
+        checked(unsafe {
+            fmc_context_counts(self.context, std::ptr::null_mut(), &raw mut count, std::ptr::null_mut())
+        });
+        count
+    }
+
     fn set_symmetry_nodes(&mut self, nodes: &[u8], hole: Hole) {
         let nodes: Vec<i64> = nodes.iter().map(|&node| i64::from(node) - 2).collect();
         let numbers = Guarded::new(&nodes);
@@ -747,7 +780,14 @@ impl Host {
     }
 
     fn getters(&self, index: usize, hole: Hole) {
-        let mut resultant = fmc_resultant { id: 77, force: [0.5; 3], moment: [0.5; 3], node_count: 77 };
+        let mut resultant = fmc_resultant {
+            id: 77,
+            force: [0.5; 3],
+            moment: [0.5; 3],
+            node_count: 77,
+            friction: [0.5; 3],
+            reserved: [7; 4],
+        };
         let untouched = resultant;
         let mut pair = std::mem::MaybeUninit::<fmc_pair>::zeroed();
         let (mut code, mut text) = (0, null());

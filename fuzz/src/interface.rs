@@ -20,7 +20,7 @@ pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 37;
+pub const LAST: fmc_status = 39;
 
 /// Opaque.
 #[repr(C)]
@@ -50,7 +50,11 @@ pub struct fmc_options {
     pub index_base: i32,
     pub reserved_flags: i32,
     pub smoothing_length: f64,
-    pub reserved: [u64; 15],
+    pub friction_coefficient: f64,
+    pub friction_stiffness: f64,
+    pub cohesion: f64,
+    pub shear_limit: f64,
+    pub reserved: [u64; 11],
 }
 
 /// As in the header, for coordinates and forces alike.
@@ -98,7 +102,12 @@ pub struct fmc_result {
     pub body_count: usize,
     pub obstacle_count: usize,
     pub warning_count: usize,
-    pub reserved: [u64; 8],
+    pub friction_energy: f64,
+    pub friction_dissipation: f64,
+    pub stick_area: f64,
+    pub slip_area: f64,
+    pub largest_slip: f64,
+    pub reserved: [u64; 3],
 }
 
 /// As in the header.
@@ -109,6 +118,8 @@ pub struct fmc_resultant {
     pub force: [f64; 3],
     pub moment: [f64; 3],
     pub node_count: usize,
+    pub friction: [f64; 3],
+    pub reserved: [u64; 4],
 }
 
 /// As in the header.
@@ -167,7 +178,11 @@ pub struct fmc_pair {
     pub contact_area: f64,
     pub penetration: f64,
     pub spacing: f64,
-    pub reserved: [u64; 8],
+    pub friction_energy: f64,
+    pub friction_dissipation: f64,
+    pub stick_area: f64,
+    pub slip_area: f64,
+    pub reserved: [u64; 4],
 }
 
 /// As in the header.
@@ -300,6 +315,11 @@ unsafe extern "C" {
     pub fn fmc_context_error(context: *const fmc_context) -> *const c_char;
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_view) -> fmc_status;
     pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const i64, count: usize) -> fmc_status;
+    pub fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_view) -> fmc_status;
+    pub fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_view) -> fmc_status;
+    pub fn fmc_context_freeze_friction(context: *mut fmc_context, coords: *const fmc_view) -> fmc_status;
+    pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, length: usize) -> fmc_status;
     pub fn fmc_context_keep_patches(
         context: *mut fmc_context,
         coords: *const fmc_view,

@@ -29,6 +29,9 @@ pub struct Options {
     pub stiffness: Number,
     pub exponent: Option<Number>,
     pub smoothing_length: Option<Number>,
+    pub friction: Option<Number>,
+    pub friction_stiffness: Option<Number>,
+    pub cohesion: Option<Number>,
     pub spacing: Option<Number>,
     pub fiber_length: Option<Number>,
     pub fiber_count: Option<u8>,
@@ -220,6 +223,13 @@ pub enum Call {
     SetReference {
         read: Layout,
         factor: Number,
+        hole: Hole,
+    },
+    /// Begins or commits a step, freezes friction, or reads and sets the slip.
+    Step {
+        what: u8,
+        read: Layout,
+        value: Number,
         hole: Hole,
     },
     SetSymmetryNodes {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 32] = [
+const SOURCES: [&str; 33] = [
     "version",
     "status",
     "failure",
@@ -17,6 +17,7 @@ const SOURCES: [&str; 32] = [
     "creation",
     "context",
     "patches",
+    "friction",
     "reference",
     "tangent",
     "compressed_rows",

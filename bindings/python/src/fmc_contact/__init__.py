@@ -5,7 +5,7 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 (2D: N/m).
 
     newton  ->  contact_force, Contact  ->  linearised
-            ->  mesh, obstacles, options, pair_options, result, fields, gaps, tangent
+            ->  mesh, obstacles, options, pair_options, friction, result, fields, gaps, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
 
@@ -19,7 +19,7 @@ from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options
 from .part import Part
 from .pose import Pose
-from .result import ContactWarning, Pair, Result, Resultant
+from .result import ContactWarning, Friction, Pair, Result, Resultant
 from .stateless import contact_force
 from .stiffness import suggest_fiber_stiffness, suggest_stiffness
 from .tangent import RankOne, Tangent
@@ -38,6 +38,7 @@ __all__ = [
     "ContactWarning",
     "Equilibrium",
     "FmcError",
+    "Friction",
     "GapConstraints",
     "NodalContact",
     "NotConvergedError",

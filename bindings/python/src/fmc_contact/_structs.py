@@ -162,7 +162,11 @@ class fmc_pair(Structure):
         ("contact_area", c_double),
         ("penetration", c_double),
         ("spacing", c_double),
-        ("reserved", c_uint64 * 8),
+        ("friction_energy", c_double),
+        ("friction_dissipation", c_double),
+        ("stick_area", c_double),
+        ("slip_area", c_double),
+        ("reserved", c_uint64 * 4),
     ]
 
 

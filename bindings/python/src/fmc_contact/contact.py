@@ -14,6 +14,7 @@ from ._library import library
 from ._signatures import LOG
 from ._structs import fmc_result
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
+from .friction import Steps
 from .gaps import GapConstraints, gap_constraints
 from .linearised import Linearised
 from .options import changed, defaults, described
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from .options import Options
 
 
-class Contact(PairOptions, Linearised):
+class Contact(PairOptions, Steps, Linearised):
     """Boundary, search trees and obstacles of a mesh, kept between evaluations.
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or

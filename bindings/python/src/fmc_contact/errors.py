@@ -262,6 +262,18 @@ class ObstacleRemovedError(FmcError, IndexError):
     status = 37
 
 
+class NoStepError(FmcError, RuntimeError):
+    """Friction is asked for, but no step has begun: call ``Contact.begin_step``."""
+
+    status = 38
+
+
+class NonFiniteSlipError(FmcError, ValueError):
+    """An elastic slip is NaN or infinite."""
+
+    status = 39
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from . import result, tangent
 from ._arrays import View, coords_view, forces_view, vector
 from ._library import library
-from ._structs import FMC_ADD, FMC_SEMIDEFINITE, fmc_result
+from ._structs import FMC_ADD, FMC_SEMIDEFINITE, FMC_SYMMETRIC, fmc_result
 from .obstacles import Obstacles
 from .tangent import Tangent
 
@@ -22,12 +22,20 @@ class Linearised(Obstacles):
     node_count: int
 
     def tangent(
-        self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False, blocks: bool = False
+        self,
+        coords: ArrayLike,
+        semidefinite: bool = False,
+        obstacles: bool = False,
+        blocks: bool = False,
+        symmetric: bool = False,
     ) -> Any:
         """Second derivative of the contact energy, which is minus the derivative of the forces, to be added to a
         stiffness matrix.
 
-        A symmetric ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; with ``blocks`` a
+        UNSYMMETRIC with friction, unless that is frozen: solve with LU or GMRES, or ask for ``symmetric``, with which
+        Newton's method takes more iterations. Symmetric without friction.
+
+        A ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; with ``blocks`` a
         ``bsr_matrix`` of blocks (dim, dim). Without scipy ``(rows, cols, values)``, where duplicate entries are summed.
         ``semidefinite`` leaves out the terms that can be indefinite, for use far from a solution. ``obstacles`` appends
         the translations of the obstacles, as nodes after the last. For the law ``"volume"`` all nodes of a pair are
@@ -40,18 +48,20 @@ class Linearised(Obstacles):
         """
         view = coords_view(coords, self.dim)
         with self._handle:
-            return tangent.matrix(self._handle, self._linearise(view, semidefinite), obstacles, self.dim, blocks)
+            return tangent.matrix(self._handle, self._linearise(view, semidefinite, symmetric), obstacles, self.dim, blocks)
 
-    def tangent_parts(self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False) -> Tangent:
+    def tangent_parts(
+        self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False, symmetric: bool = False
+    ) -> Tangent:
         """The same as separate entries and terms of rank one, for other matrix formats and as a linear operator."""
         view = coords_view(coords, self.dim)
         with self._handle:
-            return tangent.gather(self._handle, self._linearise(view, semidefinite), obstacles)
+            return tangent.gather(self._handle, self._linearise(view, semidefinite, symmetric), obstacles)
 
-    def _linearise(self, view: View, semidefinite: bool) -> int:
+    def _linearise(self, view: View, semidefinite: bool, symmetric: bool) -> int:
         """Number of terms of rank one of the tangent, which the library then keeps."""
         parts = c_size_t()
-        flags = FMC_SEMIDEFINITE if semidefinite else 0
+        flags = (FMC_SEMIDEFINITE if semidefinite else 0) | (FMC_SYMMETRIC if symmetric else 0)
         self._handle.call(library.fmc_context_tangent, byref(view.struct), flags, None, byref(parts))
         return parts.value
 
@@ -63,12 +73,13 @@ class Linearised(Obstacles):
         semidefinite: bool = False,
         obstacles: bool = False,
         blocks: bool = False,
+        symmetric: bool = False,
     ) -> tuple[result.Result, Any]:
         """``evaluate`` and ``tangent`` in one, with the same bits, in little more than the time of the second."""
         view = coords_view(coords, self.dim)
         forces, flags = self._forces(view, out, add)
         target, found, parts = forces_view(forces, self.dim), fmc_result(), c_size_t()
-        flags |= FMC_SEMIDEFINITE if semidefinite else 0
+        flags |= (FMC_SEMIDEFINITE if semidefinite else 0) | (FMC_SYMMETRIC if symmetric else 0)
         views = byref(view.struct), flags, byref(target.struct)
         with self._handle:
             self._handle.call(library.fmc_context_evaluate_tangent, *views, byref(found), None, byref(parts))

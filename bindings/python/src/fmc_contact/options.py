@@ -49,6 +49,15 @@ class Options(TypedDict, total=False):
     """Whether the forces are corrected so that their sum and moment vanish; True."""
     self_contact: bool
     """Whether self-contact, the overlap of each body with itself, is evaluated; False."""
+    friction_coefficient: float
+    """Coefficient of Coulomb friction of all pairs that have none of their own; 0. With it, steps are begun and committed
+    (``Contact.begin_step``), and the tangent is unsymmetric. Not with the law ``"volume"``."""
+    friction_stiffness: float
+    """Tangential stiffness of the stick, a pressure per length; 0: the stiffness of the law at a first touch."""
+    cohesion: float
+    """Shear traction that is transmitted without pressure wherever there is contact; 0."""
+    shear_limit: float
+    """Largest shear traction; 0: no limit."""
     check_cells: bool
     """Whether every evaluation checks the orientation of every cell; True."""
     threads: int

@@ -7,7 +7,7 @@ from typing import Tuple, Union
 
 from ._handle import Handle
 from ._library import check, library
-from ._structs import CHOICES, FMC_LAW_OF_CONTEXT, PARTNERS, fmc_options, fmc_pair_options
+from ._structs import CHOICES, FMC_FRICTION_OF_CONTEXT, FMC_LAW_OF_CONTEXT, PARTNERS, fmc_options, fmc_pair_options
 
 Partner = Union[int, Tuple[str, int]]
 """A body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``, as in
@@ -46,6 +46,7 @@ class PairOptions:
         stiffness: float | None = None,
         exponent: float | None = None,
         smoothing_length: float | None = None,
+        friction_coefficient: float | None = None,
         excluded: bool = False,
     ) -> None:
         """Gives the pair of ``a`` and ``b``, in either order, options of its own, in place of those it had.
@@ -53,6 +54,7 @@ class PairOptions:
         ``excluded``: the pair is left out; it is not measured, and adds nothing to any result. ``law`` with ``stiffness``,
         and ``exponent`` or ``smoothing_length``: the law of this pair, as in ``Options``. ``stiffness`` alone: the law
         that the contact has now, with this stiffness. None of these: the law of the contact, also after it changes.
+        ``friction_coefficient``: that of this pair; all else of its friction is that of the contact's options.
 
         For a body with itself (``a == b``) this decides in place of the option ``self_contact`` whether it is evaluated
         against itself: ``excluded`` switches that off for this body, and anything else on.
@@ -61,6 +63,8 @@ class PairOptions:
         own = fmc_pair_options()
         check(library.fmc_pair_options_init(byref(own)))
         own.excluded = bool(excluded)
+        if friction_coefficient is not None:
+            own.friction_coefficient = float(friction_coefficient)
         if law is not None:
             numbers = {name: number for number, name in CHOICES["law"].items()}
             if law not in numbers:
@@ -90,6 +94,8 @@ class PairOptions:
             self._handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
         has_law = found.law != FMC_LAW_OF_CONTEXT
         options: dict[str, object] = {"excluded": bool(found.excluded)}
+        has_friction = found.friction_coefficient != FMC_FRICTION_OF_CONTEXT
+        options["friction_coefficient"] = found.friction_coefficient if has_friction else None
         options["law"] = CHOICES["law"][found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         return options

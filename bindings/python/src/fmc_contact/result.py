@@ -25,6 +25,24 @@ class Resultant:
     """Moment of the forces about the origin of space, (3,); in 2D only the last entry differs from 0."""
     node_count: int
     """Nodes on the body's surface; 0 for an obstacle."""
+    friction: np.ndarray
+    """The part of ``force`` that is friction, (dim,)."""
+
+
+@dataclass(frozen=True)
+class Friction:
+    """What friction does in sum; all zero without."""
+
+    energy: float
+    """Energy stored in the stick."""
+    dissipation: float
+    """Energy dissipated since the step began, never negative."""
+    stick_area: float
+    """Area (2D: length) that sticks."""
+    slip_area: float
+    """Area (2D: length) that slides."""
+    largest_slip: float
+    """Largest slip since the step began that was not elastic."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +68,8 @@ class Pair:
     """Extent of the overlap along its mean normal."""
     spacing: float
     """Spacing of the fibers; 0 for ``exact``. As the option ``spacing`` it gives the same pattern again."""
+    friction: Friction
+    """Friction of the pair; its ``largest_slip`` is that of all pairs."""
 
 
 @dataclass(frozen=True)
@@ -87,6 +107,8 @@ class Result:
     """Crossings that bound an overlap."""
     facet_count: int
     """Facets that bound an overlap."""
+    friction: Friction
+    """Friction, summed over the pairs."""
     bodies: tuple[Resultant, ...]
     """Force and moment on every body, ordered by id."""
     obstacles: tuple[Resultant, ...]
@@ -100,10 +122,16 @@ class Result:
 def _resultant(handle: Handle, getter, index: int, dim: int) -> Resultant:
     found = fmc_resultant()
     handle.call(getter, index, byref(found))
-    return Resultant(found.id, np.array(found.force[:dim]), np.array(found.moment[:]), found.node_count)
+    force, friction = np.array(found.force[:dim]), np.array(found.friction[:dim])
+    return Resultant(found.id, force, np.array(found.moment[:]), found.node_count, friction)
 
 
-def _pair(handle: Handle, index: int) -> Pair:
+def _friction(found: fmc_result | fmc_pair, largest_slip: float) -> Friction:
+    areas = found.stick_area, found.slip_area
+    return Friction(found.friction_energy, found.friction_dissipation, *areas, largest_slip)
+
+
+def _pair(handle: Handle, index: int, largest_slip: float) -> Pair:
     found = fmc_pair()
     handle.call(library.fmc_context_pair, index, byref(found))
     return Pair(
@@ -116,6 +144,7 @@ def _pair(handle: Handle, index: int) -> Pair:
         found.contact_area,
         found.penetration,
         found.spacing,
+        _friction(found, largest_slip),
     )
 
 
@@ -138,8 +167,9 @@ def gather(handle: Handle, forces: np.ndarray, found: fmc_result, dim: int) -> R
         found.fiber_count,
         found.crossing_count,
         found.facet_count,
+        _friction(found, found.largest_slip),
         tuple(_resultant(handle, body, index, dim) for index in range(found.body_count)),
         tuple(_resultant(handle, obstacle, index, dim) for index in range(found.obstacle_count)),
-        tuple(_pair(handle, index) for index in range(found.pair_count)),
+        tuple(_pair(handle, index, found.largest_slip) for index in range(found.pair_count)),
         tuple(_warning(handle, index) for index in range(found.warning_count)),
     )
