@@ -86,6 +86,10 @@ pub enum fmc_status {
     FMC_ERROR_BODY_OUT_OF_RANGE = 36,
     /// The obstacle of this index was removed.
     FMC_ERROR_OBSTACLE_REMOVED = 37,
+    /// The facets of a pair lie in so many layers that `exact` would cut them into more pieces than can be worked through.
+    FMC_ERROR_TOO_MANY_PIECES = 38,
+    /// Lines along the boundary of a signed-distance obstacle would need more steps than are taken.
+    FMC_ERROR_UNFINISHED_LINES = 39,
 }
 
 use fmc_status::*;
@@ -130,6 +134,8 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NOT_POSITIVE_MASS, c"FMC_ERROR_NOT_POSITIVE_MASS"),
     (FMC_ERROR_BODY_OUT_OF_RANGE, c"FMC_ERROR_BODY_OUT_OF_RANGE"),
     (FMC_ERROR_OBSTACLE_REMOVED, c"FMC_ERROR_OBSTACLE_REMOVED"),
+    (FMC_ERROR_TOO_MANY_PIECES, c"FMC_ERROR_TOO_MANY_PIECES"),
+    (FMC_ERROR_UNFINISHED_LINES, c"FMC_ERROR_UNFINISHED_LINES"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -161,6 +167,8 @@ impl From<&Error> for fmc_status {
             Error::Unsupported { .. } => FMC_ERROR_UNSUPPORTED,
             Error::SignedDistance { .. } => FMC_ERROR_SIGNED_DISTANCE,
             Error::TooManyFibers { .. } => FMC_ERROR_TOO_MANY_FIBERS,
+            Error::TooManyPieces { .. } => FMC_ERROR_TOO_MANY_PIECES,
+            Error::UnfinishedLines { .. } => FMC_ERROR_UNFINISHED_LINES,
             Error::Overflow { .. } => FMC_ERROR_OVERFLOW,
             Error::Threads { .. } => FMC_ERROR_THREADS,
         }
@@ -185,7 +193,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_OBSTACLE_REMOVED);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_UNFINISHED_LINES);
     }
 
     #[test]
@@ -217,6 +225,8 @@ mod tests {
             Error::Unsupported { what: "this" },
             Error::SignedDistance { obstacle: 0, point: 0 },
             Error::TooManyFibers { needed: 2.0, limit: 1.0 },
+            Error::TooManyPieces { sides: [("body", 0), ("body", 1)], limit: 1 },
+            Error::UnfinishedLines { obstacle: 0, lines: 1, steps: 1 },
             Error::Overflow { quantity: "energy", value: f64::INFINITY },
             Error::Threads { threads: 1 },
         ];

@@ -262,6 +262,19 @@ class ObstacleRemovedError(FmcError, IndexError):
     status = 37
 
 
+class TooManyPiecesError(FmcError, ValueError):
+    """The facets of a pair lie in so many layers that ``exact`` would cut them into more pieces than can be worked
+    through."""
+
+    status = 38
+
+
+class UnfinishedLinesError(FmcError, ValueError):
+    """Lines along the boundary of a signed-distance obstacle would need more steps than are taken."""
+
+    status = 39
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 
