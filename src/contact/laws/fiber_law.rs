@@ -12,14 +12,28 @@ use crate::overlap::{ContactPoints, Overlap};
 pub(super) struct FiberLaw(pub(super) EnergyLaw);
 
 impl FiberLaw {
-    fn energy_of<const D: usize>(&self, points: &ContactPoints<D>, measured: &Measured<D>) -> PairEnergy<D> {
-        PairEnergy::of_points(points, measured.pair, &self.0, measured.estimator.imbalance_of_points(measured.pair))
+    fn energy_of<const D: usize>(
+        &self,
+        points: &ContactPoints<D>,
+        measured: &Measured<D>,
+    ) -> Result<PairEnergy<D>, Error> {
+        let expected = measured.estimator.imbalance_of_points(measured.pair);
+        let mut energy = PairEnergy::of_points(points, measured.pair, &self.0, expected);
+        // Lines of several directions pass through the same places: together they measure more than there is.
+        if points.patches.directions.len() > 1
+            && let Some(once) = measured.estimator.overlap(measured.pair)?
+        {
+            let overlap = &mut energy.overlap;
+            (overlap.volume, overlap.standard_error) = (once.volume, once.standard_error);
+            overlap.contact_area = once.contact_area;
+        }
+        Ok(energy)
     }
 }
 
 impl<const D: usize> PairLaw<D> for FiberLaw {
     fn energy(&self, measured: &Measured<D>) -> Result<Option<PairEnergy<D>>, Error> {
-        Ok(measured.contact_points(false)?.map(|points| self.energy_of(&points, measured)))
+        measured.contact_points(false)?.map(|points| self.energy_of(&points, measured)).transpose()
     }
 
     fn tangent(
@@ -41,15 +55,14 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         // What the derivative asks for beside the points does not change them.
         let Some(points) = measured.contact_points(part == TangentPart::Full)? else { return Ok((None, None)) };
         let tangent = Tangent::of_points(&points, measured.pair, &self.0, part, obstacle_node);
-        Ok((Some(self.energy_of(&points, measured)), Some(tangent)))
+        Ok((Some(self.energy_of(&points, measured)?), Some(tangent)))
     }
 
     fn energy_and_nodal_sums(&self, measured: &Measured<D>) -> Result<Option<EnergyAndSums<D>>, Error> {
         let pressure = |penetration: f64| self.0.energy_gradient(penetration);
-        Ok(measured.contact_points(false)?.map(|points| {
-            let sums = points.nodal_sums(measured.pair, &pressure);
-            (self.energy_of(&points, measured), Some(sums))
-        }))
+        let Some(points) = measured.contact_points(false)? else { return Ok(None) };
+        let sums = points.nodal_sums(measured.pair, &pressure);
+        Ok(Some((self.energy_of(&points, measured)?, Some(sums))))
     }
 
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {
