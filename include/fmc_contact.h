@@ -139,10 +139,14 @@ typedef enum {
   FMC_ERROR_BODY_OUT_OF_RANGE = 36,
   // The obstacle of this index was removed.
   FMC_ERROR_OBSTACLE_REMOVED = 37,
+  // The facets of a pair lie in so many layers that `exact` would cut them into more pieces than can be worked through.
+  FMC_ERROR_TOO_MANY_PIECES = 38,
+  // Lines along the boundary of a signed-distance obstacle would need more steps than are taken.
+  FMC_ERROR_UNFINISHED_LINES = 39,
   // Friction is asked for, but no step has begun: call `fmc_context_begin_step`.
-  FMC_ERROR_NO_STEP = 38,
+  FMC_ERROR_NO_STEP = 40,
   // An elastic slip is NaN or infinite.
-  FMC_ERROR_NON_FINITE_SLIP = 39,
+  FMC_ERROR_NON_FINITE_SLIP = 41,
 } fmc_status;
 
 // Contact energy.
@@ -399,15 +403,15 @@ typedef struct {
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Overlap volume (2D: area), summed over the pairs.
+  // Volume (2D: area) of what is inside both sides, summed over the pairs.
   double volume;
   // Standard error of the volume; 0 for `exact`.
   double volume_standard_error;
   // Contact energy, summed over the pairs.
   double energy;
-  // Area of contact (2D: length), summed over the pairs.
+  // Area of contact (2D: length), summed over the pairs; see `fmc_pair`.
   double contact_area;
-  // Largest penetration of any pair.
+  // Largest penetration of any pair; see `fmc_pair`.
   double penetration;
   // Fibers laid.
   size_t fiber_count;
@@ -465,17 +469,25 @@ typedef struct {
   size_t a;
   // Second side; the same as the first for a body that overlaps itself.
   size_t b;
-  // Overlap volume (2D: area).
+  // Volume (2D: area) of what is inside both sides, each place once, with every law and estimator.
   double volume;
   // Standard error of the volume; 0 for `exact`.
   double volume_standard_error;
   // Energy.
   double energy;
-  // Contact pressure: dw/dV for the law "volume", the mean of psi'(L) over the contact for the law "fiber".
+  // Mean of the contact pressure over the contact: with the law "volume" dw/dV, which is one for the whole pair;
+  // with "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the
+  // other, the mean over both.
   double pressure;
-  // Area of contact (2D: length).
+  // Area of contact (2D: length): half of the boundary of what is inside both sides, the strips of sunken side
+  // walls with it. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the
+  // surface of the body that is inside. Facets that do not match gape between their nodes in hard contact; what
+  // gapes is not counted.
   double contact_area;
-  // Extent of the overlap along its mean normal.
+  // How deep the sides reach into one another: with the law "fiber" the longest of its lines, with "depth" the
+  // largest depth of either surface below the other, with "volume", which knows no depth of a place, the extent
+  // of the overlap along its mean normal. The same where faces overlap flat. With "fiber" and "depth" k times it
+  // is the largest pressure.
   double penetration;
   // Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
   double spacing;
@@ -796,9 +808,9 @@ fmc_status fmc_context_counts(const fmc_context *context, size_t *node_count, si
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
-// `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag,
-// `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`; the text is given by `fmc_context_error`. Threads: one call at a time on a
-// context.
+// `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_UNFINISHED_LINES`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_TOO_MANY_PIECES`,
+// `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`; the text is given by
+// `fmc_context_error`. Threads: one call at a time on a context.
 fmc_status fmc_context_evaluate(fmc_context *context,
                                 const fmc_coords *coords,
                                 const fmc_forces *forces,

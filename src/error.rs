@@ -177,6 +177,24 @@ pub enum Error {
         /// The limit.
         limit: f64,
     },
+    /// Lines along the boundary of a signed-distance obstacle that would need more steps than are taken: the resolution of
+    /// the obstacle, or the spacing of the lines, is too fine for the size of what is in contact.
+    UnfinishedLines {
+        /// Obstacle.
+        obstacle: usize,
+        /// Number of such lines.
+        lines: usize,
+        /// Steps that were taken on each.
+        steps: usize,
+    },
+    /// The exact estimator would cut the facets of a pair into more pieces than can be worked through: a body is tangled with
+    /// itself all through, or two are with each other.
+    TooManyPieces {
+        /// Both sides, each `"body"` or `"obstacle"` with its index.
+        sides: [(&'static str, usize); 2],
+        /// The limit.
+        limit: usize,
+    },
     /// A result lies outside the range of a double: a stiffness times an overlap, or the volume of bodies 1e120 wide.
     Overflow {
         /// What overflowed.
@@ -265,6 +283,20 @@ impl fmt::Display for Error {
                     f,
                     "the spacing is too small for these bodies: {needed:.3e} fibers or crossings would be needed, the \
                      limit is {limit:.3e}; so it is, too, after a step of the host that has run away"
+                )
+            }
+            Error::UnfinishedLines { obstacle, lines, steps } => {
+                write!(
+                    f,
+                    "{lines} lines along the boundary of obstacle {obstacle} were not searched to their ends in {steps} \
+                     steps: its resolution, or the spacing of the lines, is too fine"
+                )
+            }
+            Error::TooManyPieces { sides: [(first, a), (second, b)], limit } => {
+                write!(
+                    f,
+                    "the facets of {first} {a} and {second} {b} lie in so many layers that they fall apart into more than \
+                     {limit} pieces: a mesh is folded through itself, or a step of the host has run away"
                 )
             }
             Error::Overflow { quantity, value } => {

@@ -34,7 +34,7 @@ pub(crate) use chord::chord;
 pub(crate) use distance::distance_bound;
 pub(crate) use facet::moment;
 pub use height_field::HeightField;
-pub(crate) use march::{Intersection, SearchInterval, march};
+pub(crate) use march::{Intersection, MarchFailure, ROUNDS as MARCH_ROUNDS, SearchInterval, march};
 pub use obstacle::{Obstacle, Shape, SignedDistance};
 pub use pose::Pose;
 pub(crate) use signed_distance::signed_distance;

@@ -211,9 +211,9 @@ pub unsafe extern "C" fn fmc_context_counts(
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
-/// `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag,
-/// `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`; the text is given by `fmc_context_error`. Threads: one call at a time on a
-/// context.
+/// `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_UNFINISHED_LINES`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_TOO_MANY_PIECES`,
+/// `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`; the text is given by
+/// `fmc_context_error`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_evaluate(
     context: *mut fmc_context,

@@ -15,15 +15,15 @@ use std::ffi::CString;
 pub struct fmc_result {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Overlap volume (2D: area), summed over the pairs.
+    /// Volume (2D: area) of what is inside both sides, summed over the pairs.
     pub volume: f64,
     /// Standard error of the volume; 0 for `exact`.
     pub volume_standard_error: f64,
     /// Contact energy, summed over the pairs.
     pub energy: f64,
-    /// Area of contact (2D: length), summed over the pairs.
+    /// Area of contact (2D: length), summed over the pairs; see `fmc_pair`.
     pub contact_area: f64,
-    /// Largest penetration of any pair.
+    /// Largest penetration of any pair; see `fmc_pair`.
     pub penetration: f64,
     /// Fibers laid.
     pub fiber_count: usize,
@@ -94,17 +94,25 @@ pub struct fmc_pair {
     pub a: usize,
     /// Second side; the same as the first for a body that overlaps itself.
     pub b: usize,
-    /// Overlap volume (2D: area).
+    /// Volume (2D: area) of what is inside both sides, each place once, with every law and estimator.
     pub volume: f64,
     /// Standard error of the volume; 0 for `exact`.
     pub volume_standard_error: f64,
     /// Energy.
     pub energy: f64,
-    /// Contact pressure: dw/dV for the law "volume", the mean of psi'(L) over the contact for the law "fiber".
+    /// Mean of the contact pressure over the contact: with the law "volume" dw/dV, which is one for the whole pair;
+    /// with "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the
+    /// other, the mean over both.
     pub pressure: f64,
-    /// Area of contact (2D: length).
+    /// Area of contact (2D: length): half of the boundary of what is inside both sides, the strips of sunken side
+    /// walls with it. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the
+    /// surface of the body that is inside. Facets that do not match gape between their nodes in hard contact; what
+    /// gapes is not counted.
     pub contact_area: f64,
-    /// Extent of the overlap along its mean normal.
+    /// How deep the sides reach into one another: with the law "fiber" the longest of its lines, with "depth" the
+    /// largest depth of either surface below the other, with "volume", which knows no depth of a place, the extent
+    /// of the overlap along its mean normal. The same where faces overlap flat. With "fiber" and "depth" k times it
+    /// is the largest pressure.
     pub penetration: f64,
     /// Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
     pub spacing: f64,

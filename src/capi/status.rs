@@ -86,10 +86,14 @@ pub enum fmc_status {
     FMC_ERROR_BODY_OUT_OF_RANGE = 36,
     /// The obstacle of this index was removed.
     FMC_ERROR_OBSTACLE_REMOVED = 37,
+    /// The facets of a pair lie in so many layers that `exact` would cut them into more pieces than can be worked through.
+    FMC_ERROR_TOO_MANY_PIECES = 38,
+    /// Lines along the boundary of a signed-distance obstacle would need more steps than are taken.
+    FMC_ERROR_UNFINISHED_LINES = 39,
     /// Friction is asked for, but no step has begun: call `fmc_context_begin_step`.
-    FMC_ERROR_NO_STEP = 38,
+    FMC_ERROR_NO_STEP = 40,
     /// An elastic slip is NaN or infinite.
-    FMC_ERROR_NON_FINITE_SLIP = 39,
+    FMC_ERROR_NON_FINITE_SLIP = 41,
 }
 
 use fmc_status::*;
@@ -134,6 +138,8 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NOT_POSITIVE_MASS, c"FMC_ERROR_NOT_POSITIVE_MASS"),
     (FMC_ERROR_BODY_OUT_OF_RANGE, c"FMC_ERROR_BODY_OUT_OF_RANGE"),
     (FMC_ERROR_OBSTACLE_REMOVED, c"FMC_ERROR_OBSTACLE_REMOVED"),
+    (FMC_ERROR_TOO_MANY_PIECES, c"FMC_ERROR_TOO_MANY_PIECES"),
+    (FMC_ERROR_UNFINISHED_LINES, c"FMC_ERROR_UNFINISHED_LINES"),
     (FMC_ERROR_NO_STEP, c"FMC_ERROR_NO_STEP"),
     (FMC_ERROR_NON_FINITE_SLIP, c"FMC_ERROR_NON_FINITE_SLIP"),
 ];
@@ -169,6 +175,8 @@ impl From<&Error> for fmc_status {
             Error::Unsupported { .. } => FMC_ERROR_UNSUPPORTED,
             Error::SignedDistance { .. } => FMC_ERROR_SIGNED_DISTANCE,
             Error::TooManyFibers { .. } => FMC_ERROR_TOO_MANY_FIBERS,
+            Error::TooManyPieces { .. } => FMC_ERROR_TOO_MANY_PIECES,
+            Error::UnfinishedLines { .. } => FMC_ERROR_UNFINISHED_LINES,
             Error::Overflow { .. } => FMC_ERROR_OVERFLOW,
             Error::Threads { .. } => FMC_ERROR_THREADS,
         }
@@ -227,6 +235,8 @@ mod tests {
             Error::Unsupported { what: "this" },
             Error::SignedDistance { obstacle: 0, point: 0 },
             Error::TooManyFibers { needed: 2.0, limit: 1.0 },
+            Error::TooManyPieces { sides: [("body", 0), ("body", 1)], limit: 1 },
+            Error::UnfinishedLines { obstacle: 0, lines: 1, steps: 1 },
             Error::Overflow { quantity: "energy", value: f64::INFINITY },
             Error::Threads { threads: 1 },
         ];

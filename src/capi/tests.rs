@@ -64,8 +64,7 @@ fn forces_are_those_of_the_rust_api_to_the_bit() {
     assert_eq!((result.fiber_count, result.crossing_count), (expected.fiber_count, expected.crossing_count));
 
     let zero = [0.0; 3];
-    let mut body =
-        fmc_resultant { id: -1, force: zero, moment: zero, node_count: 0, friction: zero, reserved: [0; 4] };
+    let mut body = fmc_resultant { id: -1, force: zero, moment: zero, node_count: 0, friction: zero, reserved: [0; 4] };
     // SAFETY: a living context and an output.
     assert_eq!(unsafe { fmc_context_body(context, 1, &mut body) }, FMC_OK);
     assert_eq!((body.id, body.force[0], body.force[2]), (1, expected.bodies[1].force[0], 0.0));

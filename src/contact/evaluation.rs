@@ -146,8 +146,8 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`],
-    /// [`Error::TooManyFibers`], [`Error::Unsupported`], [`Error::SignedDistance`], [`Error::Overflow`]; with friction
-    /// [`Error::NoStep`].
+    /// [`Error::TooManyFibers`], [`Error::TooManyPieces`], [`Error::Unsupported`], [`Error::SignedDistance`],
+    /// [`Error::UnfinishedLines`], [`Error::Overflow`]; with friction [`Error::NoStep`].
     pub fn evaluate(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
         kernels::evaluate(self, coords)
     }

@@ -28,17 +28,25 @@ pub struct PairForces {
     pub a: Partner,
     /// Second side; equal to `a` for a body that overlaps itself.
     pub b: Partner,
-    /// Overlap volume (2D: area).
+    /// Volume (2D: area) of what is inside both sides, each place once, with every law and estimator.
     pub volume: f64,
     /// Standard error of the volume.
     pub standard_error: f64,
     /// Energy w.
     pub energy: f64,
-    /// Traction dw/dV; for the fiber law the mean of ψ'(L) over the patch.
+    /// Mean of the contact pressure over the contact: with the law `Volume` dw/dV, which is one for the whole pair;
+    /// with `Fiber` ψ'(L), the mean over its lines; with `Depth` k times the depth of either surface below the
+    /// other, the mean over both.
     pub pressure: f64,
-    /// Area of contact.
+    /// Area of contact (2D: length): half of the boundary of what is inside both sides, the strips of sunken side
+    /// walls with it. The law `Fiber` does not see strips along its lines; with `Depth` and an obstacle it is the
+    /// surface of the body that is inside. Facets that do not match gape between their nodes in hard contact; what
+    /// gapes is not counted.
     pub contact_area: f64,
-    /// Extent of the overlap along its mean normal.
+    /// How deep the sides reach into one another: with the law `Fiber` the longest of its lines, with `Depth` the
+    /// largest depth of either surface below the other, with `Volume`, which knows no depth of a place, the extent
+    /// of the overlap along its mean normal. The same where faces overlap flat. With `Fiber` and `Depth` k times it
+    /// is the largest pressure.
     pub penetration: f64,
     /// Spacing of the fibers; 0 for `exact`. Given back as `Resolution::Spacing`, it keeps the pattern.
     pub spacing: f64,
@@ -54,15 +62,15 @@ pub struct PairForces {
 pub struct ContactForces<const D: usize> {
     /// Force on every node, `[node_count, D]`, in the order of the coordinates: −∂w/∂x. It pushes bodies apart.
     pub forces: Vec<[f64; D]>,
-    /// Overlap volume, summed over the pairs.
+    /// Volume (2D: area) of what is inside both sides, summed over the pairs.
     pub volume: f64,
     /// Standard error of that sum.
     pub standard_error: f64,
     /// Contact energy, summed over the pairs.
     pub energy: f64,
-    /// Area of contact, summed over the pairs.
+    /// Area of contact, summed over the pairs; see [`PairForces::contact_area`].
     pub contact_area: f64,
-    /// Largest penetration of any pair.
+    /// Largest penetration of any pair; see [`PairForces::penetration`].
     pub penetration: f64,
     /// Fibers laid.
     pub fiber_count: usize,

@@ -17,7 +17,7 @@ pub enum StiffnessFrom {
     /// The largest contact pressure expected (Pa) and the acceptable overlap at that pressure (2D: area, 3D: volume;
     /// not used for m = 1; for the fiber law the penetration, a length). For the volume law the stiffness is 1.2 times
     /// the one that gives this pressure, since with m = 1 a lower k than the peak pressure lets the bodies pass
-    /// through one another.
+    /// through one another; for the fiber law it is the one that gives it.
     PeakPressure {
         /// Pressure, Pa.
         pressure: f64,

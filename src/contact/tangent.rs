@@ -115,7 +115,7 @@ impl<const D: usize> Tangent<D> {
         Self { blocks, rank_one }
     }
 
-    /// Tangent of the fiber law on the spans of one pair.
+    /// Tangent of the fiber law on the spans of one pair; empty where its forces are, around a swallowed obstacle.
     pub(crate) fn of_points(
         points: &ContactPoints<D>,
         pair: &Pair<D>,
@@ -123,6 +123,9 @@ impl<const D: usize> Tangent<D> {
         part: TangentPart,
         obstacle_node: u32,
     ) -> Self {
+        if points.are_of_obstacle_alone() {
+            return Self { blocks: Vec::new(), rank_one: Vec::new() };
+        }
         let value = |length: f64| law.energy(length);
         let slope = |length: f64| law.energy_gradient(length);
         let curvature = |length: f64| law.energy_hessian(length);

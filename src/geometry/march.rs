@@ -4,8 +4,17 @@ use super::obstacle::SignedDistance;
 use super::{Pose, Vector, chord::Hit};
 
 /// Largest number of rounds; a round costs one batch. Sphere tracing needs some tens, an interval's bracketing as many;
-/// a line that runs along the boundary needs its length by the resolution, and is given up where it needs more.
-const ROUNDS: usize = 4000;
+/// a line that runs along the boundary needs its length by the resolution, and is refused where it needs more.
+pub(crate) const ROUNDS: usize = 20_000;
+
+/// Why lines have no intersections.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum MarchFailure {
+    /// The function failed at this point of its batch, or was not finite, or had no gradient where φ = 0.
+    AtPoint(usize),
+    /// So many lines were not at their ends after the last round.
+    Unfinished(usize),
+}
 
 /// A piece of a line to be searched: from `t` to `end`.
 #[derive(Clone, Copy, Debug)]
@@ -37,14 +46,14 @@ enum State {
 /// intersections closer than that may both be missed. A change of sign is closed to rounding by regula falsi
 /// (Illinois).
 ///
-/// Returns the number of the point in its batch where the function failed, or was not finite, or had no gradient where
-/// φ = 0.
+/// # Errors
+/// As [`MarchFailure`] says.
 pub(crate) fn march<const D: usize>(
     function: &dyn SignedDistance<D>,
     pose: &Pose<D>,
     intervals: &[SearchInterval<D>],
     resolution: f64,
-) -> Result<Vec<Intersection<D>>, usize> {
+) -> Result<Vec<Intersection<D>>, MarchFailure> {
     let mut intersections: Vec<Intersection<D>> = Vec::new();
     let mut states: Vec<State> =
         intervals.iter().map(|s| State::Step { t: f64::NAN, phi: f64::NAN, next: s.start }).collect();
@@ -61,7 +70,7 @@ pub(crate) fn march<const D: usize>(
                 State::Done => intervals[s].end,
             })
             .collect();
-        let (phi, normals) = evaluate(function, pose, intervals, &active, &at)?;
+        let (phi, normals) = evaluate(function, pose, intervals, &active, &at).map_err(MarchFailure::AtPoint)?;
         for (n, &s) in active.iter().enumerate() {
             let (t, value, end) = (at[n], phi[n], intervals[s].end);
             let mut found = |t: f64, leaves: bool| {
@@ -85,7 +94,7 @@ pub(crate) fn march<const D: usize>(
                     let tolerance = 4.0 * f64::EPSILON * (t.abs() + resolution);
                     if value == 0.0 || high - low <= tolerance {
                         if normals[n].norm_squared() == 0.0 {
-                            return Err(n);
+                            return Err(MarchFailure::AtPoint(n));
                         }
                         found(t, low_phi < 0.0);
                         if resume >= end {
@@ -104,6 +113,9 @@ pub(crate) fn march<const D: usize>(
             };
         }
         active.retain(|&s| !matches!(states[s], State::Done));
+    }
+    if !active.is_empty() {
+        return Err(MarchFailure::Unfinished(active.len()));
     }
     intersections.sort_by(|p, q| p.fiber.cmp(&q.fiber).then(p.hit.t.total_cmp(&q.hit.t)));
     Ok(intersections)
@@ -136,4 +148,28 @@ fn evaluate<const D: usize>(
     phi.iter_mut().for_each(|p| *p *= pose.scale);
     let normal = |g: &[f64; D]| pose.rotate(&Vector::from(*g)).try_normalize(0.0).unwrap_or_else(Vector::zeros);
     Ok((phi, gradient.iter().map(normal).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The plane y = 0, and lines along it at a height of 0 and of 1, from x = 0 to 1.
+    fn along_a_plane(resolution: f64) -> Result<usize, MarchFailure> {
+        let plane = |x: &[f64; 2]| (x[1], [0.0, 1.0]);
+        let line = |y: f64| SearchInterval {
+            origin: Vector::<2>::new(0.0, y),
+            direction: Vector::<2>::new(1.0, 0.0),
+            start: 0.0,
+            end: 1.0,
+        };
+        march(&plane, &Pose::at([0.0; 2]), &[line(0.0), line(1.0), line(0.0)], resolution).map(|found| found.len())
+    }
+
+    #[test]
+    fn lines_that_are_not_searched_to_their_ends_are_counted() {
+        // The last step is at the end itself.
+        assert_eq!(along_a_plane(1.0 / (ROUNDS as f64 - 2.0)), Ok(0));
+        assert_eq!(along_a_plane(1.0 / (ROUNDS as f64 + 2.0)), Err(MarchFailure::Unfinished(2)));
+    }
 }

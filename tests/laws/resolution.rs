@@ -2,7 +2,7 @@
 
 use crate::pairs::{plane_scene, solid_scene};
 use crate::scene::{Scene, distance, exact, fibers, lines, norm};
-use fmc_contact::{ContactForces, FiberOptions, FiberPattern, Options, Resolution};
+use fmc_contact::{ContactForces, FiberOptions, FiberPattern, LineWeights, Options, Resolution};
 
 fn counted(pattern: FiberPattern, count: usize) -> Options {
     fibers(FiberOptions { pattern, resolution: Resolution::Count(count), ..FiberOptions::default() })
@@ -58,20 +58,27 @@ fn automatic_pattern_is_steady() {
 }
 
 /// Without a word from the user, nodal forces are known to a few percent.
-fn automatic_forces_are_good<const D: usize>(scene: impl Fn(u64) -> Scene<D>, seeds: u64, most: f64) {
+fn automatic_forces_are_good<const D: usize>(
+    scene: impl Fn(u64) -> Scene<D>,
+    weights: LineWeights,
+    seeds: u64,
+    most: f64,
+) {
     let mut squares = 0.0;
     for seed in 0..seeds {
         let scene = scene(seed);
         let reference = scene.evaluate(exact());
-        let found = scene.evaluate(fibers(FiberOptions { seed, ..FiberOptions::default() }));
+        let found = scene.evaluate(fibers(FiberOptions { weights, seed, ..FiberOptions::default() }));
         squares += (distance(&found.forces, &reference.forces) / norm(&reference.forces)).powi(2) / seeds as f64;
     }
-    println!("automatic lines in {D}D: rms force error {:.2e}", squares.sqrt());
+    println!("automatic lines in {D}D, {weights:?}: rms force error {:.2e}", squares.sqrt());
     assert!(squares.sqrt() < most, "{}", squares.sqrt());
 }
 
 #[test]
 fn automatic_lines_give_forces_to_a_few_percent() {
-    automatic_forces_are_good(plane_scene, 30, 0.02);
-    automatic_forces_are_good(solid_scene, 15, 0.04);
+    for weights in [LineWeights::Balance, LineWeights::Consistent] {
+        automatic_forces_are_good(plane_scene, weights, 30, 0.02);
+        automatic_forces_are_good(solid_scene, weights, 15, 0.04);
+    }
 }

@@ -139,6 +139,12 @@ fn run_in<const D: usize>(
     summary.crossings = contact.crossing_count;
     summary.residuals = log.iter().map(|iteration| iteration.residual).collect();
     summary.warnings = contact.warnings.iter().map(ToString::to_string).collect();
+    summary.warnings.extend(equilibrium.unturned().map(|residual| {
+        format!(
+            "the equilibrium is one along contact normals of its way; along those found where it is, the residual is \
+             {residual:.1e}"
+        )
+    }));
     write("summary.json", &(serde_json::to_string_pretty(&summary)? + "\n"))?;
     Ok(Ending::Finished(Box::new(summary)))
 }

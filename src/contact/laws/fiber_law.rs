@@ -7,10 +7,30 @@ use super::pressure_point::of_contact_points;
 use crate::Error;
 use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::Overlap;
+use crate::overlap::{ContactPoints, Overlap};
 
 /// The fiber law, and any local law of the penetration.
 pub(super) struct FiberLaw(pub(super) EnergyLaw);
+
+impl FiberLaw {
+    fn energy_of<const D: usize>(
+        &self,
+        points: &ContactPoints<D>,
+        measured: &Measured<D>,
+    ) -> Result<PairEnergy<D>, Error> {
+        let expected = measured.estimator.imbalance_of_points(measured.pair);
+        let mut energy = PairEnergy::of_points(points, measured.pair, &self.0, expected);
+        // Lines of several directions pass through the same places: together they measure more than there is.
+        if points.patches.directions.len() > 1
+            && let Some(once) = measured.estimator.overlap(measured.pair)?
+        {
+            let overlap = &mut energy.overlap;
+            (overlap.volume, overlap.standard_error) = (once.volume, once.standard_error);
+            overlap.contact_area = once.contact_area;
+        }
+        Ok(energy)
+    }
+}
 
 impl<const D: usize> PairLaw<D> for FiberLaw {
     fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error> {
@@ -19,9 +39,8 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         let derivative = !matches!(asked.tangent, None | Some(TangentPart::Semidefinite));
         let Some(points) = measured.contact_points(derivative)? else { return Ok(None) };
         let pressure = |penetration: f64| law.energy_gradient(penetration);
-        let expected = || measured.estimator.imbalance_of_points(pair);
         Ok(Some(Answer {
-            energy: asked.energy.then(|| PairEnergy::of_points(&points, pair, law, expected())),
+            energy: asked.energy.then(|| self.energy_of(&points, measured)).transpose()?,
             tangent: (asked.tangent).map(|part| Tangent::of_points(&points, pair, law, part, measured.obstacle_node())),
             nodal_sums: asked.nodal_sums.then(|| points.nodal_sums(pair, &pressure)),
             points: if asked.points {

@@ -6,7 +6,7 @@ use super::sweep::for_each_span;
 use super::volume::FEWEST_FIBERS;
 use crate::Error;
 use crate::geometry::crossing::weights_at;
-use crate::overlap::pair::options::{FiberOptions, Resolution};
+use crate::overlap::pair::options::{FiberOptions, LineWeights, Resolution};
 use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::pair::warning::Warning;
@@ -40,7 +40,8 @@ impl<const D: usize> FiberPair<'_, D> {
         let pair = FiberPair {
             pair: self.pair,
             families: std::slice::from_ref(&family),
-            options: &FiberOptions { resolution, ..*self.options },
+            // One family has nothing to combine.
+            options: &FiberOptions { resolution, weights: LineWeights::Balance, ..*self.options },
         };
         pair.with_layout(1.0, |layout| {
             let found = pair.for_each_bundle(layout, |bundle| {

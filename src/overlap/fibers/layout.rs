@@ -54,7 +54,8 @@ impl<const D: usize> FiberPair<'_, D> {
         let tolerance = region.rounding();
         match self.options.pattern {
             FiberPattern::Lines => {
-                let spacing = coarser * line_spacing(self.options.resolution, self.families, &region, facet_size)?;
+                let &FiberOptions { resolution, weights, .. } = self.options;
+                let spacing = coarser * line_spacing(resolution, self.families, &region, facet_size, weights)?;
                 let mut bundles = Vec::new();
                 for (index, family) in self.families.iter().enumerate() {
                     let of_family = line_bundles(family, index, spacing, &region, [Some(&self.pair.a), b]);

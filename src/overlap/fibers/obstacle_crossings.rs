@@ -3,7 +3,7 @@
 use super::bundle::Bundle;
 use super::crossings::BundleEvents;
 use crate::Error;
-use crate::geometry::{Intersection, SearchInterval, Shape, chord, march};
+use crate::geometry::{Intersection, MARCH_ROUNDS, MarchFailure, SearchInterval, Shape, chord, march};
 use crate::overlap::pair::sides::ImplicitSide;
 
 /// Passages of every gathered fiber through the obstacle, between its first and its last event; ordered by fiber.
@@ -23,8 +23,11 @@ pub(crate) fn intersections<const D: usize>(
                 SearchInterval { origin, direction, start, end }
             })
             .collect();
-        return march(function.as_ref(), side.pose, &intervals, resolution)
-            .map_err(|point| Error::SignedDistance { obstacle: side.obstacle, point });
+        let obstacle = side.obstacle;
+        return march(function.as_ref(), side.pose, &intervals, resolution).map_err(|failure| match failure {
+            MarchFailure::AtPoint(point) => Error::SignedDistance { obstacle, point },
+            MarchFailure::Unfinished(lines) => Error::UnfinishedLines { obstacle, lines, steps: MARCH_ROUNDS },
+        });
     }
     let mut intersections = Vec::with_capacity(2 * gathered.fibers.len());
     for (fiber, gathering) in gathered.fibers.iter().enumerate() {

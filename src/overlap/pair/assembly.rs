@@ -180,9 +180,14 @@ impl<const D: usize> Assembly<D> {
         self.facets.len()
     }
 
-    /// Gradient with respect to the pose.
+    /// Gradient with respect to the pose. What lies wholly inside a body moves freely there: the body has no boundary in
+    /// the overlap, and what a sum over lines leaves of the derivative is noise that no node would bear.
     pub(crate) fn pose_gradient(&self) -> PoseGradient<D> {
-        self.pose
+        let is_swallowed = self.area_of[0] == 0.0 && self.area_of[1] > 0.0;
+        match is_swallowed {
+            true => PoseGradient { position: Vector::zeros(), rotation: [0.0; 3], ..self.pose },
+            false => self.pose,
+        }
     }
 
     /// Extent of the boundary along the mean normal; where the normals cancel, the smallest extent along an axis.

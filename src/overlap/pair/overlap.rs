@@ -33,7 +33,8 @@ pub struct Overlap<const D: usize> {
     pub a: Partner,
     /// Second side.
     pub b: Partner,
-    /// Volume (2D: area) of the overlap.
+    /// Volume (2D: area) of the overlap; of [`Contact::overlaps`](crate::Contact::overlaps) with the law `fiber` the sum
+    /// over its lines, which measure a place once for every direction that serves it.
     pub volume: f64,
     /// Standard error of the volume from the spread of independent shifts; 0 for `exact`.
     pub standard_error: f64,
@@ -47,7 +48,8 @@ pub struct Overlap<const D: usize> {
     pub pose_gradient: Option<PoseGradient<D>>,
     /// Half of the measure of the overlap's boundary: the area of contact where it is thin.
     pub contact_area: f64,
-    /// Extent of the overlap along its mean normal: the deepest penetration, or a little more where it is curved.
+    /// The longest line of the law `fiber`, the largest depth of the law `depth`, the extent of the overlap along its mean
+    /// normal of the law `volume`: more than the depth where it is curved, or has several patches.
     pub penetration: f64,
     /// Fibers laid.
     pub fiber_count: usize,

@@ -169,6 +169,7 @@ impl<const D: usize> Cluster<D> {
 /// The directions of all clusters, each once, and for every cluster the numbers of its own; none if it is no contact.
 pub(super) fn number<const D: usize>(
     clusters: &[Cluster<D>],
+    is_own: bool,
     rounded: bool,
     all: &mut Vec<Vector<D>>,
 ) -> Vec<Vec<u32>> {
@@ -182,7 +183,7 @@ pub(super) fn number<const D: usize>(
             labels.push(Vec::new());
             continue;
         }
-        let own = directions(&cluster.ends, rounded).into_iter().map(|direction| {
+        let own = directions(&cluster.ends, is_own, rounded).into_iter().map(|direction| {
             let known = all.iter().position(|d| *d == direction);
             known.unwrap_or_else(|| {
                 all.push(direction);

@@ -66,11 +66,13 @@ fn upright<const D: usize>(d: Vector<D>) -> Vector<D> {
     (d / d[d.iamax()]).normalize()
 }
 
-/// Directions of a patch with these spans, the first of which is the mean normal.
-pub(crate) fn directions<const D: usize>(spans: &[Ends<D>], rounded: bool) -> Vec<Vector<D>> {
+/// Directions of a patch with these spans, the first of which is the mean normal. Of a body with itself (`is_own`) it is not
+/// known which end is of the first side: both normals look outwards, and their sum is what is left where they cancel. It
+/// is then the direction to which most of them are parallel.
+pub(crate) fn directions<const D: usize>(spans: &[Ends<D>], is_own: bool, rounded: bool) -> Vec<Vector<D>> {
     let mut all = Resultant::new();
     spans.iter().flatten().for_each(|(normal, measure)| all.add(normal, *measure));
-    let mut axes = vec![all.direction()];
+    let mut axes = vec![if is_own { upright(all.axis()) } else { all.direction() }];
     while axes.len() < D {
         let served = |normal: &Vector<D>| axes.iter().any(|d| normal.dot(d).abs() >= SERVED);
         let unserved = || spans.iter().filter(|ends| ends.iter().all(|(n, _)| !served(n))).flatten();
@@ -114,14 +116,14 @@ mod tests {
 
     #[test]
     fn flat_contact_has_one_direction() {
-        assert_eq!(directions(&arc(55.0), false).len(), 1);
-        assert!((directions(&arc(55.0), false)[0] - Vector::<2>::new(0.0, 1.0)).norm() < 1e-12);
+        assert_eq!(directions(&arc(55.0), false, false).len(), 1);
+        assert!((directions(&arc(55.0), false, false)[0] - Vector::<2>::new(0.0, 1.0)).norm() < 1e-12);
     }
 
     #[test]
     fn contact_that_wraps_around_has_two_at_right_angles() {
         for half in [80.0, 180.0] {
-            let axes = directions(&arc(half), true);
+            let axes = directions(&arc(half), false, true);
             assert!(axes.len() == 2 && axes[0].dot(&axes[1]).abs() < 0.02, "{half}: {axes:?}");
         }
     }
@@ -135,16 +137,24 @@ mod tests {
             let end = (Vector::<3>::new(r * turn.cos(), r * turn.sin(), z), 1.0);
             spans.push([end, end]);
         }
-        let axes = directions(&spans, false);
+        let axes = directions(&spans, false, false);
         assert_eq!(axes.len(), 3);
         let worst = spans.iter().map(|s| axes.iter().map(|d| d.dot(&s[0].0).abs()).fold(0.0, f64::max));
         assert!(worst.fold(1.0, f64::min) > 0.5);
+    }
+
+    /// The two faces of a slit that closes by a small angle look away from one another.
+    #[test]
+    fn a_body_with_itself_has_the_direction_across_its_slit() {
+        let ends = [(Vector::<2>::new(1e-3, 1.0).normalize(), 1.0), (Vector::<2>::new(0.0, -1.0), 1.0)];
+        let axes = directions(&[ends; 4], true, false);
+        assert!(axes.len() == 1 && (axes[0] - Vector::<2>::new(5e-4, 1.0)).norm() < 1e-6, "{axes:?}");
     }
 
     /// A wedge of steep flanks in a flat surface needs no more than the surface's normal.
     #[test]
     fn one_end_is_enough() {
         let flank = |sign: f64| [(Vector::<2>::new(sign * 0.97, 0.25), 4.0), (Vector::<2>::new(0.0, 1.0), 1.0)];
-        assert_eq!(directions(&[flank(1.0), flank(-1.0)], false).len(), 1);
+        assert_eq!(directions(&[flank(1.0), flank(-1.0)], false, false).len(), 1);
     }
 }

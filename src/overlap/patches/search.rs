@@ -63,7 +63,7 @@ pub(crate) fn find<const D: usize>(
         clusters[*place as usize].add([(p.normal, measures[0]), (q.normal, measures[1])], sample, *length);
     }
     let mut patches = Patches::default();
-    let labels_of_clusters = number(&clusters, reach == Reach::Region, &mut patches.directions);
+    let labels_of_clusters = number(&clusters, pair.is_own(), reach == Reach::Region, &mut patches.directions);
     let left_out = clusters.iter().zip(&labels_of_clusters).filter(|(_, labels)| labels.is_empty());
     patches.left_out = left_out.filter_map(|(cluster, _)| cluster.left_out(pair, samples)).collect();
     if patches.directions.len() < 2 {

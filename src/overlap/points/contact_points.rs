@@ -44,6 +44,12 @@ pub(crate) struct PointGradient<const D: usize> {
 }
 
 impl<const D: usize> ContactPoints<D> {
+    /// Whether the lines lie in what a body has swallowed: none of them ends on the body.
+    pub(crate) fn are_of_obstacle_alone(&self) -> bool {
+        let is_of_body = |end: &SurfacePoint<D>| matches!(end, SurfacePoint::Facet { of_b: false, .. });
+        !self.points.iter().flat_map(|point| &point.ends).any(is_of_body)
+    }
+
     /// Longest span.
     pub(crate) fn longest(&self) -> f64 {
         self.points.iter().map(|s| s.length).fold(0.0, f64::max)

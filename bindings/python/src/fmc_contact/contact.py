@@ -111,8 +111,9 @@ class Contact(PairOptions, Steps, Linearised):
         added to its values. A third column in 2D is not changed, nor is the array after an error.
 
         Errors: ``LengthError``, ``NonFiniteCoordinateError``, ``InvertedCellError``, ``ZeroMeasureError``,
-        ``UnsupportedError``, ``SignedDistanceError``, ``TooManyFibersError``, ``RangeError``, ``BufferTooSmallError``,
-        ``StrideError``, ``BusyError``, and exceptions raised by a signed distance function.
+        ``UnsupportedError``, ``SignedDistanceError``, ``UnfinishedLinesError``, ``TooManyFibersError``,
+        ``TooManyPiecesError``, ``RangeError``, ``BufferTooSmallError``, ``StrideError``, ``BusyError``, and exceptions
+        raised by a signed distance function.
         """
         view = coords_view(coords, self.dim)
         forces, flags = self._forces(view, out, add)

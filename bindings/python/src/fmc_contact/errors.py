@@ -262,16 +262,29 @@ class ObstacleRemovedError(FmcError, IndexError):
     status = 37
 
 
+class TooManyPiecesError(FmcError, ValueError):
+    """The facets of a pair lie in so many layers that ``exact`` would cut them into more pieces than can be worked
+    through."""
+
+    status = 38
+
+
+class UnfinishedLinesError(FmcError, ValueError):
+    """Lines along the boundary of a signed-distance obstacle would need more steps than are taken."""
+
+    status = 39
+
+
 class NoStepError(FmcError, RuntimeError):
     """Friction is asked for, but no step has begun: call ``Contact.begin_step``."""
 
-    status = 38
+    status = 40
 
 
 class NonFiniteSlipError(FmcError, ValueError):
     """An elastic slip is NaN or infinite."""
 
-    status = 39
+    status = 41
 
 
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}

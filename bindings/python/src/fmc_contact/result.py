@@ -56,16 +56,24 @@ class Pair:
     a: tuple[str, int]
     b: tuple[str, int]
     volume: float
-    """Overlap volume (2D: area)."""
+    """Volume (2D: area) of what is inside both sides, each place once, with every law and estimator."""
     volume_standard_error: float
     """Standard error of the volume; 0 for ``exact``."""
     energy: float
     pressure: float
-    """Contact pressure: dw/dV for the law ``"volume"``, a mean over the contact for ``"fiber"``."""
+    """Mean of the contact pressure over the contact: with the law ``"volume"`` dw/dV, which is one for the whole
+    pair; with ``"fiber"`` ``psi'(L)``, the mean over its lines; with ``"depth"`` k times the depth of either
+    surface below the other, the mean over both."""
     contact_area: float
-    """Area of contact (2D: length)."""
+    """Area of contact (2D: length): half of the boundary of what is inside both sides, the strips of sunken side
+    walls with it. The law ``"fiber"`` does not see strips along its lines; with ``"depth"`` and an obstacle it is
+    the surface of the body that is inside. Facets that do not match gape between their nodes in hard contact; what
+    gapes is not counted."""
     penetration: float
-    """Extent of the overlap along its mean normal."""
+    """How deep the sides reach into one another: with the law ``"fiber"`` the longest of its lines, with
+    ``"depth"`` the largest depth of either surface below the other, with ``"volume"``, which knows no depth of a
+    place, the extent of the overlap along its mean normal. The same where faces overlap flat. With ``"fiber"`` and
+    ``"depth"`` k times it is the largest pressure."""
     spacing: float
     """Spacing of the fibers; 0 for ``exact``. As the option ``spacing`` it gives the same pattern again."""
     friction: Friction
@@ -92,15 +100,15 @@ class Result:
     """Force on every node, (n, dim), in the order of the nodes; (dim, n) for coordinates in columns. They push bodies
     apart; nodes that are not in contact have 0. The caller's own array where one was given."""
     volume: float
-    """Overlap volume (2D: area), summed over the pairs."""
+    """Volume (2D: area) of what is inside both sides, summed over the pairs."""
     volume_standard_error: float
     """Standard error of the volume; 0 for ``exact``."""
     energy: float
     """Contact energy, summed over the pairs."""
     contact_area: float
-    """Area of contact (2D: length), summed over the pairs."""
+    """Area of contact (2D: length), summed over the pairs; see ``Pair``."""
     penetration: float
-    """Largest penetration of any pair."""
+    """Largest penetration of any pair; see ``Pair``."""
     fiber_count: int
     """Fibers laid."""
     crossing_count: int

@@ -33,6 +33,8 @@ pub struct Equilibrium<const D: usize> {
     pub(super) from: (Vec<[f64; D]>, f64),
     /// Equilibrium before the last one, and its load, if both are of this stage.
     pub(super) before: Option<(Vec<[f64; D]>, f64)>,
+    /// See [`Equilibrium::unturned`].
+    pub(super) unturned: Option<f64>,
     /// Added to the coordinates that the contact is shown; empty for none. See [`Equilibrium::augment`].
     pub(super) offset: Vec<[f64; D]>,
     /// Iterations: with each, the bodies have been linearised anew.
@@ -97,6 +99,7 @@ impl<const D: usize> Equilibrium<D> {
             from,
             before: None,
             halvings: 0,
+            unturned: None,
             offset: Vec::new(),
             iterations: 0,
             contact_iterations: 0,

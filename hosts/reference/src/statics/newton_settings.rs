@@ -14,10 +14,12 @@ pub struct NewtonSettings {
     pub most_iterations: usize,
     /// Residual by the forces below which the full tangent is used.
     pub full_below: f64,
+    /// Times, at most, that the patches of the fiber law are found anew at the end of a path; three or four do.
+    pub most_turns: usize,
 }
 
 impl Default for NewtonSettings {
     fn default() -> Self {
-        Self { tolerance: 1e-10, most_iterations: 60, full_below: 0.1 }
+        Self { tolerance: 1e-10, most_iterations: 60, full_below: 0.1, most_turns: 6 }
     }
 }

@@ -9,6 +9,7 @@
 use super::edges::Edge;
 use super::projected_facets::{Near, ProjectedFacet, Projection, SLIVER, end};
 use super::reached::Reached;
+use super::work::Work;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::convex_piece::Piece;
@@ -17,6 +18,7 @@ use crate::geometry::facet_slopes::across;
 use crate::geometry::plane::Plane;
 use crate::geometry::quadrature::{for_each_gauss_point, mean, measure};
 use crate::overlap::exact::clipping::volume::ExactPair;
+use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::patches::partition::Patches;
 use crate::overlap::points::contact_point::ContactPoint;
@@ -58,7 +60,8 @@ impl<const D: usize> ExactPair<'_, D> {
                 self.points_on_plane(&seen, &family, plane, rule, |point| points.points.extend(keep(point)));
             }
             let between = self.in_order(seen.facets.len(), |entered, scratch, found| {
-                self.points_between(&seen, entered, rule, scratch, |point| found.extend(keep(point)));
+                let along = (&family, plane.as_ref());
+                self.points_between(&seen, along, entered, rule, scratch, |point| found.extend(keep(point)));
             });
             points.points.extend(between);
             let edges = self.edge_sides(&seen);
@@ -73,6 +76,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 };
                 points.kinks.extend(self.kinks(&seen, &edges, &family, plane.as_ref(), finish));
             }
+            self.check(&seen.work)?;
         }
         Ok(Some(points))
     }
@@ -87,6 +91,15 @@ impl<const D: usize> ExactPair<'_, D> {
         let mut seen = self.seen(family, false, &facets[0], plane, *rounding);
         seen.extend(self.seen(family, true, &facets[1], None, *rounding));
         Projection::new(seen, *is_upright)
+    }
+
+    /// Refuses what fell apart into more pieces than are counted to the end.
+    pub(crate) fn check(&self, work: &Work) -> Result<(), Error> {
+        let sides = self.pair.partners.map(|partner| match partner {
+            Partner::Body(index) => ("body", index),
+            Partner::Obstacle(index) => ("obstacle", index),
+        });
+        if work.is_over() { Err(Error::TooManyPieces { sides, limit: work.limit }) } else { Ok(()) }
     }
 
     /// What `work` finds for each of so many items, in their order.
@@ -144,22 +157,26 @@ impl<const D: usize> ExactPair<'_, D> {
         facets.iter().copied().filter_map(see).collect()
     }
 
-    /// Points on the lines that enter through one facet and leave through any.
+    /// Points on the lines that enter through one facet and leave through any, as far as both lie below the plane of a
+    /// half-space: elsewhere it is the plane that bounds the line.
     pub(crate) fn points_between(
         &self,
         seen: &Projection<D>,
+        (family, plane): (&Family<D>, Option<&Plane<D>>),
         entered: usize,
         rule: Rule,
         scratch: &mut Scratch<D>,
         mut add: impl FnMut(ContactPoint<D>),
     ) {
         let e = &seen.facets[entered];
-        if e.leaves {
+        if e.leaves || seen.work.is_over() {
             return;
         }
         let Scratch { near, piece } = scratch;
         seen.find_near(entered as u32, near);
         let [first, _] = seen.ranges[entered];
+        let slope = plane.map_or(0.0, |plane| plane.normal.dot(family.direction()));
+        let entered_at = self.pair.side(e.of_b).corners(e.facet as usize);
         for &Near { facet: left, bounds, t } in near.iter() {
             let x = &seen.facets[left as usize];
             if !x.leaves || seen.ranges[left as usize][1] <= first {
@@ -173,6 +190,14 @@ impl<const D: usize> ExactPair<'_, D> {
             let mut cuts = bounds.iter().chain([&lengths]).map(|positive| positive.map(|w| -w));
             if !cuts.all(|at_corners| piece.cut(&at_corners)) {
                 continue;
+            }
+            // Heights of both ends over the plane, linear on the facet.
+            if let Some(plane) = plane {
+                let from = entered_at.map(|x| plane.height(&x));
+                let along: [f64; D] = std::array::from_fn(|c| from[c] + slope * lengths[c]);
+                if !piece.cut(&from) || !piece.cut(&along) {
+                    continue;
+                }
             }
             seen.visible(piece.corners(), [entered as u32, left], &lengths, near, |piece, share| {
                 if measure(piece) <= SLIVER || !self.is_inside_both(seen, e, x, &e.place(&mean(piece))) {

@@ -159,6 +159,14 @@ impl<const D: usize> ExactPair<'_, D> {
                 let bounds = |s: f64| {
                     let mut bounds = x.barycentric(&curve.at(s)).to_vec();
                     bounds.push(depth(s));
+                    // Above the plane of a half-space it is the plane that bounds the line. What lies in it is below.
+                    if let Some(plane) = plane {
+                        let place = curve.at(s);
+                        let far = [place[0], place[1], x.t(&x.barycentric(&place))];
+                        let below = |end: [f64; 3]| -plane.height(&self.place(family, &end));
+                        bounds.push(below(far));
+                        bounds.extend((!curve.is_on_plane()).then(|| below(place)));
+                    }
                     bounds
                 };
                 let Some(interval) = curve.clipped(bounds) else { continue };

@@ -1,5 +1,6 @@
 //! Facets as lines see them: their projections across the lines, and what hides what.
 
+use super::work::Work;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::cut;
@@ -100,6 +101,8 @@ pub(crate) struct Projection<const D: usize> {
     pub(crate) ranges: Vec<[f64; 2]>,
     /// Whether the winding numbers of both sides are known to be nowhere negative.
     pub(crate) is_upright: bool,
+    /// Pieces that were made of them.
+    pub(crate) work: Work,
     tree: Tree<D>,
     /// Distance up to which facets are in the same place.
     tolerance: f64,
@@ -114,7 +117,7 @@ impl<const D: usize> Projection<D> {
             .fold(Aabb::<3>::empty(), |aabb, x| Aabb { min: aabb.min.inf(&x), max: aabb.max.sup(&x) })
             .rounding();
         let ranges = facets.iter().map(ProjectedFacet::range).collect();
-        Self { facets, boxes, ranges, is_upright, tree, tolerance }
+        Self { work: Work::new(facets.len()), facets, boxes, ranges, is_upright, tree, tolerance }
     }
 
     /// Facets whose projection's box meets a box across the lines, ascending.
@@ -149,6 +152,17 @@ impl<const D: usize> Projection<D> {
         near.sort_unstable_by_key(|near| near.facet);
     }
 
+    /// Those of the facets near one facet that may meet the lines of a part of it.
+    fn over<'a>(&self, outline: &Aabb<D>, near: &'a [Near<D>]) -> Vec<&'a Near<D>> {
+        if near.len() <= FEW {
+            return near.iter().filter(|near| self.boxes[near.facet as usize].meets(outline)).collect();
+        }
+        // A large facet has all small ones of the other side near it, and few of them over each.
+        let found = self.near(outline);
+        let place = |facet: &u32| near.binary_search_by_key(facet, |near| near.facet).ok();
+        found.iter().filter_map(|facet| Some(&near[place(facet)?])).collect()
+    }
+
     /// Visits the parts of a piece of the first of two facets whose lines meet no other facet on their way to the second,
     /// over these lengths (given at the corners of the first), with the share of each; `near` are those of the first.
     ///
@@ -173,14 +187,14 @@ impl<const D: usize> Projection<D> {
         }
         // Empty as long as all of the piece is seen.
         let mut visible: Vec<(Corners<D>, f64)> = Vec::new();
-        for &Near { facet: other, bounds: sides, t } in near {
+        let over = self.over(&outline, near);
+        if !self.work.allows(over.len()) {
+            return;
+        }
+        for &Near { facet: other, bounds: sides, t } in over {
             // Before or behind all that lies between the two, or beside it.
             let [least, largest] = self.ranges[other as usize];
-            if largest < low - self.tolerance
-                || least > high + self.tolerance
-                || between.contains(&other)
-                || !self.boxes[other as usize].meets(&outline)
-            {
+            if largest < low - self.tolerance || least > high + self.tolerance || between.contains(&other) {
                 continue;
             }
             let is_clear = |bounds: &[[f64; D]], least: f64| match visible.is_empty() {
@@ -209,6 +223,9 @@ impl<const D: usize> Projection<D> {
             if visible.is_empty() {
                 visible.push((piece.to_vec(), 1.0));
             }
+            if !self.work.allows(visible.len()) {
+                return;
+            }
             let divided = visible.into_iter().flat_map(|(piece, share)| {
                 let (inside, rest) = divide(piece, bounds);
                 let shared = inside.filter(|_| shares).map(|inside| (inside, 0.5 * share));
@@ -225,6 +242,9 @@ impl<const D: usize> Projection<D> {
         }
     }
 }
+
+/// So many facets are asked one by one.
+const FEW: usize = 64;
 
 /// Bounds of the part of a piece that a facet hides: its own edges, and the two ends of the lines.
 const MOST_BOUNDS: usize = 5;

@@ -39,8 +39,10 @@ impl<const D: usize> ExactPair<'_, D> {
                 self.points_on_plane(&seen, family, plane, Rule::Middle, |point| samples.extend(sample(point)));
             }
             samples.extend(self.in_order(seen.facets.len(), |entered, scratch, found| {
-                self.points_between(&seen, entered, Rule::Middle, scratch, |point| found.extend(sample(point)));
+                let along = (family, plane.as_ref());
+                self.points_between(&seen, along, entered, Rule::Middle, scratch, |point| found.extend(sample(point)));
             }));
+            self.check(&seen.work)?;
         }
         // A piece this small is seen or not by chance of rounding, and must not join what does not touch.
         let measure = |sample: &ContactSample<D>| sample.measures[0] + sample.measures[1];

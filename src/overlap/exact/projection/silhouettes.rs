@@ -18,8 +18,9 @@
 //! where the last is what two ends of an edge that move sweep together. Side walls of a body that are seen nearly edge-on
 //! and warped have such edges. Without this part the forces of two bodies would not balance.
 
+use super::edge_bounds::{Bound, Bounded, Segment, bounded};
 use super::edges::{EdgeSide, along, distance, flanks};
-use super::projected_facets::{ProjectedFacet, Projection, flat};
+use super::projected_facets::{Projection, flat};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::plane::Plane;
@@ -30,9 +31,6 @@ use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::points::contact_point::ContactPoint;
 use crate::overlap::points::edge_terms::{Anchor, SilhouettePoint};
 use crate::sampling::Family;
-
-/// A shorter part of an edge is rounding.
-const LEAST: f64 = 1e-14;
 
 /// The inner edge of a notch: lines leave through the first facet and enter through the second.
 struct SilhouetteEdge<const D: usize> {
@@ -50,13 +48,6 @@ impl<const D: usize> SilhouetteEdge<D> {
     }
 }
 
-/// What bounds a line at a place: a facet, or the plane.
-#[derive(Clone, Copy)]
-enum Bound<'a, const D: usize> {
-    Facet(&'a ProjectedFacet<D>),
-    Plane { leaves: bool },
-}
-
 impl<const D: usize> ExactPair<'_, D> {
     /// Every point of the quadrature along the silhouette edges inside the overlap.
     pub(crate) fn silhouettes(
@@ -70,20 +61,26 @@ impl<const D: usize> ExactPair<'_, D> {
         self.in_order(concave.len(), |index, _, found| {
             let edge_seen = &concave[index];
             let projected_area = Aabb::of(&edge_seen.ends.map(|place| flat::<D>(&place)));
-            let near: Vec<&ProjectedFacet<D>> = seen
+            let mut segments: Vec<Segment<D>> = seen
                 .near(&projected_area)
                 .into_iter()
                 .filter(|other| !edge_seen.facets.contains(other))
-                .map(|other| &seen.facets[other as usize])
+                .filter_map(|other| Segment::of_facet(&edge_seen.ends, &seen.facets[other as usize]))
                 .collect();
-            let breaks = breaks(edge_seen, &near);
+            segments.extend(plane.and_then(|plane| self.segment_of_plane(edge_seen, family, plane)));
             let length = if D == 2 { 1.0 } else { distance(&edge_seen.ends) };
-            for pair in breaks.windows(2).filter(|pair| pair[1] - pair[0] > LEAST) {
-                let (from, to) = (pair[0], pair[1]);
+            if !seen.work.allows(segments.len()) {
+                return;
+            }
+            for Bounded { part: [from, to], before, behind } in bounded(&segments) {
+                let (first, last) = (segments[before].bound, segments[behind].bound);
+                let middle = 0.5 * (from + to);
+                if !self.is_in_overlap(seen, &edge_seen.at(middle), first, last) {
+                    continue;
+                }
                 let points: &[(f64, f64)] = if D == 2 { &[(0.0, 1.0)] } else { &ON_CURVE };
                 for &(place, part) in points {
-                    let s = 0.5 * (from + to) + place * (to - from);
-                    let Some(spans) = self.parted(seen, family, plane, edge_seen, &near, s) else { continue };
+                    let s = middle + place * (to - from);
                     let [p, q] = edge_seen.anchors;
                     let share = part * (to - from);
                     found.push(SilhouettePoint {
@@ -91,11 +88,24 @@ impl<const D: usize> ExactPair<'_, D> {
                         across: edge_seen.nu * (share * length),
                         axes: [family.across([1.0, 0.0]), family.across([0.0, 1.0])],
                         turn: if D == 2 { 0.0 } else { 0.5 * share * edge_seen.sense },
-                        spans,
+                        spans: self.spans(seen, family, plane, edge_seen, [first, last], s),
                     });
                 }
             }
         })
+    }
+
+    /// The plane as the lines through an edge meet it.
+    fn segment_of_plane<'a>(
+        &self,
+        edge_seen: &SilhouetteEdge<D>,
+        family: &Family<D>,
+        plane: &Plane<D>,
+    ) -> Option<Segment<'a, D>> {
+        let slope = plane.normal.dot(family.direction());
+        let ahead = edge_seen.ends.map(|place| -plane.height(&self.place(family, &place)) / slope);
+        let bound = Bound::Plane { leaves: slope > 0.0 };
+        (slope != 0.0).then_some(Segment { part: [0.0, 1.0], ahead, bound })
     }
 
     /// Edges between a facet through which lines leave and, farther along on the same side, one through which they enter.
@@ -125,92 +135,47 @@ impl<const D: usize> ExactPair<'_, D> {
         silhouette_edges
     }
 
-    /// The spans on both sides of a notch's edge, if it lies in the overlap.
-    fn parted(
+    /// Whether lines through a place are inside both sides from one bound to the other.
+    fn is_in_overlap(&self, seen: &Projection<D>, place: &[f64; 3], first: Bound<D>, last: Bound<D>) -> bool {
+        if first.leaves() || !last.leaves() {
+            return false;
+        }
+        match (first, last) {
+            (Bound::Facet(first), Bound::Facet(last)) => self.is_inside_both(seen, first, last, place),
+            _ => true,
+        }
+    }
+
+    /// The spans on both sides of a notch's edge, and the one past it, between these bounds.
+    fn spans(
         &self,
         seen: &Projection<D>,
         family: &Family<D>,
         plane: Option<&Plane<D>>,
         edge_seen: &SilhouetteEdge<D>,
-        near: &[&ProjectedFacet<D>],
+        bounds: [Bound<D>; 2],
         s: f64,
-    ) -> Option<[ContactPoint<D>; 3]> {
+    ) -> [ContactPoint<D>; 3] {
         let place = edge_seen.at(s);
-        let mut before: Option<(f64, Bound<D>)> = None;
-        let mut behind = before;
-        let mut bound = |t: f64, bound| {
-            if t < place[2] && before.is_none_or(|(nearest, _)| t > nearest) {
-                before = Some((t, bound));
-            } else if t >= place[2] && behind.is_none_or(|(nearest, _)| t < nearest) {
-                behind = Some((t, bound));
-            }
-        };
-        for facet in near {
-            let w = facet.barycentric(&place);
-            if w.iter().all(|w| *w >= 0.0) {
-                bound(facet.t(&w), Bound::Facet(facet));
-            }
-        }
         let here = self.place(family, &place);
-        if let Some(plane) = plane {
-            let slope = plane.normal.dot(family.direction());
-            if slope != 0.0 {
-                bound(place[2] - plane.height(&here) / slope, Bound::Plane { leaves: slope > 0.0 });
+        // How far ahead of the edge, and where on the boundary.
+        let [(from, first), (to, last)] = bounds.map(|bound| match (bound, plane) {
+            (Bound::Facet(facet), _) => {
+                let w = facet.barycentric(&place);
+                (facet.t(&w) - place[2], end(facet, w))
             }
-        }
-        let ((from, first), (to, last)) = (before?, behind?);
-        let leaves = |bound: &Bound<D>| match bound {
-            Bound::Facet(facet) => facet.leaves,
-            Bound::Plane { leaves } => *leaves,
-        };
-        if leaves(&first) || !leaves(&last) {
-            return None;
-        }
-        if let (Bound::Facet(first), Bound::Facet(last)) = (&first, &last)
-            && !self.is_inside_both(seen, first, last, &place)
-        {
-            return None;
-        }
-        let end_of = |t: f64, bound: &Bound<D>| match (bound, plane) {
-            (Bound::Facet(facet), _) => end(facet, facet.barycentric(&place)),
-            (_, plane) => SurfacePoint::Point {
-                point: here + family.direction() * (t - place[2]),
-                normal: plane.map_or(Vector::zeros(), |plane| plane.normal),
-            },
-        };
+            (Bound::Plane { .. }, plane) => {
+                let normal = plane.map_or(Vector::zeros(), |plane| plane.normal);
+                let ahead = plane.map_or(0.0, |plane| -plane.height(&here) / normal.dot(family.direction()));
+                (ahead, SurfacePoint::Point { point: here + family.direction() * ahead, normal })
+            }
+        });
         let [out, back] = edge_seen.facets.map(|facet| {
             let facet = &seen.facets[facet as usize];
             end(facet, facet.barycentric(&place))
         });
-        let (first, last) = (end_of(from, &first), end_of(to, &last));
         let span =
             |sign: f64, length: f64, ends| ContactPoint { weight: sign, across: sign, length, direction: 0, ends };
-        let (t, length) = (place[2], to - from);
-        Some([span(1.0, t - from, [first, out]), span(1.0, to - t, [back, last]), span(-1.0, length, [first, last])])
+        [span(1.0, -from, [first, out]), span(1.0, to, [back, last]), span(-1.0, to - from, [first, last])]
     }
-}
-
-/// Places along an edge, from 0 to 1, between which the same facets bound its lines.
-fn breaks<const D: usize>(edge_seen: &SilhouetteEdge<D>, near: &[&ProjectedFacet<D>]) -> Vec<f64> {
-    let mut breaks = vec![0.0, 1.0];
-    if D == 2 {
-        return breaks;
-    }
-    let mut cut = |p: f64, q: f64| {
-        if (p > 0.0) != (q > 0.0) {
-            breaks.push(p / (p - q));
-        }
-    };
-    let [p, q] = edge_seen.ends;
-    let heights: Vec<[f64; 2]> =
-        near.iter().map(|f| [p, q].map(|place| f.t(&f.barycentric(&place)) - place[2])).collect();
-    for (n, (facet, height)) in near.iter().zip(&heights).enumerate() {
-        facet.barycentric(&p).into_iter().zip(facet.barycentric(&q)).for_each(|(a, b)| cut(a, b));
-        cut(height[0], height[1]);
-        for other in &heights[..n] {
-            cut(height[0] - other[0], height[1] - other[1]);
-        }
-    }
-    breaks.sort_unstable_by(f64::total_cmp);
-    breaks
 }
