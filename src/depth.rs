@@ -1,13 +1,21 @@
 //! The depth of a body below its own surface: a field that is linear on pieces of its cells, zero on its surface, and
 //! the distance from it at the nodes. It is found once, at reference coordinates, and moves with the cells.
 //!
-//! `distances` (of points from a surface) · `field` (what is kept) · `cell_parts` (a cell as simplices) · `pieces` (the
-//! simplices on which the field is linear).
+//! `distances` (of points from a surface) · `node_depths` · `cell_parts` (a cell as simplices) · `divide` (simplices
+//! about points) · `incentre` · `near_surface` and `cell_division` (cells that have nodes on the surface) · `divisions`
+//! and `field` (what is kept) · `pieces` (the simplices on which the field is linear, where they are).
 
+mod cell_division;
 mod cell_parts;
 mod distances;
+mod divide;
+mod divisions;
 mod field;
+mod incentre;
+mod near_surface;
+mod node_depths;
 mod pieces;
 
+pub(crate) use divisions::MOST_NODES;
 pub(crate) use field::DepthField;
-pub(crate) use pieces::{DepthPiece, MOST_NODES};
+pub(crate) use pieces::DepthPiece;

@@ -1,68 +1,69 @@
-//! Cells as simplices, with what their corners are made of.
+//! Cells as simplices.
 
 use crate::geometry::CellType;
-use crate::geometry::cells::Cells;
-
-/// A corner of a part of a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Corner {
-    /// A node of the cell, by its place there.
-    Node(usize),
-    /// The mean of the nodes of a face.
-    Face(usize),
-    /// The mean of all nodes.
-    Middle,
-}
 
 /// A simplex of a cell: D + 1 corners that make a positive volume in a cell which does.
+///
+/// Corners are numbers: first those of the cell's nodes, then those of its points. Quadrilaterals and hexahedra have points
+/// at the centroids of their faces, one after the other, and then in the middle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
-    pub(super) corners: [Corner; 4],
+    pub(super) corners: [u8; 4],
     /// The face of the cell in which the simplex's face opposite to its last corner lies.
-    pub(super) face: Option<usize>,
+    face: Option<usize>,
+}
+
+impl Part {
+    /// The face of the cell on which the part's face opposite to a corner lies, if it lies on one.
+    pub(super) fn cell_face(&self, cell_type: CellType, opposite: usize) -> Option<usize> {
+        match self.face {
+            Some(face) => (opposite == cell_type.dimension()).then_some(face),
+            None => cell_type.faces().iter().position(|face| !face.contains(&opposite)),
+        }
+    }
 }
 
 /// The parts of a cell: triangles and tetrahedra as they are, others split about the centroids of the cell and of its
 /// faces, as facets and exact clipping have it. The parts of such a cell have one face on the cell's.
 pub(super) fn parts(cell_type: CellType) -> impl Iterator<Item = Part> {
-    let whole = matches!(cell_type, CellType::Tri3 | CellType::Tet4);
-    let of_whole = whole.then(|| Part { corners: std::array::from_fn(Corner::Node), face: None });
-    let of_faces = if whole { 0..0 } else { 0..cell_type.faces().len() };
+    let whole = is_simplex(cell_type);
+    let of_whole = whole.then_some(Part { corners: [0, 1, 2, 3], face: None });
+    let faces = cell_type.faces();
+    let first_point = cell_type.node_count();
+    let middle = (first_point + faces.len()) as u8;
+    let of_faces = if whole { 0..0 } else { 0..faces.len() };
     of_whole.into_iter().chain(of_faces.flat_map(move |f| {
-        let face = cell_type.faces()[f];
-        let sides = if face.len() == 2 { 0..1 } else { 0..face.len() };
+        let face = faces[f];
+        let count = face.len();
+        let centroid = (first_point + f) as u8;
+        let sides = if count == 2 { 0..1 } else { 0..count };
         sides.map(move |k| {
-            let corners = match face.len() {
-                2 => [Corner::Node(face[0]), Corner::Node(face[1]), Corner::Middle, Corner::Middle],
-                // Seen from inside, the nodes of the face run clockwise.
-                count => [Corner::Node(face[(k + 1) % count]), Corner::Node(face[k]), Corner::Face(f), Corner::Middle],
-            };
+            let [p, q] = [face[k] as u8, face[(k + 1) % count] as u8];
+            // Seen from inside, the nodes of the face run clockwise.
+            let corners = if count == 2 { [p, q, middle, middle] } else { [q, p, centroid, middle] };
             Part { corners, face: Some(f) }
         })
     }))
 }
 
-/// Whether face `opposite` of a part (opposite to that corner) lies on face `f` of a cell.
-pub(super) fn cell_face(cell_type: CellType, dimension: usize, part: &Part, opposite: usize) -> Option<usize> {
-    match part.face {
-        Some(face) => (opposite == dimension).then_some(face),
-        None => cell_type.faces().iter().position(|face| !face.contains(&opposite)),
-    }
+/// Whether a cell is a simplex, the only part of itself.
+pub(super) fn is_simplex(cell_type: CellType) -> bool {
+    matches!(cell_type, CellType::Tri3 | CellType::Tet4)
 }
 
-/// Weights of a cell's nodes in a corner.
-pub(super) fn weights(cells: &Cells, cell: usize, corner: Corner) -> [f64; 8] {
+/// Weights of a cell's nodes in the points that every cell of the type has: the centroids of faces, then the middle.
+pub(super) fn own_points(cell_type: CellType) -> impl Iterator<Item = [f64; 8]> {
+    let all = if is_simplex(cell_type) { 0..0 } else { 0..cell_type.faces().len() + 1 };
+    all.map(move |point| match cell_type.faces().get(point) {
+        Some(face) => mean(face.iter().copied()),
+        None => mean(0..cell_type.node_count()),
+    })
+}
+
+/// Weights of a cell's nodes in the mean of some of them.
+pub(super) fn mean(nodes: impl ExactSizeIterator<Item = usize>) -> [f64; 8] {
     let mut weights = [0.0; 8];
-    match corner {
-        Corner::Node(node) => weights[node] = 1.0,
-        Corner::Face(face) => {
-            let nodes = cells.cell_type(cell).faces()[face];
-            nodes.iter().for_each(|&node| weights[node] = 1.0 / nodes.len() as f64);
-        }
-        Corner::Middle => {
-            let count = cells.nodes(cell).len();
-            weights[..count].fill(1.0 / count as f64);
-        }
-    }
+    let weight = 1.0 / nodes.len() as f64;
+    nodes.for_each(|node| weights[node] = weight);
     weights
 }

@@ -1,57 +1,38 @@
 //! The depth field of all bodies.
 
-use super::cell_parts::{Corner, Part, cell_face, parts, weights};
+use super::cell_division::CellDivision;
+use super::cell_parts::{own_points, parts};
 use super::distances::Distances;
+use super::divisions::{CellPoint, CellSimplex, Divisions};
+use super::near_surface::NearSurface;
+use super::node_depths::node_depths;
 use crate::geometry::cells::Cells;
 use crate::geometry::components::Components;
-use crate::geometry::facet::area_vector;
 use crate::geometry::nearest_on_facet::nearest;
 use crate::geometry::{CellType, Surface, Vector};
 
 /// Depth below the surface of its body at every point of every cell.
 ///
-/// It is linear between the nodes, at which it is the distance from the surface. This alone would vanish in cells all of
-/// whose nodes lie on the surface, which line every edge of a mesh of tetrahedra; so a part of a cell that has a facet,
-/// or that has all its corners on the surface, is divided about the centre of its inscribed ball. That has the same
-/// distance from all faces, so that the field has slope 1 below every facet.
+/// It is linear between the nodes, at which it is the distance from the surface. This alone would vanish on edges, faces
+/// and cells all of whose nodes lie on the surface, which line every edge of a mesh of tetrahedra; so those of them that
+/// lie below the surface have points of their own, and the field has slope 1 below every facet.
 ///
 /// Faces in a plane of symmetry are no surface: the body goes on behind them.
 pub(crate) struct DepthField<const D: usize> {
     /// Depth of every node, and the facet that is nearest to it.
-    nodes: Vec<f64>,
+    pub(super) nodes: Vec<f64>,
     anchors: Vec<u32>,
-    /// Bit f is set where face f of a cell is surface.
-    surface_faces: Vec<u8>,
-    /// For every cell its number among `boundary_cells`, if it has one.
-    boundary_cell_of: Vec<u32>,
-    boundary_cells: Vec<BoundaryCell>,
-    /// One after the other for the parts of all boundary_cells that are divided.
-    incentres: Vec<Incentre>,
+    /// How cells are divided, by number: one for each type of cell, then one for every cell that has nodes on the surface.
+    pub(super) divisions: Divisions,
+    pub(super) division_of: Vec<u32>,
     /// Whether a body's cells hang together by faces.
     connected: Vec<bool>,
     /// Whether it was said which faces are no surface.
     is_surface_told: bool,
 }
 
-/// What is known of a cell that has nodes on the surface.
-struct BoundaryCell {
-    /// Depth at the middle of the cell, and at the middles of its faces.
-    middle: f64,
-    faces: [f64; 6],
-    /// Bit p is set where part p is divided; the first of its points among `incentres`.
-    divided: u32,
-    first: u32,
-}
-
-/// A point about which a part is divided.
-#[derive(Clone, Copy)]
-pub(super) struct Incentre {
-    /// Weights of the part's corners.
-    pub(super) weights: [f64; 4],
-    pub(super) depth: f64,
-}
-
-const NO_BOUNDARY: u32 = u32::MAX;
+/// In the order of their numbers.
+const TYPES: [CellType; 4] = [CellType::Tri3, CellType::Quad4, CellType::Tet4, CellType::Hex8];
 
 impl<const D: usize> DepthField<D> {
     /// The field of a surface that has cells; `None` for one that has none. Faces all of whose nodes are marked lie in
@@ -74,23 +55,20 @@ impl<const D: usize> DepthField<D> {
         };
         let distances = Distances::new(surface, coords, facet_is_surface);
         let (nodes, anchors) = node_depths(cells, coords, &surface_faces, &distances);
-        let mut field = Self {
-            nodes,
-            anchors,
-            surface_faces,
-            boundary_cell_of: vec![NO_BOUNDARY; cells.len()],
-            boundary_cells: Vec::new(),
-            incentres: Vec::new(),
-            connected: connected_bodies(cells, surface.body_count()),
-            is_surface_told: in_symmetry_plane.is_some(),
-        };
-        for cell in 0..cells.len() {
-            let is_boundary = cells.nodes(cell).iter().any(|&n| field.nodes[n as usize] == 0.0);
-            if is_boundary {
-                field.add_boundary_cell(cells, cell, coords, &distances);
+        let mut divisions = Divisions::default();
+        TYPES.into_iter().for_each(|cell_type| add_ordinary(&mut divisions, cell_type));
+        let near = NearSurface::new(cells, coords, &nodes, &surface_faces, &distances);
+        let division_of = (0..cells.len()).map(|cell| {
+            if cells.nodes(cell).iter().all(|&n| nodes[n as usize] > 0.0) {
+                return TYPES.iter().position(|t| *t == cells.cell_type(cell)).unwrap_or(0) as u32;
             }
-        }
-        Some(field)
+            let of_cell = CellDivision::new(&near, cell);
+            divisions.add(&of_cell.points, &of_cell.simplices)
+        });
+        let division_of = division_of.collect();
+        let connected = connected_bodies(cells, surface.body_count());
+        let is_surface_told = in_symmetry_plane.is_some();
+        Some(Self { nodes, anchors, divisions, division_of, connected, is_surface_told })
     }
 
     /// The point of the surface that is nearest to a node below it without deformation, as nodes and their weights; `None`
@@ -114,65 +92,6 @@ impl<const D: usize> DepthField<D> {
         )
     }
 
-    fn add_boundary_cell(&mut self, cells: &Cells, cell: usize, coords: &[[f64; D]], distances: &Distances<D>) {
-        let (body, cell_type) = (cells.body[cell] as usize, cells.cell_type(cell));
-        let nodes = cells.nodes(cell);
-        let place = |weights: &[f64; 8]| {
-            let terms = nodes.iter().zip(weights).map(|(&n, &w)| Vector::<D>::from(coords[n as usize]) * w);
-            terms.fold(Vector::zeros(), |x, term| x + term)
-        };
-        // No farther than a node on the surface.
-        let on_surface = nodes.iter().find(|&&n| self.nodes[n as usize] == 0.0);
-        let distance = |x: &Vector<D>| {
-            let limit = on_surface.map_or(f64::INFINITY, |&n| (x - Vector::from(coords[n as usize])).norm());
-            distances.of_point(body, x, limit).0
-        };
-        let at_face = |face: usize, local: &[usize]| {
-            if self.is_surface(cell, face) {
-                return 0.0;
-            }
-            let of_nodes = || local.iter().map(|&k| self.nodes[nodes[k] as usize]);
-            // Both cells at the face must say the same: one that has no node on the surface takes the mean.
-            if of_nodes().all(|depth| depth > 0.0) {
-                return of_nodes().sum::<f64>() / local.len() as f64;
-            }
-            distance(&place(&weights(cells, cell, Corner::Face(face))))
-        };
-        let mut here = BoundaryCell { middle: 0.0, faces: [0.0; 6], divided: 0, first: self.incentres.len() as u32 };
-        let has_middle = nodes.len() > D + 1;
-        if has_middle {
-            for (face, local) in cell_type.faces().iter().enumerate() {
-                here.faces[face] = at_face(face, local);
-            }
-            here.middle = distance(&place(&weights(cells, cell, Corner::Middle)));
-        }
-        let mut incentres = Vec::new();
-        for (number, part) in parts(cell_type).enumerate() {
-            let has_facet =
-                (0..=D).any(|k| cell_face(cell_type, D, &part, k).is_some_and(|f| self.is_surface(cell, f)));
-            let is_flat = (0..=D).all(|k| self.corner_depth(cell_type, nodes, Some(&here), part.corners[k]) == 0.0);
-            if !has_facet && !is_flat {
-                continue;
-            }
-            let corners: [Vector<D>; 4] = std::array::from_fn(|k| {
-                if k <= D { place(&weights(cells, cell, part.corners[k])) } else { Vector::zeros() }
-            });
-            let Some((weights, radius)) = incentre(&corners) else { continue };
-            let middle = (0..=D).fold(Vector::zeros(), |x, k| x + corners[k] * weights[k]);
-            let depth = if has_facet { radius } else { distance(&middle) };
-            incentres.push(Incentre { weights, depth });
-            here.divided |= 1 << number;
-        }
-        self.incentres.extend(incentres);
-        self.boundary_cell_of[cell] = self.boundary_cells.len() as u32;
-        self.boundary_cells.push(here);
-    }
-
-    /// Whether a face of a cell is surface.
-    pub(super) fn is_surface(&self, cell: usize, face: usize) -> bool {
-        self.surface_faces[cell] >> face & 1 == 1
-    }
-
     /// Whether it was said which faces are no surface.
     pub(crate) fn is_surface_told(&self) -> bool {
         self.is_surface_told
@@ -182,87 +101,14 @@ impl<const D: usize> DepthField<D> {
     pub(crate) fn is_connected(&self, body: usize) -> bool {
         self.connected[body]
     }
-
-    /// Depth at a corner of a part.
-    fn corner_depth(&self, cell_type: CellType, nodes: &[u32], here: Option<&BoundaryCell>, corner: Corner) -> f64 {
-        let mean = |local: &mut dyn ExactSizeIterator<Item = usize>| {
-            let count = local.len();
-            local.map(|k| self.nodes[nodes[k] as usize]).sum::<f64>() / count as f64
-        };
-        match (corner, here) {
-            (Corner::Node(k), _) => self.nodes[nodes[k] as usize],
-            (Corner::Face(face), Some(here)) => here.faces[face],
-            (Corner::Middle, Some(here)) => here.middle,
-            (Corner::Face(face), None) => mean(&mut cell_type.faces()[face].iter().copied()),
-            (Corner::Middle, None) => mean(&mut (0..nodes.len())),
-        }
-    }
-
-    /// Calls `visit(part, depths of its corners, point about which it is divided)` for every part of a cell.
-    pub(super) fn for_each_part(
-        &self,
-        cells: &Cells,
-        cell: usize,
-        mut visit: impl FnMut(&Part, [f64; 4], Option<&Incentre>),
-    ) {
-        let (nodes, cell_type) = (cells.nodes(cell), cells.cell_type(cell));
-        let here = (self.boundary_cell_of[cell] != NO_BOUNDARY)
-            .then(|| &self.boundary_cells[self.boundary_cell_of[cell] as usize]);
-        let mut incentres = here.map_or(&[][..], |here| &self.incentres[here.first as usize..]).iter();
-        for (number, part) in parts(cell_type).enumerate() {
-            let mut depths = [0.0; 4];
-            (0..=D).for_each(|k| depths[k] = self.corner_depth(cell_type, nodes, here, part.corners[k]));
-            let divided = here.is_some_and(|here| here.divided >> number & 1 == 1);
-            visit(&part, depths, if divided { incentres.next() } else { None });
-        }
-    }
 }
 
-/// Depth of every node that a cell has, 0 on the surface of a body, and the nearest facet.
-fn node_depths<const D: usize>(
-    cells: &Cells,
-    coords: &[[f64; D]],
-    surface_faces: &[u8],
-    distances: &Distances<D>,
-) -> (Vec<f64>, Vec<u32>) {
-    const UNSEEN: f64 = -1.0;
-    let (mut depths, mut anchors) = (vec![UNSEEN; coords.len()], vec![0; coords.len()]);
-    for cell in 0..cells.len() {
-        for face in (0..8).filter(|face| surface_faces[cell] >> face & 1 == 1) {
-            cells.face_nodes(cell, face).into_iter().for_each(|n| depths[n as usize] = 0.0);
-        }
-    }
-    for cell in 0..cells.len() {
-        let nodes = cells.nodes(cell);
-        for &node in nodes {
-            if depths[node as usize] != UNSEEN {
-                continue;
-            }
-            // No farther than another node of the cell and the way there.
-            let x = Vector::<D>::from(coords[node as usize]);
-            let known = nodes.iter().map(|&n| (n as usize, depths[n as usize])).filter(|(_, depth)| *depth != UNSEEN);
-            let limit =
-                known.map(|(n, depth)| depth + (x - Vector::from(coords[n])).norm()).fold(f64::INFINITY, f64::min);
-            let body = cells.body[cell] as usize;
-            (depths[node as usize], anchors[node as usize]) = distances.of_point(body, &x, limit);
-        }
-    }
-    (depths, anchors)
-}
-
-/// Weights of the centre of the ball inscribed in a simplex, and its radius; `None` where it is flat.
-fn incentre<const D: usize>(corners: &[Vector<D>; 4]) -> Option<([f64; 4], f64)> {
-    let area = |opposite: usize| {
-        let face: [Vector<D>; D] = std::array::from_fn(|k| corners[k + usize::from(k >= opposite)]);
-        area_vector(&face)
-    };
-    let mut weights = [0.0; 4];
-    (0..=D).for_each(|k| weights[k] = area(k).norm());
-    let sum: f64 = weights.iter().sum();
-    // The height above a face times its measure is D times the volume.
-    let volume = area(0).dot(&(corners[0] - corners[1])).abs() / D as f64;
-    let radius = D as f64 * volume / sum;
-    (radius > 0.0).then(|| (weights.map(|w| w / sum), radius))
+/// Adds the division of cells of a type that have no nodes on the surface.
+fn add_ordinary(divisions: &mut Divisions, cell_type: CellType) {
+    let points: Vec<CellPoint> = own_points(cell_type).map(|weights| CellPoint { weights, depth: None }).collect();
+    let whole = |corners: [u8; 4]| CellSimplex { corners, is_at_surface: false };
+    let simplices: Vec<CellSimplex> = parts(cell_type).map(|part| whole(part.corners)).collect();
+    divisions.add(&points, &simplices);
 }
 
 /// Whether the cells of each body hang together by faces.

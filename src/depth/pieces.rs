@@ -1,14 +1,11 @@
 //! The simplices on which the depth field is linear, where they are now.
 
-use super::cell_parts::{cell_face, weights};
+use super::divisions::MOST_NODES;
 use super::field::DepthField;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::facet_slopes::cross;
-
-/// Nodes that a cell has at most.
-pub(crate) const MOST_NODES: usize = 8;
 
 /// A simplex of a cell on which its depth is linear.
 #[derive(Clone, Copy, Debug)]
@@ -95,37 +92,33 @@ impl<const D: usize> DepthField<D> {
         mut visit: impl FnMut(DepthPiece<D>),
     ) {
         let (nodes, flipped) = (cells.nodes(cell), cells.is_flipped(cell));
+        let count = nodes.len();
         let mut at_nodes = [Vector::<D>::zeros(); MOST_NODES];
         for (x, &n) in at_nodes.iter_mut().zip(nodes) {
             *x = coords[n as usize].into();
         }
-        let place = |weights: &[f64; MOST_NODES]| {
-            at_nodes[..nodes.len()].iter().zip(weights).fold(Vector::zeros(), |sum, (x, w)| sum + x * *w)
-        };
-        self.for_each_part(cells, cell, |part, depths, incentre| {
-            let (mut corners, mut of_nodes) = ([Vector::zeros(); 4], [[0.0; MOST_NODES]; 4]);
+        let depth = |k: usize| self.nodes[nodes[k] as usize];
+        let (points, simplices) = self.divisions.get(self.division_of[cell]);
+        // Cells that share a point must find it at the same place, to the last bit: its nodes are summed in one order.
+        let mut order: [usize; MOST_NODES] = std::array::from_fn(|k| k);
+        order[..count].sort_unstable_by_key(|&k| nodes[k]);
+        for simplex in simplices {
+            let (mut corners, mut depths) = ([Vector::zeros(); 4], [0.0; 4]);
+            let mut weights = [[0.0; MOST_NODES]; 4];
             for k in 0..=D {
-                of_nodes[k] = weights(cells, cell, part.corners[k]);
-                corners[k] = place(&of_nodes[k]);
-            }
-            let Some(incentre) = incentre else {
-                DepthPiece::new(cell as u32, corners, depths, of_nodes, flipped).into_iter().for_each(&mut visit);
-                return;
-            };
-            let mut about = [0.0; MOST_NODES];
-            for (weights, weight) in of_nodes.iter().zip(&incentre.weights) {
-                about.iter_mut().zip(weights).for_each(|(sum, w)| *sum += weight * w);
-            }
-            let middle = place(&about);
-            for k in 0..=D {
-                let (mut corners, mut depths, mut of_nodes) = (corners, depths, of_nodes);
-                (corners[k], depths[k], of_nodes[k]) = (middle, incentre.depth, about);
-                let face = cell_face(cells.cell_type(cell), D, part, k);
-                if let Some(piece) = DepthPiece::new(cell as u32, corners, depths, of_nodes, flipped) {
-                    visit(DepthPiece { is_at_surface: face.is_some_and(|face| self.is_surface(cell, face)), ..piece });
+                let number = simplex.corners[k] as usize;
+                if let Some(point) = number.checked_sub(count).map(|point| &points[point]) {
+                    corners[k] =
+                        order[..count].iter().fold(Vector::zeros(), |sum, &n| sum + at_nodes[n] * point.weights[n]);
+                    (depths[k], weights[k]) = (point.depth(depth, count), point.weights);
+                } else {
+                    (corners[k], depths[k], weights[k][number]) = (at_nodes[number], depth(number), 1.0);
                 }
             }
-        });
+            if let Some(piece) = DepthPiece::new(cell as u32, corners, depths, weights, flipped) {
+                visit(DepthPiece { is_at_surface: simplex.is_at_surface, ..piece });
+            }
+        }
     }
 }
 
@@ -154,4 +147,67 @@ fn slopes<const D: usize>(corners: &[Vector<D>; 4]) -> Option<([Vector<D>; 4], f
     slopes[0] = -(slopes[1] + slopes[2] + slopes[3]);
     let is_finite = slopes.iter().all(|slope| slope.iter().all(|x| x.is_finite()));
     (signed != 0.0 && is_finite).then_some((slopes, signed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Bodies, CellBlock, CellType, Surface};
+    use fmc_shapes::{Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
+
+    /// Pieces fill every cell; those that meet at a point have the same depth there, which is not above the distance
+    /// from the surface of the convex body, and 0 on it; below facets the slope is 1.
+    fn check<const D: usize>(mesh: &Mesh<D>, cell_type: CellType, low: [f64; D], high: [f64; D]) {
+        let blocks = [CellBlock { cell_type, conn: &mesh.conn }];
+        let surface = Surface::from_cells(&mesh.coords, &blocks, Bodies::Connected).unwrap();
+        let (field, cells) = (DepthField::new(&surface, None).unwrap(), surface.cells.as_ref().unwrap());
+        let mut pieces: Vec<DepthPiece<D>> = Vec::new();
+        (0..cells.len()).for_each(|cell| field.for_each_piece(cells, cell, &mesh.coords, |piece| pieces.push(piece)));
+        let volume: f64 = pieces.iter().map(|piece| piece.sign * piece.measure).sum();
+        assert!((volume / mesh.measure() - 1.0).abs() < 1e-12, "{volume}");
+        let at_surface = pieces.iter().filter(|piece| piece.is_at_surface);
+        assert_eq!(at_surface.clone().count(), surface.facets.len());
+        at_surface.for_each(|piece| assert!((piece.gradient.norm() - 1.0).abs() < 1e-9, "{:?}", piece.gradient));
+        let mut random = Splitmix::new(1);
+        for piece in &pieces {
+            // In a face, where all pieces around it must agree.
+            let face = random.between(0.0, (D + 1) as f64) as usize;
+            let mut at: [f64; 4] =
+                std::array::from_fn(|k| if k > D || k == face { 0.0 } else { random.between(0.0, 1.0) });
+            let sum: f64 = at.iter().sum();
+            at.iter_mut().for_each(|w| *w /= sum);
+            let x = (0..=D).fold(Vector::zeros(), |x, k| x + piece.corners[k] * at[k]);
+            let depth = |piece: &DepthPiece<D>| -> f64 {
+                piece.barycentric(&x).iter().zip(&piece.depths).map(|(w, g)| w * g).sum()
+            };
+            let here = depth(piece);
+            let distance = (0..D).map(|i| (x[i] - low[i]).min(high[i] - x[i])).fold(f64::INFINITY, f64::min);
+            assert!(here >= -1e-12 && here <= distance + 1e-12, "{here} at a distance of {distance}");
+            let around = pieces.iter().filter(|other| other.barycentric(&x)[..=D].iter().all(|w| *w > -1e-12));
+            around.for_each(|other| assert!((depth(other) - here).abs() < 1e-10, "{here} and {}", depth(other)));
+        }
+    }
+
+    #[test]
+    fn depth_is_continuous() {
+        for cells in [[1, 1], [2, 1], [1, 3], [3, 4]] {
+            let (low, high) = ([0.0, 0.0], [1.0, 0.7]);
+            let inner = |x: &[f64; 2]| (0..2).all(|i| x[i] > low[i] + 1e-9 && x[i] < high[i] - 1e-9);
+            for diagonals in [Diagonals::Same, Diagonals::Alternating] {
+                let mesh = rectangle_tri3(low, high, cells, diagonals).jittered(0.2, 1, inner);
+                check(&mesh, CellType::Tri3, low, high);
+            }
+            check(&rectangle_quad4(low, high, cells).jittered(0.2, 2, inner), CellType::Quad4, low, high);
+        }
+    }
+
+    #[test]
+    fn depth_is_continuous_in_space() {
+        for cells in [[1, 1, 1], [2, 1, 1], [1, 2, 3], [2, 2, 2], [3, 3, 4]] {
+            let (low, high) = ([0.0, 0.0, 0.0], [1.0, 0.7, 0.9]);
+            let inner = |x: &[f64; 3]| (0..3).all(|i| x[i] > low[i] + 1e-9 && x[i] < high[i] - 1e-9);
+            check(&cuboid_tet4(low, high, cells).jittered(0.2, 1, inner), CellType::Tet4, low, high);
+            check(&cuboid_hex8(low, high, cells).jittered(0.1, 2, inner), CellType::Hex8, low, high);
+        }
+    }
 }

@@ -3,6 +3,7 @@
 #[path = "../scene/scene.rs"]
 mod scene;
 
+mod coarse;
 mod corners;
 mod derivatives;
 mod fields;

@@ -25,7 +25,7 @@ def blocks(cells: int = 8) -> tuple[np.ndarray, np.ndarray]:
 def test_flat_faces_press_with_k_times_their_penetration(estimator: str) -> None:
     coords, conn = blocks()
     result = contact_force(coords, conn, "quad", stiffness=K, law="depth", estimator=estimator)
-    # Less at the rims, within the ball inscribed in a quarter of a cell, of radius 0.026.
+    # Less at the rims, where a wall is nearer than the face.
     assert result.bodies[1].force[1] == pytest.approx(K * DEPTH, rel=0.03)
     assert result.forces.sum(axis=0) == pytest.approx([0.0, 0.0], abs=1e-12 * K * DEPTH)
     # The walls at x = 0 are in one plane, which may be one of symmetry.

@@ -7,12 +7,16 @@ use super::motion::Motion;
 /// Part of the load on a motion that may be left over: Newton's method does the rest.
 const LEFT_OVER: f64 = 0.1;
 
+/// Part of the size of all bodies to which the place is found where a body is let go.
+const TOUCHING: f64 = 1e-6;
+
 /// Directions tried; one does where one motion is free.
 const MOST_DIRECTIONS: usize = 30;
 
 impl<const D: usize> Equilibrium<D> {
     /// Moves bodies without deforming them until contact balances their loads, roughly; those that are held already
-    /// stay. The energy of contact and load over rigid motions is smooth, and nothing is factorised.
+    /// stay, and those that nothing but contact drives are left where they are free of it. The energy of contact and load
+    /// over rigid motions is smooth, and nothing is factorised.
     pub(super) fn approach(&mut self, start: Vec<[f64; D]>, load: f64) -> Result<Vec<[f64; D]>, StaticsError> {
         let motions = self.free_motions(&start);
         if motions.is_empty() {
@@ -34,13 +38,17 @@ impl<const D: usize> Equilibrium<D> {
             u = self.march(&motions, &direction, u, load)?;
         }
         self.keep_patches(&u)?;
+        // What is at rest needs nothing that holds it.
+        if self.evaluate(&u, load)?.relative() <= self.settings.tolerance {
+            return Ok(u);
+        }
         self.unsupported(&u)?.map_or(Ok(u), Err)
     }
 
     /// Whether supports and contact, where it is now, hold all bodies.
     pub(super) fn is_supported(&mut self, u: &[[f64; D]]) -> Result<bool, StaticsError> {
         self.contact.release_patches();
-        Ok(self.unsupported(u)?.is_none())
+        Ok(self.unsupported(u)?.is_none() && !(self.is_depth() && self.is_driven_on(u)?))
     }
 
     /// Derivative of the energy along every motion; what deforms the bodies does no work on them.
@@ -67,15 +75,26 @@ impl<const D: usize> Equilibrium<D> {
             Ok(slopes.iter().zip(direction).map(|(slope, part)| slope * part).sum())
         };
         let size = self.size();
+        // Work of rounding on all nodes together.
+        let nothing = self.noise().force * (self.equation_count as f64).sqrt();
         let first = slope_at(self, 0.0)?;
         let (mut low, mut low_slope, mut high) = (0.0, first, 1e-6 * size);
         let mut high_slope = slope_at(self, high)?;
-        while high_slope < 0.0 {
+        while high_slope < -nothing {
             (low, low_slope, high) = (high, high_slope, 2.0 * high);
             if high > 10.0 * size {
                 return Err(self.driven_off(motions, direction));
             }
             high_slope = slope_at(self, high)?;
+        }
+        if high_slope <= nothing {
+            // Nothing pushes any more: to where that begins.
+            while high - low > TOUCHING * size {
+                let middle = 0.5 * (low + high);
+                let is_free = slope_at(self, middle)? >= -nothing;
+                *if is_free { &mut high } else { &mut low } = middle;
+            }
+            return Ok(at(high));
         }
         // Regula falsi, halving the weight of an end that stays (Illinois).
         for _ in 0..60 {

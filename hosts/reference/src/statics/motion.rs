@@ -104,20 +104,8 @@ impl<const D: usize> Equilibrium<D> {
         if motions.is_empty() {
             return Ok(None);
         }
-        let shown = self.shown(displacement);
-        let stiffness = |part: TangentPart| -> Result<DMatrix<f64>, StaticsError> {
-            let tangent = self.contact.tangent(&shown, part)?;
-            let mut stiffness = DMatrix::zeros(motions.len(), motions.len());
-            for (q, motion) in motions.iter().enumerate() {
-                let mut field = vec![[0.0; D]; displacement.len()];
-                motion.add_to(&mut field, 1.0);
-                let force = tangent.product(&field);
-                motions.iter().enumerate().for_each(|(p, other)| stiffness[(p, q)] = other.work(&force));
-            }
-            Ok(stiffness)
-        };
-        let semidefinite = stiffness(TangentPart::Semidefinite)?;
-        let eigen = stiffness(TangentPart::Full)?.symmetric_eigen();
+        let semidefinite = self.resistance(&motions, displacement, TangentPart::Semidefinite)?;
+        let eigen = self.resistance(&motions, displacement, TangentPart::Full)?.symmetric_eigen();
         let largest = eigen.eigenvalues.iter().copied().fold(0.0, |most: f64, value| most.max(value.abs()));
         let loose = (0..motions.len()).find(|&k| {
             let (value, mix) = (eigen.eigenvalues[k].abs(), eigen.eigenvectors.column(k));
@@ -128,5 +116,35 @@ impl<const D: usize> Equilibrium<D> {
         let most = (0..motions.len()).max_by(|p, q| mix[*p].abs().total_cmp(&mix[*q].abs())).unwrap_or(0);
         let body = self.problem.model.parts()[motions[most].part].name.clone();
         Ok(Some(StaticsError::Unsupported { body, motion: motions[most].name.clone() }))
+    }
+
+    /// Whether contact drives a body on, the more the farther it goes: one that lies inside another does so where a side
+    /// comes nearer.
+    pub(super) fn is_driven_on(&self, displacement: &[[f64; D]]) -> Result<bool, StaticsError> {
+        let motions = self.free_motions(displacement);
+        if motions.is_empty() {
+            return Ok(false);
+        }
+        let eigenvalues = self.resistance(&motions, displacement, TangentPart::Full)?.symmetric_eigenvalues();
+        let largest = eigenvalues.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        Ok(eigenvalues.iter().any(|value| *value < -CANCELLED * largest))
+    }
+
+    /// Second derivative of the contact energy by motions.
+    fn resistance(
+        &self,
+        motions: &[Motion<D>],
+        displacement: &[[f64; D]],
+        part: TangentPart,
+    ) -> Result<DMatrix<f64>, StaticsError> {
+        let tangent = self.contact.tangent(&self.shown(displacement), part)?;
+        let mut resistance = DMatrix::zeros(motions.len(), motions.len());
+        for (q, motion) in motions.iter().enumerate() {
+            let mut field = vec![[0.0; D]; displacement.len()];
+            motion.add_to(&mut field, 1.0);
+            let force = tangent.product(&field);
+            motions.iter().enumerate().for_each(|(p, other)| resistance[(p, q)] = other.work(&force));
+        }
+        Ok(resistance)
     }
 }

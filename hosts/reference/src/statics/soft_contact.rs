@@ -111,7 +111,7 @@ impl<const D: usize> Equilibrium<D> {
         self.set_law(if self.is_depth() { EnergyLaw::depth(k) } else { EnergyLaw::fiber(k) })
     }
 
-    fn is_depth(&self) -> bool {
+    pub(super) fn is_depth(&self) -> bool {
         matches!(self.problem.contact.law, EnergyLaw::Depth { .. })
     }
 

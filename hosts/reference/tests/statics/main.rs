@@ -5,4 +5,7 @@ mod scene;
 mod depth;
 mod hertz;
 mod patch;
+mod pin;
 mod refusals;
+mod swallowed;
+mod tips;

@@ -1,0 +1,26 @@
+//! The ball inscribed in a simplex.
+
+use crate::geometry::Vector;
+use crate::geometry::facet::area_vector;
+
+/// Weights of the corners in the centre of the ball inscribed in a simplex, and its radius; `None` where it is flat.
+pub(super) fn incentre<const D: usize>(corners: &[Vector<D>; 4]) -> Option<([f64; 4], f64)> {
+    let mut weights = [0.0; 4];
+    (0..=D).for_each(|k| weights[k] = opposite_area(corners, k).norm());
+    let sum: f64 = weights.iter().sum();
+    // The height above a face times its measure is D times the volume.
+    let radius = opposite_area(corners, 0).dot(&(corners[0] - corners[1])).abs() / sum;
+    (radius > 0.0).then(|| (weights.map(|w| w / sum), radius))
+}
+
+/// Height of a corner of a simplex above its opposite face.
+pub(super) fn height<const D: usize>(corners: &[Vector<D>; 4], corner: usize) -> f64 {
+    let area = opposite_area(corners, corner);
+    let other = corners[usize::from(corner == 0)];
+    area.dot(&(corners[corner] - other)).abs() / area.norm()
+}
+
+fn opposite_area<const D: usize>(corners: &[Vector<D>; 4], corner: usize) -> Vector<D> {
+    let face: [Vector<D>; D] = std::array::from_fn(|k| corners[k + usize::from(k >= corner)]);
+    area_vector(&face)
+}

@@ -1,0 +1,37 @@
+//! Depth of nodes.
+
+use super::distances::Distances;
+use crate::geometry::Vector;
+use crate::geometry::cells::Cells;
+
+/// Depth of every node that a cell has, 0 on the surface of a body, and the facet that is nearest to it.
+pub(super) fn node_depths<const D: usize>(
+    cells: &Cells,
+    coords: &[[f64; D]],
+    surface_faces: &[u8],
+    distances: &Distances<D>,
+) -> (Vec<f64>, Vec<u32>) {
+    const UNSEEN: f64 = -1.0;
+    let (mut depths, mut anchors) = (vec![UNSEEN; coords.len()], vec![0; coords.len()]);
+    for cell in 0..cells.len() {
+        for face in (0..8).filter(|face| surface_faces[cell] >> face & 1 == 1) {
+            cells.face_nodes(cell, face).into_iter().for_each(|n| depths[n as usize] = 0.0);
+        }
+    }
+    for cell in 0..cells.len() {
+        let nodes = cells.nodes(cell);
+        for &node in nodes {
+            if depths[node as usize] != UNSEEN {
+                continue;
+            }
+            // No farther than another node of the cell and the way there.
+            let x = Vector::<D>::from(coords[node as usize]);
+            let known = nodes.iter().map(|&n| (n as usize, depths[n as usize])).filter(|(_, depth)| *depth != UNSEEN);
+            let limit =
+                known.map(|(n, depth)| depth + (x - Vector::from(coords[n])).norm()).fold(f64::INFINITY, f64::min);
+            let body = cells.body[cell] as usize;
+            (depths[node as usize], anchors[node as usize]) = distances.of_point(body, &x, limit);
+        }
+    }
+    (depths, anchors)
+}
