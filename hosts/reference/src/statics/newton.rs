@@ -17,7 +17,7 @@ pub(super) type State<const D: usize> = (Vec<[f64; D]>, Balance<D>);
 impl<const D: usize> Equilibrium<D> {
     /// Newton's method from a displacement; nothing is accepted.
     pub(super) fn newton(&mut self, start: Vec<[f64; D]>, load: f64, watch: Watch) -> Result<State<D>, StaticsError> {
-        let NewtonSettings { tolerance, most_iterations, full_below } = self.settings;
+        let NewtonSettings { tolerance, most_iterations, full_below, .. } = self.settings;
         self.keep_patches(&start)?;
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
         let mut kept = Extent::of(&balance);
