@@ -6,6 +6,7 @@ mod scene;
 mod derivatives;
 mod frozen;
 mod limits;
+mod rings;
 mod steps;
 mod turned;
 

@@ -81,3 +81,25 @@ fn energy_is_accounted_for() {
         assert!((work - lost - stored).abs() < 5e-3 * work, "{work} {lost} {stored}");
     }
 }
+
+/// A block that is held near its limit does not creep: what is carried keeps its bits.
+#[test]
+fn what_sticks_does_not_creep() {
+    for options in laws(0.4) {
+        let scene = &in_plane(1e-3)[1];
+        let coords = slid(scene, 0.96 * 0.4e-3);
+        let mut contact = begun(scene, options, &scene.coords);
+        contact.commit_step(&coords).expect("a step");
+        let carried = contact.slip().expect("a step").to_vec();
+        let force = contact.evaluate(&coords).expect("forces").bodies[1].friction[0];
+        for _ in 0..1000 {
+            contact.commit_step(&coords).expect("a step");
+        }
+        let close = |x: &[[f64; 2]], y: &[[f64; 2]]| {
+            x.iter().flatten().zip(y.iter().flatten()).all(|(x, y)| (x - y).abs() <= 1e-12 * 0.4e-3)
+        };
+        assert!(close(contact.slip().expect("a step"), &carried));
+        let later = contact.evaluate(&coords).expect("forces").bodies[1].friction[0];
+        assert!((later / force - 1.0).abs() < 1e-12, "{later} {force}");
+    }
+}

@@ -28,6 +28,10 @@ CHANGES = {
     "momentum_correction": False,
     "self_contact": True,
     "check_cells": False,
+    "friction_coefficient": 0.25,
+    "friction_stiffness": 3.0,
+    "cohesion": 0.5,
+    "shear_limit": 7.0,
     "threads": 3,
     "index_base": 1,
 }

@@ -42,6 +42,7 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
     contact.set_pair(FLOOR, 0, stiffness=5 * K)
     assert contact.pair_options(0, FLOOR) == {
         "excluded": False,
+        "friction_coefficient": None,
         "law": "volume",
         "stiffness": 5 * K,
         "exponent": 2.0,

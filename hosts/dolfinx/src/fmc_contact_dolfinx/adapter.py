@@ -133,6 +133,16 @@ class DolfinxContact:
             found.append(function)
         return found[0] if len(found) == 1 else found
 
+    def begin_step(self, *displacements: Any) -> None:
+        """Begins a step with friction. See ``Contact.begin_step``."""
+        coords = self.coords(*displacements)
+        together(self.comm, lambda: self.contact.begin_step(coords))
+
+    def commit_step(self, *displacements: Any) -> None:
+        """Accepts the step with friction that ends here, and begins the next. See ``Contact.commit_step``."""
+        coords = self.coords(*displacements)
+        together(self.comm, lambda: self.contact.commit_step(coords))
+
     def keep_patches(self, *displacements: Any) -> int:
         """Keeps the directions of the law ``"fiber"``, so that forces are the gradient of one energy: for the start
         of a load step. See ``Contact.keep_patches``."""
@@ -176,11 +186,16 @@ class DolfinxContact:
                 held[dofs[dofs < count]] = True
         return held.reshape(-1, self.dim)
 
-    def tangent(self, *displacements: Any, semidefinite: bool = False) -> Triplets:
+    def tangent(self, *displacements: Any, semidefinite: bool = False, symmetric: bool = False) -> Triplets:
         """Minus the derivative of the forces, the same on every rank: row and column ``node * dim + axis``, nodes of
-        the spaces one after another as they are gathered."""
+        the spaces one after another as they are gathered. UNSYMMETRIC with friction: solve with LU or GMRES, not with
+        Cholesky or conjugate gradients, or ask for ``symmetric``, which takes more iterations."""
         coords = self.coords(*displacements)
-        found = together(self.comm, lambda: self.contact.tangent_parts(coords, semidefinite).triplets())
+
+        def parts() -> Any:
+            return self.contact.tangent_parts(coords, semidefinite, symmetric=symmetric).triplets()
+
+        found = together(self.comm, parts)
         tangent = Triplets(*found)
         return tangent if self._skin is None else self._skin.tangent_to_nodes(tangent, self.dim)
 

@@ -125,14 +125,24 @@ class SkfemContact:
             found.append(array)
         return found
 
-    def tangent(self, u: np.ndarray, semidefinite: bool = False) -> csr_matrix:
-        """Minus the derivative of ``force``, (size, size): to be added to a stiffness matrix. ``semidefinite``
-        leaves out what can be negative, for use far from a solution."""
-        found = Triplets(*self.contact.tangent_parts(self.coords(u), semidefinite).triplets())
+    def tangent(self, u: np.ndarray, semidefinite: bool = False, symmetric: bool = False) -> csr_matrix:
+        """Minus the derivative of ``force``, (size, size): to be added to a stiffness matrix. UNSYMMETRIC with friction:
+        solve with LU, or ask for ``symmetric``, which takes more iterations. ``semidefinite`` leaves out what can be
+        negative, for use far from a solution."""
+        parts = self.contact.tangent_parts(self.coords(u), semidefinite, symmetric=symmetric)
+        found = Triplets(*parts.triplets())
         if self._skin is not None:
             found = self._skin.tangent_to_nodes(found, self.contact.dim)
         dofs = self._dofs.ravel()
         return csr_matrix((found.values, (dofs[found.rows], dofs[found.cols])), shape=(self.size, self.size))
+
+    def begin_step(self, u: np.ndarray) -> None:
+        """Begins a step with friction at ``u``. See ``Contact.begin_step``."""
+        self.contact.begin_step(self.coords(u))
+
+    def commit_step(self, u: np.ndarray) -> None:
+        """Accepts the step with friction that ends at ``u``, and begins the next. See ``Contact.commit_step``."""
+        self.contact.commit_step(self.coords(u))
 
     def keep_patches(self, u: np.ndarray) -> int:
         """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy:

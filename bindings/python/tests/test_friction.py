@@ -1,0 +1,91 @@
+"""Friction: steps, their state, and where it is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from fmc_contact import Contact, errors
+from test_depth import DEPTH, K, blocks
+
+MU = 0.3
+
+
+def block_on_block(**options: object) -> tuple[Contact, np.ndarray]:
+    """The second of two blocks 1e-2 deep in the first, a step begun."""
+    coords, conn = blocks(4)
+    contact = Contact(coords, conn, "quad", stiffness=K, friction_coefficient=MU, **options)
+    contact.begin_step(coords)
+    return contact, coords
+
+
+def moved(coords: np.ndarray, by: float) -> np.ndarray:
+    moved = coords.copy()
+    moved[len(coords) // 2 :, 0] += by
+    return moved
+
+
+@pytest.mark.parametrize("law", ["depth", "fiber"])
+def test_it_sticks_and_slides(law: str) -> None:
+    contact, coords = block_on_block(law=law)
+    stuck = contact.evaluate(moved(coords, 1e-3))
+    assert stuck.bodies[1].friction[0] == pytest.approx(-K * 1e-3, rel=0.03)
+    assert stuck.friction.energy == pytest.approx(0.5 * K * 1e-6, rel=0.03)
+    slid = contact.evaluate(moved(coords, 0.02))
+    normal = slid.bodies[1].force[1] - slid.bodies[1].friction[1]
+    assert slid.bodies[1].friction[0] == pytest.approx(-MU * normal, rel=0.03)
+    assert slid.friction.dissipation > 0 and slid.friction.slip_area > 0.9
+    assert slid.forces.sum(axis=0) == pytest.approx([0, 0], abs=1e-12 * K)
+    assert slid.pairs[0].friction == slid.friction
+
+
+def test_a_restart_has_the_same_bits() -> None:
+    contact, coords = block_on_block()
+    middle, end = moved(coords, 4e-3), moved(coords, 1e-3)
+    contact.commit_step(middle)
+    again, _ = block_on_block()
+    again.begin_step(middle)
+    again.slip = contact.slip
+    assert np.array_equal(again.evaluate(end).forces, contact.evaluate(end).forces)
+    assert np.abs(contact.slip).max() == pytest.approx(MU * DEPTH, rel=0.1)
+
+
+def test_frozen_friction_has_a_symmetric_tangent() -> None:
+    pytest.importorskip("scipy.sparse")
+    contact, coords = block_on_block()
+    slid = moved(coords, 0.02)
+    full, symmetric = contact.tangent(slid), contact.tangent(slid, symmetric=True)
+    size = abs(full).max()
+    assert abs(full - full.T).max() > 0.1 * size and abs(symmetric - symmetric.T).max() < 1e-9 * size
+    contact.freeze_friction(slid)
+    frozen = contact.tangent(slid)
+    assert abs(frozen - frozen.T).max() < 1e-9 * size
+    contact.release_friction()
+    assert abs(contact.tangent(slid) - full).max() == 0
+
+
+def test_a_pair_has_a_coefficient_of_its_own() -> None:
+    contact, coords = block_on_block()
+    contact.set_pair(0, 1, friction_coefficient=0.0)
+    assert contact.pair_options(0, 1)["friction_coefficient"] == 0.0
+    assert contact.evaluate(moved(coords, 0.02)).friction.slip_area == 0.0
+
+
+def test_what_is_refused() -> None:
+    coords, conn = blocks(2)
+    contact = Contact(coords, conn, "quad", stiffness=K, friction_coefficient=MU)
+    for call in (contact.evaluate, contact.tangent, contact.commit_step, contact.freeze_friction):
+        with pytest.raises(errors.NoStepError, match="begin_step"):
+            call(coords)
+    with pytest.raises(errors.NoStepError):
+        contact.slip
+    contact.begin_step(coords)
+    slip = contact.slip
+    with pytest.raises(errors.LengthError, match="slip"):
+        contact.slip = slip[1:]
+    slip[3, 1] = np.nan
+    with pytest.raises(errors.NonFiniteSlipError, match="facet 3"):
+        contact.slip = slip
+    with pytest.raises(errors.NotPositiveError, match="friction_coefficient"):
+        contact.set_options(friction_coefficient=-0.1)
+    with pytest.raises(errors.UnsupportedError, match="law volume"):
+        contact.set_options(law="volume")
