@@ -368,7 +368,9 @@ static void contexts(void) {
   wanted = own, wanted.gap_offset = 0.1;
   EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "'gap_offset' of a pair is 0.1: it is for a later version", BODIES);
   wanted = own, wanted.friction_coefficient = 0.3;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "'friction_coefficient' of a pair is 0.3", BODIES);
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "friction with the law volume", BODIES);
+  wanted = own, wanted.friction_coefficient = -0.3;
+  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'friction_coefficient' is -0.3", BODIES);
 #define SHOWN(kind, index, output) fmc_context_pair_options(context, kind, index, FMC_PARTNER_BODY, 1, output)
   EXPECT(FMC_ERROR_NULL_POINTER, "'options'", SHOWN(FMC_PARTNER_BODY, 0, NULL));
   EXPECT(FMC_ERROR_BODY_OUT_OF_RANGE, "no body 7", SHOWN(FMC_PARTNER_BODY, 7, &shown));

@@ -5,8 +5,8 @@ use crate::overlap::Partner;
 /// A point of the contact, and the area for which it stands.
 ///
 /// With the law `fiber` it is a piece of a line inside both sides, from the boundary of one to that of the other. With the
-/// law `depth` it is the centre of the pressure on what a facet has inside the other side: facets of both bodies are
-/// pressed, each for half of its area, facets against an obstacle for all of it.
+/// law `depth` it is the centre of the pressure on what a facet has inside one cell of the other body, or inside an obstacle:
+/// facets of both bodies are pressed, each for half of its area, facets against an obstacle for all of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointOfContact<const D: usize> {
     /// The two sides.

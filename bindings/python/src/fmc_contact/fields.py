@@ -37,8 +37,8 @@ class NodalContact:
 @dataclass(frozen=True, eq=False)
 class ContactPoints:
     """The m points where a law presses. With ``"fiber"``: pieces of lines inside both sides of a pair. With ``"depth"``: the
-    centres of the pressure on what facets have inside the other side; facets of both bodies are pressed, each for half of
-    its area, facets against an obstacle for all of it.
+    centres of the pressure on what facets have inside each cell of the other body, or inside an obstacle; facets of both
+    bodies are pressed, each for half of its area, facets against an obstacle for all of it.
 
     Axis 1 of the arrays of sides is the side, first and second. Empty with the law ``"volume"``.
     """
