@@ -547,11 +547,11 @@ impl Host {
 
     fn step(&mut self, what: u8, read: Layout, value: f64, hole: Hole) {
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
-        let view = coords.view();
+        let view = coords.view;
         let coords = unless(hole, 0, (&raw const view).cast_mut()).cast_const();
         let count = self.mesh.dim * self.facet_count();
         let length = count.saturating_sub(usize::from(what > 250));
-        let mut slip = Guarded::new(&vec![value; length]);
+        let slip = Guarded::new(&vec![value; length]);
         // SAFETY: a living context or NULL, a view or NULL, as many numbers as it says.
         unsafe {
             match what % 5 {
@@ -905,7 +905,12 @@ fn no_result() -> fmc_result {
         body_count: 77,
         obstacle_count: 77,
         warning_count: 77,
-        reserved: [77; 8],
+        friction_energy: 77.0,
+        friction_dissipation: 77.0,
+        stick_area: 77.0,
+        slip_area: 77.0,
+        largest_slip: 77.0,
+        reserved: [77; 3],
     }
 }
 
