@@ -56,7 +56,7 @@
 
 // Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
 // changes.
-#define FMC_FRICTION_OF_CONTEXT -1.0
+#define FMC_FRICTION_OF_CONTEXT -1
 
 // Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
 // offending indices and values is given by `fmc_context_error` and `fmc_last_error`.

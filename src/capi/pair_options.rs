@@ -19,7 +19,7 @@ pub const FMC_LAW_OF_CONTEXT: i32 = -1;
 
 /// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
 /// changes.
-pub const FMC_FRICTION_OF_CONTEXT: f64 = -1.0;
+pub const FMC_FRICTION_OF_CONTEXT: i32 = -1;
 
 /// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 /// has without options of its own.
@@ -58,7 +58,7 @@ impl Default for fmc_pair_options {
             exponent: 1.0,
             smoothing_length: 0.0,
             gap_offset: 0.0,
-            friction_coefficient: FMC_FRICTION_OF_CONTEXT,
+            friction_coefficient: FMC_FRICTION_OF_CONTEXT.into(),
             law: FMC_LAW_OF_CONTEXT,
             excluded: 0,
             reserved: [0; 10],
@@ -68,7 +68,7 @@ impl Default for fmc_pair_options {
 
 impl From<PairOptions> for fmc_pair_options {
     fn from(options: PairOptions) -> Self {
-        let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_FRICTION_OF_CONTEXT);
+        let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_FRICTION_OF_CONTEXT.into());
         let own = Self { excluded: options.excluded.into(), friction_coefficient, ..Self::default() };
         match options.law {
             None => own,
@@ -108,7 +108,7 @@ impl fmc_pair_options {
             return Err(Failure::new(FMC_ERROR_UNSUPPORTED, text));
         }
         let coefficient = self.friction_coefficient;
-        let friction_coefficient = (coefficient != FMC_FRICTION_OF_CONTEXT).then_some(coefficient);
+        let friction_coefficient = (coefficient != f64::from(FMC_FRICTION_OF_CONTEXT)).then_some(coefficient);
         Ok(PairOptions { excluded: EXCLUDED.is_on(self.excluded)?, law: self.law()?, friction_coefficient })
     }
 

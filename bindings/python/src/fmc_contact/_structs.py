@@ -14,7 +14,7 @@ FMC_OBSTACLES = 8
 FMC_FROM_ONE = 16
 FMC_SYMMETRIC = 32
 FMC_LAW_OF_CONTEXT = -1
-FMC_FRICTION_OF_CONTEXT = -1.0
+FMC_FRICTION_OF_CONTEXT = -1
 
 CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12}
 """Values of ``fmc_cell_type`` by the names of meshio."""
