@@ -147,6 +147,8 @@ typedef enum {
   FMC_ERROR_NO_STEP = 40,
   // An elastic slip is NaN or infinite.
   FMC_ERROR_NON_FINITE_SLIP = 41,
+  // A node lies beyond the axis, with axisymmetry: its first coordinate is negative.
+  FMC_ERROR_NEGATIVE_RADIUS = 42,
 } fmc_status;
 
 // Contact energy.
@@ -265,8 +267,12 @@ typedef enum {
 typedef enum {
   // No facet at the node is in contact.
   FMC_NODE_APART = 0,
-  // A facet at the node is in contact.
+  // A facet at the node is in contact, without friction.
   FMC_NODE_TOUCHING = 1,
+  // More of the contact at the node sticks than slides, by area.
+  FMC_NODE_STICKING = 2,
+  // At least half of it slides.
+  FMC_NODE_SLIDING = 3,
 } fmc_node_status;
 
 // Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
@@ -318,14 +324,15 @@ typedef struct {
   // Number of the first node, 0 or 1. Default 0. Read where node numbers are given; messages count nodes, cells
   // and facets from it.
   int32_t index_base;
-  // Zero.
-  int32_t reserved_flags;
+  // 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
+  // whole rings: everything counts 2 pi r. Default 0. Not with friction, nor isotropic fibers.
+  int32_t axisymmetric;
   // Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
   // with `FMC_LAW_FIBER`.
   double smoothing_length;
   // Coefficient of Coulomb friction of all pairs that have none of their own, at least 0. Default 0: no friction. With
-  // it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. Not with the law
-  // "volume".
+  // it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. With the law
+  // "volume" not on sampled lines, and not without `friction_stiffness` or `memoryless_slip`.
   double friction_coefficient;
   // Tangential stiffness of the stick, a pressure per length; 0, the default: the stiffness of the law at a first touch.
   double friction_stiffness;
@@ -333,9 +340,35 @@ typedef struct {
   double cohesion;
   // Largest shear traction, a pressure; 0, the default: no limit.
   double shear_limit;
+  // Slip of a step from which on friction without memory acts in full: a speed times the time step, say. Smooth, and nothing
+  // is carried from one step to the next, so that what should stick creeps. 0, the default: friction with memory. Not
+  // together with `friction_stiffness`.
+  double memoryless_slip;
   // Zero. Room for options of later versions.
-  uint64_t reserved[11];
+  uint64_t reserved[10];
 } fmc_options;
+
+// A step with friction, for `fmc_contact_force_step`. `fmc_friction_step_init` sets what need not be given.
+typedef struct {
+  // Set by `fmc_friction_step_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Coordinates at which the step began, (node_count, dim).
+  const double *start;
+  // Coordinates without deformation, (node_count, dim), from which the law "depth" has its depths; NULL, the default:
+  // `start`.
+  const double *reference;
+  // Elastic slip that was carried into the step, (facets, dim); NULL, the default: none.
+  const double *slip;
+  // Receives the elastic slip that is carried into the next step, (facets, dim), if the end of this one is accepted;
+  // may be `slip` itself. NULL, the default: not wanted.
+  double *next_slip;
+  // Numbers in either, `dim` times the number of facets.
+  size_t slip_length;
+  // Written as soon as it is known, also where `slip_length` is refused: the number of facets.
+  size_t facet_count;
+  // Zero. Room for later versions.
+  uint64_t reserved[8];
+} fmc_friction_step;
 
 // Coordinates of nodes, read during the call and not kept: component `axis` of node `node` is
 // `data[node * node_stride + axis * axis_stride]`, for `node < node_count` and `axis < dim`.
@@ -569,6 +602,14 @@ typedef struct {
   double pressure;
   // Area (2D: length) across the line, or of the facet's part.
   double area;
+  // Traction of friction on the first side, the sum of friction * area being its resultant there; in 2D the last entry
+  // is 0.
+  double friction[3];
+  // Slip of the first side against the second since the step began, without what is elastic: that of the facets on
+  // which the point lies; in 2D the last entry is 0.
+  double slip[3];
+  // Part of the area that slides: 0 where the point sticks, 0.5 where one of its two facets does, else 1.
+  double sliding;
   // The ends, in the order of the pair's sides; with the law "depth" the point on the facet, and the same place in a
   // cell of the other body.
   fmc_contact_side sides[2];
@@ -719,6 +760,43 @@ fmc_status fmc_contact_force_i64(int32_t dim,
                                  const fmc_options *options,
                                  double *forces,
                                  double *volume);
+
+// Sets every field to its default.
+fmc_status fmc_friction_step_init(fmc_friction_step *step);
+
+// `fmc_contact_force` with friction, at the end `coords` of a step: forces, and the elastic slip that is carried into the
+// next. The host keeps that; a step that it rejects it does not keep. The bits are those of a context made at
+// `step->reference` that goes through `fmc_context_begin_step`, `fmc_context_set_slip`, `fmc_context_evaluate` and
+// `fmc_context_commit_step`.
+//
+// Outputs are written only on success, but for `step->facet_count`, from which a host learns the length of its slip.
+//
+// Errors: those of `fmc_contact_force` and of these calls; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_UNKNOWN_OPTION`, and
+// `FMC_ERROR_LENGTH` for another `slip_length`. Threads: any, also at once.
+fmc_status fmc_contact_force_step(int32_t dim,
+                                  const double *coords,
+                                  size_t node_count,
+                                  int32_t cell_type,
+                                  const int32_t *conn,
+                                  size_t cell_count,
+                                  const int32_t *body_ids,
+                                  const fmc_options *options,
+                                  fmc_friction_step *step,
+                                  double *forces,
+                                  double *volume);
+
+// `fmc_contact_force_step` with 64-bit node numbers and body ids.
+fmc_status fmc_contact_force_step_i64(int32_t dim,
+                                      const double *coords,
+                                      size_t node_count,
+                                      int32_t cell_type,
+                                      const int64_t *conn,
+                                      size_t cell_count,
+                                      const int64_t *body_ids,
+                                      const fmc_options *options,
+                                      fmc_friction_step *step,
+                                      double *forces,
+                                      double *volume);
 
 // Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
 //
@@ -1092,29 +1170,34 @@ fmc_status fmc_context_pair_options(const fmc_context *context,
                                     fmc_pair_options *options);
 
 // The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
-// Every output may be NULL. All but `normal` have one entry per node, `node_count` of them, which is that of the mesh;
-// `normal` has `dim` per node, in dense rows.
+// Every output may be NULL. All but `normal` and `friction` have one entry per node, `node_count` of them, which is that of
+// the mesh; those two have `dim` per node, in dense rows.
 //
 // `pressure` is the mean of the law's over the part of the facets at the node that is in contact, weighted with the
 // node's shape function, int N p dA / int N dA; with the law "volume" that of the pair. `gap` is minus the penetration,
 // the mean over the same part, and never positive: distances of what is apart are not measured. `area` (2D: length) is
 // int N dA, up to the curvature of the surface. `normal` is a unit vector, outwards of the node's body. The nodal force
-// is -pressure * area * normal, to rounding. `status` has values of `fmc_node_status`.
+// without its friction is -pressure * area * normal, to rounding. `friction` is the traction of friction on the node's
+// body, the mean over the same part, and `sliding` the part of the contact at the node that slides, of its area,
+// between 0 and 1. `status` has values of `fmc_node_status`.
 //
-// It measures the contact anew, and changes no other result of the context. Errors: as `fmc_context_evaluate`; nothing
-// is written then. Threads: one call at a time on a context.
+// It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
+// the context. Errors: as `fmc_context_evaluate`; nothing is written then. Threads: one call at a time on a context.
 fmc_status fmc_context_nodal_contact(fmc_context *context,
                                      const fmc_coords *coords,
                                      double *pressure,
                                      double *gap,
                                      double *area,
                                      double *normal,
+                                     double *friction,
+                                     double *sliding,
                                      int32_t *status,
                                      size_t node_count);
 
 // Finds the contact points at `coords`, where the laws "fiber" and "depth" press, and keeps them in the context until
 // the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which has one
-// pressure for a whole pair; it may be NULL.
+// pressure for a whole pair, unless friction acts; it may be NULL. With friction the points have its traction and their
+// slip, with the current pressure even where friction is frozen.
 //
 // Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
 fmc_status fmc_context_find_contact_points(fmc_context *context,

@@ -49,6 +49,7 @@ mod shape;
 mod signed_distance;
 mod stable_step;
 mod stateless;
+mod stateless_step;
 mod status;
 mod stiffness;
 mod tangent;

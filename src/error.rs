@@ -41,6 +41,13 @@ pub enum Error {
         /// Axis.
         axis: usize,
     },
+    /// A node lies beyond the axis, with axisymmetry.
+    NegativeRadius {
+        /// Node.
+        node: usize,
+        /// Its first coordinate.
+        radius: f64,
+    },
     /// A cell or facet names one node twice.
     RepeatedNode {
         /// Cell or facet.
@@ -225,6 +232,9 @@ impl fmt::Display for Error {
                 write!(f, "cell or facet {cell} names node {node}, but there are {node_count} nodes")
             }
             Error::NonFiniteCoordinate { node, axis } => write!(f, "coordinate {axis} of node {node} is not finite"),
+            Error::NegativeRadius { node, radius } => {
+                write!(f, "node {node} lies beyond the axis of axisymmetry: its first coordinate is {radius:.3e}")
+            }
             Error::RepeatedNode { cell, node } => write!(f, "cell or facet {cell} names node {node} twice"),
             Error::InvertedCell { cell } => write!(
                 f,

@@ -28,6 +28,7 @@ mod signed_distance;
 pub(crate) mod simplex_rule;
 mod surface;
 pub(crate) mod tree;
+pub(crate) mod weighting;
 
 pub use cell::{Bodies, CellBlock, CellType};
 pub(crate) use chord::chord;
@@ -39,6 +40,7 @@ pub use obstacle::{Obstacle, Shape, SignedDistance};
 pub use pose::Pose;
 pub(crate) use signed_distance::signed_distance;
 pub use surface::Surface;
+pub(crate) use weighting::Weighting;
 
 /// Point or vector of `D` components.
 pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;

@@ -35,6 +35,7 @@ mod patch;
 mod plots;
 mod profile;
 mod runner;
+mod sliding;
 mod summary;
 mod way;
 

@@ -134,6 +134,7 @@ fn options(from: &Options, is_ordinary: bool) -> fmc_options {
     options.friction_coefficient = from.friction.map_or(0.0, |x| x.0);
     options.friction_stiffness = from.friction_stiffness.map_or(0.0, |x| x.0);
     options.cohesion = from.cohesion.map_or(0.0, |x| x.0);
+    options.memoryless_slip = if from.friction_stiffness.is_none() { options.cohesion } else { 0.0 };
     options.fiber_length = from.fiber_length.map_or(0.0, |x| x.0);
     options.seed = from.seed;
     let choice = |which: u32| i32::from((from.choices >> (2 * which)) & 3) - 1;
@@ -463,19 +464,33 @@ impl Host {
         let (view, n, mut count) = (array.view, self.mesh.node_count(), 77usize);
         let numbers = |each: usize| Guarded::new(&vec![f64::from_bits(CANARY); n * each]);
         let (pressure, gap, area, normal) = (numbers(1), numbers(1), numbers(1), numbers(self.mesh.dim));
-        let touches = Guarded::new(&vec![7; n]);
+        let (friction, sliding, touches) = (numbers(self.mesh.dim), numbers(1), Guarded::new(&vec![7; n]));
         // SAFETY: as in `evaluate`; points go where there is room for so many.
         unsafe {
             let coords = unless(hole, 0, (&raw const view).cast_mut());
             let (p, s) = (unless(hole, 1, pressure.ptr()), unless(hole, 2, touches.ptr()));
             let room = if hole == 6 { n + 1 } else { n };
-            let status =
-                fmc_context_nodal_contact(self.context, coords, p, gap.ptr(), area.ptr(), normal.ptr(), s, room);
+            let (gap_at, area_at, normal_at) = (gap.ptr(), area.ptr(), normal.ptr());
+            let (friction_at, sliding_at) = (friction.ptr(), sliding.ptr());
+            let status = fmc_context_nodal_contact(
+                self.context,
+                coords,
+                p,
+                gap_at,
+                area_at,
+                normal_at,
+                friction_at,
+                sliding_at,
+                s,
+                room,
+            );
             let is_ok = checked(status) == OK;
             assert!(!is_ok || room == n);
-            assert_eq!(gap.values().iter().chain(&normal.values()).any(|v| v.to_bits() == CANARY), !is_ok);
+            let found = [gap.values(), normal.values(), friction.values(), sliding.values()].concat();
+            assert_eq!(found.iter().any(|v| v.to_bits() == CANARY), !is_ok);
+            assert!(!is_ok || sliding.values().iter().all(|part| (0.0..=1.0 + 1e-9).contains(part)));
             assert!(is_ok && hole != 3 || touches.values().iter().all(|s| *s == 7));
-            assert!(!is_ok || hole == 3 || touches.values().iter().all(|s| (0..=1).contains(s)));
+            assert!(!is_ok || hole == 3 || touches.values().iter().all(|s| (0..=3).contains(s)));
             let count_at = unless(hole, 4, &raw mut count);
             if checked(fmc_context_find_contact_points(self.context, coords, count_at)) != OK || hole == 5 {
                 assert_eq!(count, 77);
@@ -847,6 +862,22 @@ impl Host {
             (status, bits, volume.to_bits())
         };
         assert_eq!(call(false), call(true));
+        let (forces, next) = (Guarded::new(&canaries), Guarded::new(&canaries));
+        // SAFETY: arrays as long as they are said to be; a slip of another length than `n` rows is refused.
+        let (status, volume) = unsafe {
+            let (mut step, mut volume) = (std::mem::zeroed(), -1.0);
+            assert_eq!(fmc_friction_step_init(&raw mut step), OK);
+            (step.start, step.slip_length) = (unless(hole, 3, coords.memory.ptr()), canaries.len());
+            step.next_slip = unless(hole, 4, next.ptr());
+            let (x, o, f) = (coords.memory.ptr(), &raw const self.options, forces.ptr());
+            let (m, v) = (narrow.ptr(), &raw mut volume);
+            let step = unless(hole, 5, &raw mut step);
+            (fmc_contact_force_step(dim, x, n, *cell_type, m, cells, null(), o, step, f, v), volume)
+        };
+        if checked(status) != OK {
+            let untouched = forces.values().iter().chain(&next.values()).all(|x| x.to_bits() == CANARY);
+            assert!(untouched && volume == -1.0, "an error writes outputs");
+        }
     }
 
     /// A context of its own, from facets of any kind on the nodes that are there.

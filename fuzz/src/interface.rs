@@ -48,13 +48,14 @@ pub struct fmc_options {
     pub check_cells: i32,
     pub threads: i32,
     pub index_base: i32,
-    pub reserved_flags: i32,
+    pub axisymmetric: i32,
     pub smoothing_length: f64,
     pub friction_coefficient: f64,
     pub friction_stiffness: f64,
     pub cohesion: f64,
     pub shear_limit: f64,
-    pub reserved: [u64; 11],
+    pub memoryless_slip: f64,
+    pub reserved: [u64; 10],
 }
 
 /// As in the header, for coordinates and forces alike.
@@ -145,7 +146,23 @@ pub struct fmc_contact_point {
     pub gap: f64,
     pub pressure: f64,
     pub area: f64,
+    pub friction: [f64; 3],
+    pub slip: [f64; 3],
+    pub sliding: f64,
     pub sides: [fmc_contact_side; 2],
+    pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fmc_friction_step {
+    pub struct_size: usize,
+    pub start: *const f64,
+    pub reference: *const f64,
+    pub slip: *const f64,
+    pub next_slip: *mut f64,
+    pub slip_length: usize,
+    pub facet_count: usize,
     pub reserved: [u64; 8],
 }
 
@@ -245,6 +262,20 @@ unsafe extern "C" {
         cell_count: usize,
         body_ids: *const i32,
         options: *const fmc_options,
+        forces: *mut f64,
+        volume: *mut f64,
+    ) -> fmc_status;
+    pub fn fmc_friction_step_init(step: *mut fmc_friction_step) -> fmc_status;
+    pub fn fmc_contact_force_step(
+        dim: i32,
+        coords: *const f64,
+        node_count: usize,
+        cell_type: i32,
+        conn: *const i32,
+        cell_count: usize,
+        body_ids: *const i32,
+        options: *const fmc_options,
+        step: *mut fmc_friction_step,
         forces: *mut f64,
         volume: *mut f64,
     ) -> fmc_status;
@@ -381,6 +412,8 @@ unsafe extern "C" {
         gap: *mut f64,
         area: *mut f64,
         normal: *mut f64,
+        friction: *mut f64,
+        sliding: *mut f64,
         status: *mut i32,
         node_count: usize,
     ) -> fmc_status;

@@ -131,6 +131,12 @@ static void stateless(void) {
   EXPECT(FMC_ERROR_TOO_MANY_FIBERS, "spacing is too small", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.estimator = 9;
   EXPECT(FMC_ERROR_UNKNOWN_OPTION, "option 'estimator' has no value 9", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
+  p = o, p.axisymmetric = 1;
+  memcpy(bad, coords, sizeof bad);
+  for (int node = 0; node < 8; node++) bad[2 * node] -= 10;
+  EXPECT(FMC_ERROR_NEGATIVE_RADIUS, "node 0 lies beyond the axis", FORCE(2, bad, 8, FMC_QUAD4, conn, 2, &p));
+  p.axisymmetric = 2;
+  EXPECT(FMC_ERROR_UNKNOWN_OPTION, "option 'axisymmetric' has no value 2", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.reserved[0] = 1;
   EXPECT(FMC_ERROR_UNKNOWN_OPTION, "later version", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.stiffness = 1e308, p.exponent = 1.5;
@@ -273,13 +279,13 @@ static void contexts(void) {
   size_t point_count = 99;
   fmc_contact_point points[1];
   memset(pressure, 7, sizeof pressure);
-#define AT_NODES(c, p, n) fmc_context_nodal_contact(context, c, p, NULL, NULL, NULL, NULL, n)
+#define AT_NODES(c, p, n) fmc_context_nodal_contact(context, c, p, NULL, NULL, NULL, NULL, NULL, NULL, n)
   EXPECT_IN_CONTEXT(FMC_ERROR_LENGTH, "room for 7 nodes, the mesh has 8", AT_NODES(&x, pressure, 7));
   EXPECT_IN_CONTEXT(FMC_ERROR_LENGTH, "'coords' has 7 nodes", AT_NODES(&too_few, pressure, NODES));
   EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", AT_NODES(NULL, pressure, NODES));
   EXPECT_IN_CONTEXT(FMC_ERROR_INVERTED_CELL, "cell 1", AT_NODES(&broken, pressure, NODES));
   EXPECT(FMC_ERROR_MISALIGNED_POINTER, "'gap'",
-         fmc_context_nodal_contact(context, &x, NULL, (double *)((char *)pressure + 1), NULL, NULL, NULL, NODES));
+         fmc_context_nodal_contact(context, &x, NULL, (double *)((char *)pressure + 1), NULL, NULL, NULL, NULL, NULL, NODES));
   EXPECT_OK(AT_NODES(&x, NULL, NODES));
   const double untouched = pressure[0];
   EXPECT_TRUE(memcmp(&untouched, &pressure[NODES - 1], sizeof untouched) == 0);

@@ -27,7 +27,7 @@ int main(void) {
 
   double pressure[8], gap[8], area[8], normal[8][2], of_nodes = 0, of_points = 0;
   int32_t status[8];
-  CHECK(fmc_context_nodal_contact(contact, &coords, pressure, gap, area, normal[0], status, 8));
+  CHECK(fmc_context_nodal_contact(contact, &coords, pressure, gap, area, normal[0], NULL, NULL, status, 8));
   for (int n = 4; n < 8; n++) {
     of_nodes -= pressure[n] * area[n] * normal[n][0];
     if (status[n] == FMC_NODE_TOUCHING)

@@ -46,6 +46,14 @@ pub struct fmc_contact_point {
     pub pressure: f64,
     /// Area (2D: length) across the line, or of the facet's part.
     pub area: f64,
+    /// Traction of friction on the first side, the sum of friction * area being its resultant there; in 2D the last entry
+    /// is 0.
+    pub friction: [f64; 3],
+    /// Slip of the first side against the second since the step began, without what is elastic: that of the facets on
+    /// which the point lies; in 2D the last entry is 0.
+    pub slip: [f64; 3],
+    /// Part of the area that slides: 0 where the point sticks, 0.5 where one of its two facets does, else 1.
+    pub sliding: f64,
     /// The ends, in the order of the pair's sides; with the law "depth" the point on the facet, and the same place in a
     /// cell of the other body.
     pub sides: [fmc_contact_side; 2],
@@ -67,6 +75,9 @@ impl fmc_contact_point {
             gap: point.gap,
             pressure: point.pressure,
             area: point.area,
+            friction: padded(&point.friction),
+            slip: padded(&point.slip),
+            sliding: point.sliding,
             sides: [first, second],
             reserved: [0; 8],
         }

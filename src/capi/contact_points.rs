@@ -11,7 +11,8 @@ use super::view::fmc_coords;
 
 /// Finds the contact points at `coords`, where the laws "fiber" and "depth" press, and keeps them in the context until
 /// the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which has one
-/// pressure for a whole pair; it may be NULL.
+/// pressure for a whole pair, unless friction acts; it may be NULL. With friction the points have its traction and their
+/// slip, with the current pressure even where friction is frozen.
 ///
 /// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]

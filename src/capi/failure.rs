@@ -39,7 +39,9 @@ fn renumbered(mut error: Error, base: usize) -> Error {
         Error::NodeOutOfRange { cell, .. } | Error::InvertedCell { cell } | Error::ZeroMeasure { cell } => {
             *cell += base
         }
-        Error::NonFiniteCoordinate { node, .. } | Error::NotPositiveMass { node, .. } => *node += base,
+        Error::NonFiniteCoordinate { node, .. }
+        | Error::NotPositiveMass { node, .. }
+        | Error::NegativeRadius { node, .. } => *node += base,
         Error::RepeatedNode { cell, node } => {
             *cell += base;
             *node += base;

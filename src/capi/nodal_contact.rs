@@ -9,17 +9,19 @@ use super::status::fmc_status::FMC_ERROR_LENGTH;
 use super::view::fmc_coords;
 
 /// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
-/// Every output may be NULL. All but `normal` have one entry per node, `node_count` of them, which is that of the mesh;
-/// `normal` has `dim` per node, in dense rows.
+/// Every output may be NULL. All but `normal` and `friction` have one entry per node, `node_count` of them, which is that of
+/// the mesh; those two have `dim` per node, in dense rows.
 ///
 /// `pressure` is the mean of the law's over the part of the facets at the node that is in contact, weighted with the
 /// node's shape function, int N p dA / int N dA; with the law "volume" that of the pair. `gap` is minus the penetration,
 /// the mean over the same part, and never positive: distances of what is apart are not measured. `area` (2D: length) is
 /// int N dA, up to the curvature of the surface. `normal` is a unit vector, outwards of the node's body. The nodal force
-/// is -pressure * area * normal, to rounding. `status` has values of `fmc_node_status`.
+/// without its friction is -pressure * area * normal, to rounding. `friction` is the traction of friction on the node's
+/// body, the mean over the same part, and `sliding` the part of the contact at the node that slides, of its area,
+/// between 0 and 1. `status` has values of `fmc_node_status`.
 ///
-/// It measures the contact anew, and changes no other result of the context. Errors: as `fmc_context_evaluate`; nothing
-/// is written then. Threads: one call at a time on a context.
+/// It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
+/// the context. Errors: as `fmc_context_evaluate`; nothing is written then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_nodal_contact(
     context: *mut fmc_context,
@@ -28,11 +30,14 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
     gap: *mut f64,
     area: *mut f64,
     normal: *mut f64,
+    friction: *mut f64,
+    sliding: *mut f64,
     status: *mut i32,
     node_count: usize,
 ) -> fmc_status {
     entry(|| {
-        for (name, output) in [("pressure", pressure), ("gap", gap), ("area", area), ("normal", normal)] {
+        let numbers = [("pressure", pressure), ("gap", gap), ("area", area), ("normal", normal)];
+        for (name, output) in numbers.into_iter().chain([("friction", friction), ("sliding", sliding)]) {
             Output::optional(name, output)?;
         }
         Output::optional("status", status)?;
@@ -53,6 +58,8 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
             copy(&lists.gap, gap);
             copy(&lists.area, area);
             copy(&lists.normal, normal);
+            copy(&lists.friction, friction);
+            copy(&lists.sliding, sliding);
             copy(&lists.status, status);
         }
         Ok(())

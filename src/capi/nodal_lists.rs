@@ -7,8 +7,12 @@ use crate::contact::{NodalContact, NodeStatus};
 pub enum fmc_node_status {
     /// No facet at the node is in contact.
     FMC_NODE_APART = 0,
-    /// A facet at the node is in contact.
+    /// A facet at the node is in contact, without friction.
     FMC_NODE_TOUCHING = 1,
+    /// More of the contact at the node sticks than slides, by area.
+    FMC_NODE_STICKING = 2,
+    /// At least half of it slides.
+    FMC_NODE_SLIDING = 3,
 }
 
 /// The contact at the nodes, with its dimension hidden: one list per quantity.
@@ -17,6 +21,8 @@ pub(super) struct NodalLists {
     pub(super) gap: Vec<f64>,
     pub(super) area: Vec<f64>,
     pub(super) normal: Vec<f64>,
+    pub(super) friction: Vec<f64>,
+    pub(super) sliding: Vec<f64>,
     pub(super) status: Vec<i32>,
 }
 
@@ -25,9 +31,13 @@ impl<const D: usize> From<NodalContact<D>> for NodalLists {
         let status = |status: &NodeStatus| match status {
             NodeStatus::Apart => fmc_node_status::FMC_NODE_APART as i32,
             NodeStatus::Touching => fmc_node_status::FMC_NODE_TOUCHING as i32,
+            NodeStatus::Sticking => fmc_node_status::FMC_NODE_STICKING as i32,
+            NodeStatus::Sliding => fmc_node_status::FMC_NODE_SLIDING as i32,
         };
         Self {
             normal: field.normal.as_flattened().to_vec(),
+            friction: field.friction.as_flattened().to_vec(),
+            sliding: field.sliding,
             status: field.status.iter().map(status).collect(),
             pressure: field.pressure,
             gap: field.gap,

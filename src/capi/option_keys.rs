@@ -3,7 +3,7 @@
 use super::boundary::entry;
 use super::failure::Failure;
 use super::option_values::{
-    CHECK_CELLS, Choice, ESTIMATOR, INDEX_BASE, LAW, MOMENTUM_CORRECTION, PATTERN, SELF_CONTACT, WEIGHTS,
+    AXISYMMETRIC, CHECK_CELLS, Choice, ESTIMATOR, INDEX_BASE, LAW, MOMENTUM_CORRECTION, PATTERN, SELF_CONTACT, WEIGHTS,
 };
 use super::options::fmc_options;
 use super::pointer::{Output, reference, text};
@@ -14,8 +14,8 @@ use std::str::FromStr;
 
 /// The keys, for the message about an unknown one.
 const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, seed, law, smoothing_length, estimator, pattern, \
-                    weights, momentum_correction, self_contact, check_cells, friction_coefficient, friction_stiffness, cohesion, shear_limit, \
-                    threads, index_base";
+                    weights, momentum_correction, self_contact, check_cells, axisymmetric, friction_coefficient, friction_stiffness, cohesion, shear_limit, \
+                    memoryless_slip, threads, index_base";
 
 fn unknown_value(key: &str, value: &str, wanted: &str) -> Failure {
     Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{key}' has no value '{value}': {wanted} is wanted"))
@@ -47,6 +47,7 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
         "friction_stiffness" => options.friction_stiffness = number(key, value)?,
         "cohesion" => options.cohesion = number(key, value)?,
         "shear_limit" => options.shear_limit = number(key, value)?,
+        "memoryless_slip" => options.memoryless_slip = number(key, value)?,
         "spacing" => options.spacing = number(key, value)?,
         "fiber_length" => options.fiber_length = number(key, value)?,
         "fiber_count" => options.fiber_count = whole(key, value)?,
@@ -58,6 +59,7 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
         "weights" => options.weights = choice(&WEIGHTS, value)?,
         "momentum_correction" => options.momentum_correction = choice(&MOMENTUM_CORRECTION, value)?,
         "self_contact" => options.self_contact = choice(&SELF_CONTACT, value)?,
+        "axisymmetric" => options.axisymmetric = choice(&AXISYMMETRIC, value)?,
         "check_cells" => options.check_cells = choice(&CHECK_CELLS, value)?,
         "index_base" => options.index_base = choice(&INDEX_BASE, value)?,
         // Lets a host check, in the library that it ships, that a panic is returned as a status.

@@ -47,6 +47,7 @@ pub(super) const WEIGHTS: Choice = Choice {
 pub(super) const MOMENTUM_CORRECTION: Choice = Choice { key: "momentum_correction", values: SWITCH };
 pub(super) const SELF_CONTACT: Choice = Choice { key: "self_contact", values: SWITCH };
 pub(super) const CHECK_CELLS: Choice = Choice { key: "check_cells", values: SWITCH };
+pub(super) const AXISYMMETRIC: Choice = Choice { key: "axisymmetric", values: SWITCH };
 pub(super) const INDEX_BASE: Choice = Choice { key: "index_base", values: SWITCH };
 /// Of a pair.
 pub(super) const EXCLUDED: Choice = Choice { key: "excluded", values: SWITCH };
@@ -75,7 +76,7 @@ impl fmc_options {
             );
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
         }
-        if self.reserved_flags != 0 || self.reserved != [0; 11] {
+        if self.reserved != [0; 10] {
             let text = "a reserved field of fmc_options is not zero: an option of a later version of the library";
             return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
         }
@@ -105,6 +106,7 @@ impl fmc_options {
             threads,
             self_contact: SELF_CONTACT.is_on(self.self_contact)?,
             check_cells: CHECK_CELLS.is_on(self.check_cells)?,
+            axisymmetric: AXISYMMETRIC.is_on(self.axisymmetric)?,
             friction: self.friction(),
             ..Options::new(law)
         })
@@ -143,6 +145,7 @@ impl fmc_options {
         Friction {
             coefficient: self.friction_coefficient,
             stiffness: (self.friction_stiffness != 0.0).then_some(self.friction_stiffness),
+            memoryless_slip: (self.memoryless_slip != 0.0).then_some(self.memoryless_slip),
             cohesion: self.cohesion,
             shear_limit: if self.shear_limit == 0.0 { f64::INFINITY } else { self.shear_limit },
         }
@@ -207,12 +210,16 @@ mod tests {
     }
 
     #[test]
-    fn friction_has_four_numbers() {
+    fn friction_has_five_numbers() {
         let options = fmc_options { stiffness: 3.0, friction_coefficient: 0.3, ..fmc_options::default() };
         assert_eq!(options.to_options().unwrap().friction, Friction::coulomb(0.3));
         let options = fmc_options { friction_stiffness: 2.0, cohesion: 1.0, shear_limit: 7.0, ..options };
-        let friction = Friction { coefficient: 0.3, stiffness: Some(2.0), cohesion: 1.0, shear_limit: 7.0 };
-        assert_eq!(options.to_options().unwrap().friction, friction);
+        let friction = Friction { cohesion: 1.0, shear_limit: 7.0, ..Friction::coulomb(0.3) };
+        let spring = Friction { stiffness: Some(2.0), ..friction };
+        assert_eq!(options.to_options().unwrap().friction, spring);
+        let options = fmc_options { friction_stiffness: 0.0, memoryless_slip: 1e-3, ..options };
+        let memoryless = Friction { memoryless_slip: Some(1e-3), ..friction };
+        assert_eq!(options.to_options().unwrap().friction, memoryless);
     }
 
     #[test]
@@ -236,7 +243,7 @@ mod tests {
             |o| o.check_cells = 7,
             |o| o.index_base = 2,
             |o| o.reserved[3] = 1,
-            |o| o.reserved_flags = 1,
+            |o| o.axisymmetric = 2,
             |o| (o.law, o.spacing, o.fiber_count) = (1, 0.1, 10),
             |o| (o.law, o.smoothing_length) = (0, 1e-3),
             |o| o.exponent = 2.0,

@@ -98,14 +98,15 @@ pub struct fmc_options {
     /// Number of the first node, 0 or 1. Default 0. Read where node numbers are given; messages count nodes, cells
     /// and facets from it.
     pub index_base: i32,
-    /// Zero.
-    pub reserved_flags: i32,
+    /// 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
+    /// whole rings: everything counts 2 pi r. Default 0. Not with friction, nor isotropic fibers.
+    pub axisymmetric: i32,
     /// Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
     /// with `FMC_LAW_FIBER`.
     pub smoothing_length: f64,
     /// Coefficient of Coulomb friction of all pairs that have none of their own, at least 0. Default 0: no friction. With
-    /// it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. Not with the law
-    /// "volume".
+    /// it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. With the law
+    /// "volume" not on sampled lines, and not without `friction_stiffness` or `memoryless_slip`.
     pub friction_coefficient: f64,
     /// Tangential stiffness of the stick, a pressure per length; 0, the default: the stiffness of the law at a first touch.
     pub friction_stiffness: f64,
@@ -113,8 +114,12 @@ pub struct fmc_options {
     pub cohesion: f64,
     /// Largest shear traction, a pressure; 0, the default: no limit.
     pub shear_limit: f64,
+    /// Slip of a step from which on friction without memory acts in full: a speed times the time step, say. Smooth, and nothing
+    /// is carried from one step to the next, so that what should stick creeps. 0, the default: friction with memory. Not
+    /// together with `friction_stiffness`.
+    pub memoryless_slip: f64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 11],
+    pub reserved: [u64; 10],
 }
 
 impl Default for fmc_options {
@@ -136,13 +141,14 @@ impl Default for fmc_options {
             check_cells: 1,
             threads: 1,
             index_base: 0,
-            reserved_flags: 0,
+            axisymmetric: 0,
             smoothing_length: 0.0,
             friction_coefficient: 0.0,
             friction_stiffness: 0.0,
             cohesion: 0.0,
             shear_limit: 0.0,
-            reserved: [0; 11],
+            memoryless_slip: 0.0,
+            reserved: [0; 10],
         }
     }
 }

@@ -94,6 +94,8 @@ pub enum fmc_status {
     FMC_ERROR_NO_STEP = 40,
     /// An elastic slip is NaN or infinite.
     FMC_ERROR_NON_FINITE_SLIP = 41,
+    /// A node lies beyond the axis, with axisymmetry: its first coordinate is negative.
+    FMC_ERROR_NEGATIVE_RADIUS = 42,
 }
 
 use fmc_status::*;
@@ -142,6 +144,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_UNFINISHED_LINES, c"FMC_ERROR_UNFINISHED_LINES"),
     (FMC_ERROR_NO_STEP, c"FMC_ERROR_NO_STEP"),
     (FMC_ERROR_NON_FINITE_SLIP, c"FMC_ERROR_NON_FINITE_SLIP"),
+    (FMC_ERROR_NEGATIVE_RADIUS, c"FMC_ERROR_NEGATIVE_RADIUS"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -167,6 +170,7 @@ impl From<&Error> for fmc_status {
             Error::BodyOutOfRange { .. } => FMC_ERROR_BODY_OUT_OF_RANGE,
             Error::OfPair { cause, .. } => Self::from(&**cause),
             Error::NonFiniteSlip { .. } => FMC_ERROR_NON_FINITE_SLIP,
+            Error::NegativeRadius { .. } => FMC_ERROR_NEGATIVE_RADIUS,
             Error::NoStep => FMC_ERROR_NO_STEP,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
             Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
@@ -201,7 +205,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NON_FINITE_SLIP);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NEGATIVE_RADIUS);
     }
 
     #[test]
@@ -228,6 +232,7 @@ mod tests {
             Error::ObstacleRemoved { obstacle: 0 },
             Error::NoStep,
             Error::NonFiniteSlip { facet: 0 },
+            Error::NegativeRadius { node: 0, radius: -1.0 },
             Error::DegenerateHull { point_count: 3 },
             Error::TooFewHeights { axis: 0, count: 1 },
             Error::NonFiniteHeight { point: 0 },

@@ -148,7 +148,17 @@ impl Session for Brittle {
     }
 
     unsafe fn nodal_contact(&mut self, _: &fmc_coords, _: i32) -> Result<NodalLists, Failure> {
-        Ok(NodalContact::<2> { pressure: vec![], gap: vec![], area: vec![], normal: vec![], status: vec![] }.into())
+        let (numbers, vectors) = (Vec::new, Vec::new);
+        Ok(NodalContact::<2> {
+            pressure: numbers(),
+            gap: numbers(),
+            area: numbers(),
+            normal: vectors(),
+            friction: vectors(),
+            sliding: numbers(),
+            status: Vec::new(),
+        }
+        .into())
     }
 
     unsafe fn contact_points(&mut self, _: &fmc_coords, _: i32) -> Result<Vec<fmc_contact_point>, Failure> {

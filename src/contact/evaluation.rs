@@ -13,7 +13,7 @@ use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::depth::DepthField;
-use crate::geometry::{Bodies, CellBlock, Surface};
+use crate::geometry::Surface;
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use std::sync::{Mutex, OnceLock};
 
@@ -21,7 +21,7 @@ use std::sync::{Mutex, OnceLock};
 ///
 /// It holds topology, obstacles and options, and keeps search trees and what was found at the last coordinates for the
 /// next evaluation. No result depends on what is kept: two evaluations at the same coordinates give the same bits, and
-/// [`contact_force`] gives the same bits as a `Contact` that is kept.
+/// [`contact_force`](crate::contact_force) gives the same bits as a `Contact` that is kept.
 pub struct Contact<const D: usize> {
     pub(super) surface: Surface<D>,
     /// By index; `None` where one was removed.
@@ -53,6 +53,7 @@ impl<const D: usize> Contact<D> {
     /// that exclude one another, and for the law `depth` between bodies that are given by facets.
     pub fn new(surface: Surface<D>, options: Options) -> Result<Self, Error> {
         options.check()?;
+        check_axisymmetry::<D>(&options)?;
         check_depth(&surface, &options)?;
         Ok(Self {
             surface,
@@ -117,6 +118,7 @@ impl<const D: usize> Contact<D> {
     /// stay in force.
     pub fn set_options(&mut self, options: Options) -> Result<(), Error> {
         options.check()?;
+        check_axisymmetry::<D>(&options)?;
         check_depth(&self.surface, &options)?;
         self.pair_table.check(&options)?;
         if options.threads != self.options.threads {
@@ -127,6 +129,10 @@ impl<const D: usize> Contact<D> {
             self.estimator = estimator(&options)?;
         }
         self.law = pair_law(&options.law)?;
+        if options.axisymmetric != self.options.axisymmetric {
+            self.release_patches();
+            self.depth = OnceLock::new();
+        }
         self.options = options;
         self.forget_found();
         Ok(())
@@ -188,7 +194,7 @@ impl<const D: usize> Contact<D> {
         kernels::overlaps(self, coords)
     }
 
-    /// Pressure, gap, area and normal at every node at `coords`.
+    /// Pressure, gap, area and normal at every node at `coords`, and friction with the current pressure.
     ///
     /// # Errors
     /// As [`Self::evaluate`].
@@ -197,7 +203,8 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The contact points at `coords`, in the order of the pairs: where the laws `fiber` and `depth` press, with pressure,
-    /// area and both sides of each. Empty with the law `volume`, which has one pressure for a whole pair.
+    /// area and both sides of each, and what friction does there with the current pressure. Empty with the law `volume`,
+    /// which has one pressure for a whole pair, unless friction acts.
     ///
     /// # Errors
     /// As [`Self::evaluate`].
@@ -231,12 +238,25 @@ impl<const D: usize> Contact<D> {
     }
 }
 
+/// Axisymmetry is that of coordinates (r, z).
+fn check_axisymmetry<const D: usize>(options: &Options) -> Result<(), Error> {
+    match D {
+        3 if options.axisymmetric => Err(Error::Unsupported { what: "axisymmetry in 3D: its coordinates are (r, z)" }),
+        _ => Ok(()),
+    }
+}
+
 /// Refuses at once what no evaluation could measure: depth is that of cells.
 fn check_depth<const D: usize>(surface: &Surface<D>, options: &Options) -> Result<(), Error> {
     let between_bodies = surface.body_count() > 1 || options.self_contact;
     if options.law.needs_depth() && between_bodies && surface.cells.is_none() {
         let what = "the law depth between bodies given by facets, since depth is that of cells: give cells, or set the \
                     law fiber or volume";
+        return Err(Error::Unsupported { what });
+    }
+    let is_rubbed = options.friction.is_active() && !options.law.needs_depth() && !options.law.is_fiber();
+    if is_rubbed && between_bodies && surface.cells.is_none() {
+        let what = "friction with the law volume between bodies given by facets: give cells, or set the law fiber";
         return Err(Error::Unsupported { what });
     }
     Ok(())
@@ -256,29 +276,4 @@ fn pool(threads: usize) -> Result<Option<rayon::ThreadPool>, Error> {
     let name = |index| format!("fmc-contact-{index}");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).thread_name(name).build();
     pool.map(Some).map_err(|_| Error::Threads { threads })
-}
-
-/// Contact forces between the bodies of a mesh, in one call.
-///
-/// # Errors
-/// Those of [`Surface::from_cells`], [`Contact::new`] and [`Contact::evaluate`].
-///
-/// ```
-/// use fmc_contact::{Bodies, CellBlock, CellType, EnergyLaw, Options, contact_force};
-/// // Two unit squares, the second 0.1 deep in the first.
-/// let coords = [[0., 0.], [1., 0.], [1., 1.], [0., 1.], [0., 0.9], [1., 0.9], [1., 1.9], [0., 1.9]];
-/// let blocks = [CellBlock { cell_type: CellType::Quad4, conn: &[0, 1, 2, 3, 4, 5, 6, 7] }];
-/// let options = Options::new(EnergyLaw::volume(1000.0));
-/// let contact = contact_force(&coords, &blocks, Bodies::Connected, &options)?;
-/// assert!((contact.volume - 0.1).abs() < 0.01);
-/// assert!(contact.bodies[1].force[1] > 0.0); // the upper square is pushed up
-/// # Ok::<(), fmc_contact::Error>(())
-/// ```
-pub fn contact_force<const D: usize>(
-    coords: &[[f64; D]],
-    blocks: &[CellBlock],
-    bodies: Bodies,
-    options: &Options,
-) -> Result<ContactForces<D>, Error> {
-    Contact::new(Surface::from_cells(coords, blocks, bodies)?, *options)?.evaluate(coords)
 }

@@ -11,9 +11,11 @@ use crate::overlap::{Partner, Warning};
 pub struct Resultant<const D: usize> {
     /// Id of the body as given (or its number among the connected components); for an obstacle its index.
     pub id: i64,
-    /// Sum of the contact forces on it.
+    /// Sum of the contact forces on it. With axisymmetry its first entry is the sum of radial forces around the axis: for
+    /// an obstacle, what resists a shift of its section away from the axis.
     pub force: [f64; D],
-    /// Moment of the contact forces on it about the origin of space; in 2D only the last entry differs from zero.
+    /// Moment of the contact forces on it about the origin of space; in 2D only the last entry differs from zero, with
+    /// axisymmetry none.
     pub moment: [f64; 3],
     /// The part of `force` that is friction.
     pub friction: [f64; D],
@@ -57,7 +59,7 @@ pub struct PairForces {
 /// Contact forces and what belongs to them.
 ///
 /// Units follow from the coordinates and from k: with lengths in m and k in Pa (m = 1), forces are N in 3D and N/m (per
-/// unit thickness) in 2D.
+/// unit thickness) in 2D; with axisymmetry N, on whole rings, and volumes and areas are those of bodies of revolution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactForces<const D: usize> {
     /// Force on every node, `[node_count, D]`, in the order of the coordinates: −∂w/∂x. It pushes bodies apart.
@@ -133,6 +135,12 @@ impl<const D: usize> ContactForces<D> {
         total.standard_error = total.standard_error.sqrt();
         total.check()?;
         Ok(total)
+    }
+
+    /// The same without moments, which cancel around an axis.
+    pub(super) fn without_moments(mut self) -> Self {
+        self.bodies.iter_mut().chain(&mut self.obstacles).for_each(|resultant| resultant.moment = [0.0; 3]);
+        self
     }
 
     /// Checks that all numbers are finite; a force that is not shows in a resultant.

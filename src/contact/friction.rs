@@ -7,9 +7,11 @@
 //! ```
 //!
 //! `options` · `return_mapping` (from slip to traction) · `step` (the state when the step began) · `side_motion` (how one
-//! side moved since) · `slip_facets` (the facets of a pair with their slip) · `tractions` (forces, tangent and energies of a
-//! pair) · `frozen` (facets and pressure of an earlier iteration)
+//! side moved since) · `carriers` (the facets on which a point lies) · `slip_facets` (the facets of a pair with their slip) · `tractions` (forces, tangent and energies of a
+//! pair) · `frozen` (facets and pressure of an earlier iteration) · `at_points` (what hosts see)
 
+mod at_points;
+mod carriers;
 mod frozen;
 mod options;
 mod return_mapping;
@@ -18,8 +20,10 @@ mod slip_facets;
 mod step;
 mod tractions;
 
+pub(super) use at_points::{NodalFriction, PointFriction};
 pub(super) use frozen::FrozenFriction;
 pub use options::Friction;
+pub(super) use return_mapping::Stick;
 pub(super) use slip_facets::{Sliding, SlipFacets};
 pub(super) use step::Step;
 pub use tractions::FrictionTotals;

@@ -1,7 +1,7 @@
 //! Steps of a contact with friction: what is carried from one to the next.
 
 use super::Contact;
-use super::friction::{Friction, FrozenFriction, Sliding, SlipFacets, Step};
+use super::friction::{Friction, FrozenFriction, Sliding, SlipFacets, Step, Stick};
 use super::kernels;
 use super::laws::Measured;
 use crate::Error;
@@ -110,11 +110,16 @@ impl<const D: usize> Contact<D> {
         let friction = self.friction_of(&measured.pair.partners);
         let Some(step) = self.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
         let what = "friction with a law that has no stiffness of its own: set the friction's";
-        let stiffness = friction.stiffness.or(measured.law.initial_stiffness()).ok_or(Error::Unsupported { what })?;
-        Ok(Some(Sliding { friction, stiffness, step }))
+        let stick = match friction.memoryless_slip {
+            Some(slip) => Stick::Memoryless(slip),
+            None => Stick::Spring(
+                friction.stiffness.or(measured.law.initial_stiffness()).ok_or(Error::Unsupported { what })?,
+            ),
+        };
+        Ok(Some(Sliding { friction, stick, step }))
     }
 
-    fn friction_of(&self, partners: &[Partner; 2]) -> Friction {
+    pub(super) fn friction_of(&self, partners: &[Partner; 2]) -> Friction {
         self.pair_table.friction(partners, self.options.friction)
     }
 

@@ -9,7 +9,7 @@ use crate::overlap::{NodalGap, Partner};
 /// nearer than the reach and facing the partner, within 60° of the way to its nearest point: N is the shape function, φ the
 /// distance from the partner's surface, negative inside. Contact is g_r ≥ 0.
 /// Multipliers p_r (pressures) act with the nodal forces Σ_r p_r ∂g_r/∂x, which balance: partners that are bodies take the
-/// opposite. Both bodies of a pair have rows; a host that wants one side only takes the rows of one body.
+/// opposite. With axisymmetry areas are those of rings, dA = 2πr ds, and radial forces need not balance. Both bodies of a pair have rows; a host that wants one side only takes the rows of one body.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GapConstraints<const D: usize> {
     /// Node of every row.

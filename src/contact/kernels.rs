@@ -95,10 +95,10 @@ fn measured_pairs<const D: usize>(
     contact.check_step()?;
     let found = contact.for_each_pair(coords, |measured| {
         let slides = if contact.frozen.is_none() { contact.sliding(measured)? } else { None };
-        let asked = Asked { points: asked.points || slides.is_some(), ..*asked };
+        let asked = Asked { slides: slides.is_some(), ..*asked };
         let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
         let tractions = slides.map(|sliding| {
-            let facets = SlipFacets::new(measured.pair, &sliding, &answer.points, measured.obstacle_node());
+            let facets = SlipFacets::new(measured, &sliding, &answer.points);
             Tractions::new(&facets, coords.len(), asked.tangent)
         });
         Ok(Some((answer, tractions)))
@@ -123,7 +123,8 @@ fn forces_of<const D: usize>(
     tractions: &[Tractions<D>],
 ) -> Result<ContactForces<D>, Error> {
     let energies: Vec<_> = energies.collect();
-    ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &energies, tractions)
+    let forces = ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &energies, tractions)?;
+    Ok(if contact.options.axisymmetric { forces.without_moments() } else { forces })
 }
 
 fn tangent_in<const D: usize>(
@@ -158,11 +159,11 @@ fn evaluate_with_tangent_in<const D: usize>(
 
 /// All facets on which friction acts, by pair.
 fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<SlipFacetsByPair<D>, Error> {
-    let asked = Asked { points: true, ..Asked::default() };
+    let asked = Asked { slides: true, ..Asked::default() };
     contact.for_each_pair(coords, |measured| {
         let Some(sliding) = contact.sliding(measured)? else { return Ok(None) };
         let answer = measured.law.measure(measured, &asked)?;
-        Ok(answer.map(|answer| SlipFacets::new(measured.pair, &sliding, &answer.points, measured.obstacle_node())))
+        Ok(answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)))
     })
 }
 
@@ -183,10 +184,15 @@ fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result
 }
 
 fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
-    let asked = Asked { energy: true, nodal_sums: true, ..Asked::default() };
+    contact.check_step()?;
     let pairs = contact.for_each_pair(coords, |measured| {
-        let answer = measured.law.measure(measured, &asked)?;
-        Ok(answer.and_then(|answer| Some((answer.energy?, answer.nodal_sums))))
+        let sliding = contact.sliding(measured)?;
+        let asked = Asked { energy: true, nodal_sums: true, slides: sliding.is_some(), ..Asked::default() };
+        let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
+        let friction = sliding.map_or_else(Vec::new, |sliding| {
+            SlipFacets::new(measured, &sliding, &answer.points).at_nodes(measured.pair, &answer.points)
+        });
+        Ok(answer.energy.map(|energy| (energy, answer.nodal_sums, friction)))
     })?;
     NodalContact::assemble(coords.len(), &pairs)
 }
@@ -195,10 +201,15 @@ fn contact_points_in<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
 ) -> Result<Vec<PointOfContact<D>>, Error> {
-    let asked = Asked { points: true, ..Asked::default() };
+    contact.check_step()?;
     let points = contact.for_each_pair(coords, |measured| {
-        let answer = measured.law.measure(measured, &asked)?;
-        Ok(answer.map(|answer| points_of_contact(&answer.points, measured.pair)))
+        let sliding = contact.sliding(measured)?;
+        let asked = Asked { points: true, slides: sliding.is_some(), ..Asked::default() };
+        let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
+        let friction = sliding.map(|sliding| {
+            SlipFacets::new(measured, &sliding, &answer.points).at_points(measured.pair, &answer.points)
+        });
+        Ok(Some(points_of_contact(&answer.points, friction.as_deref(), measured.pair)))
     })?;
     Ok(points.into_iter().flatten().collect())
 }

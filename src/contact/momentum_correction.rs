@@ -4,7 +4,7 @@
 //! space has neither. The correction minimises Σ |δ_a|² / |g_a| under Σ (g_a + δ_a) = 0 and Σ x_a × (g_a + δ_a) = 0: a
 //! node gives in proportion to what it carries, δ_a = |g_a| (λ + μ × x_a), and λ, μ follow from 3 (2D) or 6 equations.
 
-use crate::geometry::{Vector, moment};
+use crate::geometry::{Vector, Weighting, moment};
 use crate::overlap::{Imbalance, Overlap, Pair, PoseGradient, Warning};
 use nalgebra::{SMatrix, SVector};
 use std::iter::Sum;
@@ -68,7 +68,8 @@ pub(crate) fn correct<const D: usize>(
         return None;
     }
     carriers.iter_mut().for_each(|c| c.arm /= unit);
-    let imbalance = residual(&carriers, &couple.map(|c| c / unit)).amax() / weight;
+    let weighting = pair.weighting;
+    let imbalance = residual(&carriers, &couple.map(|c| c / unit), weighting).amax() / weight;
     let [a, b] = pair.partners;
     let unexpected = (imbalance > expected.doubtful).then_some(Warning::Unbalanced { a, b, imbalance });
     // Forces that are no numbers have none either; whoever sums them up refuses them.
@@ -76,21 +77,21 @@ pub(crate) fn correct<const D: usize>(
         return unexpected;
     }
     let system = sum_by_side(&carriers, |c| {
-        let modes = modes(&c.arm);
+        let modes = modes(&c.arm, weighting);
         SMatrix::<f64, 6, 6>::from_fn(|p, q| c.size * modes[p].dot(&modes[q]))
     });
     let eigen = system.symmetric_eigen();
     // 1e-10 of the stiffest mode lies far below any patch of finite width.
     let cutoff = 1e-10 * eigen.eigenvalues.max();
     for _ in 0..ROUNDS {
-        let residual = residual(&carriers, &couple.map(|c| c / unit));
+        let residual = residual(&carriers, &couple.map(|c| c / unit), weighting);
         let mut multipliers = eigen.eigenvectors.transpose() * residual;
         for (m, value) in multipliers.iter_mut().zip(eigen.eigenvalues.iter()) {
             *m = if *value > cutoff { -*m / value } else { 0.0 };
         }
         let multipliers = eigen.eigenvectors * multipliers;
         for carrier in &mut carriers {
-            for (mode, m) in modes(&carrier.arm).iter().zip(multipliers.iter()) {
+            for (mode, m) in modes(&carrier.arm, weighting).iter().zip(multipliers.iter()) {
                 carrier.value += mode * (*m * carrier.size);
             }
         }
@@ -101,6 +102,9 @@ pub(crate) fn correct<const D: usize>(
     if let (Some(pose), Some(carrier)) = (pose_gradient, carriers.last()) {
         let change = carrier.value - pose.position;
         pose.position = carrier.value;
+        if !weighting.is_plain() {
+            return unexpected;
+        }
         for (sum, m) in pose.rotation.iter_mut().zip(moment(&(carrier.arm * unit + center), &change)) {
             *sum += m;
         }
@@ -109,11 +113,14 @@ pub(crate) fn correct<const D: usize>(
 }
 
 /// ΣF and ΣM, along the modes; `couple` is what the obstacle carries beside its force.
-fn residual<const D: usize>(carriers: &[Carrier<D>], couple: &[f64; 3]) -> SVector<f64, 6> {
+fn residual<const D: usize>(carriers: &[Carrier<D>], couple: &[f64; 3], weighting: Weighting) -> SVector<f64, 6> {
     let mut residual = sum_by_side(carriers, |c| {
-        let modes = modes(&c.arm);
+        let modes = modes(&c.arm, weighting);
         SVector::<f64, 6>::from_fn(|p, _| modes[p].dot(&c.value))
     });
+    if !weighting.is_plain() {
+        return residual;
+    }
     for (mode, axis) in (D..6).zip(if D == 2 { 2..3 } else { 0..3 }) {
         residual[mode] += couple[axis];
     }
@@ -126,9 +133,14 @@ fn sum_by_side<T: Sum, const D: usize>(carriers: &[Carrier<D>], term: impl Fn(&C
     [side(false), side(true)].into_iter().sum()
 }
 
-/// The D translations and the 1 or 3 rotations at a point, as vectors there; unused ones are zero.
-fn modes<const D: usize>(x: &Vector<D>) -> [Vector<D>; 6] {
+/// The D translations and the 1 or 3 rotations at a point, as vectors there; unused ones are zero. What has an axis of
+/// symmetry moves along it alone.
+fn modes<const D: usize>(x: &Vector<D>, weighting: Weighting) -> [Vector<D>; 6] {
     let mut modes = [Vector::zeros(); 6];
+    if !weighting.is_plain() {
+        modes[D - 1][D - 1] = 1.0;
+        return modes;
+    }
     for axis in 0..D {
         modes[axis][axis] = 1.0;
     }

@@ -2,6 +2,7 @@
 
 use super::{EnergyLaw, Friction};
 use crate::Error;
+use crate::geometry::Weighting;
 use crate::overlap::{Estimator, Resolution};
 use crate::sampling::FiberPattern;
 
@@ -20,6 +21,9 @@ pub struct Options {
     /// Friction of all pairs that have none of their own. Off by default. With it the tangent is unsymmetric, and steps
     /// are begun and committed: see `Contact::begin_step`.
     pub friction: Friction,
+    /// Axisymmetry, in 2D: coordinates are (r, z) with r ≥ 0, and everything is that of bodies of revolution about r = 0:
+    /// volumes, areas, energies, and forces on whole rings. Off by default.
+    pub axisymmetric: bool,
     /// Check the orientation of every cell at every evaluation. On by default; it costs some ns per cell.
     pub check_cells: bool,
 }
@@ -33,18 +37,46 @@ impl Options {
             threads: 1,
             self_contact: false,
             friction: Friction::default(),
+            axisymmetric: false,
             check_cells: true,
         }
+    }
+
+    /// What measures count for.
+    pub(crate) fn weighting(&self) -> Weighting {
+        if self.axisymmetric { Weighting::Axisymmetric } else { Weighting::Plain }
+    }
+
+    /// Checks what axisymmetry excludes.
+    fn check_axisymmetry(&self) -> Result<(), Error> {
+        let is_isotropic = match &self.estimator {
+            Estimator::Fibers(fibers) => fibers.pattern != FiberPattern::Lines,
+            _ => false,
+        };
+        let what = match () {
+            () if !self.axisymmetric => return Ok(()),
+            () if self.friction.is_active() => "friction with axisymmetry",
+            () if is_isotropic => "isotropic fibers with axisymmetry: use FiberPattern::Lines",
+            () => return Ok(()),
+        };
+        Err(Error::Unsupported { what })
     }
 
     /// Checks every value.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.law.check()?;
         self.friction.check()?;
+        self.check_axisymmetry()?;
         if self.friction.is_active() && matches!(self.law, EnergyLaw::Volume { .. }) {
-            let what =
-                "friction with the law volume, whose pressure is one for a whole pair: use the law depth or fiber";
-            return Err(Error::Unsupported { what });
+            if self.friction.stiffness.is_none() && self.friction.memoryless_slip.is_none() {
+                let what = "friction with the law volume, which has no stiffness by penetration, without a stiffness of \
+                            its own: set friction_stiffness";
+                return Err(Error::Unsupported { what });
+            }
+            if matches!(self.estimator, Estimator::Fibers(_)) {
+                let what = "friction with the law volume on sampled lines: use the estimator exact or auto";
+                return Err(Error::Unsupported { what });
+            }
         }
         let positive = |name, value: f64| {
             if value.is_finite() && value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }

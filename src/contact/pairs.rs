@@ -128,8 +128,9 @@ impl<const D: usize> Contact<D> {
         let parallel = self.pool.is_some() && !counterpart.is_marched();
         let (surface, coords) = (&self.surface, configuration.coords());
         let law = self.law_of(&partners);
-        let depth = self.depth_field(law);
-        let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, parallel };
+        let depth = self.depth_field(law, &partners);
+        let weighting = self.options.weighting();
+        let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, weighting, parallel };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
         work(&Measured { pair: &pair, law, estimator: &*self.estimator, kept, found })

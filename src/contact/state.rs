@@ -6,6 +6,8 @@ use super::rigid::Placed;
 use crate::Error;
 use crate::configuration::Configuration;
 use crate::depth::DepthField;
+use crate::geometry::aabb::Aabb;
+use crate::overlap::Partner;
 
 /// The bodies and the obstacles where they were evaluated last.
 pub(super) struct State<const D: usize> {
@@ -30,18 +32,20 @@ impl<const D: usize> Contact<D> {
             let (configuration, placed) = (Configuration::new(), Vec::new());
             Box::new(State { configuration, placed, found: FoundPatches::default() })
         });
-        let brought = self.bring(&mut state, coords);
+        let brought = self.bring(&mut state, coords).and_then(|()| self.check_radii(&state.configuration));
         let result = brought.and_then(|()| work(&state));
         *lock() = Some(state);
         result
     }
 
-    /// How deep the cells of bodies lie below their surfaces, where the law asks for it and there are cells.
-    pub(super) fn depth_field(&self, law: &dyn PairLaw<D>) -> Option<&DepthField<D>> {
-        if !law.needs_depth() {
+    /// How deep the cells of bodies lie below their surfaces, where the law asks for it and there are cells; friction asks
+    /// with a law that has no points of its own.
+    pub(super) fn depth_field(&self, law: &dyn PairLaw<D>, partners: &[Partner; 2]) -> Option<&DepthField<D>> {
+        if !law.needs_depth() && (law.is_local() || !self.friction_of(partners).is_active()) {
             return None;
         }
-        self.depth.get_or_init(|| DepthField::new(&self.surface, self.in_symmetry_plane.as_deref())).as_ref()
+        let new = || DepthField::new(&self.surface, self.in_symmetry_plane.as_deref(), self.options.weighting());
+        self.depth.get_or_init(new).as_ref()
     }
 
     fn bring(&self, state: &mut State<D>, coords: &[[f64; D]]) -> Result<(), Error> {
@@ -64,6 +68,21 @@ impl<const D: usize> Contact<D> {
             }
         }
         Ok(())
+    }
+
+    /// Checks, with axisymmetry, that no body reaches beyond the axis by more than rounding.
+    fn check_radii(&self, configuration: &Configuration<D>) -> Result<(), Error> {
+        let boxes = || (0..self.surface.body_count()).map(|body| configuration.body_box(body));
+        if self.options.weighting().is_plain() || boxes().all(|aabb| aabb.min[0] >= 0.0) {
+            return Ok(());
+        }
+        let rounding = boxes().fold(Aabb::empty(), |all, aabb| all.union(&aabb)).rounding();
+        let radius = |node: usize| configuration.coords()[node][0];
+        let mut nodes = self.surface.nodes.iter().map(|&node| node as usize);
+        match nodes.find(|&node| radius(node) < -rounding) {
+            Some(node) => Err(Error::NegativeRadius { node, radius: radius(node) }),
+            None => Ok(()),
+        }
     }
 
     /// Forgets what was found at the last coordinates, after a change of the options or of an obstacle.

@@ -6,10 +6,11 @@ use super::distances::Distances;
 use super::divisions::{CellPoint, CellSimplex, Divisions};
 use super::near_surface::NearSurface;
 use super::node_depths::node_depths;
+use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::components::Components;
 use crate::geometry::nearest_on_facet::nearest;
-use crate::geometry::{CellType, Surface, Vector};
+use crate::geometry::{CellType, Surface, Vector, Weighting};
 
 /// Depth below the surface of its body at every point of every cell.
 ///
@@ -36,12 +37,19 @@ const TYPES: [CellType; 4] = [CellType::Tri3, CellType::Quad4, CellType::Tet4, C
 
 impl<const D: usize> DepthField<D> {
     /// The field of a surface that has cells; `None` for one that has none. Faces all of whose nodes are marked lie in
-    /// planes of symmetry.
-    pub(crate) fn new(surface: &Surface<D>, in_symmetry_plane: Option<&[bool]>) -> Option<Self> {
+    /// planes of symmetry; so does what lies on an axis.
+    pub(crate) fn new(surface: &Surface<D>, in_symmetry_plane: Option<&[bool]>, weighting: Weighting) -> Option<Self> {
         let cells = surface.cells.as_ref()?;
         let coords = surface.reference();
         let marks = in_symmetry_plane.unwrap_or_default();
-        let is_marked = |node: u32| marks.get(node as usize).copied().unwrap_or(false);
+        let rounding = match weighting {
+            Weighting::Plain => 0.0,
+            Weighting::Axisymmetric => Aabb::of(&surface.points(coords)).rounding(),
+        };
+        let is_marked = |node: u32| {
+            let is_told = marks.get(node as usize).copied().unwrap_or(false);
+            is_told || weighting.is_axis([&Vector::<D>::from(coords[node as usize])], rounding)
+        };
         let is_surface = |cell: usize, face: usize| !cells.face_nodes(cell, face).into_iter().all(is_marked);
         let surface_faces: Vec<u8> = (0..cells.len())
             .map(|cell| {

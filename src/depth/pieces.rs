@@ -152,7 +152,7 @@ fn slopes<const D: usize>(corners: &[Vector<D>; 4]) -> Option<([Vector<D>; 4], f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Bodies, CellBlock, CellType, Surface};
+    use crate::geometry::{Bodies, CellBlock, CellType, Surface, Weighting};
     use fmc_shapes::{Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
 
     /// Pieces fill every cell; those that meet at a point have the same depth there, which is not above the distance
@@ -160,7 +160,8 @@ mod tests {
     fn check<const D: usize>(mesh: &Mesh<D>, cell_type: CellType, low: [f64; D], high: [f64; D]) {
         let blocks = [CellBlock { cell_type, conn: &mesh.conn }];
         let surface = Surface::from_cells(&mesh.coords, &blocks, Bodies::Connected).unwrap();
-        let (field, cells) = (DepthField::new(&surface, None).unwrap(), surface.cells.as_ref().unwrap());
+        let (field, cells) =
+            (DepthField::new(&surface, None, Weighting::Plain).unwrap(), surface.cells.as_ref().unwrap());
         let mut pieces: Vec<DepthPiece<D>> = Vec::new();
         (0..cells.len()).for_each(|cell| field.for_each_piece(cells, cell, &mesh.coords, |piece| pieces.push(piece)));
         let volume: f64 = pieces.iter().map(|piece| piece.sign * piece.measure).sum();

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 33] = [
+const SOURCES: [&str; 34] = [
     "version",
     "status",
     "failure",
@@ -14,6 +14,7 @@ const SOURCES: [&str; 33] = [
     "view",
     "mesh",
     "stateless",
+    "stateless_step",
     "creation",
     "context",
     "patches",

@@ -128,6 +128,11 @@ fn ways_that_must_agree_do() {
 }
 
 #[test]
+fn steps_with_friction_kept_and_in_one_call() {
+    assert!(output("friction.c", Link::Shared).ends_with("\n0 failures\n"));
+}
+
+#[test]
 fn bad_input_is_refused_by_the_shared_library() {
     assert!(output("bad_input.c", Link::Shared).ends_with("\n0 failures\n"));
 }

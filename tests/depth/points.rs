@@ -63,7 +63,7 @@ fn of_obstacles() {
     }
 }
 
-/// One point for every facet that is pressed, which knows the cell behind the place in the other body.
+/// One point for every facet that is pressed and every cell it meets, which knows the cell behind the place in the other body.
 #[test]
 fn of_a_flat_face() {
     let delta = 1e-3;

@@ -4,11 +4,14 @@
 mod scene;
 
 mod derivatives;
+mod fields;
 mod frozen;
 mod limits;
+mod memoryless;
 mod rings;
 mod steps;
 mod turned;
+mod volume_law;
 
 use fmc_contact::contact::Friction;
 use fmc_contact::{Contact, EnergyLaw, Options};

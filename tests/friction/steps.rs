@@ -1,7 +1,8 @@
 //! Steps that are accepted, rejected, and taken up again.
 
 use crate::{begun, in_plane, in_space, laws, slid};
-use fmc_contact::Options;
+use fmc_contact::contact::{FrictionStep, contact_force_step};
+use fmc_contact::{Bodies, CellBlock, Options};
 
 /// Where the block is at the end of every step: to and fro, some of it sliding.
 const WAY: [f64; 6] = [2e-4, 6e-4, 5e-4, -1e-4, 3e-4, 3.5e-4];
@@ -101,5 +102,24 @@ fn what_sticks_does_not_creep() {
         assert!(close(contact.slip().expect("a step"), &carried));
         let later = contact.evaluate(&coords).expect("forces").bodies[1].friction[0];
         assert!((later / force - 1.0).abs() < 1e-12, "{later} {force}");
+    }
+}
+
+#[test]
+fn a_call_that_keeps_nothing_gives_the_same_bits() {
+    for options in laws(0.4) {
+        let scene = &in_plane(1e-3)[1];
+        let kept = run(scene, options, 0);
+        let blocks: Vec<CellBlock> =
+            scene.blocks.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
+        let (mut start, mut slip) = (scene.coords.clone(), None);
+        for (step, by) in WAY.into_iter().enumerate() {
+            let coords = slid(scene, by);
+            let begun = FrictionStep { reference: &scene.coords, start: &start, slip: slip.as_deref() };
+            let found = contact_force_step(begun, &coords, &blocks, Bodies::Ids(&scene.ids), &options);
+            let (forces, next) = found.expect("forces");
+            assert_eq!((&forces.forces, &next), (&kept[2 * step], &kept[2 * step + 1]));
+            (start, slip) = (coords, Some(next));
+        }
     }
 }

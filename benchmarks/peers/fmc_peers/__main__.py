@@ -20,7 +20,9 @@ FORMULATIONS = {
     "cone": ("nodal", "integral"),
     "punch": ("rays from the last body",),
     "ironing": ("rays from the last body", "rays from the first body"),
+    "ironing-friction": ("rays from the last body", "rays from the first body"),
 }
+"""By the case, and its variant after a hyphen."""
 
 TIED = (20, 40)
 """Cells over the half width of the punch's interface where it is tied."""
@@ -43,9 +45,11 @@ def main() -> None:
         folder = given.folder / case
         folder.mkdir(parents=True, exist_ok=True)
         file = folder / "problem.json"
-        subprocess.run([fmc(), "mesh", case, *changes, "--out", str(file)], check=True)
-        problem = from_json(json.loads(file.read_text()))
-        programs = [lambda: measure.ours(folder / "fmc", problem, case, changes)]
+        name, _, variant = case.partition("-")
+        words = [name, *(["--variant", variant] if variant else []), *changes]
+        subprocess.run([fmc(), "mesh", *words, "--out", str(file)], check=True)
+        problem = from_json(json.loads(file.read_text()), with_friction=True)
+        programs = [lambda: measure.ours(folder / "fmc", problem, words)]
         programs += [lambda name=name: measure.getfem(folder, problem, file, name) for name in FORMULATIONS[case]]
         # In turn, so that a machine that is busy for a while is busy for all.
         turns = [[program() for program in programs] for _ in range(given.repetitions)]

@@ -33,15 +33,15 @@ class Run:
         return sum(spent for name, spent in self.seconds.items() if name != "reading")
 
 
-def ours(folder: Path, problem: Problem, case: str, changes: list[str]) -> Run:
-    """``fmc run``, one thread."""
-    command = [fmc(), "run", case, "--quiet", "--out", str(folder), "--override", "output.frames=0", *changes]
+def ours(folder: Path, problem: Problem, words: list[str]) -> Run:
+    """``fmc run`` with the words that name the case and its changes, one thread."""
+    command = [fmc(), "run", *words, "--quiet", "--out", str(folder), "--override", "output.frames=0"]
     process = subprocess.Popen(command)
     _, status, usage = os.wait4(process.pid, 0)
     # It has been waited for.
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode > 1:
-        raise RuntimeError(f"fmc run {case} ended with {process.returncode}")
+        raise RuntimeError(f"fmc run {words[0]} ended with {process.returncode}")
     summary = json.loads((folder / "summary.json").read_text())
     force = point_data(folder / "equilibrium.vtu", "contact_force")[:, : problem.dim]
     seconds = {"whole process": usage.ru_utime + usage.ru_stime}

@@ -49,8 +49,14 @@ def faces_towards(solid: Solid, up: bool, number: int) -> None:
     solid.region(number, wanted)
 
 
+def _before(solid: Solid) -> str:
+    """Name of its displacement at the end of the last load step."""
+    return "before_" + solid.variable
+
+
 def solve(problem: Problem, formulation: str, clock: Clock) -> Solution:
-    """Stage after stage, in the case's load steps or some more."""
+    """Stage after stage, in the case's load steps or some more. Slip is that of a load step."""
+    friction = problem.raw["contact"].get("friction_coefficient", 0.0)
     solids = [Solid(problem, body, f"u{number}") for number, body in enumerate(problem.bodies)]
     model = gf.Model("real")
     for solid, up in zip(solids, (True, False)):
@@ -61,12 +67,21 @@ def solve(problem: Problem, formulation: str, clock: Clock) -> Solution:
     model.add_initialized_data("r", [min(body.material.young for body in problem.bodies)])
     model.add_filtered_fem_variable("pressure", slave.space, 1)
     height = min(np.ptp(solid.coords[:, 1]) for solid in solids)
-    contact = model.add_integral_large_sliding_contact_brick_raytracing("r", RELEASE * height)
+    # GetFEM takes velocities: displacements less those of the step before, by a time of 1.
+    names, before_slave, before_master = [], [], []
+    if friction > 0:
+        names = ["friction", "rate"]
+        for name, value in zip(names, (friction, 1.0)):
+            model.add_initialized_data(name, [value])
+        for solid in solids:
+            model.add_fem_data(_before(solid), solid.space)
+        before_slave, before_master = [_before(slave)], [_before(master)]
+    contact = model.add_integral_large_sliding_contact_brick_raytracing("r", RELEASE * height, *names)
     model.add_slave_contact_boundary_to_large_sliding_contact_brick(
-        contact, slave.contact_quadrature, 1, slave.variable, "pressure"
+        contact, slave.contact_quadrature, 1, slave.variable, "pressure", *before_slave
     )
     model.add_master_contact_boundary_to_large_sliding_contact_brick(
-        contact, master.contact_quadrature, 1, master.variable
+        contact, master.contact_quadrature, 1, master.variable, *before_master
     )
     clock.lap("model")
     iterations, history = 0, []
@@ -84,6 +99,9 @@ def solve(problem: Problem, formulation: str, clock: Clock) -> Solution:
             iterations += done
             if not converged:
                 raise RuntimeError(f"{formulation}: no equilibrium in stage {stage}, step {step}")
+            if friction > 0:
+                for solid in solids:
+                    model.set_variable(_before(solid), model.variable(solid.variable))
             history.append([stage, step / count, *_force(model, problem, solids[-1])])
         before = goal
     displacement, inner = np.zeros_like(problem.coords), np.zeros_like(problem.coords)

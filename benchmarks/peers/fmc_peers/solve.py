@@ -1,5 +1,5 @@
-"""``python -m fmc_peers.solve PROBLEM.json FORMULATION OUT``: a case in GetFEM, in a process of its own, so that its CPU
-seconds are its own. Writes ``OUT.npz`` and ``OUT.json``."""
+"""``python -m fmc_peers.solve PROBLEM.json FORMULATION OUT``: a case in GetFEM, in a process of its own, so that its CPU seconds
+are its own. Writes ``OUT.npz`` and ``OUT.json``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def main() -> None:
     gf.util("trace level", 0)
     gf.util("warning level", 0)
     clock = Clock()
-    problem = from_json(json.loads(Path(path).read_text()))
+    problem = from_json(json.loads(Path(path).read_text()), with_friction=True)
     clock.lap("reading")
     found = SOLVERS[problem.raw["figures"]["kind"]](problem, formulation, clock)
     arrays = {"displacement": found.displacement, "inner_force": found.inner_force, "history": np.array(found.history)}

@@ -28,11 +28,14 @@ def rows(problem: Problem, runs: list[list[Run]]) -> list[dict[str, Any]]:
             "cpu_seconds_each": [one.seconds for one in repeated],
             "iterations": run.iterations,
             "force": force(problem, run, about),
+            "friction": problem.raw["contact"].get("friction_coefficient", 0.0),
         }
         if problem.raw["figures"]["kind"] in ("wedge", "cone"):
             own = Surface(problem, about, run.force)
             row["half_width"] = own.reach()
             row["profile_difference"] = apart(own, first)
+        if problem.raw["figures"]["kind"] == "ironing":
+            row["force_along"] = run.figures["force_x_mid"] if run.figures else along_at_half_slide(run.history)
         found.append(row)
     return found
 
@@ -57,20 +60,27 @@ def mean_over_slide(history: np.ndarray) -> float:
     return float(up[(stage == stage.max()) & is_compared(load)].mean())
 
 
+def along_at_half_slide(history: np.ndarray) -> float:
+    """The force along the slide, half way."""
+    sliding = history[history[:, 0] == history[:, 0].max()]
+    return float(sliding[np.argmin(np.abs(sliding[:, 1] - 0.5)), 2])
+
+
 def markdown(everything: list[dict[str, Any]]) -> str:
     """For people."""
-    heads = ["case", "program", "CPU s", "iterations", "force", "half width", "profile, L2 from fmc"]
+    heads = ["case", "program", "CPU s", "iterations", "force", "force along", "half width", "profile, L2 from fmc"]
     lines = ["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads)]
     before = None
     for row in everything:
-        case = f"`{row['case']}`, {row['cells']} cells"
-        width, off = row.get("half_width"), row.get("profile_difference")
+        case = f"`{row['case']}`, {row['cells']} cells" + (f", μ = {row['friction']:g}" if row.get("friction") else "")
+        width, off, along = row.get("half_width"), row.get("profile_difference"), row.get("force_along")
         cells = [
             "" if case == before else case,
             row["program"],
             f"{row['cpu_seconds']:.2f}",
             str(row["iterations"] or ""),
             f"{row['force']:.6g}",
+            "" if along is None else f"{along:.4g}",
             "" if width is None else f"{width:.4f}",
             "" if not off else f"{100.0 * off:.2g} %",
         ]

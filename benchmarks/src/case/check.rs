@@ -1,7 +1,8 @@
 //! What a case must fulfil beyond the types of its values.
 
-use super::{Case, EstimatorName, Key, LawName, Load, Obstacle, Place, Support};
+use super::{Case, Key, LawName, Load, Obstacle, Place, Support};
 
+mod contact;
 mod mesh;
 
 /// Everything that is wrong with a case: the key to blame, and what would be right.
@@ -165,35 +166,15 @@ impl Check<'_> {
         }
     }
 
-    fn contact(&mut self) {
-        let (key, contact) = (Key::parse("contact"), &self.case.contact);
-        self.positive(&key.then("stiffness"), contact.stiffness);
-        if !(contact.exponent.is_finite() && contact.exponent >= 1.0) {
-            self.flaw(&key.then("exponent"), format!("it must be at least 1, not {}", contact.exponent));
-        }
-        self.maybe_positive(&key.then("smoothing_length"), contact.smoothing_length);
-        if (contact.law == LawName::FiberLinear) != contact.smoothing_length.is_some() {
-            self.flaw(&key.then("smoothing_length"), "it belongs to the law \"fiber-linear\", and to it alone".into());
-        }
-        if contact.law == LawName::Depth && contact.estimator != EstimatorName::Exact {
-            self.flaw(&key.then("estimator"), "it must be \"exact\" for the law \"depth\"".into());
-        }
-        self.maybe_positive(&key.then("spacing"), contact.spacing);
-        self.maybe_positive(&key.then("fiber_length"), contact.fiber_length);
-        if contact.fibers == Some(0) {
-            self.flaw(&key.then("fibers"), "it must be at least 1".into());
-        }
-        if contact.fibers.is_some() && contact.spacing.is_some() {
-            self.flaw(&key.then("spacing"), "it cannot go together with fibers".into());
-        }
-    }
-
     fn time(&mut self) {
         let (key, time) = (Key::parse("time"), &self.case.time);
         if let Some(steps) = &self.case.load_steps {
             let key = Key::parse("load_steps");
             self.positive(&key.then("tolerance"), steps.tolerance);
             self.maybe_positive(&key.then("penetration"), steps.penetration);
+            if steps.penetration.is_some() && self.case.contact.has_friction() {
+                self.flaw(&key.then("penetration"), "multipliers know no friction".into());
+            }
             if steps.penetration.is_some() && self.case.contact.law != LawName::Fiber {
                 self.flaw(&key.then("penetration"), "multipliers belong to the law \"fiber\", and to it alone".into());
             }
@@ -235,8 +216,8 @@ impl Check<'_> {
         let figures = &self.case.figures;
         self.body_name(&Key::parse("figures.body"), &figures.body);
         if figures.kind.is_static() != self.case.load_steps.is_some() {
-            let message = "these figures are taken from an equilibrium, with [load_steps], if they are none of \"wall\" \
-                 and \"impact\", and only then";
+            let message = "these figures are taken from an equilibrium, with [load_steps], if they are none of \"wall\", \
+                 \"impact\" and \"stop\", and only then";
             self.flaw(&Key::parse("figures.kind"), message.into());
         }
         if !figures.kind.is_static()

@@ -1,5 +1,6 @@
 //! Energy law and estimator of a case.
 
+use fmc_contact::contact::Friction;
 use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
 use serde::{Deserialize, Serialize};
 
@@ -19,6 +20,18 @@ pub struct Contact {
     /// Exponent m of `volume`, at least 1.
     #[serde(default = "one")]
     pub exponent: f64,
+    /// Coefficient of Coulomb friction, at least 0; none if absent. Not with the law `volume`.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub friction_coefficient: f64,
+    /// Stiffness of the stick, Pa/m; that of the law if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction_stiffness: Option<f64>,
+    /// Traction that is transmitted without pressure wherever there is contact, at least 0, Pa; none if absent.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub cohesion: f64,
+    /// Largest traction of friction, Pa; no limit if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_limit: Option<f64>,
     /// How overlap is measured.
     #[serde(default)]
     pub estimator: EstimatorName,
@@ -114,6 +127,10 @@ fn yes() -> bool {
     true
 }
 
+fn is_none(x: &f64) -> bool {
+    *x == 0.0
+}
+
 impl Contact {
     /// Options of the module; the result does not depend on `threads`.
     pub fn options(&self, threads: usize) -> Options {
@@ -146,8 +163,20 @@ impl Contact {
                 momentum_correction: self.momentum_correction,
             }),
         };
+        let friction = Friction {
+            coefficient: self.friction_coefficient,
+            stiffness: self.friction_stiffness,
+            cohesion: self.cohesion,
+            shear_limit: self.shear_limit.unwrap_or(f64::INFINITY),
+            ..Friction::default()
+        };
         let Self { self_contact, check_cells, .. } = *self;
-        Options { estimator, threads, self_contact, check_cells, ..Options::new(law) }
+        Options { estimator, friction, threads, self_contact, check_cells, ..Options::new(law) }
+    }
+
+    /// Whether anything resists sliding.
+    pub fn has_friction(&self) -> bool {
+        self.friction_coefficient > 0.0 || self.cohesion > 0.0
     }
 
     /// The estimator in a word: `exact`, `lines` or `isotropic`.

@@ -100,6 +100,10 @@ pub enum FigureKind {
     Punch,
     /// A die that slides over a block: forces and their ripple.
     Ironing,
+    /// A body that slides on a floor until friction has stopped it: way, energy.
+    Stop,
+    /// A body that is pressed on another and pushed along: force along by force across, what sticks, what is dissipated.
+    Sliding,
     /// A body that its supports drive, and may drive back: force, work, and what of it is left over a closed path.
     Driven,
 }
@@ -117,7 +121,7 @@ pub struct Variant {
 impl FigureKind {
     /// Whether they are taken from an equilibrium, not from a motion.
     pub fn is_static(self) -> bool {
-        !matches!(self, FigureKind::Wall | FigureKind::Impact)
+        !matches!(self, FigureKind::Wall | FigureKind::Impact | FigureKind::Stop)
     }
 
     /// Keys of the figures, in the order of the report.
@@ -151,6 +155,17 @@ impl FigureKind {
             FigureKind::Ironing => {
                 &["force_y_mean", "ripple_rms", "ripple_peak_to_peak", "force_x_mid", "steps_failed", "penetration_max"]
             }
+            FigureKind::Stop => &["way", "energy_error_max", "dissipated", "dissipated_least", "exit_velocity"],
+            FigureKind::Sliding => &[
+                "force_ratio",
+                "force_across",
+                "stick_ratio",
+                "stick_error",
+                "dissipated",
+                "dissipated_least",
+                "steps_failed",
+                "penetration_max",
+            ],
             FigureKind::Driven => &[
                 "force_peak",
                 "force_least",

@@ -114,7 +114,16 @@ mod tests {
 
     fn step(stage: usize, load: f64, force: f64) -> LoadStep {
         let force = vec![force, 7.0];
-        LoadStep { stage, load, iterations: 0, force, contact_area: 0.0, penetration: 0.0 }
+        LoadStep {
+            stage,
+            load,
+            iterations: 0,
+            force,
+            contact_area: 0.0,
+            penetration: 0.0,
+            dissipated: 0.0,
+            stick: [0.0; 2],
+        }
     }
 
     /// A spring of stiffness 3 that is pressed by 2 and let go again, to half the way at half the load.

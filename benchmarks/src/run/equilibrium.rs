@@ -5,7 +5,7 @@ use super::hertz::HertzLine;
 use super::runner::{Ending, RunOptions};
 use super::summary::Summary;
 use super::way::{LoadStep, Way};
-use super::{Figure, Profile, fibers, fields, indentation, patch};
+use super::{Figure, Profile, fibers, fields, indentation, patch, sliding};
 use crate::case::{Case, Document, FigureKind};
 use crate::chart::{self, Axis, Mark, Panel, Series};
 use anyhow::{Context, Result};
@@ -53,6 +53,7 @@ impl<const D: usize> Solved<D> {
                 (hertz.figures(penetration), Some(hertz.drawn()))
             }
             FigureKind::Driven => (Drive::of(case)?.figures(case, &equilibrium, &steps), None),
+            FigureKind::Sliding => (sliding::figures(case, &equilibrium, &steps), None),
             FigureKind::Patch => (patch::figures(case, &equilibrium, penetration)?, None),
             _ => indentation::figures(case, &equilibrium, &steps, penetration)?,
         };

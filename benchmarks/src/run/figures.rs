@@ -66,6 +66,8 @@ impl<const D: usize> Motion<D> {
     /// | `force_peak` | largest force against the initial velocity |
     /// | `balance_max` | largest magnitude of ΣF over bodies and obstacles, by the largest force on the body |
     /// | `energy_drift`, `energy_error_max` | largest change of the total energy from the start, by the initial energy |
+    /// | `way` | ∫ v dt of its centre of mass along the initial velocity |
+    /// | `dissipated`, `dissipated_least` | energy taken out at the end, and in the step in which it was least, by the initial kinetic energy |
     /// | `pressure_mean` | mean of force / cross section, 30 ms cut at both ends of the contact |
     /// | `pressure_rms` | root mean square of its distance from ρ c v, by ρ c v, over the same time |
     pub fn figures(&self, kind: FigureKind, samples: &[Sample<D>]) -> Vec<Figure> {
@@ -95,6 +97,21 @@ impl<const D: usize> Motion<D> {
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let (value, unit) = match name {
             "contact_start" => (first, "s"),
+            "way" => {
+                let speed = |sample: &Sample<D>| -self.against(&sample.velocities[self.body]);
+                let trapezoids =
+                    samples.windows(2).map(|w| 0.5 * (speed(&w[0]) + speed(&w[1])) * (w[1].time - w[0].time));
+                (Some(trapezoids.sum()), "m")
+            }
+            "dissipated" | "dissipated_least" => {
+                let initial = samples.first().map_or(f64::NAN, |sample| sample.kinetic);
+                let of_steps = samples.windows(2).map(|w| w[1].dissipated - w[0].dissipated);
+                let value = match name {
+                    "dissipated" => samples.last().map(|sample| sample.dissipated),
+                    _ => of_steps.reduce(f64::min),
+                };
+                (value.map(|value| value / initial), "")
+            }
             "contact_end" => (last, "s"),
             "impulse" => {
                 let trapezoids =

@@ -21,6 +21,9 @@ pub struct Summary {
     pub exponent: f64,
     /// Stiffness k.
     pub stiffness: f64,
+    /// Coefficient of friction.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub friction: f64,
     /// Variant of the case.
     pub variant: Option<String>,
     /// What the user changed.
@@ -134,6 +137,7 @@ impl Summary {
             law: case.contact.law,
             exponent: case.contact.exponent,
             stiffness: case.contact.stiffness,
+            friction: case.contact.friction_coefficient,
             variant: document.variant.clone(),
             changes: changes.collect(),
             step,
@@ -225,7 +229,7 @@ impl Summary {
 
     /// Law and estimator in a sentence.
     pub fn setting(&self) -> String {
-        let Self { estimator, law, exponent, stiffness, variant, contact_substeps, .. } = self;
+        let Self { estimator, law, exponent, stiffness, friction, variant, contact_substeps, .. } = self;
         let law = match law {
             LawName::Volume if *exponent == 1.0 => "w = k V".to_owned(),
             LawName::Volume => format!("w = k V^{exponent}"),
@@ -235,7 +239,8 @@ impl Summary {
         };
         let variant = variant.as_ref().map_or(String::new(), |name| format!("; variant {name}"));
         let times = if *contact_substeps == 1 { String::new() } else { format!(", {contact_substeps} times a step") };
-        format!("{law}, k = {stiffness:e}; overlap measured by {estimator}{times}{variant}")
+        let friction = if *friction > 0.0 { format!(", μ = {friction}") } else { String::new() };
+        format!("{law}, k = {stiffness:e}{friction}; overlap measured by {estimator}{times}{variant}")
     }
 
     /// Steps, seconds and crossings in a sentence.

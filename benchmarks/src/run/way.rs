@@ -29,6 +29,10 @@ pub struct LoadStep {
     pub contact_area: f64,
     /// Largest penetration.
     pub penetration: f64,
+    /// Energy that friction took out in this step, with all copies.
+    pub dissipated: f64,
+    /// Areas that stick and that slide, with all copies.
+    pub stick: [f64; 2],
 }
 
 /// A case's last equilibrium, and those before.
@@ -74,6 +78,8 @@ impl<const D: usize> Way<D> {
                     force: contact.bodies[body].force.iter().map(|f| copies * f).collect(),
                     contact_area: copies * contact.contact_area,
                     penetration: contact.penetration,
+                    dissipated: copies * contact.friction.dissipated,
+                    stick: [contact.friction.stick_area, contact.friction.slip_area].map(|area| copies * area),
                 });
                 reached(at);
             };
@@ -88,11 +94,15 @@ impl<const D: usize> Way<D> {
     /// All equilibria, a line for each.
     pub(super) fn table(&self) -> String {
         let axes = ["force_x", "force_y", "force_z"];
-        let mut text = format!("stage,load,iterations,{},contact_area,penetration\n", axes[..D].join(","));
-        for LoadStep { stage, load, iterations, force, contact_area, penetration } in &self.steps {
+        let mut text = format!(
+            "stage,load,iterations,{},contact_area,penetration,dissipated,stick_area,slip_area\n",
+            axes[..D].join(",")
+        );
+        for LoadStep { stage, load, iterations, force, contact_area, penetration, dissipated, stick } in &self.steps {
             write!(text, "{stage},{load:?},{iterations}").expect("writing into a string");
             force.iter().for_each(|f| write!(text, ",{f:?}").expect("writing into a string"));
-            writeln!(text, ",{contact_area:?},{penetration:?}").expect("writing into a string");
+            writeln!(text, ",{contact_area:?},{penetration:?},{dissipated:?},{:?},{:?}", stick[0], stick[1])
+                .expect("writing into a string");
         }
         text
     }

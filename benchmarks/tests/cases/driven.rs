@@ -4,7 +4,7 @@ use super::{Folder, document};
 use fmc_benchmarks::run::{Ending, RunOptions, Summary, run_at_rest};
 use std::ops::ControlFlow;
 
-fn run(case: &str, variant: Option<&str>) -> Summary {
+pub(super) fn run(case: &str, variant: Option<&str>) -> Summary {
     let folder = Folder::new(&format!("{case}-{}", variant.unwrap_or("itself")));
     let mut document = document(case, &["output.frames=0"]);
     variant.into_iter().for_each(|variant| document.choose(variant).unwrap());

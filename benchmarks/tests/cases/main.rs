@@ -5,6 +5,7 @@ mod folder;
 
 mod driven;
 mod files;
+mod friction;
 mod mistakes;
 mod short_runs;
 

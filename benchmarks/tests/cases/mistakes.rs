@@ -52,6 +52,15 @@ fn every_mistake_has_its_line_and_key() {
         ("where = { side = \"left\" }", "where = { axis = \"x\" }", "supports.0.where", "one of"),
         ("shape = \"half-space\"", "shape = \"ball\"", "obstacles.wall", "needs radius"),
         ("stiffness = 3600.0", "stiffness = 0.0", "contact.stiffness", "positive"),
+        (
+            "stiffness = 3600.0",
+            "stiffness = 1.0\nfriction_coefficient = -0.1",
+            "contact.friction_coefficient",
+            "at least 0",
+        ),
+        ("stiffness = 3600.0", "stiffness = 1.0\nfriction_stiffness = 0.0", "contact.friction_stiffness", "positive"),
+        ("stiffness = 3600.0", "stiffness = 1.0\ncohesion = -1.0", "contact.cohesion", "at least 0"),
+        ("stiffness = 3600.0", "stiffness = 1.0\nshear_limit = 0.0", "contact.shear_limit", "positive"),
         ("law = \"fiber\"", "law = \"fibre\"", "contact.law", "fiber"),
         ("step = 1.6666666666666667e-3", "step = 1", "time.step", "at most end"),
         ("step = 1.6666666666666667e-3", "fraction = 1.5", "time.fraction", "at most 1"),
@@ -88,6 +97,11 @@ fn what_a_law_does_not_have_is_told() {
     let lines = spoilt("law = \"fiber\"", "law = \"depth\"").replace("estimator = \"exact\"", "estimator = \"fibers\"");
     let told = complaint(&lines);
     assert!(told.contains(": contact.estimator") && told.contains("\"exact\" for the law \"depth\""), "{told}");
+    let told = complaint(&spoilt("law = \"fiber\"", "law = \"volume\"\nfriction_coefficient = 0.3"));
+    assert!(told.contains(": contact.friction_coefficient") && told.contains("\"depth\" or \"fiber\""), "{told}");
+    let hertz = include_str!("../../cases/hertz.toml").replace("count = 1", "count = 1\npenetration = 1e-6");
+    let told = complaint(&hertz.replace("law = \"fiber\"", "law = \"fiber\"\nfriction_coefficient = 0.3"));
+    assert!(told.contains(": load_steps.penetration") && told.contains("friction"), "{told}");
     let text = include_str!("../../cases/punch.toml").replace("law = \"fiber\"", "law = \"depth\"");
     let told = complaint(&text.replace("count = 1", "count = 1\npenetration = 1e-6"));
     assert!(told.contains(": load_steps.penetration") && told.contains("law \"fiber\""), "{told}");

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, errors
+from fmc_contact import Contact, contact_force_step, errors
 from test_depth import DEPTH, K, blocks
 
 MU = 0.3
@@ -49,6 +49,34 @@ def test_a_restart_has_the_same_bits() -> None:
     assert np.abs(contact.slip).max() == pytest.approx(MU * DEPTH, rel=0.1)
 
 
+def test_a_call_that_keeps_nothing_has_the_same_bits() -> None:
+    contact, coords = block_on_block()
+    conn, start, slip = blocks(4)[1], coords, None
+    for by in (4e-3, 1e-3, -6e-3):
+        end = moved(coords, by)
+        found, slip = contact_force_step(
+            start, end, conn, "quad", stiffness=K, friction_coefficient=MU, slip=slip, reference=coords
+        )
+        assert np.array_equal(found.forces, contact.evaluate(end).forces)
+        contact.commit_step(end)
+        assert np.array_equal(slip, contact.slip) and np.abs(slip).max() > 0
+        start = end
+
+
+@pytest.mark.parametrize("law", ["depth", "fiber"])
+def test_fields_say_what_sticks_and_slides(law: str) -> None:
+    contact, coords = block_on_block(law=law)
+    for by, slides in ((1e-3, False), (0.02, True)):
+        end = moved(coords, by)
+        field, points = contact.nodal_contact(end), contact.contact_points(end)
+        pressed = np.flatnonzero(field.area > 0.05)  # not the walls, a strip of which is sunk in
+        assert np.all((field.slides if slides else field.sticks)[pressed])
+        assert field.sliding[pressed] == pytest.approx(float(slides), abs=0.1) and not np.any(field.sticks & field.slides)
+        found = contact.evaluate(end).bodies[0].friction
+        assert (points.friction * points.area[:, None]).sum(axis=0) == pytest.approx(found, abs=1e-12 * K)
+        assert np.abs(points.slip).max() == (pytest.approx(0.02 - MU * DEPTH, rel=0.05) if slides else 0)
+
+
 def test_frozen_friction_has_a_symmetric_tangent() -> None:
     pytest.importorskip("scipy.sparse")
     contact, coords = block_on_block()
@@ -87,5 +115,5 @@ def test_what_is_refused() -> None:
         contact.slip = slip
     with pytest.raises(errors.NotPositiveError, match="friction_coefficient"):
         contact.set_options(friction_coefficient=-0.1)
-    with pytest.raises(errors.UnsupportedError, match="law volume"):
+    with pytest.raises(errors.UnsupportedError, match="friction_stiffness"):
         contact.set_options(law="volume")

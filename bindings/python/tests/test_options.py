@@ -28,10 +28,12 @@ CHANGES = {
     "momentum_correction": False,
     "self_contact": True,
     "check_cells": False,
+    "axisymmetric": True,
     "friction_coefficient": 0.25,
     "friction_stiffness": 3.0,
     "cohesion": 0.5,
     "shear_limit": 7.0,
+    "memoryless_slip": 0.125,
     "threads": 3,
     "index_base": 1,
 }

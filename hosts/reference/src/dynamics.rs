@@ -9,6 +9,8 @@
 //!    size removes entirely; the error of the energy still falls, roughly with the square of the step.
 //! 2. A sampled contact force with balance weights, or corrected to ΣF = 0, is not the gradient of one energy.
 //!
+//! 3. Friction takes energy out: what is lost and what the stick stores are accounted for, to the order of the scheme.
+//!
 //! The step is bounded by the structure and by the contact's stiffness ([`StepLimit`]). There is no damping unless the
 //! setup asks for it. A simulation can be saved and resumed bit for bit ([`Simulation::save`]).
 
@@ -18,6 +20,7 @@ mod contact_frequency;
 mod error;
 mod evaluation;
 mod fingerprint;
+mod friction_step;
 mod sample;
 mod setup;
 mod simulation;

@@ -15,6 +15,9 @@
 //! sharp, and [`Equilibrium::augment`] drives the penetration of the quadratic one to nothing. [`FixedPoint`] is the loop
 //! of Wang, Xu and Xue (Algorithm 2), to compare.
 //!
+//! Friction has no energy, since its limit follows the pressure: [`FrictionPressure`] says how its equilibrium is found. A load
+//! step is a step of friction, committed where the path accepts it; a step that is halved leaves nothing behind.
+//!
 //! For the fiber law the lines are kept during a solve, so that the forces are those of one energy; its forces are not
 //! corrected to balance, for the same reason.
 
@@ -23,9 +26,11 @@ mod augmented;
 mod balance;
 mod contact_step;
 mod continuation;
+mod current_pressure;
 mod equilibrium;
 mod error;
 mod fixed_point;
+mod friction;
 mod iteration;
 mod line_search;
 mod linearised;
@@ -47,7 +52,7 @@ pub use error::StaticsError;
 pub use fixed_point::{FixedPoint, FixedPointEnd};
 pub use iteration::{Iteration, Tangent};
 pub use linearised::Linearised;
-pub use newton_settings::NewtonSettings;
+pub use newton_settings::{FrictionPressure, NewtonSettings};
 pub use path::Path;
 pub use pressure::{NodalPressure, nodal_pressures, nodal_tractions};
 pub use problem::Problem;

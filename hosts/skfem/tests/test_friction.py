@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from fmc_contact import Contact
+from fmc_contact import Contact, newton
 from scipy.sparse import block_diag, csr_matrix, diags
 from scipy.sparse.linalg import spsolve
 from skfem import Basis, ElementQuad1, ElementVector, MeshQuad
@@ -37,8 +37,10 @@ class Block:
         np.add.at(self.mass, quads.ravel(), 1000 * 0.5 / len(quads) / 4)
         self.weight = GRAVITY * np.array([np.sin(angle), -np.cos(angle)])
         self.penetration = 1000 * 0.5 * GRAVITY * np.cos(angle) / k
+        # Of the law "volume" the pressure is 2 k V, the same here as k by the penetration.
+        options = {"stiffness": k / 2, "exponent": 2, "friction_stiffness": k} if law == "volume" else {"stiffness": k}
         self.contact = Contact(
-            self.start, quads, "quad", stiffness=k, law=law, estimator="exact", friction_coefficient=MU
+            self.start, quads, "quad", law=law, estimator="exact", friction_coefficient=MU, **options
         )
         self.contact.add_half_space((0, 0), (0, 1))
         self.x, self.v = self.start - [0, self.penetration], np.zeros_like(self.start)
@@ -87,10 +89,13 @@ def test_a_block_on_an_incline(law: str) -> None:
         assert abs(acceleration / GRAVITY - (np.sin(angle) - MU * np.cos(angle))) < 1e-4
 
 
-@pytest.mark.parametrize("law", ["depth", "fiber"])
+@pytest.mark.parametrize("law", ["depth", "fiber", "volume"])
 def test_a_block_that_stops(law: str) -> None:
-    """By central differences from 1 m/s: after v^2 / (2 mu g), with all energy accounted for."""
-    block, dt, lost = Block(law), 2e-4, 0.0
+    """By central differences from 1 m/s: after v^2 / (2 mu g), with all energy accounted for.
+
+    On a plane as soft as this the block stays on it. On a stiffer one it hops, and goes 1 % further.
+    """
+    block, dt, lost = Block(law, k=1e7), 2e-4, 0.0
     block.v[:, 0] = 1.0
 
     def energy(result) -> float:
@@ -113,7 +118,7 @@ def test_a_block_that_stops(law: str) -> None:
     kinetic = 0.5 * block.mass.sum()
     # The speed is half a step behind, which is 1e-3 of it.
     assert abs(energy(block.contact.evaluate(block.x)) + lost - first) < 0.01 * kinetic
-    assert block.place() == pytest.approx(1 / (2 * MU * GRAVITY), rel=0.01)
+    assert block.place() == pytest.approx(1 / (2 * MU * GRAVITY), rel=3e-3)
 
 
 YOUNG, RADIUS, LOAD = 200.0, 8.0, 0.1
@@ -195,3 +200,38 @@ def test_cylinders_that_are_pushed_along_one_another() -> None:
         assert iterations == 0
         contact.commit_step(at(z))
     assert z[n] == place and np.abs(contact.slip - slip).max() < 1e-12 * np.abs(slip).max()
+
+
+@pytest.mark.parametrize("law", ["depth", "fiber"])
+def test_lagged_friction_leads_to_the_same_equilibrium(law: str) -> None:
+    """A block that is pressed down and pulled along by its top, some of it sliding; by matrices that are symmetric."""
+    found = {}
+    for lagged in (False, True):
+        block, asymmetry = Block(law, k=1e8), []
+        top = np.flatnonzero(block.start[:, 1] > 0.5 - 1e-9)
+        held = np.concatenate([2 * top, 2 * top + 1])
+        free = np.setdiff1d(np.arange(block.start.size), held)
+
+        def solve(matrix: csr_matrix, right: np.ndarray, asymmetry: list = asymmetry) -> np.ndarray:
+            asymmetry.append(abs(matrix - matrix.T).max() / abs(matrix).max())
+            return spsolve(matrix.tocsc(), right)
+
+        def host(x: np.ndarray, block: Block = block) -> tuple[np.ndarray, csr_matrix]:
+            return block.stiffness @ (x - block.start).ravel(), block.stiffness
+
+        x, solves = block.start, []
+        block.contact.begin_step(x)
+        for pull in np.linspace(1e-3, 4e-3, 4):
+            end = block.start + [pull, -1e-3]
+            step = newton(host, block.contact, x, free, end, young=1e7, solve=solve, lagged=lagged, max_iterations=60)
+            x = step.x
+            solves.append(step.iterations)
+            # Friction has been released.
+            assert step.residuals[-1] <= 1e-9 and np.array_equal(block.contact.evaluate(x).forces, step.result.forces)
+            block.contact.commit_step(x)
+        assert step.result.friction.slip_area > 0.1
+        assert max(asymmetry) < 1e-9 if lagged else max(asymmetry) > 1e-3
+        found[lagged] = x, solves
+    moved = np.abs(found[False][0] - block.start).max()
+    assert np.abs(found[True][0] - found[False][0]).max() < 1e-7 * moved, found
+    assert sum(found[True][1]) > sum(found[False][1])

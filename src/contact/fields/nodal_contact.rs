@@ -1,6 +1,7 @@
 //! Pressure, gap, area and normal at the nodes.
 
 use crate::Error;
+use crate::contact::friction::NodalFriction;
 use crate::contact::laws::PairEnergy;
 use crate::geometry::Vector;
 use crate::overlap::NodalSum;
@@ -12,13 +13,18 @@ pub enum NodeStatus {
     /// No facet at the node is in contact.
     #[default]
     Apart,
-    /// A facet at the node is in contact.
+    /// A facet at the node is in contact, without friction.
     Touching,
+    /// More of the contact at the node sticks than slides, by area.
+    Sticking,
+    /// At least half of it slides.
+    Sliding,
 }
 
 /// The contact at every node of the mesh, in the order of the coordinates; zero where nothing touches.
 ///
-/// Pressure, area and normal are those of the nodal force: F = −p A n, to rounding, so that their sum is the resultant.
+/// Pressure, area and normal are those of the nodal force without friction: F = −p A n, to rounding, so that their sum is
+/// the resultant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NodalContact<const D: usize> {
     /// Contact pressure: the mean of that of the law over the part of the facets in contact, weighted with the node's
@@ -31,7 +37,12 @@ pub struct NodalContact<const D: usize> {
     pub area: Vec<f64>,
     /// Unit normal, outwards of the node's body, against the nodal force.
     pub normal: Vec<[f64; D]>,
-    /// Whether there is contact.
+    /// Traction of friction on the node's body: the mean of that of the facets over the part in contact, weighted with
+    /// the node's shape function.
+    pub friction: Vec<[f64; D]>,
+    /// Part of the contact at the node that slides, of its area: between 0 and 1.
+    pub sliding: Vec<f64>,
+    /// Whether there is contact, and whether it sticks.
     pub status: Vec<NodeStatus>,
 }
 
@@ -45,15 +56,20 @@ struct Sums<const D: usize> {
     /// Pressure of the pair, for nodes that carry force at edges alone.
     of_pair: f64,
     touches: bool,
+    /// ∫ N q dA, and the areas over which friction acts and slides.
+    friction: Vector<D>,
+    rubbed: f64,
+    sliding: f64,
 }
+
+/// A pair's energy, its sums at the nodes, where its law acts at contact points, and its friction.
+pub(crate) type NodalParts<const D: usize> = (PairEnergy<D>, Option<Vec<NodalSum>>, Vec<NodalFriction<D>>);
 
 impl<const D: usize> NodalContact<D> {
     /// Sums up, in the order of the pairs; pairs whose law does not act at contact points come without sums.
-    pub(crate) fn assemble(node_count: usize, pairs: &[(PairEnergy<D>, Option<Vec<NodalSum>>)]) -> Result<Self, Error> {
-        let none =
-            Sums { force: Vector::zeros(), area: 0.0, pressure: 0.0, penetration: 0.0, of_pair: 0.0, touches: false };
-        let mut nodes = vec![none; node_count];
-        for (energy, sums) in pairs {
+    pub(crate) fn assemble(node_count: usize, pairs: &[NodalParts<D>]) -> Result<Self, Error> {
+        let mut nodes = vec![Sums::new(); node_count];
+        for (energy, sums, friction) in pairs {
             let depth = energy.overlap.volume / energy.overlap.contact_area.max(f64::MIN_POSITIVE);
             for (&node, gradient) in energy.nodes.iter().zip(&energy.gradient) {
                 let sum = &mut nodes[node as usize];
@@ -68,6 +84,9 @@ impl<const D: usize> NodalContact<D> {
             for found in sums.iter().flatten() {
                 nodes[found.node as usize].add(found.area, found.pressure, found.penetration);
             }
+            for found in friction {
+                nodes[found.node as usize].add_friction(found);
+            }
         }
         let field = Self {
             pressure: nodes.iter().map(Sums::pressure).collect(),
@@ -77,11 +96,11 @@ impl<const D: usize> NodalContact<D> {
                 .iter()
                 .map(|sum| (-sum.force).try_normalize(0.0).unwrap_or_else(Vector::zeros).into())
                 .collect(),
-            status: (nodes.iter())
-                .map(|sum| if sum.touches { NodeStatus::Touching } else { NodeStatus::Apart })
-                .collect(),
+            friction: nodes.iter().map(|sum| (sum.friction / sum.rubbed.max(f64::MIN_POSITIVE)).into()).collect(),
+            sliding: nodes.iter().map(|sum| quotient(sum.sliding, sum.rubbed)).collect(),
+            status: nodes.iter().map(Sums::status).collect(),
         };
-        let numbers = field.pressure.iter().chain(&field.gap).chain(&field.area);
+        let numbers = (field.pressure.iter().chain(&field.gap).chain(&field.area)).chain(field.friction.as_flattened());
         match numbers.copied().find(|x| !x.is_finite()) {
             Some(value) => Err(Error::Overflow { quantity: "contact at a node", value }),
             None => Ok(field),
@@ -90,6 +109,37 @@ impl<const D: usize> NodalContact<D> {
 }
 
 impl<const D: usize> Sums<D> {
+    fn new() -> Self {
+        let (force, friction) = (Vector::zeros(), Vector::zeros());
+        Self {
+            force,
+            area: 0.0,
+            pressure: 0.0,
+            penetration: 0.0,
+            of_pair: 0.0,
+            touches: false,
+            friction,
+            rubbed: 0.0,
+            sliding: 0.0,
+        }
+    }
+
+    fn add_friction(&mut self, found: &NodalFriction<D>) {
+        self.friction += found.force;
+        self.rubbed += found.area;
+        self.sliding += found.sliding;
+        self.touches |= found.area > 0.0;
+    }
+
+    fn status(&self) -> NodeStatus {
+        match () {
+            () if !self.touches => NodeStatus::Apart,
+            () if self.rubbed <= 0.0 => NodeStatus::Touching,
+            () if 2.0 * self.sliding < self.rubbed => NodeStatus::Sticking,
+            () => NodeStatus::Sliding,
+        }
+    }
+
     fn add(&mut self, area: f64, pressure: f64, penetration: f64) {
         self.area += area;
         self.pressure += pressure;

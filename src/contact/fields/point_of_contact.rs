@@ -22,6 +22,13 @@ pub struct PointOfContact<const D: usize> {
     /// Area (2D: length) across the line, or of the facet's part; the resultant on the first side is
     /// −Σ pressure · area · normal, with the law `fiber` where its facets lie across the lines.
     pub area: f64,
+    /// Traction of friction on the first side, Σ friction · area being its resultant there; zero without friction.
+    pub friction: [f64; D],
+    /// Slip of the first side against the second since the step began, without what is elastic; a point has the slip of the
+    /// facets on which it lies.
+    pub slip: [f64; D],
+    /// Part of the point's area that slides: 0 where it sticks, ½ where one of its two facets does.
+    pub sliding: f64,
     /// Number of the patch within the pair: points of one patch have one normal, up to its sign. 0 with the law `depth`,
     /// which has no patches.
     pub patch: usize,

@@ -1,13 +1,20 @@
 //! Contact points from those of the laws.
 
 use super::point_of_contact::{PointOfContact, SideOfPoint};
+use crate::contact::friction::PointFriction;
 use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::Vector;
 use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint, nodes_of};
 
-/// The contact points of a pair.
-pub(crate) fn points_of_contact<const D: usize>(points: &[PressurePoint<D>], pair: &Pair<D>) -> Vec<PointOfContact<D>> {
-    let of_point = |point: &PressurePoint<D>| {
+/// The contact points of a pair, with what friction does at each; `None` without friction.
+pub(crate) fn points_of_contact<const D: usize>(
+    points: &[PressurePoint<D>],
+    friction: Option<&[PointFriction<D>]>,
+    pair: &Pair<D>,
+) -> Vec<PointOfContact<D>> {
+    let of_point = |(number, point): (usize, &PressurePoint<D>)| {
+        let none = PointFriction { traction: Vector::zeros(), slip: Vector::zeros(), sliding: 0.0 };
+        let friction = friction.map_or(none, |friction| friction[number]);
         let sides = point.sides.each_ref().map(|side| match side {
             PointOnSide::Surface(end) => of_surface(pair, end),
             PointOnSide::Cell(place) => in_cell(pair, place),
@@ -20,11 +27,14 @@ pub(crate) fn points_of_contact<const D: usize>(points: &[PressurePoint<D>], pai
             gap: -point.penetration,
             pressure: point.pressure,
             area: point.area,
+            friction: friction.traction.into(),
+            slip: friction.slip.into(),
+            sliding: friction.sliding,
             patch: point.patch,
             sides,
         }
     };
-    points.iter().map(of_point).collect()
+    points.iter().enumerate().map(of_point).collect()
 }
 
 fn of_surface<const D: usize>(pair: &Pair<D>, end: &SurfacePoint<D>) -> SideOfPoint<D> {

@@ -4,9 +4,12 @@ use crate::Error;
 
 /// Coulomb friction with a stiff, reversible stick.
 ///
-/// Points that face one another stick as long as the traction k_T s stays below its limit, s being the elastic slip, and
-/// slide at the limit min(μ p + cohesion, shear limit) against their slip, p being the pressure there. The default is no
-/// friction.
+/// Points that face one another stick as long as the traction k_T s stays below its limit τ, s being the elastic slip, and
+/// slide at the limit τ = min(μ p + cohesion, shear limit) against their slip, p being the pressure there. The default is
+/// no friction.
+///
+/// Without memory, by `memoryless_slip` ε, the traction is τ (2 y − y²) below y = s/ε = 1 and τ beyond, s being the slip of
+/// the step alone: smooth, and nothing is carried from one step to the next, so that what should stick creeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
     /// Coefficient of friction μ, at least 0.
@@ -14,6 +17,9 @@ pub struct Friction {
     /// Tangential stiffness k_T of the stick, positive, Pa/length; `None`: the stiffness of the energy law at a first
     /// touch, k.
     pub stiffness: Option<f64>,
+    /// Slip ε of a step, positive, from which on friction without memory acts in full: a speed times the time step, say.
+    /// `None`: friction with memory. Not together with `stiffness`.
+    pub memoryless_slip: Option<f64>,
     /// Traction that is transmitted without pressure wherever there is contact, at least 0, Pa.
     pub cohesion: f64,
     /// Largest traction, positive, Pa; infinite: no limit.
@@ -22,7 +28,7 @@ pub struct Friction {
 
 impl Default for Friction {
     fn default() -> Self {
-        Self { coefficient: 0.0, stiffness: None, cohesion: 0.0, shear_limit: f64::INFINITY }
+        Self { coefficient: 0.0, stiffness: None, memoryless_slip: None, cohesion: 0.0, shear_limit: f64::INFINITY }
     }
 }
 
@@ -45,10 +51,15 @@ impl Friction {
                 return refuse(name, value);
             }
         }
-        if let Some(stiffness) = self.stiffness
-            && !(stiffness.is_finite() && stiffness > 0.0)
-        {
-            return refuse("friction_stiffness", stiffness);
+        for (name, value) in [("friction_stiffness", self.stiffness), ("memoryless_slip", self.memoryless_slip)] {
+            if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {
+                return refuse(name, value);
+            }
+        }
+        if self.stiffness.is_some() && self.memoryless_slip.is_some() {
+            let what = "a stiffness of the stick with friction without memory, which has none: leave one of \
+                        friction_stiffness and memoryless_slip at its default";
+            return Err(Error::Unsupported { what });
         }
         if self.shear_limit.is_nan() || self.shear_limit <= 0.0 {
             return refuse("shear_limit", self.shear_limit);

@@ -2,14 +2,23 @@
 
 use super::options::Friction;
 use crate::geometry::Vector;
+use nalgebra::SMatrix;
 
-/// A spring with a slider.
+/// What resists the slip.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slider {
-    /// k_T.
-    pub(crate) stiffness: f64,
+    pub(crate) stick: Stick,
     /// Traction at which it slides.
     pub(crate) limit: f64,
+}
+
+/// What resists the slip below the limit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Stick {
+    /// A spring with memory, of stiffness k_T.
+    Spring(f64),
+    /// Nothing that remembers: the traction grows with the slip of the step up to this slip.
+    Memoryless(f64),
 }
 
 /// What a slip leads to.
@@ -19,8 +28,12 @@ pub(crate) struct Traction<const D: usize> {
     pub(crate) value: Vector<D>,
     /// Elastic slip that is left.
     pub(crate) elastic: Vector<D>,
-    /// Unit vector of the slip where it slides.
-    pub(crate) sliding: Option<Vector<D>>,
+    /// Whether it slides at the limit.
+    pub(crate) slides: bool,
+    /// Derivative of the traction by the slip.
+    pub(crate) stiffness: SMatrix<f64, D, D>,
+    /// And by the limit.
+    pub(crate) by_limit: Vector<D>,
     /// Stored energy by area.
     pub(crate) stored: f64,
     /// Dissipated energy by area, never negative.
@@ -36,20 +49,58 @@ impl Friction {
 }
 
 impl Slider {
-    /// Traction at this elastic slip, if none of it were plastic.
+    /// Traction at this slip: the elastic slip if none of it were plastic; of a slider without memory the slip of the step.
     pub(crate) fn traction<const D: usize>(&self, trial: &Vector<D>) -> Traction<D> {
-        let (size, most) = (trial.norm(), self.limit / self.stiffness);
-        if size <= most {
-            let stored = 0.5 * self.stiffness * size * size;
-            return Traction { value: trial * self.stiffness, elastic: *trial, sliding: None, stored, dissipated: 0.0 };
+        let size = trial.norm();
+        match self.stick {
+            Stick::Spring(stiffness) if size * stiffness <= self.limit => Traction {
+                value: trial * stiffness,
+                elastic: *trial,
+                slides: false,
+                stiffness: SMatrix::identity() * stiffness,
+                by_limit: Vector::zeros(),
+                stored: 0.5 * stiffness * size * size,
+                dissipated: 0.0,
+            },
+            Stick::Spring(stiffness) => {
+                let most = self.limit / stiffness;
+                let stored = 0.5 * self.limit * most;
+                let dissipated = self.limit * (size - most);
+                Traction { elastic: trial * (most / size), stored, dissipated, ..self.at_limit(trial / size, size) }
+            }
+            Stick::Memoryless(most) if size <= most => {
+                let y = size / most;
+                // (2 y − y²) ŝ = (2 − y) s/ε, which is smooth at s = 0.
+                let along = trial / most;
+                let spread = if size > 0.0 { along * along.transpose() * (most / size) } else { SMatrix::zeros() };
+                let stiffness = (SMatrix::identity() * (2.0 - y) - spread) * (self.limit / most);
+                let by_limit = along * (2.0 - y);
+                let value = by_limit * self.limit;
+                let dissipated = value.dot(trial);
+                Traction {
+                    value,
+                    elastic: Vector::zeros(),
+                    slides: false,
+                    stiffness,
+                    by_limit,
+                    stored: 0.0,
+                    dissipated,
+                }
+            }
+            Stick::Memoryless(_) => self.at_limit(trial / size, size),
         }
-        let along = trial / size;
+    }
+
+    /// All of a slip against the limit.
+    fn at_limit<const D: usize>(&self, along: Vector<D>, size: f64) -> Traction<D> {
         Traction {
             value: along * self.limit,
-            elastic: along * most,
-            sliding: Some(along),
-            stored: 0.5 * self.limit * most,
-            dissipated: self.limit * (size - most),
+            elastic: Vector::zeros(),
+            slides: true,
+            stiffness: (SMatrix::identity() - along * along.transpose()) * (self.limit / size),
+            by_limit: along,
+            stored: 0.0,
+            dissipated: self.limit * size,
         }
     }
 }
@@ -60,15 +111,44 @@ mod tests {
 
     #[test]
     fn sticks_below_the_limit_and_slides_at_it() {
-        let slider = Slider { stiffness: 100.0, limit: Friction::coulomb(0.5).limit(8.0).0 };
+        let slider = Slider { stick: Stick::Spring(100.0), limit: Friction::coulomb(0.5).limit(8.0).0 };
         let stuck = slider.traction(&Vector::<2>::new(0.03, 0.0));
-        assert_eq!((stuck.value[0], stuck.sliding, stuck.dissipated), (3.0, None, 0.0));
+        assert_eq!((stuck.value[0], stuck.slides, stuck.dissipated), (3.0, false, 0.0));
         let slid = slider.traction(&Vector::<2>::new(0.0, -0.1));
-        assert!((slid.value - Vector::<2>::new(0.0, -4.0)).norm() < 1e-15 && slid.sliding.is_some());
+        assert!((slid.value - Vector::<2>::new(0.0, -4.0)).norm() < 1e-15 && slid.slides);
         // The work of the spring at the limit is stored, that of the slider lost.
         assert!((slid.stored - 0.08).abs() < 1e-15 && (slid.dissipated - 4.0 * 0.06).abs() < 1e-15);
         let limited = Friction { shear_limit: 1.0, cohesion: 0.25, ..Friction::coulomb(0.5) };
         assert_eq!(limited.limit(1.0), (0.75, 0.5));
         assert_eq!(limited.limit(9.0), (1.0, 0.0));
+    }
+
+    #[test]
+    fn without_memory_the_traction_grows_smoothly_to_the_limit() {
+        let slider = Slider { stick: Stick::Memoryless(0.1), limit: 4.0 };
+        let at = |x: f64| slider.traction(&Vector::<2>::new(x, 0.0));
+        for (slip, traction) in [(0.0, 0.0), (0.05, 3.0), (0.1, 4.0), (-0.3, -4.0)] {
+            let found = at(slip);
+            assert!((found.value[0] - traction).abs() < 1e-14 && found.elastic.norm() == 0.0);
+            assert!((found.dissipated - traction * slip).abs() < 1e-14 && found.stored == 0.0);
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_traction() {
+        let h = 1e-6;
+        for stick in [Stick::Spring(100.0), Stick::Memoryless(0.1)] {
+            let slider = Slider { stick, limit: 4.0 };
+            for trial in [[0.01, 0.02, -0.005], [0.07, -0.02, 0.05], [0.3, 0.1, -0.2]].map(Vector::<3>::from) {
+                let found = slider.traction(&trial);
+                for axis in 0..3 {
+                    let step = Vector::<3>::ith(axis, h);
+                    let rise = slider.traction(&(trial + step)).value - slider.traction(&(trial - step)).value;
+                    assert!((rise / (2.0 * h) - found.stiffness.column(axis)).norm() < 1e-5);
+                }
+                let [up, down] = [h, -h].map(|h| Slider { limit: 4.0 + h, ..slider }.traction(&trial).value);
+                assert!(((up - down) / (2.0 * h) - found.by_limit).norm() < 1e-8);
+            }
+        }
     }
 }

@@ -24,8 +24,6 @@ pub(crate) struct SideMotion<const D: usize> {
     pub(crate) start: Vector<D>,
     /// Deformation since then.
     pub(crate) deformation: SMatrix<f64, D, D>,
-    /// Unit outward normal, of a point on the boundary.
-    pub(crate) normal: Option<Vector<D>>,
     pub(crate) movers: Movers<D>,
 }
 
@@ -46,8 +44,8 @@ impl<const D: usize> SideMotion<D> {
             PointOnSide::Surface(SurfacePoint::Facet { of_b, facet, weights }) if !of_b || pair.pose.is_none() => {
                 Self::of_facet(pair, step, *of_b, *facet, weights)
             }
-            PointOnSide::Surface(end) => Self::of_obstacle(pair, step, pair.position(end), Some(pair.normal_at(end))),
-            PointOnSide::Rigid(position) => Self::of_obstacle(pair, step, *position, None),
+            PointOnSide::Surface(end) => Self::of_obstacle(pair, step, pair.position(end)),
+            PointOnSide::Rigid(position) => Self::of_obstacle(pair, step, *position),
             PointOnSide::Cell(place) => Self::in_cell(pair, step, place),
         }
     }
@@ -62,7 +60,6 @@ impl<const D: usize> SideMotion<D> {
             now: sum(&corners),
             start: sum(&starts),
             deformation,
-            normal: Some(normal),
             movers: Movers::Facet { vertices, weights: *weights, gradients, normal },
         })
     }
@@ -77,15 +74,15 @@ impl<const D: usize> SideMotion<D> {
             back += old * gradient.transpose();
         }
         let movers = Movers::Cell { cell: place.cell, weights: place.weights };
-        Some(Self { now, start, deformation: back.try_inverse()?, normal: None, movers })
+        Some(Self { now, start, deformation: back.try_inverse()?, movers })
     }
 
-    fn of_obstacle(pair: &Pair<D>, step: &Step<D>, now: Vector<D>, normal: Option<Vector<D>>) -> Option<Self> {
+    fn of_obstacle(pair: &Pair<D>, step: &Step<D>, now: Vector<D>) -> Option<Self> {
         let (Partner::Obstacle(obstacle), Some(pose)) = (pair.partners[1], pair.pose) else { return None };
         let old: &Pose<D> = step.pose(obstacle, pose);
         let turn = |pose: &Pose<D>| SMatrix::<f64, D, D>::from_fn(|i, j| pose.rotation[i][j] * pose.scale);
         let deformation = turn(pose) * turn(old).transpose() / (old.scale * old.scale);
-        Some(Self { now, start: old.place(&pose.unplace(&now)), deformation, normal, movers: Movers::Rigid })
+        Some(Self { now, start: old.place(&pose.unplace(&now)), deformation, movers: Movers::Rigid })
     }
 
     /// Calls `visit(node, shape function at the point, by what the middle moves with the node)`; the middle lies at `arm`
@@ -117,17 +114,17 @@ impl<const D: usize> SideMotion<D> {
 }
 
 /// A facet, and its deformation since another state.
-pub(crate) struct FacetFrame<const D: usize> {
+struct FacetFrame<const D: usize> {
     /// Of the shape functions now, within the facet.
     gradients: [Vector<D>; D],
     normal: Vector<D>,
     /// Of vectors within the facet, and of its normal into the normal now.
-    pub(crate) deformation: SMatrix<f64, D, D>,
+    deformation: SMatrix<f64, D, D>,
 }
 
 impl<const D: usize> FacetFrame<D> {
     /// `None` where it has no measure.
-    pub(crate) fn new(corners: &[Vector<D>; D], starts: &[Vector<D>; D]) -> Option<Self> {
+    fn new(corners: &[Vector<D>; D], starts: &[Vector<D>; D]) -> Option<Self> {
         let (normal, gradients) = frame(corners)?;
         let (old_normal, old_gradients) = frame(starts)?;
         let deformation = (corners.iter().zip(&old_gradients))

@@ -4,13 +4,14 @@
 //! theirs. So the elastic slip is one vector for every facet, and nothing is carried from one to another: what does not
 //! slide does not creep.
 
+use super::carriers::{Carriers, in_surface};
 use super::options::Friction;
-use super::return_mapping::{Slider, Traction};
-use super::side_motion::{FacetFrame, SideMotion};
+use super::return_mapping::{Slider, Stick, Traction};
+use super::side_motion::SideMotion;
 use super::step::Step;
-use crate::contact::laws::{PointOnSide, PressurePoint};
+use crate::contact::laws::{Measured, PressurePoint};
 use crate::geometry::Vector;
-use crate::overlap::{Pair, Partner, SurfacePoint};
+use crate::overlap::{Pair, Partner};
 use nalgebra::SMatrix;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -64,22 +65,24 @@ struct Sums<const D: usize> {
     slip: Vector<D>,
     position: Vector<D>,
     normal: Vector<D>,
+    /// Of the facet, since the step began.
+    deformation: SMatrix<f64, D, D>,
     rows: Vec<Row<D>>,
 }
 
 /// How a pair slides.
 pub(crate) struct Sliding<'a, const D: usize> {
     pub(crate) friction: Friction,
-    /// k_T.
-    pub(crate) stiffness: f64,
+    pub(crate) stick: Stick,
     pub(crate) step: &'a Step<D>,
 }
 
 impl<const D: usize> SlipFacets<D> {
-    /// The facets on which a law presses. The translation of the pair's obstacle has the number `obstacle_node`.
-    pub(crate) fn new(pair: &Pair<D>, sliding: &Sliding<D>, pressed: &[PressurePoint<D>], obstacle_node: u32) -> Self {
+    /// The facets on which a law presses.
+    pub(crate) fn new(measured: &Measured<D>, sliding: &Sliding<D>, pressed: &[PressurePoint<D>]) -> Self {
+        let (pair, obstacle_node) = (measured.pair, measured.obstacle_node());
         let mut of_facets: BTreeMap<(bool, u32), Sums<D>> = BTreeMap::new();
-        for point in pressed.iter().filter(|point| !is_swallowed(pair, point)) {
+        for point in pressed {
             add_point(&mut of_facets, pair, sliding, point, obstacle_node);
         }
         let mut all = Self { partners: pair.partners, facets: Vec::with_capacity(of_facets.len()), rows: Vec::new() };
@@ -90,13 +93,14 @@ impl<const D: usize> SlipFacets<D> {
     }
 
     fn add(&mut self, pair: &Pair<D>, sliding: &Sliding<D>, (of_b, facet): (bool, u32), sums: Sums<D>) -> Option<()> {
-        let Partner::Body(body) = pair.partners[usize::from(of_b && !pair.is_own())] else { return None };
-        let in_surface = pair.surface.ranges[body].start + facet as usize;
+        let in_surface = in_surface(pair, of_b, facet)?;
         let normal = sums.normal.try_normalize(0.0)?;
-        let starts = pair.side(of_b).facets[facet as usize].map(|v| sliding.step.points[v as usize]);
-        let turned = FacetFrame::new(&pair.side(of_b).corners(facet as usize), &starts)?.deformation;
         let sign = if of_b { -1.0 } else { 1.0 };
-        let trial = turned * Vector::from(sliding.step.slip[in_surface]) * sign + sums.slip / sums.area;
+        let carried = match sliding.stick {
+            Stick::Spring(_) => sums.deformation * Vector::from(sliding.step.slip[in_surface]) * sign,
+            Stick::Memoryless(_) => Vector::zeros(),
+        };
+        let trial = carried + sums.slip / sums.area;
         let begin = self.rows.len();
         self.rows.extend(sums.rows.iter().map(|row| Row { slip: row.slip / sums.area, ..*row }));
         self.facets.push(SlipFacet {
@@ -106,7 +110,7 @@ impl<const D: usize> SlipFacets<D> {
             position: sums.position / sums.area,
             normal,
             area: sums.area,
-            slider: Slider { stiffness: sliding.stiffness, limit: sums.limit / sums.area },
+            slider: Slider { stick: sliding.stick, limit: sums.limit / sums.area },
             trial: trial - normal * normal.dot(&trial),
         });
         Some(())
@@ -137,33 +141,20 @@ fn add_point<const D: usize>(
     if traction <= 0.0 {
         return None;
     }
+    let carriers = Carriers::of(pair, point)?;
+    let (normal, part) = (carriers.normal, carriers.part);
     let sides = [
         SideMotion::new(pair, sliding.step, &point.middles[0])?,
         SideMotion::new(pair, sliding.step, &point.middles[1])?,
     ];
-    // The tangent plane is that of the surfaces, not that across the line on which the penetration is measured.
-    let normal = match (sides[0].normal, sides[1].normal) {
-        (Some(n), Some(m)) => (n - m).try_normalize(0.0)?,
-        (Some(n), None) => n,
-        (None, Some(m)) => -m,
-        (None, None) => return None,
-    };
-    let along = point.normal.dot(&normal);
-    if along <= 0.0 {
-        return None;
-    }
     let turned = (sides[0].deformation + sides[1].deformation) * 0.5;
     let slip = (sides[0].now - sides[1].now) - turned * (sides[0].start - sides[1].start);
     let slip = slip - normal * normal.dot(&slip);
     let position = (sides[0].now + sides[1].now) * 0.5;
-    let carriers = point.middles.each_ref().map(|side| facet_of(pair, side));
-    let share = 1.0 / carriers.iter().flatten().count() as f64;
-    for (which, of_b, facet) in (0..2).filter_map(|k| carriers[k].map(|(of_b, facet)| (k == 1, of_b, facet))) {
-        // A body against itself has facets in both roles.
-        let key = (which, facet);
-        debug_assert!(pair.is_own() || which == of_b);
-        let sums = of_facets.entry(key).or_insert_with(Sums::new);
-        let area = share * point.area / along;
+    for (of_b, facet) in carriers.facets() {
+        let new = || Sums::new(sides[usize::from(of_b)].deformation);
+        let sums = of_facets.entry((of_b, facet)).or_insert_with(new);
+        let area = part * point.area;
         sums.area += area;
         sums.limit += area * traction;
         sums.slip += slip * area;
@@ -171,7 +162,7 @@ fn add_point<const D: usize>(
         sums.normal += normal * area;
         for (of_b, side) in [(false, &sides[0]), (true, &sides[1])] {
             let signed = if of_b { -area } else { area };
-            let slope = point.slopes[usize::from(of_b)] * (slope * share / along);
+            let slope = point.slopes[usize::from(of_b)] * (slope * part);
             side.for_each_node(pair, &(position - side.now), obstacle_node, |node, shape, moved| {
                 sums.add_row(Row { node, of_b, slip: moved * signed, limit: slope * shape });
             });
@@ -181,9 +172,9 @@ fn add_point<const D: usize>(
 }
 
 impl<const D: usize> Sums<D> {
-    fn new() -> Self {
+    fn new(deformation: SMatrix<f64, D, D>) -> Self {
         let zero = Vector::zeros();
-        Self { area: 0.0, limit: 0.0, slip: zero, position: zero, normal: zero, rows: Vec::new() }
+        Self { area: 0.0, limit: 0.0, slip: zero, position: zero, normal: zero, deformation, rows: Vec::new() }
     }
 
     fn add_row(&mut self, row: Row<D>) {
@@ -195,25 +186,4 @@ impl<const D: usize> Sums<D> {
             None => self.rows.push(row),
         }
     }
-}
-
-/// The facet of a body on which a point lies, with the side that has it.
-fn facet_of<const D: usize>(pair: &Pair<D>, side: &PointOnSide<D>) -> Option<(bool, u32)> {
-    match *side {
-        PointOnSide::Surface(SurfacePoint::Facet { of_b, facet, .. }) if !of_b || pair.pose.is_none() => {
-            Some((of_b, facet))
-        }
-        _ => None,
-    }
-}
-
-/// Whether a line has both its ends on one side: that lies within the other, and its surfaces do not face.
-fn is_swallowed<const D: usize>(pair: &Pair<D>, point: &PressurePoint<D>) -> bool {
-    let side = |point: &PointOnSide<D>| match point {
-        PointOnSide::Surface(SurfacePoint::Facet { of_b, .. }) => Some(*of_b),
-        PointOnSide::Surface(SurfacePoint::Point { .. }) => Some(true),
-        _ => None,
-    };
-    let sides = point.sides.each_ref().map(side);
-    !pair.is_own() && sides[0].is_some() && sides[0] == sides[1]
 }

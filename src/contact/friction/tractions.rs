@@ -1,5 +1,6 @@
 //! The tractions of a pair, summed at its nodes.
 
+use super::return_mapping::Traction;
 use super::slip_facets::{Row, SlipFacet, SlipFacets};
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::geometry::{Vector, moment};
@@ -36,13 +37,12 @@ pub struct FrictionTotals {
 }
 
 impl FrictionTotals {
-    fn add<const D: usize>(&mut self, facet: &SlipFacet<D>) {
-        let traction = facet.slider.traction(&facet.trial);
+    fn add<const D: usize>(&mut self, facet: &SlipFacet<D>, traction: &Traction<D>) {
         self.stored += facet.area * traction.stored;
         self.dissipated += facet.area * traction.dissipated;
-        match traction.sliding {
-            Some(_) => self.slip_area += facet.area,
-            None => self.stick_area += facet.area,
+        match traction.slides {
+            true => self.slip_area += facet.area,
+            false => self.stick_area += facet.area,
         }
         self.largest_slip = self.largest_slip.max((facet.trial - traction.elastic).norm());
     }
@@ -66,7 +66,7 @@ impl<const D: usize> Tractions<D> {
         let (mut totals, mut blocks) = (FrictionTotals::default(), BlockSum::default());
         let mut scratch = Scratch { nodes: Vec::new(), values: Vec::new() };
         for (facet, rows, traction) in slipping.tractions() {
-            totals.add(facet);
+            totals.add(facet, &traction);
             let along = traction.value * facet.area;
             for row in rows {
                 let force = -(row.slip.transpose() * along);
@@ -79,7 +79,7 @@ impl<const D: usize> Tractions<D> {
             }
             if let Some(part) = part {
                 let with_limit = part == TangentPart::Full;
-                scratch.add_blocks(facet, rows, with_limit, &mut blocks);
+                scratch.add_blocks(facet, rows, (&traction, with_limit), &mut blocks);
             }
         }
         let (nodes, of_b, forces) = sums.into_nodes();
@@ -95,16 +95,18 @@ struct Scratch<const D: usize> {
 }
 
 impl<const D: usize> Scratch<D> {
-    /// Adds c Bᵀ C B, C = ∂q/∂s, and, where the facet slides, Bᵀ ŝ times the derivative of its limit.
-    fn add_blocks(&mut self, facet: &SlipFacet<D>, rows: &[Row<D>], with_limit: bool, blocks: &mut BlockSum<D>) {
+    /// Adds c Bᵀ C B, C = ∂q/∂s, and, `with_limit`, Bᵀ ∂q/∂τ times the derivative of the limit τ.
+    fn add_blocks(
+        &mut self,
+        facet: &SlipFacet<D>,
+        rows: &[Row<D>],
+        (traction, with_limit): (&Traction<D>, bool),
+        blocks: &mut BlockSum<D>,
+    ) {
         let Scratch { nodes, values } = self;
         let tangential = SMatrix::<f64, D, D>::identity() - facet.normal * facet.normal.transpose();
-        let traction = facet.slider.traction(&facet.trial);
-        let stiffness = match traction.sliding {
-            None => tangential * facet.slider.stiffness,
-            Some(s) => (tangential - s * s.transpose()) * (facet.slider.limit / facet.trial.norm()),
-        } * facet.area;
-        let pushed = traction.sliding.filter(|_| with_limit);
+        let stiffness = tangential * traction.stiffness * tangential * facet.area;
+        let pushed = (with_limit && traction.by_limit != Vector::<D>::zeros()).then_some(traction.by_limit);
         nodes.clear();
         nodes.extend(rows.iter().map(|row| row.node));
         values.clear();

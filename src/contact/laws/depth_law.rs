@@ -55,10 +55,11 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
     /// With sums at the nodes, the forces on inner nodes come at the surface above them.
     fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error> {
         let (second, obstacle_node) = (second(asked.tangent), measured.obstacle_node());
-        let request = DepthRequest { second, obstacle_node, points: asked.points };
+        let request = DepthRequest { second, obstacle_node, points: asked.points || asked.slides };
         let Some(mut depth) = measured.estimator.depth_integral(measured.pair, &request)? else { return Ok(None) };
         let tangent = asked.tangent.map(|_| self.tangent_of(&mut depth));
-        let points = of_depth_points(&std::mem::take(&mut depth.points), measured.pair, self.stiffness);
+        let pressure = |depth| self.stiffness * depth;
+        let points = of_depth_points(&std::mem::take(&mut depth.points), measured.pair, pressure, self.stiffness);
         let nodal_sums = asked.nodal_sums.then(|| {
             depth.bring_to_surface(measured.pair);
             self.nodal_sums(&depth, measured.pair)

@@ -43,7 +43,7 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
             energy: asked.energy.then(|| self.energy_of(&points, measured)).transpose()?,
             tangent: (asked.tangent).map(|part| Tangent::of_points(&points, pair, law, part, measured.obstacle_node())),
             nodal_sums: asked.nodal_sums.then(|| points.nodal_sums(pair, &pressure)),
-            points: if asked.points {
+            points: if asked.points || asked.slides {
                 of_contact_points(&points, pair, pressure, |penetration| law.energy_hessian(penetration))
             } else {
                 Vec::new()

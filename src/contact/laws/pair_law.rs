@@ -46,6 +46,8 @@ pub(crate) struct Asked {
     pub(crate) nodal_sums: bool,
     /// The points at which it presses.
     pub(crate) points: bool,
+    /// These for friction: also of a law that has one pressure for the whole pair, which then presses everywhere.
+    pub(crate) slides: bool,
 }
 
 /// What a law answers: the parts that were asked for.
@@ -53,7 +55,7 @@ pub(crate) struct Answer<const D: usize> {
     pub(crate) energy: Option<PairEnergy<D>>,
     pub(crate) tangent: Option<Tangent<D>>,
     pub(crate) nodal_sums: Option<Vec<NodalSum>>,
-    /// Empty for a law that has one pressure for the whole pair.
+    /// Empty for a law that has one pressure for the whole pair, but for friction.
     pub(crate) points: Vec<PressurePoint<D>>,
 }
 

@@ -68,10 +68,11 @@ pub(crate) fn of_contact_points<const D: usize>(
     points.points.iter().map(of_point).collect()
 }
 
-/// The points of the law `depth` with this stiffness.
+/// Points of facets inside the other side: `pressure` is a function of the depth, and `stiffness` its derivative.
 pub(crate) fn of_depth_points<const D: usize>(
     points: &[DepthPoint<D>],
     pair: &Pair<D>,
+    pressure: impl Fn(f64) -> f64,
     stiffness: f64,
 ) -> Vec<PressurePoint<D>> {
     let of_point = |point: &DepthPoint<D>| {
@@ -88,7 +89,7 @@ pub(crate) fn of_depth_points<const D: usize>(
             middles: both(&point.middle),
             normal: if of_b { -normal } else { normal },
             penetration: point.depth,
-            pressure: stiffness * point.depth,
+            pressure: pressure(point.depth),
             area: point.area,
             patch: 0,
             slopes: [slope, -slope],

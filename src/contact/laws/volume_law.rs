@@ -3,10 +3,11 @@
 use super::energy_law::EnergyLaw;
 use super::pair_energy::PairEnergy;
 use super::pair_law::{Answer, Asked, Measured, PairLaw};
+use super::pressure_point::{PressurePoint, of_depth_points};
 use crate::Error;
 use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::Overlap;
+use crate::overlap::{DepthRequest, Overlap, SecondDerivative};
 
 /// The volume law.
 pub(super) struct VolumeLaw(pub(super) EnergyLaw);
@@ -19,6 +20,20 @@ impl VolumeLaw {
             balance(o, measured.pair, expected);
         }
         overlap
+    }
+
+    /// Where the facets of either side lie inside the other, under the one pressure of the pair. That the pressure grows with
+    /// the volume is left out: it would couple every point with every node.
+    fn points<const D: usize>(
+        &self,
+        overlap: &Overlap<D>,
+        measured: &Measured<D>,
+    ) -> Result<Vec<PressurePoint<D>>, Error> {
+        let request =
+            DepthRequest { second: SecondDerivative::No, obstacle_node: measured.obstacle_node(), points: true };
+        let Some(depth) = measured.estimator.depth_integral(measured.pair, &request)? else { return Ok(Vec::new()) };
+        let pressure = self.0.energy_gradient(overlap.volume);
+        Ok(of_depth_points(&depth.points, measured.pair, |_| pressure, 0.0))
     }
 
     /// The tangent on the overlap as it was measured.
@@ -50,10 +65,14 @@ impl<const D: usize> PairLaw<D> for VolumeLaw {
             Some(part) => self.tangent_of(overlap.as_ref(), measured, part)?,
             None => None,
         };
+        let points = match &overlap {
+            Some(overlap) if asked.slides => self.points(overlap, measured)?,
+            _ => Vec::new(),
+        };
         let corrected = if asked.energy { Self::corrected(overlap, measured) } else { None };
         let energy = corrected.map(|overlap| PairEnergy::of_volume(overlap, &self.0));
-        let is_empty = energy.is_none() && tangent.is_none();
-        Ok((!is_empty).then_some(Answer { energy, tangent, nodal_sums: None, points: Vec::new() }))
+        let is_empty = energy.is_none() && tangent.is_none() && points.is_empty();
+        Ok((!is_empty).then_some(Answer { energy, tangent, nodal_sums: None, points }))
     }
 
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {

@@ -18,6 +18,7 @@ use crate::sampling::Family;
 impl<const D: usize> FiberPair<'_, D> {
     /// All spans along the directions of `patches`, or `None` where the sides are apart.
     pub(crate) fn contact_points(&self, patches: &Patches<D>) -> Result<Option<ContactPoints<D>>, Error> {
+        patches.check(self.pair.weighting)?;
         let mut points: Option<ContactPoints<D>> = None;
         for direction in 0..patches.directions.len() {
             let Some(found) = self.points_along(patches, direction)? else { continue };
@@ -48,7 +49,7 @@ impl<const D: usize> FiberPair<'_, D> {
                 let mut spans = Vec::new();
                 let mut volume_by_parity = [0.0; 2];
                 pair.visit_spans(bundle, layout, direction as u32, |Sampled { mut point, parity }| {
-                    point.weight *= patches.part(direction, &point.ends).value;
+                    point.weight *= patches.part(direction, &point.ends).value * self.pair.weight_between(&point.ends);
                     if point.weight > 0.0 {
                         volume_by_parity[parity] += point.weight * point.length;
                         spans.push(point);

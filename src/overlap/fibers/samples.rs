@@ -31,6 +31,7 @@ impl<const D: usize> FiberPair<'_, D> {
         let normal = self.pair.normal_at(end);
         let slope: f64 = self.families.iter().map(|f| f.direction().dot(&normal).abs()).sum();
         // Long spans cross a body from side to side; those of the contact are short.
-        if slope > 0.0 && length > 0.0 { layout.volume_per_length / slope } else { 0.0 }
+        let weight = self.pair.weighting.at(&self.pair.position(end));
+        if slope > 0.0 && length > 0.0 { layout.volume_per_length / slope * weight } else { 0.0 }
     }
 }

@@ -10,6 +10,7 @@ use super::layout::{FiberPair, Layout};
 use super::obstacle_crossings::intersections;
 use super::sweep::{Event, sort, sweep};
 use crate::Error;
+use crate::geometry::convex_piece::place;
 use crate::geometry::crossing::weights_at;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Intersection, Vector};
@@ -104,34 +105,42 @@ impl<const D: usize> FiberPair<'_, D> {
         let (mut facet_shares, mut point_shares) = (Vec::new(), Vec::new());
         self.visit_fibers(bundle, layout, |fiber, start, events, hits| {
             let (origin, direction) = bundle.ray(fiber);
+            let weighting = self.pair.weighting;
+            // ∫ of the weight along the line, by its crossings.
+            let mut weighted = 0.0;
             let length =
                 sweep(start, events, self.pair.is_own(), bundle.length(), layout.tolerance, |event, coefficient| {
+                    if !weighting.is_plain() {
+                        let middle = origin + direction * (0.5 * event.t);
+                        weighted += coefficient * event.t * weighting.at(&middle);
+                    }
                     let side = match (&self.pair.counterpart, event.of_b) {
                         (Counterpart::Facets(b), true) => b,
                         (Counterpart::Implicit(_), true) => {
                             let hit = &hits[event.source as usize].hit;
+                            let point = origin + direction * hit.t;
                             let share = coefficient.abs() * self.weight(layout, &direction, &hit.normal);
-                            point_shares.push(PointShare {
-                                point: origin + direction * hit.t,
-                                normal: hit.normal,
-                                share,
-                            });
+                            let share = share * weighting.at(&point);
+                            point_shares.push(PointShare { point, normal: hit.normal, share });
                             return;
                         }
                         _ => &self.pair.a,
                     };
                     let facet = event.source as usize;
-                    let Some(normal) = area_vector(&side.corners(facet)).try_normalize(0.0) else { return };
+                    let corners = side.corners(facet);
+                    let Some(normal) = area_vector(&corners).try_normalize(0.0) else { return };
                     let p = bundle.project(side, facet, fiber);
                     let (i, j) = bundle.grid_point(fiber);
                     let (weights, _) = weights_at::<D>(std::array::from_fn(|k| &p[k]), i as f64, j as f64);
                     let share = coefficient.abs() * self.weight(layout, &direction, &normal);
+                    let share = share * weighting.at(&place(&corners, &weights));
                     facet_shares.push(FacetShare {
                         facet: event.source,
                         of_b: event.of_b,
                         shares: weights.map(|w| w * share),
                     });
                 });
+            let length = if weighting.is_plain() { length } else { weighted };
             sum.length += length;
             sum.square += length * length;
             sum.fibers_met += usize::from(length > 0.0);
@@ -177,7 +186,7 @@ impl<const D: usize> FiberPair<'_, D> {
             nodes: Vec::new(),
             gradient: Vec::new(),
             of_b: Vec::new(),
-            pose_gradient: self.pair.pose.map(|_| assembly.pose_gradient()),
+            pose_gradient: self.pair.pose.map(|_| assembly.pose_gradient().in_weighting(self.pair.weighting)),
             contact_area: assembly.contact_area(),
             penetration: assembly.penetration(),
             fiber_count: layout.bundles.iter().map(Bundle::fiber_count).sum(),

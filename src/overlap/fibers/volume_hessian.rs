@@ -18,7 +18,7 @@ impl<const D: usize> FiberPair<'_, D> {
                 let mut spans = Vec::new();
                 self.visit_spans(bundle, layout, bundle.family_index() as u32, |sampled| {
                     let mut span = sampled.point;
-                    span.weight *= part;
+                    span.weight *= part * self.pair.weight_between(&span.ends);
                     spans.push(span);
                 })?;
                 Ok(spans)

@@ -40,7 +40,9 @@ pub(crate) fn facet_gap<const D: usize>(
     let points: Vec<Vector<D>> = weights.iter().map(|at| place(&facet.corners, at)).collect();
     let mut gap =
         FacetGap { gaps: [0.0; D], areas: [0.0; D], gradients: std::array::from_fn(|_| Vec::new()), is_near: false };
-    for (((_, share), at), found) in rule.iter().zip(&weights).zip(surface.nearest(&points)?) {
+    let weighting = pair.weighting;
+    for ((((_, bare), at), x), found) in rule.iter().zip(&weights).zip(&points).zip(surface.nearest(&points)?) {
+        let share = bare * weighting.at(x);
         let Some(found) = found.filter(|found| facet.normal.dot(&found.distance.gradient) <= -FACING) else { continue };
         gap.is_near = true;
         for corner in 0..D {
@@ -49,10 +51,12 @@ pub(crate) fn facet_gap<const D: usize>(
         }
         for corner in 0..D {
             let by = found.distance.gradient * (share * facet.measure * at[corner]);
+            let of_weight = weighting.gradient() * (bare * facet.measure * at[corner] * found.distance.phi);
             let gradient = &mut gap.gradients[corner];
             for (other, weights) in facet.weights.iter().enumerate() {
                 let own = facet.nodes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
-                gradient.extend(own.map(|(&node, weight)| (node, by * (at[other] * weight))));
+                let of_facet = by + of_weight;
+                gradient.extend(own.map(|(&node, weight)| (node, of_facet * (at[other] * weight))));
             }
             for (vertex, weight) in found.foot.iter().flat_map(|(vertices, at)| vertices.iter().zip(at)) {
                 let of_vertex = pair.surface.nodes_of_vertex(*vertex);

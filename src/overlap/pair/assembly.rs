@@ -123,7 +123,8 @@ impl<const D: usize> Assembly<D> {
         self.bound(true, share.point, share.normal, share.share);
     }
 
-    fn pull(&mut self, point: &Vector<D>, g: &Vector<D>, pose: &Pose<D>) {
+    /// Adds a force at a point that moves with `pose`, which is no share of the boundary.
+    pub(crate) fn pull(&mut self, point: &Vector<D>, g: &Vector<D>, pose: &Pose<D>) {
         let lever = point - Vector::from(pose.position);
         self.pose.position += g;
         for (sum, m) in self.pose.rotation.iter_mut().zip(moment(point, g)) {
@@ -133,8 +134,8 @@ impl<const D: usize> Assembly<D> {
     }
 
     /// Adds what the plane of a half-space must carry so that the sums of forces and moments vanish: exact, since the
-    /// overlap does not change when both sides move together.
-    pub(crate) fn add_reaction(&mut self, normal: &Vector<D>, points: &[Vector<D>]) {
+    /// overlap does not change when both sides move together, but by `as_one` where it has a weight.
+    pub(crate) fn add_reaction(&mut self, normal: &Vector<D>, points: &[Vector<D>], as_one: &Vector<D>) {
         let mut force = Vector::zeros();
         for (&slot, g) in self.touched.iter().zip(&self.values) {
             force += g;
@@ -142,6 +143,7 @@ impl<const D: usize> Assembly<D> {
                 *sum -= m;
             }
         }
+        force -= as_one;
         self.pose.position -= force;
         self.area_of[1] += (-force.dot(normal)).max(0.0);
     }

@@ -1,6 +1,6 @@
 //! What an estimator returns.
 
-use crate::geometry::Vector;
+use crate::geometry::{Vector, Weighting};
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::warning::Warning;
 
@@ -9,13 +9,19 @@ use crate::overlap::pair::warning::Warning;
 pub struct PoseGradient<const D: usize> {
     /// ∂V/∂position.
     pub position: Vector<D>,
-    /// ∂V/∂(rotation about the origin of space), as a vector of three; in 2D only the last entry differs from zero.
+    /// ∂V/∂(rotation about the origin of space), as a vector of three; in 2D only the last entry differs from zero, with
+    /// axisymmetry none.
     pub rotation: [f64; 3],
     /// ∂V/∂scale.
     pub scale: f64,
 }
 
 impl<const D: usize> PoseGradient<D> {
+    /// Bodies of revolution do not turn.
+    pub(crate) fn in_weighting(self, weighting: Weighting) -> Self {
+        if weighting.is_plain() { self } else { Self { rotation: [0.0; 3], ..self } }
+    }
+
     /// Every derivative times a factor.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self {

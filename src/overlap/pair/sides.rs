@@ -6,7 +6,7 @@ use crate::configuration::FacetSide;
 use crate::depth::DepthField;
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
-use crate::geometry::{Pose, Shape, Surface, Vector};
+use crate::geometry::{Pose, Shape, Surface, Vector, Weighting};
 use rayon::prelude::*;
 
 /// A rigid shape that is not bounded by facets.
@@ -59,6 +59,8 @@ pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) coords: &'a [[f64; D]],
     /// Depth of the bodies' cells, where the law needs it and there are cells.
     pub(crate) depth: Option<&'a DepthField<D>>,
+    /// What its measures count for.
+    pub(crate) weighting: Weighting,
     /// Whether the threads of the pool that calls may share the work.
     pub(crate) parallel: bool,
 }
@@ -98,6 +100,14 @@ impl<'a, const D: usize> Pair<'a, D> {
             SurfacePoint::Facet { of_b, facet, weights } => place(&self.side(of_b).corners(facet as usize), &weights),
             SurfacePoint::Point { point, .. } => point,
         }
+    }
+
+    /// What a line between two points counts for: its middle's weight, so that length times this is the weighted length.
+    pub(crate) fn weight_between(&self, ends: &[SurfacePoint<D>; 2]) -> f64 {
+        if self.weighting.is_plain() {
+            return 1.0;
+        }
+        self.weighting.at(&((self.position(&ends[0]) + self.position(&ends[1])) * 0.5))
     }
 
     /// Whether the body is measured against itself.

@@ -6,7 +6,8 @@
 //! partition of unity, the energy is as smooth as with one patch, and the parts move with the nodes as the lengths do.
 //! Where they meet at a sharp edge, the energy has a step.
 
-use crate::geometry::Vector;
+use crate::Error;
+use crate::geometry::{Vector, Weighting};
 use crate::overlap::pair::surface_point::SurfacePoint;
 
 /// Directions of the lines of one pair, and who counts for which.
@@ -71,6 +72,18 @@ impl<const D: usize> Patches<D> {
     /// Whether parts vary along facets.
     pub(crate) fn are_blended(&self) -> bool {
         !self.blends.is_empty()
+    }
+
+    /// Refuses what lines with a weight cannot have: patches that pass into one another.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`].
+    pub(crate) fn check(&self, weighting: Weighting) -> Result<(), Error> {
+        if self.are_blended() && !weighting.is_plain() {
+            let what = "the law fiber with axisymmetry where patches pass into one another: use the law depth";
+            return Err(Error::Unsupported { what });
+        }
+        Ok(())
     }
 
     /// The part of a span that counts for one direction; all of them together are 1.

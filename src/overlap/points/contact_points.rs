@@ -5,7 +5,8 @@
 //!
 //! With the line fixed, moving node a of the facet at an end moves the end by N_a n/(d·n), so that a function ψ of the
 //! length has the gradient ±ψ'(L) N_a n/(d·n): along the outward normal of the facet at both ends. Where patches blend,
-//! the part p(N) that counts moves too: ∂p/∂x_a = −N_a η, with η the slope of p across the lines.
+//! the part p(N) that counts moves too: ∂p/∂x_a = −N_a η, with η the slope of p across the lines. Where lines have a weight,
+//! that of their middle, p is the part times the weight: an end that moves by δt along the line d changes it by ½ d·∇ρ δt.
 
 use crate::geometry::Vector;
 use crate::geometry::facet_slopes::across;
@@ -72,7 +73,7 @@ impl<const D: usize> ContactPoints<D> {
             || self.assembly(pair, &sums, |sum| sum.energy, value, slope),
             || self.assembly(pair, &sums, |sum| sum.volume, &|length| length, &|_| 1.0),
         );
-        let pose = pair.pose.map(|_| energy.pose_gradient());
+        let pose = pair.pose.map(|_| energy.pose_gradient().in_weighting(pair.weighting));
         let (nodes, values, of_b) = energy.into_nodes(pair.surface);
         (PointGradient { nodes, values, of_b, pose }, self.overlap_of(pair, &sums, volume))
     }
@@ -96,7 +97,7 @@ impl<const D: usize> ContactPoints<D> {
             nodes: Vec::new(),
             gradient: Vec::new(),
             of_b: Vec::new(),
-            pose_gradient: pair.pose.map(|_| assembly.pose_gradient()),
+            pose_gradient: pair.pose.map(|_| assembly.pose_gradient().in_weighting(pair.weighting)),
             contact_area: assembly.contact_area(),
             penetration: self.longest(),
             fiber_count: self.fiber_count,
@@ -139,12 +140,18 @@ impl<const D: usize> ContactPoints<D> {
                 }
             }
         }
-        if self.patches.are_blended() {
+        if self.patches.are_blended() || !pair.weighting.is_plain() {
             for span in &self.points {
                 for (end, blend) in span.ends.iter().zip(self.blends(pair, span)) {
-                    let (SurfacePoint::Facet { of_b, facet, weights }, Some(eta)) = (*end, blend) else { continue };
+                    let Some(eta) = blend else { continue };
                     let force = -eta * (span.across * value(span.length));
-                    assembly.add_force(pair.side(of_b), (of_b, facet), &weights, &force, pose_of(of_b));
+                    match (*end, pair.pose) {
+                        (SurfacePoint::Facet { of_b, facet, weights }, _) => {
+                            assembly.add_force(pair.side(of_b), (of_b, facet), &weights, &force, pose_of(of_b));
+                        }
+                        (SurfacePoint::Point { point, .. }, Some(pose)) => assembly.pull(&point, &force, pose),
+                        _ => {}
+                    }
                 }
             }
         }
@@ -161,6 +168,9 @@ impl<const D: usize> ContactPoints<D> {
 
     /// Slope η, across the lines, of the part of a span that counts, at either end where it has one.
     pub(crate) fn blends(&self, pair: &Pair<D>, span: &ContactPoint<D>) -> [Option<Vector<D>>; 2] {
+        if !pair.weighting.is_plain() {
+            return self.slopes_of_weight(pair, span);
+        }
         if !self.patches.are_blended() {
             return [None; 2];
         }
@@ -172,5 +182,18 @@ impl<const D: usize> ContactPoints<D> {
             *blend = across(&pair.side(of_b).corners(facet as usize), d, &corners);
         }
         blends
+    }
+
+    /// The same of a span's weight, times the part that counts.
+    fn slopes_of_weight(&self, pair: &Pair<D>, span: &ContactPoint<D>) -> [Option<Vector<D>>; 2] {
+        let d = &self.patches.directions[span.direction as usize];
+        let whole = span.across * pair.weight_between(&span.ends);
+        let part = if whole != 0.0 { span.weight / whole } else { 0.0 };
+        let along = 0.5 * part * d.dot(&pair.weighting.gradient());
+        span.ends.each_ref().map(|end| {
+            let normal = pair.normal_at(end);
+            let slope = d.dot(&normal);
+            (slope != 0.0).then(|| normal * (-along / slope))
+        })
     }
 }

@@ -20,8 +20,10 @@ impl<const D: usize> ContactPoints<D> {
     ) {
         // ∇J at a fixed line, by node.
         let mut gradient: Vec<(u32, Vector<D>)> = Vec::new();
-        let mut jump = 0.0;
+        let (mut jump, mut as_one) = (0.0, 0.0);
         for span in &silhouette.spans {
+            let whole = pair.weight_between(&span.ends);
+            as_one += if whole > 0.0 { span.weight / whole * value(span.length) } else { 0.0 };
             let Some(ends) = self.end_motions(pair, span, obstacle_node) else { return };
             jump += span.weight * value(span.length);
             for end in &ends {
@@ -33,7 +35,11 @@ impl<const D: usize> ContactPoints<D> {
                 }
             }
         }
-        let of_line = -gradient.iter().fold(Vector::<D>::zeros(), |sum, (_, g)| sum + g);
+        let mut of_line = -gradient.iter().fold(Vector::<D>::zeros(), |sum, (_, g)| sum + g);
+        if !pair.weighting.is_plain() {
+            // What does not change as all of it moves as one is the length of the spans, not their weight.
+            of_line += pair.weighting.gradient() * as_one;
+        }
         let mut of_anchors: Vec<Vec<(u32, f64)>> = Vec::new();
         for (anchor, weight) in &silhouette.weights {
             let mut nodes = Vec::new();

@@ -60,6 +60,10 @@ pub(crate) struct EstimatorArgs {
     #[arg(long)]
     pub(crate) self_contact: bool,
 
+    /// Axisymmetry, in 2D: coordinates are (r, z), and forces are those on whole rings
+    #[arg(long)]
+    pub(crate) axisymmetric: bool,
+
     /// Leave out the smallest change of the nodal forces that makes their sum and their moment vanish
     #[arg(long)]
     pub(crate) no_momentum_correction: bool,
@@ -149,6 +153,7 @@ impl EstimatorArgs {
             },
             threads: self.threads,
             self_contact: self.self_contact,
+            axisymmetric: self.axisymmetric,
             ..Options::new(law)
         }
     }

@@ -160,8 +160,11 @@ def load(case: str, variant: str | None = None, overrides: tuple[str, ...] = ())
     return from_json(json.loads(found.stdout))
 
 
-def from_json(raw: dict[str, Any]) -> Problem:
-    """A case from what ``fmc mesh`` wrote."""
+def from_json(raw: dict[str, Any], with_friction: bool = False) -> Problem:
+    """A case from what ``fmc mesh`` wrote. Cases with friction are refused unless the caller has it: these hosts commit no
+    steps."""
+    if not with_friction and any(raw["contact"].get(key, 0.0) > 0.0 for key in ("friction_coefficient", "cohesion")):
+        raise ValueError("this case has friction, which only the reference host takes into its steps")
     coords = np.array(raw["coords"], float)
     dim = raw["dimension"]
     bodies = [

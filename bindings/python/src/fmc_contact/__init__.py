@@ -20,7 +20,7 @@ from .options import Options
 from .part import Part
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
-from .stateless import contact_force
+from .stateless import contact_force, contact_force_step
 from .stiffness import suggest_fiber_stiffness, suggest_stiffness
 from .tangent import RankOne, Tangent
 
@@ -51,6 +51,7 @@ __all__ = [
     "Resultant",
     "Tangent",
     "contact_force",
+    "contact_force_step",
     "errors",
     "has_feature",
     "newton",

@@ -12,6 +12,7 @@ from ._structs import (
     fmc_contact_point,
     fmc_coords,
     fmc_forces,
+    fmc_friction_step,
     fmc_gap_constraint,
     fmc_options,
     fmc_pair,
@@ -85,6 +86,17 @@ FUNCTIONS = {
         STATUS,
         [c_int32, Float64Array, c_size_t, c_int32, Int64Array, c_size_t, Int64Array, _OPTIONS, Float64Array, _NUMBER],
     ),
+    "fmc_friction_step_init": (STATUS, [POINTER(fmc_friction_step)]),
+    "fmc_contact_force_step": (
+        STATUS,
+        [c_int32, Float64Array, c_size_t, c_int32, Int32Array, c_size_t, Int32Array, _OPTIONS]
+        + [POINTER(fmc_friction_step), Float64Array, _NUMBER],
+    ),
+    "fmc_contact_force_step_i64": (
+        STATUS,
+        [c_int32, Float64Array, c_size_t, c_int32, Int64Array, c_size_t, Int64Array, _OPTIONS]
+        + [POINTER(fmc_friction_step), Float64Array, _NUMBER],
+    ),
     "fmc_context_new_from_cells": (
         STATUS,
         [c_int32, _COORDS, POINTER(fmc_cell_block), c_size_t, Int32Array, _OPTIONS, _HANDLE],
@@ -143,7 +155,7 @@ FUNCTIONS = {
     ),
     "fmc_context_nodal_contact": (
         STATUS,
-        [Context, _COORDS, Float64Array, Float64Array, Float64Array, Float64Array, Int32Array, c_size_t],
+        [Context, _COORDS, *[Float64Array] * 6, Int32Array, c_size_t],
     ),
     "fmc_context_find_contact_points": (STATUS, [Context, _COORDS, _COUNT]),
     "fmc_context_contact_points": (STATUS, [Context, POINTER(fmc_contact_point), c_size_t]),

@@ -74,13 +74,14 @@ class fmc_options(Structure):
         ("check_cells", c_int32),
         ("threads", c_int32),
         ("index_base", c_int32),
-        ("reserved_flags", c_int32),
+        ("axisymmetric", c_int32),
         ("smoothing_length", c_double),
         ("friction_coefficient", c_double),
         ("friction_stiffness", c_double),
         ("cohesion", c_double),
         ("shear_limit", c_double),
-        ("reserved", c_uint64 * 11),
+        ("memoryless_slip", c_double),
+        ("reserved", c_uint64 * 10),
     ]
 
 
@@ -205,7 +206,23 @@ class fmc_contact_point(Structure):
         ("gap", c_double),
         ("pressure", c_double),
         ("area", c_double),
+        ("friction", c_double * 3),
+        ("slip", c_double * 3),
+        ("sliding", c_double),
         ("sides", fmc_contact_side * 2),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_friction_step(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("start", POINTER(c_double)),
+        ("reference", POINTER(c_double)),
+        ("slip", POINTER(c_double)),
+        ("next_slip", POINTER(c_double)),
+        ("slip_length", c_size_t),
+        ("facet_count", c_size_t),
         ("reserved", c_uint64 * 8),
     ]
 

@@ -287,6 +287,12 @@ class NonFiniteSlipError(FmcError, ValueError):
     status = 41
 
 
+class NegativeRadiusError(FmcError, ValueError):
+    """A node lies beyond the axis, with axisymmetry: its first coordinate is negative."""
+
+    status = 42
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

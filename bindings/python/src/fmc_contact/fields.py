@@ -17,7 +17,7 @@ from ._structs import fmc_contact_point
 class NodalContact:
     """The contact at every node, n of them in the order of the coordinates; zero where nothing touches.
 
-    The nodal force is ``-(pressure * area)[:, None] * normal``, to rounding.
+    The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding.
     """
 
     pressure: np.ndarray
@@ -32,6 +32,14 @@ class NodalContact:
     """Unit normal, (n, dim), outwards of the node's body."""
     touching: np.ndarray
     """Whether a facet at the node is in contact, (n,), bool."""
+    friction: np.ndarray
+    """Traction of friction on the node's body, (n, dim): the mean of that of the facets over the part in contact."""
+    sliding: np.ndarray
+    """Part of the contact at the node that slides, of its area, (n,): between 0, where all of it sticks, and 1."""
+    sticks: np.ndarray
+    """Whether friction acts on the node and more of its contact sticks than slides, by area, (n,), bool."""
+    slides: np.ndarray
+    """Whether at least half of it slides, (n,), bool."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +48,7 @@ class ContactPoints:
     centres of the pressure on what facets have inside each cell of the other body, or inside an obstacle; facets of both
     bodies are pressed, each for half of its area, facets against an obstacle for all of it.
 
-    Axis 1 of the arrays of sides is the side, first and second. Empty with the law ``"volume"``.
+    Axis 1 of the arrays of sides is the side, first and second. Empty with the law ``"volume"`` unless friction acts.
     """
 
     position: np.ndarray
@@ -53,6 +61,12 @@ class ContactPoints:
     """Contact pressure, (m,)."""
     area: np.ndarray
     """Area (2D: length) across the line, or of the facet's part, for which the point stands, (m,)."""
+    friction: np.ndarray
+    """Traction of friction on the first side, (m, dim): ``(friction * area[:, None]).sum(axis=0)`` is its resultant."""
+    slip: np.ndarray
+    """Slip of the first side against the second since the step began, without what is elastic, (m, dim)."""
+    sliding: np.ndarray
+    """Part of the area that slides, (m,): 0 where the point sticks, 0.5 where one of its two facets does, else 1."""
     patch: np.ndarray
     """Number of the patch within the pair, (m,): points of one patch have one normal, up to its sign. 0 with ``"depth"``."""
     is_obstacle: np.ndarray
@@ -76,11 +90,11 @@ class ContactPoints:
 def nodal_contact(handle: Handle, coords: View, node_count: int, dim: int) -> NodalContact:
     """Measures the contact at ``coords``."""
     pressure, gap, area = (np.empty(node_count) for _ in range(3))
-    normal, status = np.empty((node_count, dim)), np.empty(node_count, np.int32)
-    handle.call(
-        library.fmc_context_nodal_contact, byref(coords.struct), pressure, gap, area, normal, status, node_count
-    )
-    return NodalContact(pressure, gap, area, normal, status != 0)
+    normal, friction = np.empty((node_count, dim)), np.empty((node_count, dim))
+    sliding, status = np.empty(node_count), np.empty(node_count, np.int32)
+    lists = pressure, gap, area, normal, friction, sliding, status
+    handle.call(library.fmc_context_nodal_contact, byref(coords.struct), *lists, node_count)
+    return NodalContact(pressure, gap, area, normal, status != 0, friction, sliding, status == 2, status == 3)
 
 
 def contact_points(handle: Handle, coords: View, dim: int) -> ContactPoints:
@@ -99,6 +113,9 @@ def contact_points(handle: Handle, coords: View, dim: int) -> ContactPoints:
         points["gap"].copy(),
         points["pressure"].copy(),
         points["area"].copy(),
+        points["friction"][:, :dim].copy(),
+        points["slip"][:, :dim].copy(),
+        points["sliding"].copy(),
         points["patch"].copy(),
         sides["kind"] == 1,
         sides["index"].copy(),

@@ -1,4 +1,4 @@
-"""Newton's method for bodies in contact, one load step a call, without a line search.
+"""Newton's method for bodies in contact, one load step a call, the plain method as a rule.
 
 Three things make the plain method converge, and none needs anything of the host but its residual and tangent:
 
@@ -8,6 +8,8 @@ Three things make the plain method converge, and none needs anything of the host
    bear, and is then raised at every iteration until it is the one asked for. The semidefinite tangent goes with it.
    Undiminished, such a pressure inverts cells.
 3. With the full stiffness, the full tangent.
+
+After eight iterations, which a load step takes at most as a rule, a step is halved where the residual has not fallen.
 
 An equilibrium is one for the stiffness asked for, never for a lower one.
 """
@@ -42,6 +44,13 @@ _BALANCED = 0.01
 
 # Residual by |K| |x| that is made of rounding: some bits of the sums that a host takes over elements.
 _ROUNDING = 8 * np.finfo(np.float64).eps
+
+# Iterations that are plain. With friction, where much begins to slide in one load step, they may go to and fro between two
+# states of a few facets for ever; without, a load step that converges takes no more than these.
+_PLAIN = 8
+
+# Times that a later step is halved, at most.
+_HALVINGS = 8
 
 
 class NotConvergedError(FmcError, RuntimeError):
@@ -80,9 +89,11 @@ def newton(
     young: float,
     tolerance: float = 1e-9,
     max_iterations: int = 30,
+    lagged: bool = False,
     solve: Callable[[Any, np.ndarray], np.ndarray] | None = None,
 ) -> Equilibrium:
-    """Equilibrium of bodies in contact at the end of a load step, by Newton's method without a line search.
+    """Equilibrium of bodies in contact at the end of a load step, by Newton's method, which is plain up to
+    the eighth iteration.
 
     ``residual_and_tangent(x)``: internal less external forces of the host, without contact, in the shape of ``x``, and
     their derivative, (size, size), a matrix of scipy or an array; degree of freedom ``node * dim + axis`` for
@@ -98,14 +109,23 @@ def newton(
     For laws of which the pressure is ``stiffness`` times the penetration: ``"depth"``, and ``"fiber"`` with kept
     patches. The stiffness of the contact is changed during the call; afterwards, and after an error, it is what it was.
 
+    With friction, after ``begin_step``; a step that is accepted is committed by the caller. ``lagged`` freezes friction where
+    the bodies are, solves, and freezes it anew at what was found, until nothing changes: the matrix is then symmetric, for
+    a ``solve`` that asks for it, and the method goes on where that of the current pressure does not converge, but takes
+    more solves. The equilibrium is the same. Friction is released afterwards.
+
     Errors: ``NotConvergedError``, also where a cell is inverted, the matrix singular or the residual not finite. A
     smaller load step helps; if the matrix is singular, a body must be held. ``ValueError`` for shapes.
     """
     search = _Search(residual_and_tangent, contact, np.array(x, np.float64), free, prescribed, young, solve or _solved)
     try:
-        return search.run(tolerance, max_iterations)
+        if lagged:
+            contact.freeze_friction(search.x)
+        return search.run(tolerance, max_iterations, lagged)
     finally:
         search.inner.set_options(stiffness=search.stiffness)
+        if lagged:
+            search.inner.release_friction()
 
 
 class _Search:
@@ -169,7 +189,8 @@ class _Search:
         self.inner.set_options(stiffness=wanted)
         return self.forces()
 
-    def run(self, tolerance: float, max_iterations: int) -> Equilibrium:
+    def run(self, tolerance: float, max_iterations: int, lagged: bool) -> Equilibrium:
+        """``lagged``: friction is frozen, and is frozen anew wherever the bodies are in equilibrium with it."""
         soft_count = 0
         for iteration in range(max_iterations + 1):
             inside, matrix = self.bodies()
@@ -177,16 +198,16 @@ class _Search:
                 contact = self.soften(iteration, inside)
             except FmcError as error:
                 raise self.failed(iteration, str(error)) from error
-            residual = inside - contact
-            size = max(np.linalg.norm(inside), np.linalg.norm(contact))
-            left = np.linalg.norm(residual[self.free])
-            # Bodies that moved as one have forces of rounding alone, of which no part is small.
-            rounding = _ROUNDING * np.linalg.norm(abs(matrix) @ abs(self.x.ravel()))
-            relative = left / size if left > rounding or not np.isfinite(left) else 0.0
+            residual, relative = self.balance(inside, contact, matrix)
+            if iteration > _PLAIN and relative >= self.residuals[-1]:
+                residual, relative, matrix = self.shorten(residual, relative, matrix)
+            is_soft, is_moving = self.k < self.stiffness, bool(self.step.any())
+            if lagged and relative <= tolerance and not is_soft and not is_moving:
+                self.contact.freeze_friction(self.x)
+                residual, relative = self.balance(inside, self.forces(), matrix)
             if not np.isfinite(relative):
                 raise self.failed(iteration, "the residual is not finite")
-            is_soft, is_moving = self.k < self.stiffness, bool(self.step.any())
-            self.residuals.append(float("nan") if is_moving else float(relative))
+            self.residuals.append(float("nan") if is_moving else relative)
             if relative <= tolerance and not is_soft and not is_moving:
                 reactions = residual.reshape(self.x.shape)
                 return Equilibrium(self.x, iteration, soft_count, self.residuals, self.result, reactions)
@@ -196,6 +217,29 @@ class _Search:
             self.advance(iteration, residual, _sum(matrix, self.contact.tangent(self.x, semidefinite=is_soft)))
         raise self.failed(max_iterations, f"the residual is {relative:.1e}, {tolerance:.1e} is wanted")
 
+    def shorten(self, residual: np.ndarray, relative: float, matrix: Any) -> tuple[np.ndarray, float, Any]:
+        """Halves the last step until the residual has fallen by it; where it never does, all of it is taken."""
+        whole = residual, relative, matrix, self.x
+        for _ in range(_HALVINGS):
+            self.taken /= 2
+            self.x = self.x - self.taken
+            inside, matrix = self.bodies()
+            residual, relative = self.balance(inside, self.forces(), matrix)
+            if relative < self.residuals[-1]:
+                return residual, relative, matrix
+        residual, relative, matrix, self.x = whole
+        self.forces()
+        return residual, relative, matrix
+
+    def balance(self, inside: np.ndarray, contact: np.ndarray, matrix: Any) -> tuple[np.ndarray, float]:
+        """The residual, and how large it is at free unknowns, by the forces."""
+        residual = inside - contact
+        size = max(np.linalg.norm(inside), np.linalg.norm(contact))
+        left = np.linalg.norm(residual[self.free])
+        # Bodies that moved as one have forces of rounding alone, of which no part is small.
+        rounding = _ROUNDING * np.linalg.norm(abs(matrix) @ abs(self.x.ravel()))
+        return residual, float(left / size if left > rounding or not np.isfinite(left) else 0.0)
+
     def advance(self, iteration: int, residual: np.ndarray, matrix: Any) -> None:
         right = -(residual + matrix @ self.step)[self.free]
         try:
@@ -203,7 +247,8 @@ class _Search:
         except (RuntimeError, np.linalg.LinAlgError) as error:
             raise self.failed(iteration, f"the linear solver failed ({error}): is every body held?") from error
         self.step[self.free] = step
-        self.x = self.x + self.step.reshape(self.x.shape)
+        self.taken = self.step.reshape(self.x.shape)
+        self.x = self.x + self.taken
         self.step = np.zeros(self.x.size)
 
     def failed(self, iteration: int, why: str) -> NotConvergedError:
@@ -225,6 +270,7 @@ def _solved(matrix: Any, right: np.ndarray) -> np.ndarray:
         return np.linalg.solve(matrix, right)
     from scipy.sparse.linalg import splu
 
-    # The matrix is symmetric: rows and columns in the same order, which in 2D takes a third of the time.
+    # The pattern of the matrix is symmetric, and but for friction the matrix: rows and columns in the same order, which in 2D
+    # takes a third of the time.
     order = {"permc_spec": "MMD_AT_PLUS_A", "diag_pivot_thresh": 0.1, "options": {"SymmetricMode": True}}
     return splu(matrix.tocsc(), **order).solve(right)

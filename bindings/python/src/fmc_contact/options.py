@@ -11,8 +11,8 @@ import numpy as np
 from ._library import check, library
 from ._structs import CHOICES, fmc_options
 
-_SWITCHES = ("momentum_correction", "self_contact", "check_cells")
-_HIDDEN = ("struct_size", "reserved_flags", "reserved")
+_SWITCHES = ("momentum_correction", "self_contact", "axisymmetric", "check_cells")
+_HIDDEN = ("struct_size", "reserved")
 
 
 class Options(TypedDict, total=False):
@@ -51,13 +51,21 @@ class Options(TypedDict, total=False):
     """Whether self-contact, the overlap of each body with itself, is evaluated; False."""
     friction_coefficient: float
     """Coefficient of Coulomb friction of all pairs that have none of their own; 0. With it, steps are begun and committed
-    (``Contact.begin_step``), and the tangent is unsymmetric. Not with the law ``"volume"``."""
+    (``Contact.begin_step``), and the tangent is unsymmetric. With the law ``"volume"`` not on sampled lines."""
     friction_stiffness: float
-    """Tangential stiffness of the stick, a pressure per length; 0: the stiffness of the law at a first touch."""
+    """Tangential stiffness of the stick, a pressure per length; 0: the stiffness of the law at a first touch, which
+    ``"volume"`` does not have."""
     cohesion: float
     """Shear traction that is transmitted without pressure wherever there is contact; 0."""
     shear_limit: float
     """Largest shear traction; 0: no limit."""
+    memoryless_slip: float
+    """Slip of a step from which on friction without memory acts in full: a speed times the time step, say. Smooth, and nothing is
+    carried from one step to the next, so that what should stick creeps. 0: friction with memory. Not together with
+    ``friction_stiffness``."""
+    axisymmetric: bool
+    """Axisymmetry, in 2D: coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of whole
+    rings; False. Not with friction."""
     check_cells: bool
     """Whether every evaluation checks the orientation of every cell; True."""
     threads: int

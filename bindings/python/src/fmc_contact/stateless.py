@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from .contact import Contact
@@ -37,3 +38,32 @@ def contact_force(
     overlap 0.08, force on the first square -800.0
     """
     return Contact(coords, conn, cell_type, stiffness=stiffness, bodies=bodies, **options).evaluate(coords)
+
+
+def contact_force_step(
+    start: ArrayLike,
+    coords: ArrayLike,
+    conn: Cells,
+    cell_type: str | None = None,
+    *,
+    stiffness: float,
+    slip: ArrayLike | None = None,
+    reference: ArrayLike | None = None,
+    bodies: ArrayLike | None = None,
+    **options: Unpack[Options],
+) -> tuple[Result, np.ndarray]:
+    """Contact forces with friction at the end ``coords`` of a step that began at ``start``, and the elastic slip, (facets,
+    dim), that is carried into the next step; ``slip`` is what was carried into this one, none by default. A step that is
+    rejected leaves nothing to be undone.
+
+    ``reference``, by default ``start``, are the coordinates without deformation, from which the law ``"depth"`` has its
+    depths. Other arguments and errors are those of ``Contact``, and the bits those of a ``Contact`` that is kept.
+    """
+    begin = start if reference is None else reference
+    contact = Contact(begin, conn, cell_type, stiffness=stiffness, bodies=bodies, **options)
+    contact.begin_step(start)
+    if slip is not None:
+        contact.slip = slip
+    result = contact.evaluate(coords)
+    contact.commit_step(coords)
+    return result, contact.slip

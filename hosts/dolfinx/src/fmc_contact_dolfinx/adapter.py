@@ -143,6 +143,11 @@ class DolfinxContact:
         coords = self.coords(*displacements)
         together(self.comm, lambda: self.contact.commit_step(coords))
 
+    def freeze_friction(self, *displacements: Any) -> None:
+        """Freezes friction as it is at the displacements. See ``Contact.freeze_friction``."""
+        coords = self.coords(*displacements)
+        together(self.comm, lambda: self.contact.freeze_friction(coords))
+
     def keep_patches(self, *displacements: Any) -> int:
         """Keeps the directions of the law ``"fiber"``, so that forces are the gradient of one energy: for the start
         of a load step. See ``Contact.keep_patches``."""

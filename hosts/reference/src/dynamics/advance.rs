@@ -13,6 +13,16 @@ impl<const D: usize> Simulation<D> {
     /// [`DynamicsError::Contact`], [`DynamicsError::InvertedCell`], [`DynamicsError::NonFinite`]; the simulation is then
     /// as it was before.
     pub fn advance(&mut self) -> Result<Sample<D>, DynamicsError> {
+        let before = self.commit_friction()?;
+        let stepped = self.advance_committed();
+        if stepped.is_err() {
+            self.restore_friction(before)?;
+        }
+        stepped
+    }
+
+    /// The same, once the step of friction that led here is accepted.
+    fn advance_committed(&mut self) -> Result<Sample<D>, DynamicsError> {
         let clock = Instant::now();
         let mut next = self.state.clone();
         next.step += 1;
@@ -53,6 +63,7 @@ impl<const D: usize> Simulation<D> {
         }
         (self.state, self.structure, self.resultants) = (next, structure, resultants);
         if let Some(touch) = touch {
+            self.state.dissipated += touch.forces.friction.dissipated;
             self.touch = touch;
         }
         self.state.acceleration = sum(&self.structure.acceleration, &self.touch.acceleration);
@@ -77,6 +88,7 @@ impl<const D: usize> Simulation<D> {
     pub fn sample(&self) -> Sample<D> {
         let (Structure { strain, external, .. }, contact) = (&self.structure, &self.touch.forces);
         let kinetic = self.state.kinetic(&self.mass);
+        let stored = contact.energy + contact.friction.stored;
         let (bodies, obstacles) = self.resultants.split_at(contact.bodies.len());
         let sum = |axis: usize| self.resultants.iter().map(|f| f[axis]).sum::<f64>();
         Sample {
@@ -84,9 +96,9 @@ impl<const D: usize> Simulation<D> {
             time: self.time(),
             kinetic,
             strain: *strain,
-            contact: contact.energy,
+            contact: stored,
             external: *external,
-            total: kinetic + strain + contact.energy + external,
+            total: kinetic + strain + stored + external,
             dissipated: self.state.dissipated,
             balance: (0..D).map(|axis| sum(axis).powi(2)).sum::<f64>().sqrt(),
             bodies: bodies.to_vec(),

@@ -3,15 +3,19 @@
 //! ```text
 //! "fmcstate"   8 bytes
 //! version      u32     dimension  u32     fingerprint of the setup  u64
-//! node count   u64     step       u64     step size  f64            dissipated energy  f64
+//! node count   u64     facet count u64    step       u64     step size  f64            dissipated energy  f64
 //! displacement [node count × dimension] f64
 //! velocity     [node count × dimension] f64
+//! with friction, else the facet count is 0:
+//! displacement at which its step began [node count × dimension] f64
+//! elastic slip carried into it         [facet count × dimension] f64
 //! FNV-1a of all before  u64
 //! ```
 //!
 //! All little endian. The acceleration is not kept: it is a function of the displacement.
 
 use super::error::CheckpointError;
+use super::friction_step::FrictionStep;
 use super::state::State;
 use fnv::FnvHasher;
 use std::fs::File;
@@ -20,7 +24,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 const MAGIC: &[u8; 8] = b"fmcstate";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// A state and what it belongs to.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +32,7 @@ pub(super) struct Checkpoint<const D: usize> {
     pub(super) fingerprint: u64,
     pub(super) step_size: f64,
     pub(super) state: State<D>,
+    pub(super) friction: Option<FrictionStep<D>>,
 }
 
 impl<const D: usize> Checkpoint<D> {
@@ -55,8 +60,12 @@ impl<const D: usize> Checkpoint<D> {
         bytes.extend((D as u32).to_le_bytes());
         bytes.extend(self.fingerprint.to_le_bytes());
         bytes.extend((displacement.len() as u64).to_le_bytes());
+        let none = FrictionStep::default();
+        let friction = self.friction.as_ref().unwrap_or(&none);
+        bytes.extend((friction.slip.len() as u64).to_le_bytes());
         bytes.extend(step.to_le_bytes());
-        let values = displacement.iter().chain(velocity).flatten();
+        let of_friction = friction.displacement.iter().chain(&friction.slip);
+        let values = displacement.iter().chain(velocity).chain(of_friction).flatten();
         for value in [&self.step_size, dissipated].into_iter().chain(values) {
             bytes.extend(value.to_le_bytes());
         }
@@ -82,16 +91,23 @@ impl<const D: usize> Checkpoint<D> {
         }
         let words: Vec<u64> =
             rest.chunks(8).map(|c| c.try_into().map(u64::from_le_bytes)).collect::<Result<_, _>>().map_err(damaged)?;
-        let [fingerprint, node_count, step, step_size, dissipated, ref values @ ..] = words[..] else {
+        let [fingerprint, node_count, facet_count, step, step_size, dissipated, ref values @ ..] = words[..] else {
             return Err(CheckpointError::Damaged);
         };
         let values: Vec<f64> = values.iter().map(|&word| f64::from_bits(word)).collect();
         let nodes: Vec<[f64; D]> =
             values.chunks(D).map(<[f64; D]>::try_from).collect::<Result<_, _>>().map_err(damaged)?;
-        if nodes.len() as u64 != node_count.saturating_mul(2) {
+        let arrays = if facet_count > 0 { 3u64 } else { 2 };
+        let expected = node_count.checked_mul(arrays).and_then(|nodes| nodes.checked_add(facet_count));
+        if expected != Some(nodes.len() as u64) {
             return Err(CheckpointError::Damaged);
         }
-        let (displacement, velocity) = nodes.split_at(nodes.len() / 2);
+        let (displacement, rest) = nodes.split_at(node_count as usize);
+        let (velocity, rest) = rest.split_at(node_count as usize);
+        let friction = (facet_count > 0).then(|| {
+            let (displacement, slip) = rest.split_at(node_count as usize);
+            FrictionStep { displacement: displacement.to_vec(), slip: slip.to_vec() }
+        });
         let state = State {
             step,
             displacement: displacement.to_vec(),
@@ -99,7 +115,7 @@ impl<const D: usize> Checkpoint<D> {
             acceleration: vec![[0.0; D]; displacement.len()],
             dissipated: f64::from_bits(dissipated),
         };
-        Ok(Self { fingerprint, step_size: f64::from_bits(step_size), state })
+        Ok(Self { fingerprint, step_size: f64::from_bits(step_size), state, friction })
     }
 }
 
@@ -129,13 +145,16 @@ mod tests {
             acceleration: vec![[0.0; 2]; 2],
             dissipated: 0.25,
         };
-        Checkpoint { fingerprint: 42, step_size: 1e-6, state }
+        let friction = FrictionStep { displacement: vec![[0.5, 0.25], [1.0, 0.0]], slip: vec![[1e-9, -0.0]; 3] };
+        Checkpoint { fingerprint: 42, step_size: 1e-6, state, friction: Some(friction) }
     }
 
     #[test]
     fn bytes_give_the_state_back() {
         let checkpoint = checkpoint();
-        assert_eq!(Checkpoint::from_bytes(&checkpoint.to_bytes()), Ok(checkpoint));
+        assert_eq!(Checkpoint::from_bytes(&checkpoint.to_bytes()), Ok(checkpoint.clone()));
+        let frictionless = Checkpoint { friction: None, ..checkpoint };
+        assert_eq!(Checkpoint::from_bytes(&frictionless.to_bytes()), Ok(frictionless));
     }
 
     #[test]

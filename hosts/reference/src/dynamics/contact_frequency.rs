@@ -18,6 +18,8 @@
 //! lines run along the normals, as they are made to. It needs no more than the mesh. The part ψ' ∂²L is smaller by
 //! L over the size of a facet and left out.
 //!
+//! **Friction.** The stick is a spring k_T across the normal: of the blocks k n nᵀ + k_T (I − n nᵀ) the stiffer counts.
+//!
 //! **w = k/2 ∫ (g_A + g_B) dx.** Where flat faces meet, each side has half of k by the facets of the other: the sum of a row's
 //! blocks is 2 k A_a/m_a, as with lines along the normal. Deep in a body its inner nodes bear a part, whose share of
 //! surface is that of the partner and not known beforehand. So the bound is raised to what the tangent has where there is
@@ -53,6 +55,9 @@ pub(super) fn before_contact<const D: usize>(
 fn by_area<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], inverse_mass: &[[f64; D]], steepest: f64) -> f64 {
     let meets_bodies = contact.surface().body_count() > 1 || contact.options().self_contact;
     let sides = if meets_bodies { 2.0 } else { 1.0 };
+    let friction = contact.options().friction;
+    let stick = friction.stiffness.filter(|_| friction.is_active()).unwrap_or(0.0);
+    let steepest = steepest.max(stick);
     let areas = surface_areas(contact.surface(), coords);
     let mobility = areas.iter().zip(inverse_mass).map(|(a, w)| a * largest(w)).fold(0.0, f64::max);
     (sides * steepest * mobility).sqrt()

@@ -11,13 +11,13 @@ pub struct Sample<const D: usize> {
     pub kinetic: f64,
     /// Strain energy.
     pub strain: f64,
-    /// Contact energy.
+    /// Contact energy, with what the stick of friction stores.
     pub contact: f64,
     /// Potential of the external loads, −Σ f·u; they do the work −(change of it).
     pub external: f64,
     /// Kinetic + strain + contact + external energy. With `dissipated` it is constant but for the scheme's error.
     pub total: f64,
-    /// Energy that damping has taken out so far; 0 without damping.
+    /// Energy that damping and friction have taken out so far; it never falls.
     pub dissipated: f64,
     /// Sum of the contact forces on every body, in the order of the model's parts. With several contact sub-steps their
     /// mean, so that the sum over the steps times Δt is the impulse.

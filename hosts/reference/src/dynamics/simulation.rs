@@ -4,6 +4,7 @@ use super::checkpoint::Checkpoint;
 use super::error::{CheckpointError, DynamicsError};
 use super::evaluation::{Actors, Structure, Touch, placed, sum};
 use super::fingerprint::fingerprint;
+use super::friction_step::FrictionStep;
 use super::setup::{Setup, Step};
 use super::stable_step::Stiffness;
 use super::state::State;
@@ -35,6 +36,8 @@ pub struct Simulation<const D: usize> {
     pub(super) step_size: f64,
     pub(super) limit: StepLimit,
     pub(super) state: State<D>,
+    /// Displacement at which the step of friction that leads to the state began; empty without friction.
+    pub(super) step_start: Vec<[f64; D]>,
     pub(super) structure: Structure<D>,
     pub(super) touch: Touch<D>,
     /// Contact forces on bodies, then on obstacles: means over the sub-steps of the last step.
@@ -56,7 +59,7 @@ impl<const D: usize> Simulation<D> {
             dissipated: 0.0,
         };
         state.velocity.resize(if setup.velocity.is_empty() { count } else { setup.velocity.len() }, [0.0; D]);
-        Self::at(setup, state, None)
+        Self::at(setup, state, None, None)
     }
 
     /// Continues from a file that [`Self::save`] wrote: bit for bit as if there had been no interruption.
@@ -65,7 +68,7 @@ impl<const D: usize> Simulation<D> {
     /// [`DynamicsError::Checkpoint`] if the file is damaged, or belongs to another setup or another step; those of
     /// [`Self::start`].
     pub fn resume(setup: Setup<D>, path: &Path) -> Result<Self, DynamicsError> {
-        let Checkpoint { fingerprint: found, step_size, state } = Checkpoint::read(path)?;
+        let Checkpoint { fingerprint: found, step_size, state, friction } = Checkpoint::read(path)?;
         if found != fingerprint(&setup) || state.displacement.len() != setup.model.node_count() {
             return Err(CheckpointError::OtherModel.into());
         }
@@ -73,7 +76,7 @@ impl<const D: usize> Simulation<D> {
             Step::Fixed(asked) if asked != step_size => {
                 Err(CheckpointError::OtherStep { found: step_size, asked }.into())
             }
-            _ => Self::at(setup, state, Some(step_size)),
+            _ => Self::at(setup, state, Some(step_size), friction),
         }
     }
 
@@ -83,10 +86,15 @@ impl<const D: usize> Simulation<D> {
     /// [`CheckpointError::File`].
     pub fn save(&self, path: &Path) -> Result<(), CheckpointError> {
         let (fingerprint, step_size) = (fingerprint(&self.setup), self.step_size);
-        Checkpoint { fingerprint, step_size, state: self.state.clone() }.write(path)
+        Checkpoint { fingerprint, step_size, state: self.state.clone(), friction: self.friction_step() }.write(path)
     }
 
-    fn at(setup: Setup<D>, mut state: State<D>, saved_step: Option<f64>) -> Result<Self, DynamicsError> {
+    fn at(
+        setup: Setup<D>,
+        mut state: State<D>,
+        saved_step: Option<f64>,
+        friction: Option<FrictionStep<D>>,
+    ) -> Result<Self, DynamicsError> {
         setup.check()?;
         let mass = setup.model.lumped_mass();
         let mut inverse_mass: Vec<[f64; D]> = mass.iter().map(|m| [1.0 / m; D]).collect();
@@ -100,6 +108,16 @@ impl<const D: usize> Simulation<D> {
         for obstacle in &setup.obstacles {
             contact.add_obstacle(obstacle.clone()).map_err(DynamicsError::Setup)?;
         }
+        let mut step_start = Vec::new();
+        if setup.contact.friction.is_active() {
+            let (begun, slip) = match friction {
+                Some(FrictionStep { displacement, slip }) => (displacement, Some(slip)),
+                None => (state.displacement.clone(), None),
+            };
+            contact.begin_step(&placed(setup.model.coords(), &begun)).map_err(DynamicsError::Setup)?;
+            slip.map_or(Ok(()), |slip| contact.set_slip(&slip)).map_err(DynamicsError::Setup)?;
+            step_start = begun;
+        }
         let stiffness = Stiffness { model: &setup.model, contact: &contact, mass: &mass, inverse_mass: &inverse_mass };
         let (limit, step_size) = match (saved_step, setup.step) {
             (None, Step::Auto) => stiffness.auto()?,
@@ -112,7 +130,19 @@ impl<const D: usize> Simulation<D> {
         let (structure, touch) = (actors.structure(&state.displacement)?, actors.touch(&state.displacement)?);
         state.acceleration = sum(&structure.acceleration, &touch.acceleration);
         let resultants = touch.resultants();
-        Ok(Self { setup, contact, mass, inverse_mass, step_size, limit, state, structure, touch, resultants })
+        Ok(Self {
+            setup,
+            contact,
+            mass,
+            inverse_mass,
+            step_size,
+            limit,
+            state,
+            step_start,
+            structure,
+            touch,
+            resultants,
+        })
     }
 
     /// Mass of a part.

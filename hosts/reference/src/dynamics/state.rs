@@ -11,7 +11,7 @@ pub struct State<const D: usize> {
     pub velocity: Vec<[f64; D]>,
     /// Acceleration at that displacement; zero where a support holds.
     pub acceleration: Vec<[f64; D]>,
-    /// Energy that damping has taken out so far.
+    /// Energy that damping and friction have taken out so far.
     pub dissipated: f64,
 }
 

@@ -88,24 +88,31 @@ impl Factorisation {
     ///
     /// With x̂ = M⁻¹ b, S the Schur complement and Δ the change: (S + Δ) x_kept = S x̂_kept, x = M⁻¹ (b − Δ x).
     pub fn solve_changed(&self, change: &[(usize, usize, f64)], right: &[f64]) -> Option<Vec<f64>> {
+        let mirrored = change.iter().filter(|(row, column, _)| row != column).map(|(r, c, v)| (*c, *r, *v));
+        let change: Vec<_> = change.iter().copied().chain(mirrored).collect();
+        self.solve_with(&change, right, |changed, right| Some(changed.llt(Side::Lower).ok()?.solve(right)))
+    }
+
+    /// The same for a change that is not symmetric, by all its entries; `None` if the changed matrix is singular.
+    pub fn solve_changed_unsymmetric(&self, change: &[(usize, usize, f64)], right: &[f64]) -> Option<Vec<f64>> {
+        let found = self.solve_with(change, right, |changed, right| Some(changed.partial_piv_lu().solve(right)))?;
+        found.iter().all(|x| x.is_finite()).then_some(found)
+    }
+
+    fn solve_with(
+        &self,
+        change: &[(usize, usize, f64)],
+        right: &[f64],
+        solve: impl Fn(&Mat<f64>, Mat<f64>) -> Option<Mat<f64>>,
+    ) -> Option<Vec<f64>> {
         let first = self.solve(right)?;
         let schur = self.schur.as_ref()?;
         let mut changed = schur.clone();
-        for &(row, column, value) in change {
-            changed[(row, column)] += value;
-            if row != column {
-                changed[(column, row)] += value;
-            }
-        }
+        change.iter().for_each(|&(row, column, value)| changed[(row, column)] += value);
         let at_first = Mat::from_fn(self.kept.len(), 1, |k, _| first[self.kept[k]]);
-        let kept = changed.llt(Side::Lower).ok()?.solve(schur * at_first);
+        let kept = solve(&changed, schur * at_first)?;
         let mut right = right.to_vec();
-        for &(row, column, value) in change {
-            right[self.kept[row]] -= value * kept[(column, 0)];
-            if row != column {
-                right[self.kept[column]] -= value * kept[(row, 0)];
-            }
-        }
+        change.iter().for_each(|&(row, column, value)| right[self.kept[row]] -= value * kept[(column, 0)]);
         self.solve(&right)
     }
 
@@ -203,5 +210,10 @@ mod tests {
         let left = whole.product(&changed);
         left.iter().zip(&right).for_each(|(l, r)| assert!((l - r).abs() < 1e-13, "{l} is not {r}"));
         assert!(system.solve_changed(&[(0, 0, -1e3)], &right).is_none());
+        // Pushed at 2 by what moves at 5, and not the other way round.
+        let pushed = system.solve_changed_unsymmetric(&[(0, 1, -0.5)], &right).unwrap();
+        let mut left = Lower::new(8, chain(8, 2.0).into_iter()).product(&pushed);
+        left[2] -= 0.5 * pushed[5];
+        left.iter().zip(&right).for_each(|(l, r)| assert!((l - r).abs() < 1e-13, "{l} is not {r}"));
     }
 }

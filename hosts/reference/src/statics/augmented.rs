@@ -38,6 +38,9 @@ impl<const D: usize> Equilibrium<D> {
                 fmc_contact::Error::Unsupported { what: "augmentation of another law than the quadratic fiber law" };
             return Err(error.into());
         };
+        if self.has_friction() {
+            return Err(fmc_contact::Error::Unsupported { what: "augmentation of contact with friction" }.into());
+        }
         let reached = |penetrations: &[f64]| penetrations.last().is_some_and(|p| *p <= target);
         for _ in 0..most {
             if reached(&penetrations) {

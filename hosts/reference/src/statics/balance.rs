@@ -11,6 +11,8 @@ pub struct Balance<const D: usize> {
     pub strain: f64,
     /// Contact energy.
     pub contact_energy: f64,
+    /// Energy that friction has stored and dissipated since the load step began. Frozen friction has it as its potential.
+    pub friction_energy: f64,
     /// Work of the loads.
     pub work: f64,
     /// Internal less contact and external force of every node; on what is held, the reaction.
@@ -28,7 +30,7 @@ pub struct Balance<const D: usize> {
 impl<const D: usize> Balance<D> {
     /// Total energy Π.
     pub fn energy(&self) -> f64 {
-        self.strain + self.contact_energy - self.work
+        self.strain + self.contact_energy + self.friction_energy - self.work
     }
 
     /// Residual by the forces; 0 where there are none. A body that is free of stress after it was moved has forces of rounding
@@ -44,7 +46,7 @@ impl<const D: usize> Balance<D> {
 
     /// Sum of the energies' magnitudes.
     pub(super) fn magnitude(&self) -> f64 {
-        self.strain + self.contact_energy.abs() + self.work.abs()
+        self.strain + self.contact_energy.abs() + self.friction_energy + self.work.abs()
     }
 
     pub(super) fn new(
@@ -70,7 +72,9 @@ impl<const D: usize> Balance<D> {
         supports.clear(&mut free);
         let norm = free.iter().flatten().map(|r| r * r).sum::<f64>().sqrt();
         let scale = squares.into_iter().fold(0.0, f64::max).sqrt();
-        Self { strain, contact_energy: contact.energy, work, residual, norm, scale, noise: Noise::default(), contact }
+        let friction_energy = contact.friction.stored + contact.friction.dissipated;
+        let (contact_energy, noise) = (contact.energy, Noise::default());
+        Self { strain, contact_energy, friction_energy, work, residual, norm, scale, noise, contact }
     }
 
     /// Slope of the energy along a direction that moves nothing held.

@@ -82,7 +82,8 @@ impl<const D: usize> Equilibrium<D> {
             magnitude: balance.magnitude(),
         };
         let none = vec![0.0; self.equation_count];
-        let mut at = At { step: none.clone(), pull: none, energy: balance.contact_energy, gradient };
+        let mut at =
+            At { step: none.clone(), pull: none, energy: balance.contact_energy + balance.friction_energy, gradient };
         let exact = 0.1 * self.settings.tolerance * balance.scale;
         let goal = if self.is_linear() { exact } else { exact.max(LEFT_OVER.min(balance.relative()) * balance.norm) };
         let (mut iterations, mut full_failed) = (0, false);
@@ -101,7 +102,7 @@ impl<const D: usize> Equilibrium<D> {
     }
 
     /// Factorises the bodies down to the equations of some entries, if that is of use.
-    fn condense(&mut self, u: &[[f64; D]], elastic: &Lower, entries: &Entries) -> bool {
+    pub(super) fn condense(&mut self, u: &[[f64; D]], elastic: &Lower, entries: &Entries) -> bool {
         let mut kept: Vec<usize> = entries.iter().flat_map(|(row, column, _)| [*row, *column]).collect();
         sort(&mut kept);
         if kept.len() > MOST_KEPT {
@@ -170,7 +171,8 @@ impl<const D: usize> Equilibrium<D> {
             let place = self.stepped(model.u, &step);
             match self.touch_at(&place) {
                 Ok(touch) => {
-                    let energy = dot(&model.residual, &step) + 0.5 * dot(&step, &pull) + touch.energy;
+                    let friction = touch.friction.stored + touch.friction.dissipated;
+                    let energy = dot(&model.residual, &step) + 0.5 * dot(&step, &pull) + touch.energy + friction;
                     let forces = self.on_equations(&touch.forces);
                     let gradient = (0..step.len()).map(|k| model.residual[k] + pull[k] - forces[k]).collect();
                     let next = At { step, pull, energy, gradient };

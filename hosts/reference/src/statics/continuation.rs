@@ -28,6 +28,7 @@ impl<const D: usize> Equilibrium<D> {
             match self.newton(self.displacement.clone(), self.load, watch) {
                 Ok((u, balance)) => {
                     self.accept(u, balance, self.load);
+                    self.commit_step()?;
                     stride = STRIDE.max(stride * stride);
                 }
                 Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),

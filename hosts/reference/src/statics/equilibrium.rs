@@ -77,6 +77,18 @@ impl<const D: usize> Equilibrium<D> {
             *equation = equation_count;
             equation_count += 1;
         }
+        if problem.contact.friction.is_active() {
+            // Its line search goes by the potential of frozen friction, stored and dissipated energy together.
+            if problem.contact.friction.memoryless_slip.is_some() {
+                return Err(
+                    fmc_contact::Error::Unsupported { what: "an equilibrium by friction without memory" }.into()
+                );
+            }
+            if problem.linearised.is_some() {
+                return Err(fmc_contact::Error::Unsupported { what: "friction in linearised contact" }.into());
+            }
+            contact.begin_step(problem.model.coords())?;
+        }
         let displacement = vec![[0.0; D]; expected];
         let from = (displacement.clone(), 0.0);
         let touch = contact.evaluate(problem.model.coords())?;

@@ -58,15 +58,10 @@ impl<const D: usize> Equilibrium<D> {
             end.forces.push(balance.contact.bodies.iter().map(|body| size(&body.force)).fold(0.0, f64::max));
             end.converged = residual <= settings.tolerance;
             let told = Iteration {
-                load,
-                iteration,
                 residual,
-                energy: balance.energy(),
-                facets: balance.contact.facet_count,
-                penetration: balance.contact.penetration,
                 tangent: Some(Tangent::Elastic),
                 length: settings.relaxation,
-                contact_iterations: 0,
+                ..Iteration::at(&balance, load, iteration)
             };
             self.tell(&told, watch)?;
             let touch = balance.contact.forces.clone();

@@ -1,5 +1,6 @@
 //! What a solver reports of its iterations.
 
+use super::balance::Balance;
 use std::fmt;
 
 /// One iteration: the state it starts from, and what it did then.
@@ -36,6 +37,23 @@ pub enum Tangent {
     Elastic,
     /// Of the bodies; contact as it is, by iterations of its own.
     Contact,
+}
+
+impl Iteration {
+    /// The state of which `balance` is, before anything is done.
+    pub(super) fn at<const D: usize>(balance: &Balance<D>, load: f64, iteration: usize) -> Self {
+        Self {
+            load,
+            iteration,
+            residual: balance.relative(),
+            energy: balance.energy(),
+            facets: balance.contact.facet_count,
+            penetration: balance.contact.penetration,
+            tangent: None,
+            length: 0.0,
+            contact_iterations: 0,
+        }
+    }
 }
 
 impl fmt::Display for Tangent {

@@ -29,8 +29,7 @@ impl<const D: usize> Equilibrium<D> {
         let mut length = 1.0;
         let mut inverted = None;
         for _ in 0..MOST_TRIALS {
-            let next: Vec<[f64; D]> =
-                u.iter().zip(direction).map(|(u, d)| std::array::from_fn(|i| u[i] + length * d[i])).collect();
+            let next = moved(u, direction, length);
             match self.evaluate(&next, load) {
                 Ok(reached) => {
                     let promised = balance.energy() + GAIN * length * slope + balance.rounding();
@@ -58,4 +57,9 @@ impl<const D: usize> Equilibrium<D> {
 pub(super) fn shortened(length: f64, slope: f64, there: f64) -> f64 {
     let part = if there > slope { slope / (slope - there) } else { 0.5 };
     length * part.clamp(0.1, 0.7)
+}
+
+/// A displacement and a part of a step.
+pub(super) fn moved<const D: usize>(u: &[[f64; D]], direction: &[[f64; D]], length: f64) -> Vec<[f64; D]> {
+    u.iter().zip(direction).map(|(u, d)| std::array::from_fn(|i| u[i] + length * d[i])).collect()
 }

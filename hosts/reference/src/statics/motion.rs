@@ -105,7 +105,7 @@ impl<const D: usize> Equilibrium<D> {
             return Ok(None);
         }
         let semidefinite = self.resistance(&motions, displacement, TangentPart::Semidefinite)?;
-        let eigen = self.resistance(&motions, displacement, TangentPart::Full)?.symmetric_eigen();
+        let eigen = self.resistance(&motions, displacement, TangentPart::Symmetric)?.symmetric_eigen();
         let largest = eigen.eigenvalues.iter().copied().fold(0.0, |most: f64, value| most.max(value.abs()));
         let loose = (0..motions.len()).find(|&k| {
             let (value, mix) = (eigen.eigenvalues[k].abs(), eigen.eigenvectors.column(k));
@@ -125,7 +125,7 @@ impl<const D: usize> Equilibrium<D> {
         if motions.is_empty() {
             return Ok(false);
         }
-        let eigenvalues = self.resistance(&motions, displacement, TangentPart::Full)?.symmetric_eigenvalues();
+        let eigenvalues = self.resistance(&motions, displacement, TangentPart::Symmetric)?.symmetric_eigenvalues();
         let largest = eigenvalues.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         Ok(eigenvalues.iter().any(|value| *value < -CANCELLED * largest))
     }

@@ -15,8 +15,18 @@ pub(super) type Watch<'a> = &'a mut dyn FnMut(&Iteration) -> ControlFlow<()>;
 pub(super) type State<const D: usize> = (Vec<[f64; D]>, Balance<D>);
 
 impl<const D: usize> Equilibrium<D> {
-    /// Newton's method from a displacement; nothing is accepted.
+    /// Equilibrium from a displacement; nothing is accepted, and no step committed.
     pub(super) fn newton(&mut self, start: Vec<[f64; D]>, load: f64, watch: Watch) -> Result<State<D>, StaticsError> {
+        if self.has_friction() { self.with_friction(start, load, watch) } else { self.least_energy(start, load, watch) }
+    }
+
+    /// Newton's method for forces that are those of one energy.
+    pub(super) fn least_energy(
+        &mut self,
+        start: Vec<[f64; D]>,
+        load: f64,
+        watch: Watch,
+    ) -> Result<State<D>, StaticsError> {
         let NewtonSettings { tolerance, most_iterations, full_below, .. } = self.settings;
         self.keep_patches(&start)?;
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
@@ -38,17 +48,7 @@ impl<const D: usize> Equilibrium<D> {
                 balance = self.evaluate(&u, load)?;
                 kept = Extent::of(&balance);
             }
-            let mut told = Iteration {
-                load,
-                iteration,
-                residual,
-                energy: balance.energy(),
-                facets: balance.contact.facet_count,
-                penetration: balance.contact.penetration,
-                tangent: None,
-                length: 0.0,
-                contact_iterations: 0,
-            };
+            let mut told = Iteration::at(&balance, load, iteration);
             if residual <= tolerance {
                 return self.tell(&told, watch).map(|()| (u, balance));
             }

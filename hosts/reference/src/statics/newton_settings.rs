@@ -16,10 +16,31 @@ pub struct NewtonSettings {
     pub full_below: f64,
     /// Times, at most, that the patches of the fiber law are found anew at the end of a path; three or four do.
     pub most_turns: usize,
+    /// Which pressure friction has, where there is friction.
+    pub friction: FrictionPressure,
+}
+
+/// By which pressure the limit of friction is set during a solve. Both lead to the same equilibrium.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FrictionPressure {
+    /// `Lagged` until the residual is below [`NewtonSettings::full_below`], and that of now then: the matrix is not
+    /// symmetric, a step is shortened until the residual falls, and the end is quadratic. Where that leads nowhere,
+    /// `Lagged` goes on.
+    #[default]
+    Current,
+    /// That of an earlier iterate, until it is that of now: every solve has an energy, and leads there from afar. Each
+    /// takes some tenth of the error that the one before has left.
+    Lagged,
 }
 
 impl Default for NewtonSettings {
     fn default() -> Self {
-        Self { tolerance: 1e-10, most_iterations: 60, full_below: 0.1, most_turns: 6 }
+        Self {
+            tolerance: 1e-10,
+            most_iterations: 60,
+            full_below: 0.1,
+            most_turns: 6,
+            friction: FrictionPressure::default(),
+        }
     }
 }

@@ -54,6 +54,7 @@ impl<const D: usize> Equilibrium<D> {
                     if load == 1.0 {
                         self.turn_patches(watch)?;
                     }
+                    self.commit_step()?;
                     reached(self);
                     if self.iterations - before <= EASY {
                         step = longest.min(2.0 * step);
@@ -139,7 +140,7 @@ impl<const D: usize> Equilibrium<D> {
 
 impl StaticsError {
     /// Whether a smaller load step may help.
-    fn may_yield_to_halving(&self) -> bool {
+    pub(super) fn may_yield_to_halving(&self) -> bool {
         matches!(
             self,
             Self::NotConverged { .. } | Self::LineSearch { .. } | Self::Unstable { .. } | Self::Inverted { .. }

@@ -33,12 +33,22 @@ impl<const D: usize> Equilibrium<D> {
             Tangent::Semidefinite => TangentPart::Semidefinite,
             Tangent::Full => TangentPart::Full,
         };
+        let entries = self.touching_part(u, part)?;
+        Ok(entries.into_iter().filter(|(row, column, _)| row >= column).collect())
+    }
+
+    /// Stiffness of the contact with what friction makes unsymmetric in it, on both sides of the diagonal.
+    pub(super) fn touching_whole(&mut self, u: &[[f64; D]]) -> Result<Entries, StaticsError> {
+        self.touching_part(u, TangentPart::Full)
+    }
+
+    fn touching_part(&mut self, u: &[[f64; D]], part: TangentPart) -> Result<Entries, StaticsError> {
         let clock = std::time::Instant::now();
         let touch = self.contact.tangent(&self.shown(u), part);
         self.contact_seconds += clock.elapsed().as_secs_f64();
         let touch = touch?;
         let linearised = self.problem.linearised.iter().flat_map(|l| l.tangent(&self.problem.contact.law, u));
-        Ok(touch.triplets().chain(linearised).filter_map(|entry| self.on_lower(entry)).collect())
+        Ok(touch.triplets().chain(linearised).filter_map(|entry| self.on_both(entry)).collect())
     }
 
     /// Factorises the tangent at a displacement. `false` if it is not positive definite.
@@ -49,9 +59,13 @@ impl<const D: usize> Equilibrium<D> {
     }
 
     /// An entry by degrees of freedom on the equations, if it is of their lower triangle.
-    fn on_lower(&self, (row, column, value): (usize, usize, f64)) -> Option<(usize, usize, f64)> {
+    fn on_lower(&self, entry: (usize, usize, f64)) -> Option<(usize, usize, f64)> {
+        self.on_both(entry).filter(|(row, column, _)| row >= column)
+    }
+
+    /// An entry by degrees of freedom on the equations.
+    fn on_both(&self, (row, column, value): (usize, usize, f64)) -> Option<(usize, usize, f64)> {
         let equation = |freedom: usize| self.equations.get(freedom).copied().filter(|e| *e != u32::MAX);
-        let (row, column) = (equation(row)? as usize, equation(column)? as usize);
-        (row >= column).then_some((row, column, value))
+        Some((equation(row)? as usize, equation(column)? as usize, value))
     }
 }

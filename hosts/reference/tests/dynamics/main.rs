@@ -2,6 +2,7 @@
 
 mod conservation;
 mod free_motion;
+mod friction;
 mod oscillator;
 mod refusals;
 mod restart;

@@ -1,6 +1,7 @@
 //! Interrupted runs.
 
 use crate::scene::{depth, exact, run, tip_on_block};
+use fmc_contact::contact::Friction;
 use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, Options};
 use fmc_solid::dynamics::{CheckpointError, DynamicsError, Sample, Setup, Simulation, Step};
 use std::path::PathBuf;
@@ -23,11 +24,13 @@ fn interrupted_run_goes_on_bit_for_bit() {
         let fibers = Estimator::Fibers(FiberOptions { pattern, ..FiberOptions::default() });
         Options { estimator: fibers, ..Options::new(EnergyLaw::volume(k)) }
     };
-    let variants: [(Options, f64, bool, Step); 4] = [
+    let rough = Options { friction: Friction::coulomb(0.4), ..depth(4e4) };
+    let variants: [(Options, f64, bool, Step); 5] = [
         (exact(1e6, 2.0), 0.0, false, STEP),
         (exact(1e6, 2.0), 3.0, false, Step::Auto),
         (new_each_step(1000.0), 0.0, true, STEP),
         (depth(4e4), 0.0, false, STEP),
+        (rough, 0.0, false, STEP),
     ];
     for (variant, (options, damping, new_fibers_every_step, step)) in variants.into_iter().enumerate() {
         let setup = || Setup {

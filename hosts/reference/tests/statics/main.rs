@@ -3,6 +3,7 @@
 mod scene;
 
 mod depth;
+mod friction;
 mod hertz;
 mod patch;
 mod pin;

@@ -144,6 +144,10 @@ class SkfemContact:
         """Accepts the step with friction that ends at ``u``, and begins the next. See ``Contact.commit_step``."""
         self.contact.commit_step(self.coords(u))
 
+    def freeze_friction(self, u: np.ndarray) -> None:
+        """Freezes friction as it is at ``u``. See ``Contact.freeze_friction``."""
+        self.contact.freeze_friction(self.coords(u))
+
     def keep_patches(self, u: np.ndarray) -> int:
         """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy:
         for the start of a load step. See ``Contact.keep_patches``."""

@@ -2,10 +2,10 @@
 
 use super::cell_walk::{CellWalk, Slab};
 use super::solid::Solid;
-use crate::geometry::Vector;
 use crate::geometry::convex_piece::{Piece, clip_below, place};
 use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
+use crate::geometry::{Vector, Weighting};
 use crate::overlap::pair::assembly::FacetShare;
 
 /// What a facet has inside the other side.
@@ -14,11 +14,14 @@ pub(crate) struct Clipped<const D: usize> {
     /// Corners of the part inside, where they are known; a few more where it was put together from pieces. `None` for
     /// the corners of the facet itself.
     pub(crate) ends: Option<Vec<Vector<D>>>,
+    /// ∫ N_a N_c over the part inside times the size of the weight's gradient; zero where there is no weight.
+    pub(crate) spread: [[f64; D]; D],
 }
 
 /// Clips facets one after the other; it keeps memory only.
 #[derive(Default)]
 pub(crate) struct Clipper<const D: usize> {
+    weighting: Weighting,
     piece: Piece<D>,
     walk: CellWalk,
     found: Vec<u32>,
@@ -37,13 +40,32 @@ pub(crate) enum Inside<const D: usize> {
 
 impl<const D: usize> Clipped<D> {
     /// A facet that is covered all over, `cover` times.
-    pub(crate) fn whole(facet: u32, of_b: bool, corners: &[Vector<D>; D], cover: i32) -> Self {
-        let each = area_vector(corners).norm() / D as f64 * f64::from(cover);
-        Self { share: FacetShare { facet, of_b, shares: [each; D] }, ends: None }
+    pub(crate) fn whole(
+        (facet, of_b): (u32, bool),
+        corners: &[Vector<D>; D],
+        cover: i32,
+        weighting: Weighting,
+    ) -> Self {
+        let measure = area_vector(corners).norm();
+        if weighting.is_plain() {
+            let each = measure / D as f64 * f64::from(cover);
+            let share = FacetShare { facet, of_b, shares: [each; D] };
+            return Self { share, ends: None, spread: [[0.0; D]; D] };
+        }
+        let mut piece = Piece::default();
+        piece.reset();
+        let (moments, spread) = weighting.moments(corners, &piece);
+        let measure = measure * f64::from(cover);
+        let share = FacetShare { facet, of_b, shares: moments.map(|w| w * measure) };
+        Self { share, ends: None, spread: spread.map(|row| row.map(|w| w * measure)) }
     }
 }
 
 impl<const D: usize> Clipper<D> {
+    pub(crate) fn new(weighting: Weighting) -> Self {
+        Self { weighting, ..Self::default() }
+    }
+
     /// What a facet has inside `solid`. The cell `except` does not count.
     pub(crate) fn inside(
         &mut self,
@@ -55,8 +77,9 @@ impl<const D: usize> Clipper<D> {
         except: Option<u32>,
     ) -> Inside<D> {
         let area = area_vector(corners);
-        let (mut sums, mut cancelled, mut touches) = ([0.0; D], false, false);
+        let (mut sums, mut spread, mut cancelled, mut touches) = ([0.0; D], [[0.0; D]; D], false, false);
         self.ends.clear();
+        let weighting = self.weighting;
         let (piece, ends) = (&mut self.piece, &mut self.ends);
         // Facets are near if their boxes are, each wider by the tolerance: the walk must start from every such one.
         let slab = Slab::new(corners, &area, 3.0 * tolerance);
@@ -65,8 +88,13 @@ impl<const D: usize> Clipper<D> {
                 return;
             }
             touches |= simplex.clip(corners, &area, tolerance, piece, |piece, part| {
-                for (sum, moment) in sums.iter_mut().zip(piece.moments()) {
+                let (moments, products) = weighting.moments(corners, piece);
+                for (sum, moment) in sums.iter_mut().zip(moments) {
                     *sum += simplex.sign * part * moment;
+                }
+                if !weighting.is_plain() {
+                    let products = products.as_flattened().iter();
+                    spread.as_flattened_mut().iter_mut().zip(products).for_each(|(s, p)| *s += simplex.sign * part * p);
                 }
                 ends.extend_from_slice(piece.corners());
                 // Where pieces are subtracted from one another, their corners are not those of the overlap.
@@ -76,8 +104,13 @@ impl<const D: usize> Clipper<D> {
         let ends = if cancelled { Vec::new() } else { ends.iter().map(|w| place(corners, w)).collect() };
         let measure = area.norm();
         let share = FacetShare { facet, of_b, shares: sums.map(|w| w * measure) };
-        match sums.iter().sum::<f64>() > 0.0 {
-            true => Inside::Part(Clipped { share, ends: Some(ends) }),
+        // A facet on an axis has a part inside that weighs nothing.
+        let counted: f64 = if weighting.is_plain() { sums.iter().sum() } else { spread.as_flattened().iter().sum() };
+        match counted > 0.0 {
+            true => {
+                let spread = spread.map(|row| row.map(|w| w * measure));
+                Inside::Part(Clipped { share, ends: Some(ends), spread })
+            }
             false if touches => Inside::Touching,
             false => Inside::Nothing,
         }
@@ -95,7 +128,9 @@ impl<const D: usize> Clipper<D> {
             return None;
         }
         let area = area_vector(corners).norm();
-        let share = FacetShare { facet, of_b: false, shares: self.piece.moments().map(|w| w * area) };
-        Some(Clipped { share, ends: Some(self.piece.corners().iter().map(|w| place(corners, w)).collect()) })
+        let (moments, spread) = self.weighting.moments(corners, &self.piece);
+        let share = FacetShare { facet, of_b: false, shares: moments.map(|w| w * area) };
+        let ends = Some(self.piece.corners().iter().map(|w| place(corners, w)).collect());
+        Some(Clipped { share, ends, spread: spread.map(|row| row.map(|w| w * area)) })
     }
 }

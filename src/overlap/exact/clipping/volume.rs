@@ -82,7 +82,7 @@ impl<const D: usize> ExactPair<'_, D> {
             Counterpart::Implicit(_) => {
                 let Some(plane) = self.plane()? else { return Ok(None) };
                 let tolerance = a.aabb.rounding();
-                let mut clipper = Clipper::default();
+                let mut clipper = Clipper::new(self.pair.weighting);
                 let below = a.facets_where(|aabb| plane.least(aabb) <= tolerance);
                 let shares: Vec<Clipped<D>> = below
                     .into_iter()
@@ -137,7 +137,7 @@ impl<const D: usize> ExactPair<'_, D> {
             };
             let whole = |facet: u32, corners: &[Vector<D>; D]| {
                 let winding = winding_about(other, corners);
-                (winding > 0).then(|| Clipped::whole(facet, of_b, corners, winding))
+                (winding > 0).then(|| Clipped::whole((facet, of_b), corners, winding, self.pair.weighting))
             };
             clipped = self.clip(side, &near, &solid, tolerance, false, of_b, whole);
         }
@@ -148,7 +148,8 @@ impl<const D: usize> ExactPair<'_, D> {
             if let Some(share) = clipped.next_if(|c| c.share.facet == facet) {
                 shares.push(share);
             } else if windings[f] > 0 {
-                shares.push(Clipped::whole(facet, of_b, &facets.corners[f], windings[f]));
+                let corners = &facets.corners[f];
+                shares.push(Clipped::whole((facet, of_b), corners, windings[f], self.pair.weighting));
             }
         }
         shares
@@ -177,10 +178,10 @@ impl<const D: usize> ExactPair<'_, D> {
             }
         };
         if self.pair.parallel {
-            let work = facets.par_iter().with_min_len(CHUNK).map_init(Clipper::default, clip);
+            let work = facets.par_iter().with_min_len(CHUNK).map_init(|| Clipper::new(self.pair.weighting), clip);
             work.flatten_iter().collect()
         } else {
-            let mut clipper = Clipper::default();
+            let mut clipper = Clipper::new(self.pair.weighting);
             facets.iter().filter_map(|facet| clip(&mut clipper, facet)).collect()
         }
     }
@@ -219,17 +220,26 @@ impl<const D: usize> ExactPair<'_, D> {
             origin -= plane.normal * plane.height(&origin);
         }
         let mut assembly = Assembly::new();
-        let mut volume = 0.0;
+        let (mut volume, mut bare) = (0.0, 0.0);
         for (side, shares, pose) in sides {
-            volume += self.add(&mut assembly, side, shares, *pose, &origin);
+            let [of_side, bare_of_side] = self.add(&mut assembly, side, shares, *pose, &origin);
+            volume += of_side;
+            bare += bare_of_side;
         }
+        let weighting = self.pair.weighting;
         if let Some(plane) = plane {
-            assembly.add_reaction(&plane.normal, self.pair.a.points);
+            // The weight's gradient has the size by which the moments were multiplied.
+            let size = weighting.gradient::<D>().norm();
+            let as_one = if size > 0.0 { weighting.gradient() * (bare / (D as f64 * size)) } else { Vector::zeros() };
+            assembly.add_reaction(&plane.normal, self.pair.a.points, &as_one);
         }
-        self.finish(assembly, volume / D as f64)
+        // With a weight ρ that is linear, ∇·[(ρ + ρ(o)/D) (x − o)] = (D + 1) ρ.
+        let degree = if weighting.is_plain() { D } else { D + 1 };
+        self.finish(assembly, volume / degree as f64)
     }
 
-    /// Adds shares to the assembly and returns their part of D V.
+    /// Adds shares to the assembly and returns their part of D V, and the same without the weight, times the size of its
+    /// gradient. With a weight the first is that of (D + 1) V.
     fn add(
         &self,
         assembly: &mut Assembly<D>,
@@ -237,17 +247,26 @@ impl<const D: usize> ExactPair<'_, D> {
         clipped: &[Clipped<D>],
         pose: Option<&Pose<D>>,
         origin: &Vector<D>,
-    ) -> f64 {
-        let mut moments = 0.0;
-        for Clipped { share, ends } in clipped {
-            assembly.add_facet(side, share, pose);
+    ) -> [f64; 2] {
+        let (mut moments, mut bare) = (0.0, 0.0);
+        let weighting = self.pair.weighting;
+        for Clipped { share, ends, spread } in clipped {
             let corners = side.corners(share.facet as usize);
-            assembly.extend_to(ends.as_deref().unwrap_or(&corners));
+            // What lies on an axis closes the section, and bounds no body.
+            if !weighting.is_axis(&corners, self.pair.a.aabb.rounding()) {
+                assembly.add_facet(side, share, pose);
+                assembly.extend_to(ends.as_deref().unwrap_or(&corners));
+            }
             if let Some(normal) = area_vector(&corners).try_normalize(0.0) {
                 moments += (0..D).map(|a| share.shares[a] * normal.dot(&(corners[a] - origin))).sum::<f64>();
+                if !weighting.is_plain() {
+                    let flux = normal.dot(&(corners[0] - origin)) * spread.as_flattened().iter().sum::<f64>();
+                    bare += flux;
+                    moments += flux * origin.dot(&weighting.gradient()) / (D as f64 * weighting.gradient::<D>().norm());
+                }
             }
         }
-        moments
+        [moments, bare]
     }
 
     fn finish(&self, mut assembly: Assembly<D>, volume: f64) -> Overlap<D> {
@@ -260,7 +279,7 @@ impl<const D: usize> ExactPair<'_, D> {
             nodes: Vec::new(),
             gradient: Vec::new(),
             of_b: Vec::new(),
-            pose_gradient: self.pair.pose.map(|_| assembly.pose_gradient()),
+            pose_gradient: self.pair.pose.map(|_| assembly.pose_gradient().in_weighting(self.pair.weighting)),
             contact_area: assembly.contact_area(),
             penetration: assembly.penetration(),
             fiber_count: 0,

@@ -20,10 +20,10 @@ use super::clipper::Clipped;
 use super::volume::{ExactPair, Found};
 use crate::Error;
 use crate::configuration::FacetSide;
-use crate::geometry::Vector;
 use crate::geometry::convex_piece::{whole, zeros};
 use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
+use crate::geometry::{Vector, Weighting};
 use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::points::block_sum::{Block, BlockSum, product, symmetric_part};
 use crate::overlap::points::end_motion::nodes_of;
@@ -47,7 +47,7 @@ impl<const D: usize> ExactPair<'_, D> {
         let Some(Found { sides, plane, region }) = self.clipped()? else { return Ok(Vec::new()) };
         let mut sum = BlockSum::default();
         for (side, shares, _) in &sides {
-            let parts = self.in_chunks(shares, |share, sum| self.normal_variation(side, share, sum));
+            let parts = self.in_chunks(shares, |share, sum| self.normal_variation(side, share, obstacle_node, sum));
             parts.into_iter().for_each(|part| sum.add_sum(part));
         }
         let a = &self.pair.a;
@@ -57,6 +57,9 @@ impl<const D: usize> ExactPair<'_, D> {
             }),
             (_, Some(plane)) => {
                 let met = a.facets_where(|aabb| plane.least(aabb) <= 0.0);
+                for clipped in sides.iter().flat_map(|(_, shares, _)| shares) {
+                    self.add_shift_of_plane(clipped, obstacle_node, &mut sum);
+                }
                 self.in_chunks(&met, |&facet, sum| self.add_crossing_with(&plane, facet, obstacle_node, sum))
             }
             _ => Vec::new(),
@@ -87,10 +90,29 @@ impl<const D: usize> ExactPair<'_, D> {
         movers
     }
 
-    /// Derivative of a facet's area vector. On an obstacle it does not change with its place.
-    fn normal_variation(&self, side: &FacetSide<D>, Clipped { share, .. }: &Clipped<D>, sum: &mut BlockSum<D>) {
+    /// Derivative of a facet's area vector, which does not change on an obstacle, and of its weight.
+    fn normal_variation(
+        &self,
+        side: &FacetSide<D>,
+        Clipped { share, spread, .. }: &Clipped<D>,
+        obstacle_node: u32,
+        sum: &mut BlockSum<D>,
+    ) {
         let corners = side.corners(share.facet as usize);
         let measure = area_vector(&corners).norm();
+        if measure > 0.0 && !self.pair.weighting.is_plain() {
+            let outwards = self.pair.weighting.gradient::<D>();
+            let moved = product(1.0 / outwards.norm(), &(area_vector(&corners) / measure), &outwards);
+            let movers = self.movers(side, share.facet, share.of_b, obstacle_node);
+            // What moves with corner D moves as a whole.
+            let all = |row: &[f64; D]| row.iter().sum::<f64>();
+            for &(row, a, p) in &movers {
+                for &(col, b, q) in &movers {
+                    let spread = if a == D { spread.iter().map(all).sum() } else { spread[a][b] };
+                    sum.add(row, col, &moved.map(|r| r.map(|x| x * (spread * p * q))));
+                }
+            }
+        }
         if measure == 0.0 || share.of_b && self.pair.pose.is_some() {
             return;
         }
@@ -101,6 +123,22 @@ impl<const D: usize> ExactPair<'_, D> {
             for &(col, b, q) in &movers {
                 sum.add(row, col, &changes[b].map(|r| r.map(|x| x * (moments[a] * p * q))));
             }
+        }
+    }
+
+    /// What the change of the weight adds to the force on a plane: its part inside the body closes the boundary of the
+    /// overlap.
+    fn add_shift_of_plane(
+        &self,
+        Clipped { share, spread, .. }: &Clipped<D>,
+        obstacle_node: u32,
+        sum: &mut BlockSum<D>,
+    ) {
+        let outwards = self.pair.weighting.gradient::<D>();
+        let normal = area_vector(&self.pair.a.corners(share.facet as usize)).try_normalize(0.0);
+        if let (Some(normal), false) = (normal, self.pair.weighting.is_plain()) {
+            let part = spread.as_flattened().iter().sum::<f64>() / outwards.norm();
+            sum.add(obstacle_node, obstacle_node, &product(-part, &normal, &outwards));
         }
     }
 
@@ -120,7 +158,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 barycentric(&other, &m, &point)
             };
             let of_g = self.movers(b, g, true, obstacle_node);
-            add_curve(&ends, &corners, [n, m], [&of_f, &of_g], on_other, sum);
+            add_curve(&ends, (&corners, self.pair.weighting), [n, m], [&of_f, &of_g], on_other, sum);
         }
     }
 
@@ -130,7 +168,8 @@ impl<const D: usize> ExactPair<'_, D> {
         let Some(n) = area_vector(&corners).try_normalize(0.0) else { return };
         let ends = zeros(&whole::<D>(), &corners.map(|x| plane.height(&x)));
         let of_f = self.movers(&self.pair.a, facet, false, obstacle_node);
-        add_curve(&ends, &corners, [n, plane.normal], [&of_f, &vec![(obstacle_node, D, 1.0)]], |_| [0.0; D], sum);
+        let (facet, of_plane) = ((&corners, self.pair.weighting), vec![(obstacle_node, D, 1.0)]);
+        add_curve(&ends, facet, [n, plane.normal], [&of_f, &of_plane], |_| [0.0; D], sum);
     }
 }
 
@@ -138,7 +177,7 @@ impl<const D: usize> ExactPair<'_, D> {
 /// `on_other` gives the barycentric coordinates on the second.
 fn add_curve<const D: usize>(
     ends: &[[f64; D]],
-    corners: &[Vector<D>; D],
+    (corners, weighting): (&[Vector<D>; D], Weighting),
     [n, m]: [Vector<D>; 2],
     [of_f, of_g]: [&Movers; 2],
     on_other: impl Fn(&[f64; D]) -> [f64; D],
@@ -162,6 +201,7 @@ fn add_curve<const D: usize>(
     for s in [0.5 - offset, 0.5 + offset] {
         let w = std::array::from_fn(|k| first[k] + s * (last[k] - first[k]));
         let v = on_other(&w);
+        let factor = factor * weighting.at(&place(&w));
         for (k, &(_, corner, part)) in of_f.iter().chain(of_g).enumerate() {
             weights[k] = weight(if k < of_first { &w } else { &v }, corner, part);
         }

@@ -19,7 +19,7 @@ pub(crate) fn depth_integral<const D: usize>(
     if let (Partner::Obstacle(_), Some(pose)) = (pair.partners[1], pair.pose) {
         return of_obstacle(pair, pose, request);
     }
-    let what = "the law depth between bodies given by facets: depth is that of cells";
+    let what = "the law depth, or friction with the law volume, between bodies given by facets: give cells";
     let (Some(field), Some(cells)) = (pair.depth, &pair.surface.cells) else {
         return Err(Error::Unsupported { what });
     };

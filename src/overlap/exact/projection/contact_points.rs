@@ -42,13 +42,14 @@ impl<const D: usize> ExactPair<'_, D> {
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error> {
         let plane = self.plane()?;
+        patches.check(self.pair.weighting)?;
         let Some(reached) = self.reached_facets()? else { return Ok(None) };
         let mut points = ContactPoints { patches: patches.clone(), ..ContactPoints::default() };
         let rule = if patches.are_blended() { Rule::Fine } else { Rule::Gauss };
         for (direction, d) in patches.directions.iter().enumerate() {
             let family = Family::along(*d, 0, 0);
             let weighted = |point: &mut ContactPoint<D>| {
-                point.weight *= patches.part(direction, &point.ends).value;
+                point.weight *= patches.part(direction, &point.ends).value * self.pair.weight_between(&point.ends);
                 point.direction = direction as u32;
             };
             let keep = |mut point: ContactPoint<D>| {
@@ -70,8 +71,10 @@ impl<const D: usize> ExactPair<'_, D> {
             points.silhouettes.extend(silhouettes);
             if derivative {
                 let finish = |mut kink: GapKink<D>, ends: &[SurfacePoint<D>; 2], edge: Option<&Edge<D>>| {
-                    kink.factor *= patches.part(direction, ends).value;
-                    kink.blend = edge.map_or(0.0, |edge| self.jump_of_part(patches, direction, ends, edge));
+                    let part = patches.part(direction, ends).value;
+                    kink.factor *= part;
+                    kink.blend =
+                        kink.blend * part + edge.map_or(0.0, |edge| self.jump_of_part(patches, direction, ends, edge));
                     kink
                 };
                 points.kinks.extend(self.kinks(&seen, &edges, &family, plane.as_ref(), finish));

@@ -131,8 +131,14 @@ impl<const D: usize> ExactPair<'_, D> {
                         let s = middle + place * (to - from);
                         let gradient = curve.gradient.iter().map(|(anchor, g)| (*anchor, g[0] + (g[1] - g[0]) * s));
                         let (weight, gradient) = (part * width, gradient.collect());
-                        let kink = GapKink { weight, length: depth(s), factor: curve.factor, blend: 0.0, gradient };
-                        let place = curve.at(s);
+                        let (place, length, weighting) = (curve.at(s), depth(s), self.pair.weighting);
+                        // The weight is that of the middle of the line, which moves half as far as its end.
+                        let back = if curve.leaves { -1.0 } else { 1.0 };
+                        let along_line = family.direction();
+                        let at_middle = self.place(family, &place) + along_line * (0.5 * back * length);
+                        let factor = curve.factor * weighting.at(&at_middle);
+                        let blend = -0.5 * back * curve.factor * along_line.dot(&weighting.gradient());
+                        let kink = GapKink { weight, length, factor, blend, gradient };
                         let none = SurfacePoint::Point { point: Vector::zeros(), normal: Vector::zeros() };
                         let ends = [end(f, f.barycentric(&place)), x.map_or(none, |x| end(x, x.barycentric(&place)))];
                         found.push(finish(kink, &ends, curve.edge.as_ref()));

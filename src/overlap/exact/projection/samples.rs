@@ -27,7 +27,8 @@ impl<const D: usize> ExactPair<'_, D> {
             let ContactPoint { ends, across, length, .. } = point;
             let measures = ends.each_ref().map(|end| {
                 let slope = along_all(self.pair.normal_at(end));
-                if slope > 0.0 { across / slope } else { 0.0 }
+                let weight = self.pair.weighting.at(&self.pair.position(end));
+                if slope > 0.0 { across / slope * weight } else { 0.0 }
             });
             // What is shorter is none: facets that coincide but for rounding touch.
             (length > reached.rounding).then_some(ContactSample { ends, measures, length })

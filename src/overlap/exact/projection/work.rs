@@ -38,7 +38,7 @@ impl Work {
 mod tests {
     use super::*;
     use crate::configuration::{FacetSide, FacetTree};
-    use crate::geometry::{Bodies, Surface, Vector};
+    use crate::geometry::{Bodies, Surface, Vector, Weighting};
     use crate::overlap::exact::clipping::volume::ExactPair;
     use crate::overlap::exact::projection::contact_points::Rule;
     use crate::overlap::pair::partner::Partner;
@@ -70,6 +70,7 @@ mod tests {
             surface: &surfaces[0],
             coords: &a.coords,
             depth: None,
+            weighting: Weighting::Plain,
             parallel: false,
         };
         let exact = ExactPair { pair: &pair };

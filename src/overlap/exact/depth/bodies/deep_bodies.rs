@@ -1,9 +1,9 @@
 //! The depth of two bodies below each other's surfaces, summed over their overlap.
 
-use super::cell_integrals::cell_integrals;
+use super::cell_integrals::{CellMoments, cell_integrals};
 use super::cell_pieces::CellPieces;
 use super::facet_integrals::FacetsInCells;
-use super::piece_moments::common_moments;
+use super::piece_moments::{Moments, Products, common_moments};
 use crate::configuration::FacetSide;
 use crate::depth::DepthField;
 use crate::geometry::Vector;
@@ -39,12 +39,19 @@ impl<const D: usize> DeepBodies<'_, D> {
             || self.facets(&pair.a, &region.facets[0], (false, false), &of_b, rounding),
             || self.facets(b, &region.facets[1], (true, false), &of_a, rounding),
         );
-        let (moments_a, moments_b) = self.moments(&of_a, &of_b);
+        let weighting = pair.weighting;
+        let [moments_a, moments_b] = if weighting.is_plain() {
+            let (of_a, of_b) = self.moments(&of_a, &of_b);
+            [of_a, of_b].map(CellMoments::plain)
+        } else {
+            let (in_a, in_b) = self.moments::<Products>(&of_a, &of_b);
+            [(&of_a, in_a), (&of_b, in_b)].map(|(pieces, products)| CellMoments::weighted(pieces, products, weighting))
+        };
         self.assemble(vec![facets_a, facets_b], &[(&of_a, &moments_a), (&of_b, &moments_b)])
     }
 
-    /// ∫ over the overlap of the barycentric coordinates of every piece of either body.
-    fn moments(&self, of_a: &CellPieces<D>, of_b: &CellPieces<D>) -> (Vec<[f64; 4]>, Vec<[f64; 4]>) {
+    /// Moments of the overlap in the barycentric coordinates of every piece of either body.
+    fn moments<M: Moments>(&self, of_a: &CellPieces<D>, of_b: &CellPieces<D>) -> (Vec<M>, Vec<M>) {
         let numbered: Vec<usize> = (0..of_a.pieces.len()).collect();
         let found = self.pair.in_chunks(&numbered, CHUNK, |numbers| {
             let mut found = Vec::new();
@@ -62,10 +69,10 @@ impl<const D: usize> DeepBodies<'_, D> {
             }
             found
         });
-        let (mut in_a, mut in_b) = (vec![[0.0; 4]; of_a.pieces.len()], vec![[0.0; 4]; of_b.pieces.len()]);
+        let (mut in_a, mut in_b) = (vec![M::default(); of_a.pieces.len()], vec![M::default(); of_b.pieces.len()]);
         for (i, j, [of_i, of_j]) in found.into_iter().flatten() {
-            add_to(&mut in_a[i], of_i);
-            add_to(&mut in_b[j], of_j);
+            in_a[i].add(&of_i);
+            in_b[j].add(&of_j);
         }
         (in_a, in_b)
     }
@@ -76,23 +83,20 @@ impl<const D: usize> DeepBodies<'_, D> {
         let region = Region { aabb: a.aabb, facets: [(0..a.facets.len() as u32).collect(), Vec::new()] };
         let all = self.pieces(0, &region);
         let facets = self.facets(a, &region.facets[0], (false, true), &all, a.aabb.rounding());
-        let mut moments = vec![[0.0; 4]; all.pieces.len()];
-        all.tree.visit_own_pairs(&Vector::zeros(), |i, j| {
-            let (p, q) = (&all.pieces[i as usize], &all.pieces[j as usize]);
-            if p.cell != q.cell
-                && all.boxes[i as usize].meets(&all.boxes[j as usize])
-                && let Some([in_p, in_q]) = common_moments(p, q)
-            {
-                add_to(&mut moments[i as usize], in_p);
-                add_to(&mut moments[j as usize], in_q);
-            }
-            true
-        });
+        let weighting = self.pair.weighting;
+        let moments = match weighting.is_plain() {
+            true => CellMoments::plain(own_moments(&all)),
+            false => CellMoments::weighted(&all, own_moments(&all), weighting),
+        };
         self.assemble(vec![facets], &[(&all, &moments)])
     }
 
     /// From what the facets of either side have inside the other, and the moments of its pieces.
-    fn assemble(&self, facets: Vec<FacetSums<D>>, cells: &[(&CellPieces<D>, &[[f64; 4]])]) -> Option<DepthIntegral<D>> {
+    fn assemble(
+        &self,
+        facets: Vec<FacetSums<D>>,
+        cells: &[(&CellPieces<D>, &CellMoments)],
+    ) -> Option<DepthIntegral<D>> {
         let inside = || facets.iter().filter(|part| part.area > 0.0);
         let area: f64 = inside().map(|part| part.area).sum();
         let depth: f64 = inside().map(|part| part.depth / part.area).sum();
@@ -102,7 +106,8 @@ impl<const D: usize> DeepBodies<'_, D> {
         for (which, (pieces, moments)) in cells.iter().enumerate() {
             let FacetSums { gradient, hessian, .. } = &mut sums;
             let side = (which == 1, WEIGHT);
-            let found = cell_integrals(self.cells, pieces, moments, side, self.request.second, gradient, hessian);
+            let how = (self.request.second, self.pair.weighting);
+            let found = cell_integrals(self.cells, pieces, moments, side, how, gradient, hessian);
             value += WEIGHT * found.depth;
             volume += 0.5 * found.volume;
         }
@@ -143,12 +148,26 @@ impl<const D: usize> DeepBodies<'_, D> {
         let (surface, cells, request) = (self.pair.surface, self.cells, self.request);
         let body = if let Partner::Body(body) = self.pair.partners[0] { body } else { 0 };
         let own_cell = own.then(|| &surface.facet_cell[surface.ranges[body].clone()]);
-        let of_side = FacetsInCells { surface, cells, side, of_b, other, weight: WEIGHT, request, own_cell };
+        let weighting = self.pair.weighting;
+        let of_side = FacetsInCells { surface, cells, side, of_b, other, weight: WEIGHT, weighting, request, own_cell };
         let parts = self.pair.in_chunks(facets, CHUNK, |facets| of_side.integrals(facets, rounding));
         FacetSums::of_parts(parts)
     }
 }
 
-fn add_to(sums: &mut [f64; 4], found: [f64; 4]) {
-    sums.iter_mut().zip(found).for_each(|(sum, m)| *sum += m);
+/// The same of every two cells of a body that overlap.
+fn own_moments<M: Moments, const D: usize>(all: &CellPieces<D>) -> Vec<M> {
+    let mut moments = vec![M::default(); all.pieces.len()];
+    all.tree.visit_own_pairs(&Vector::zeros(), |i, j| {
+        let (p, q) = (&all.pieces[i as usize], &all.pieces[j as usize]);
+        if p.cell != q.cell
+            && all.boxes[i as usize].meets(&all.boxes[j as usize])
+            && let Some([in_p, in_q]) = common_moments::<M, D>(p, q)
+        {
+            moments[i as usize].add(&in_p);
+            moments[j as usize].add(&in_q);
+        }
+        true
+    });
+    moments
 }

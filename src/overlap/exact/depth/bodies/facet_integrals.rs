@@ -5,12 +5,11 @@ use super::facet_clip::clip;
 use super::point_sums::PointSums;
 use crate::configuration::FacetSide;
 use crate::depth::{DepthPiece, MOST_NODES};
-use crate::geometry::Surface;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::facet::area_slopes;
-use crate::geometry::quadrature::for_each_simplex;
+use crate::geometry::{Surface, Weighting};
 use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::{BodyFacet, FACET_NODES};
@@ -35,6 +34,7 @@ pub(crate) struct FacetsInCells<'a, const D: usize> {
     pub(crate) other: &'a CellPieces<D>,
     /// Part with which it counts.
     pub(crate) weight: f64,
+    pub(crate) weighting: Weighting,
     pub(crate) request: &'a DepthRequest,
     /// Cell of every facet of the side, which does not count, where the other body is the same.
     pub(crate) own_cell: Option<&'a [u32]>,
@@ -47,6 +47,9 @@ impl<const D: usize> FacetsInCells<'_, D> {
         let mut scratch = Scratch { work: Piece::default(), values: Vec::new() };
         for &number in facets {
             let Some(facet) = BodyFacet::new(self.surface, self.side, number) else { continue };
+            if self.weighting.is_axis(&facet.corners, rounding) {
+                continue;
+            }
             let aabb = Aabb::of(&facet.corners);
             let before = sums.piece_count;
             let mut moments = Moments { area: [0.0; D], depth: [0.0; D], points: PointSums::default() };
@@ -91,15 +94,16 @@ impl<const D: usize> FacetsInCells<'_, D> {
             let (mut areas, mut local) = ([0.0; D], [0.0; D]);
             // Products of the functions that move with nodes.
             let mut products = [[0.0; MOST]; MOST];
+            let mut moved = [[0.0; D]; D];
             let count = facet.nodes.len() + self.cells.nodes(piece.cell as usize).len();
-            for_each_simplex(inside.corners(), |corners, share| {
+            sums.deepest = inside.corners().iter().fold(sums.deepest, |most, w| most.max(depth(&coordinates(w))));
+            self.weighting.for_each_simplex(&facet.corners, inside.corners(), |corners, share, bare| {
                 let share = share * part;
                 let at = corners.map(&coordinates);
                 let g: [f64; D] = std::array::from_fn(|c| depth(&at[c]));
                 let total: f64 = g.iter().sum();
                 sums.area += share * facet.measure;
                 sums.depth += share * facet.measure * total / D as f64;
-                sums.deepest = g.iter().fold(sums.deepest, |most, g| most.max(*g));
                 if is_same_way && g.iter().all(|g| g.abs() <= flat) {
                     sums.flush += share * facet.measure;
                 }
@@ -115,6 +119,12 @@ impl<const D: usize> FacetsInCells<'_, D> {
                     let of_corners: [[f64; MOST]; D] =
                         std::array::from_fn(|c| self.shapes(facet, piece, corners[c], &at[c]));
                     add_products(&mut products, &of_corners, count, norm);
+                    if !self.weighting.is_plain() {
+                        let by = bare * part * g[0];
+                        for (row, a) in moved.iter_mut().zip(corners[0]) {
+                            row.iter_mut().zip(corners[0]).for_each(|(sum, c)| *sum += by * a * c);
+                        }
+                    }
                 }
             });
             for (sum, moment) in moments.depth.iter_mut().zip(&local) {
@@ -124,7 +134,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 moments.points.add(piece, &areas, &local, &barycentric);
             }
             if self.request.second != SecondDerivative::No {
-                self.add_blocks(facet, piece, &products, &local, values, &mut sums.hessian);
+                self.add_blocks(facet, piece, &products, (&local, &moved), values, &mut sums.hessian);
             }
         });
     }
@@ -147,13 +157,13 @@ impl<const D: usize> FacetsInCells<'_, D> {
     }
 
     /// Adds the second derivative of the integral over a facet inside a piece, given ∫ of products of shape functions
-    /// and ∫ g N_a, in parts of its measure.
+    /// and ∫ g N_a, in parts of its measure; and ∫ g N_a N_c without the weight, by which the weight counts that changes.
     fn add_blocks(
         &self,
         facet: &BodyFacet<D>,
         piece: &DepthPiece<D>,
         products: &[[f64; MOST]; MOST],
-        moments: &[f64; D],
+        (moments, moved): (&[f64; D], &[[f64; D]; D]),
         values: &mut Vec<[[f64; D]; D]>,
         hessian: &mut BlockSum<D>,
     ) {
@@ -178,14 +188,16 @@ impl<const D: usize> FacetsInCells<'_, D> {
             }
         }
         if !semidefinite {
+            let outwards = (!self.weighting.is_plain()).then(|| product(facet.measure, n, &self.weighting.gradient()));
             for (a, &moment) in moments.iter().enumerate() {
                 for (c, slope) in area_slopes(&facet.corners).iter().enumerate() {
                     for row in 0..own {
                         for col in 0..own {
                             let factor = self.weight * moment * facet.weights[a][row] * facet.weights[c][col];
-                            let value = &mut values[row * count + col];
-                            for (sums, slopes) in value.iter_mut().zip(slope) {
-                                sums.iter_mut().zip(slopes).for_each(|(sum, slope)| *sum += factor * slope);
+                            add_to(&mut values[row * count + col], factor, slope);
+                            if let Some(outwards) = &outwards {
+                                let factor = self.weight * moved[a][c] * facet.weights[a][row] * facet.weights[c][col];
+                                add_to(&mut values[row * count + col], factor, outwards);
                             }
                         }
                     }
@@ -193,6 +205,12 @@ impl<const D: usize> FacetsInCells<'_, D> {
             }
         }
         hessian.add_square(&nodes, values);
+    }
+}
+
+fn add_to<const D: usize>(sums: &mut [[f64; D]; D], factor: f64, block: &[[f64; D]; D]) {
+    for (sums, block) in sums.iter_mut().zip(block) {
+        sums.iter_mut().zip(block).for_each(|(sum, x)| *sum += factor * x);
     }
 }
 

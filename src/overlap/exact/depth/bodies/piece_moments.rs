@@ -3,20 +3,106 @@
 use crate::depth::DepthPiece;
 use crate::overlap::exact::depth::simplex_parts::measure;
 
-/// ∫ over the common part of two pieces of the barycentric coordinates of each, the parts of inverted cells counted
+/// Moments of a part of a simplex, in the simplex' barycentric coordinates.
+pub(crate) trait Moments: Copy + Default + Send {
+    /// Adds those of a simplex, given the coordinates of its corners.
+    fn add_simplex<const D: usize>(&mut self, measure: f64, x: &[[f64; 4]; 4]);
+
+    /// Those of coordinate `order[k]` from those of number k, times a factor.
+    fn in_order(&self, order: &[usize; 4], factor: f64) -> Self;
+
+    /// The same of other coordinates, given at the corners of the simplex.
+    fn carried(&self, of_corners: &[[f64; 4]; 4]) -> Self;
+
+    fn is_zero(&self) -> bool;
+
+    fn add(&mut self, other: &Self);
+}
+
+/// ∫ of every coordinate.
+impl Moments for [f64; 4] {
+    fn add_simplex<const D: usize>(&mut self, measure: f64, x: &[[f64; 4]; 4]) {
+        for (i, sum) in self.iter_mut().enumerate() {
+            *sum += measure * (0..=D).map(|c| x[c][i]).sum::<f64>() / (D + 1) as f64;
+        }
+    }
+
+    fn in_order(&self, order: &[usize; 4], factor: f64) -> Self {
+        let mut sums = [0.0; 4];
+        order.iter().zip(self).for_each(|(&k, m)| sums[k] = m * factor);
+        sums
+    }
+
+    fn carried(&self, of_corners: &[[f64; 4]; 4]) -> Self {
+        let mut sums = [0.0; 4];
+        for (corner, m) in of_corners.iter().zip(self) {
+            sums.iter_mut().zip(corner).for_each(|(sum, value)| *sum += value * m);
+        }
+        sums
+    }
+
+    fn is_zero(&self) -> bool {
+        self.iter().all(|m| *m == 0.0)
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.iter_mut().zip(other).for_each(|(sum, m)| *sum += m);
+    }
+}
+
+/// ∫ of every product of two coordinates.
+pub(crate) type Products = [[f64; 4]; 4];
+
+impl Moments for Products {
+    fn add_simplex<const D: usize>(&mut self, measure: f64, x: &[[f64; 4]; 4]) {
+        let norm = measure / ((D + 1) * (D + 2)) as f64;
+        let sums: [f64; 4] = std::array::from_fn(|i| (0..=D).map(|c| x[c][i]).sum());
+        for (i, row) in self.iter_mut().enumerate() {
+            for (j, product) in row.iter_mut().enumerate() {
+                let same: f64 = (0..=D).map(|c| x[c][i] * x[c][j]).sum();
+                *product += norm * (same + sums[i] * sums[j]);
+            }
+        }
+    }
+
+    fn in_order(&self, order: &[usize; 4], factor: f64) -> Self {
+        let mut products = [[0.0; 4]; 4];
+        for (&i, row) in order.iter().zip(self) {
+            order.iter().zip(row).for_each(|(&j, m)| products[i][j] = m * factor);
+        }
+        products
+    }
+
+    fn carried(&self, of_corners: &[[f64; 4]; 4]) -> Self {
+        let half = self.map(|row| row.carried(of_corners));
+        let columns: Self = std::array::from_fn(|i| std::array::from_fn(|c| half[c][i]));
+        columns.map(|row| row.carried(of_corners))
+    }
+
+    fn is_zero(&self) -> bool {
+        self.iter().all(Moments::is_zero)
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.iter_mut().zip(other).for_each(|(sum, m)| sum.add(m));
+    }
+}
+
+/// Moments of the common part of two pieces, in the barycentric coordinates of each, the parts of inverted cells counted
 /// negative; `None` where they have no part in common.
-pub(crate) fn common_moments<const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<[[f64; 4]; 2]> {
+pub(crate) fn common_moments<M: Moments, const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<[M; 2]> {
     let of_p = coordinates(p, q);
     let by_q = cuts::<D>(&of_p)?;
     let of_q = coordinates(q, p);
     let by_p = cuts::<D>(&of_q)?;
+    let some = |moments: M| (!moments.is_zero()).then_some(moments);
     // The one of which fewer faces cut the other cuts.
     if by_q <= by_p {
-        let in_q = inside::<D>(of_p, p.sign * q.sign * q.measure);
-        Some([carried(&in_q, &of_q)?, in_q])
+        let in_q: M = inside::<M, D>(of_p, p.sign * q.sign * q.measure);
+        Some([some(in_q)?.carried(&of_q), in_q])
     } else {
-        let in_p = inside::<D>(of_q, p.sign * q.sign * p.measure);
-        Some([in_p, carried(&in_p, &of_p)?])
+        let in_p: M = inside::<M, D>(of_q, p.sign * q.sign * p.measure);
+        Some([in_p, some(in_p)?.carried(&of_p)])
     }
 }
 
@@ -41,33 +127,22 @@ fn cuts<const D: usize>(corners: &[[f64; 4]; 4]) -> Option<usize> {
     Some(count)
 }
 
-/// ∫ of the coordinates over the part of a simplex where all are positive; the simplex whose coordinates they are has this
+/// Moments of the part of a simplex where all coordinates are positive; the simplex whose coordinates they are has this
 /// measure.
 ///
 /// Faces that leave the fewest corners come first: what they cut falls into the fewest parts.
-fn inside<const D: usize>(corners: [[f64; 4]; 4], measure: f64) -> [f64; 4] {
+fn inside<M: Moments, const D: usize>(corners: [[f64; 4]; 4], measure: f64) -> M {
     let left = |k: usize| corners[..=D].iter().filter(|corner| corner[k] > 0.0).count();
     let mut order = [0, 1, 2, 3];
     order[..=D].sort_by_key(|&k| left(k));
-    let mut in_order = [0.0; 4];
-    add_inside::<D>(corners.map(|corner| order.map(|k| corner[k])), 0, &mut in_order);
-    let mut sums = [0.0; 4];
-    order.into_iter().zip(in_order).for_each(|(k, m)| sums[k] = m * measure);
-    sums
+    let mut in_order = M::default();
+    add_inside::<M, D>(corners.map(|corner| order.map(|k| corner[k])), 0, &mut in_order);
+    in_order.in_order(&order, measure)
 }
 
-/// The same of other coordinates, given at the corners of the simplex; `None` where there is nothing.
-fn carried(moments: &[f64; 4], of_corners: &[[f64; 4]; 4]) -> Option<[f64; 4]> {
-    let mut sums = [0.0; 4];
-    for (corner, m) in of_corners.iter().zip(moments) {
-        sums.iter_mut().zip(corner).for_each(|(sum, value)| *sum += value * m);
-    }
-    moments.iter().any(|m| *m != 0.0).then_some(sums)
-}
-
-/// Adds ∫ of the coordinates over the part of a simplex, given by the coordinates of its corners, where those from
-/// number `level` on are positive; in units of the measure of the simplex whose coordinates they are.
-fn add_inside<const D: usize>(mut x: [[f64; 4]; 4], level: usize, sums: &mut [f64; 4]) {
+/// Adds the moments of the part of a simplex, given by the coordinates of its corners, where those from number `level` on
+/// are positive; in units of the measure of the simplex whose coordinates they are.
+fn add_inside<M: Moments, const D: usize>(mut x: [[f64; 4]; 4], level: usize, sums: &mut M) {
     for k in level..=D {
         // Those inside come first.
         let mut inside = 0;
@@ -87,7 +162,7 @@ fn add_inside<const D: usize>(mut x: [[f64; 4]; 4], level: usize, sums: &mut [f6
             at
         };
         let none = [0.0; 4];
-        let mut add = |simplex: [[f64; 4]; 4]| add_inside::<D>(simplex, k + 1, sums);
+        let mut add = |simplex: [[f64; 4]; 4]| add_inside::<M, D>(simplex, k + 1, sums);
         match (D, inside) {
             (_, 0) => {}
             (2, 1) => add([x[0], cut(0, 1), cut(0, 2), none]),
@@ -113,10 +188,7 @@ fn add_inside<const D: usize>(mut x: [[f64; 4]; 4], level: usize, sums: &mut [f6
         }
         return;
     }
-    let measure = measure(D, &x);
-    for (i, sum) in sums.iter_mut().enumerate() {
-        *sum += measure * (0..=D).map(|c| x[c][i]).sum::<f64>() / (D + 1) as f64;
-    }
+    sums.add_simplex::<D>(measure(D, &x), &x);
 }
 
 #[cfg(test)]
@@ -132,13 +204,13 @@ mod tests {
         let corners = [[-0.2, 0.1, 0.2], [0.7, -0.3, 0.1], [0.2, 0.8, -0.1], [0.3, 0.2, 0.9]];
         let whole = corners.map(|[x, y, z]| at(x, y, z));
         let mut sums = [0.0; 4];
-        add_inside::<3>(whole, 0, &mut sums);
+        add_inside::<[f64; 4], 3>(whole, 0, &mut sums);
         let middle: [f64; 4] = std::array::from_fn(|i| whole.iter().map(|x| x[i]).sum::<f64>() / 4.0);
         let mut of_parts = [0.0; 4];
         for k in 0..4 {
             let mut part = whole;
             part[k] = middle;
-            add_inside::<3>(part, 0, &mut of_parts);
+            add_inside::<[f64; 4], 3>(part, 0, &mut of_parts);
         }
         for i in 0..4 {
             assert!((sums[i] - of_parts[i]).abs() < 1e-15 && sums[i] > 0.0, "{sums:?} {of_parts:?}");

@@ -3,15 +3,16 @@
 use super::convex_solid::ConvexSolid;
 use super::facet_moments::FacetMoments;
 use super::least_of::{candidates, cut_to_least};
+use crate::geometry::Weighting;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::quadrature::for_each_gauss_point;
 use crate::overlap::depth_integral::SecondDerivative;
 use crate::overlap::pair::body_facet::BodyFacet;
 
-/// What a facet has inside the solid. All integrands are of degree 2, which the quadrature takes exactly.
+/// What a facet has inside the solid. All integrands are of degree 2, in the plane 3, which the quadrature takes exactly.
 pub(crate) fn facet_moments<const D: usize>(
     solid: &ConvexSolid<D>,
-    facet: &BodyFacet<D>,
+    (facet, weighting): (&BodyFacet<D>, Weighting),
     rounding: f64,
     second: SecondDerivative,
     work: &mut Piece<D>,
@@ -30,8 +31,8 @@ pub(crate) fn facet_moments<const D: usize>(
         moments.piece_count += 1;
         work.corners().iter().for_each(|w| moments.reach(depth(w)));
         for_each_gauss_point(work.corners(), false, |w, part| {
-            let slopes = (second != SecondDerivative::No).then_some((&gradient, &facet.normal));
-            moments.add_point(w, part, depth(w), slopes);
+            let slopes = (second != SecondDerivative::No).then_some(&gradient);
+            moments.add_point((facet, weighting), w, part, depth(w), slopes);
         });
     }
     moments

@@ -16,17 +16,20 @@
 use super::convex_solid::{ConvexSolid, Linear};
 use super::least_of::{candidates, cut_to_least};
 use crate::configuration::FacetSide;
-use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::Piece;
+use crate::geometry::convex_piece::{Piece, place};
 use crate::geometry::facet::area_vector;
 use crate::geometry::quadrature::for_each_gauss_point;
+use crate::geometry::{Vector, Weighting};
+use std::ops::AddAssign;
 
-/// Volume of the overlap, and the depth summed over it.
+/// Volume of the overlap, and the depth summed over it, both weighted.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct DepthSum {
     pub(crate) volume: f64,
     pub(crate) depth: f64,
+    /// The latter not weighted, where there is a weight.
+    pub(crate) bare_depth: f64,
 }
 
 /// The lines through one face.
@@ -40,7 +43,7 @@ struct Column<const D: usize> {
 
 impl<const D: usize> ConvexSolid<D> {
     /// Sums over the overlap with a body.
-    pub(crate) fn sums(&self, body: &FacetSide<D>) -> DepthSum {
+    pub(crate) fn sums(&self, body: &FacetSide<D>, weighting: Weighting) -> DepthSum {
         let rounding = body.aabb.rounding();
         let mut sums = DepthSum::default();
         let mut work = Piece::default();
@@ -50,9 +53,8 @@ impl<const D: usize> ConvexSolid<D> {
             // On whichever side of the region less of the body lies.
             let from_above = (-least).max(0.0) <= (largest + column.deepest).max(0.0);
             for facet in column.facets(body, from_above) {
-                let found = column.flux(&body.corners(facet as usize), from_above, rounding, &mut work);
-                sums.volume += found.volume;
-                sums.depth += found.depth;
+                let how = (from_above, weighting);
+                sums += column.flux(&body.corners(facet as usize), how, rounding, &mut work);
             }
         }
         sums
@@ -86,7 +88,13 @@ impl<const D: usize> Column<D> {
     }
 
     /// What a facet adds.
-    fn flux(&self, corners: &[Vector<D>; D], from_above: bool, rounding: f64, work: &mut Piece<D>) -> DepthSum {
+    fn flux(
+        &self,
+        corners: &[Vector<D>; D],
+        (from_above, weighting): (bool, Weighting),
+        rounding: f64,
+        work: &mut Piece<D>,
+    ) -> DepthSum {
         let across = self.height.slope.dot(&area_vector(corners));
         if across == 0.0 {
             return DepthSum::default();
@@ -98,12 +106,17 @@ impl<const D: usize> Column<D> {
         }
         let Some(near) = candidates(&functions) else { return DepthSum::default() };
         let functions: Vec<[f64; D]> = near.iter().map(|&k| functions[k]).collect();
+        // Of the foot of a line on the face, and how it changes down the line.
+        let weight = |w: &[f64; D]| {
+            let x = place(corners, w);
+            [weighting.at(&(x - self.height.slope * self.height.at(&x))), -self.height.slope.dot(&weighting.gradient())]
+        };
         let mut sums = DepthSum::default();
         for k in 0..functions.len() {
             let end = &functions[k];
             if from_above {
                 if cut_to_least(&functions, k, rounding, work) {
-                    sums.add(work, -across, |w| [value(w, end), 0.0]);
+                    sums.add(work, -across, |w| [value(w, end), 0.0], weight);
                 }
                 continue;
             }
@@ -119,7 +132,7 @@ impl<const D: usize> Column<D> {
                     depth.iter().any(|d| *d > 0.0) && work.cut(&depth.map(|d| -d)) && work.cut(&beyond)
                 };
                 if is_left {
-                    sums.add(work, across, |w| [value(w, end), if above { 0.0 } else { value(w, &depth) }]);
+                    sums.add(work, across, |w| [value(w, end), if above { 0.0 } else { value(w, &depth) }], weight);
                 }
             }
         }
@@ -132,12 +145,31 @@ fn value<const D: usize>(w: &[f64; D], at_corners: &[f64; D]) -> f64 {
 }
 
 impl DepthSum {
-    /// Adds ∫ of the measure of a line between two depths over a piece of a facet, and of the depth along it.
-    fn add<const D: usize>(&mut self, piece: &Piece<D>, across: f64, between: impl Fn(&[f64; D]) -> [f64; 2]) {
+    /// Adds ∫ of the measure of a line between two depths over a piece of a facet, and of the depth along it; `weight` is
+    /// linear along it.
+    fn add<const D: usize>(
+        &mut self,
+        piece: &Piece<D>,
+        across: f64,
+        between: impl Fn(&[f64; D]) -> [f64; 2],
+        weight: impl Fn(&[f64; D]) -> [f64; 2],
+    ) {
         for_each_gauss_point(piece.corners(), false, |w, part| {
             let [low, high] = between(w);
-            self.volume += across * part * (low - high);
-            self.depth += across * part * 0.5 * (low * low - high * high);
+            let [at_foot, slope] = weight(w);
+            let (length, moment) = (low - high, 0.5 * (low * low - high * high));
+            self.volume += across * part * (at_foot * length + slope * moment);
+            let second = slope * (low * low * low - high * high * high) / 3.0;
+            self.depth += across * part * (at_foot * moment + second);
+            self.bare_depth += across * part * moment;
         });
+    }
+}
+
+impl AddAssign for DepthSum {
+    fn add_assign(&mut self, other: Self) {
+        self.volume += other.volume;
+        self.depth += other.depth;
+        self.bare_depth += other.bare_depth;
     }
 }

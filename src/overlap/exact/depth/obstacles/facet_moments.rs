@@ -1,7 +1,8 @@
 //! What a facet of a body has inside an obstacle.
 
-use crate::geometry::Vector;
+use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_slopes;
+use crate::geometry::{Vector, Weighting};
 use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
 use crate::overlap::depth_points::{DepthPlace, DepthPoint};
 use crate::overlap::exact::depth::facet_sums::FacetSums;
@@ -20,6 +21,8 @@ pub(crate) struct FacetMoments<const D: usize> {
     steep: [[f64; D]; D],
     /// Of the shape function of each corner.
     area: [f64; D],
+    /// Of the depth times products of two shape functions, not weighted, where there is a weight.
+    moved: [[f64; D]; D],
     deepest: f64,
     /// Pieces of which it is the sum.
     pub(crate) piece_count: usize,
@@ -32,6 +35,7 @@ impl<const D: usize> Default for FacetMoments<D> {
             slopes: [[Vector::zeros(); D]; D],
             steep: [[0.0; D]; D],
             area: [0.0; D],
+            moved: [[0.0; D]; D],
             deepest: 0.0,
             piece_count: 0,
         }
@@ -39,27 +43,32 @@ impl<const D: usize> Default for FacetMoments<D> {
 }
 
 impl<const D: usize> FacetMoments<D> {
-    /// Adds a point of a quadrature: its barycentric coordinates, its part of the measure, the depth there, and, where
-    /// second derivatives are asked for, the gradient of the depth, the facet having this normal.
+    /// Adds a point of a quadrature on a facet: its barycentric coordinates, its part of the measure, the depth there, and,
+    /// where second derivatives are asked for, the gradient of the depth.
     pub(crate) fn add_point(
         &mut self,
+        (facet, weighting): (&BodyFacet<D>, Weighting),
         w: &[f64; D],
-        part: f64,
+        bare: f64,
         depth: f64,
-        gradient: Option<(&Vector<D>, &Vector<D>)>,
+        gradient: Option<&Vector<D>>,
     ) {
+        let part = bare * weighting.at(&place(&facet.corners, w));
         self.area.iter_mut().zip(w).for_each(|(sum, w)| *sum += part * w);
         self.deepest = self.deepest.max(depth);
         for (sum, w) in self.depth.iter_mut().zip(w) {
             *sum += part * depth * w;
         }
-        let Some((gradient, normal)) = gradient else { return };
-        let steep = if normal.dot(gradient) > 0.0 { gradient.norm() } else { 0.0 };
+        let Some(gradient) = gradient else { return };
+        let steep = if facet.normal.dot(gradient) > 0.0 { gradient.norm() } else { 0.0 };
         for a in 0..D {
             for c in 0..D {
                 let factor = part * w[a] * w[c];
                 self.slopes[a][c] += gradient * factor;
                 self.steep[a][c] += factor * steep;
+                if !weighting.is_plain() {
+                    self.moved[a][c] += bare * depth * w[a] * w[c];
+                }
             }
         }
     }
@@ -101,6 +110,7 @@ impl<const D: usize> AddAssign for FacetMoments<D> {
             for c in 0..D {
                 self.slopes[a][c] += other.slopes[a][c];
                 self.steep[a][c] += other.steep[a][c];
+                self.moved[a][c] += other.moved[a][c];
             }
         }
         self.area.iter_mut().zip(other.area).for_each(|(sum, part)| *sum += part);
@@ -111,7 +121,13 @@ impl<const D: usize> AddAssign for FacetMoments<D> {
 
 impl<const D: usize> FacetSums<D> {
     /// Adds a facet.
-    pub(crate) fn add(&mut self, facet: &BodyFacet<D>, moments: &FacetMoments<D>, request: &DepthRequest) {
+    pub(crate) fn add(
+        &mut self,
+        facet: &BodyFacet<D>,
+        moments: &FacetMoments<D>,
+        request: &DepthRequest,
+        weighting: Weighting,
+    ) {
         if moments.piece_count == 0 {
             return;
         }
@@ -124,13 +140,20 @@ impl<const D: usize> FacetSums<D> {
             self.points.extend(moments.point(facet));
         }
         if request.second != SecondDerivative::No {
-            self.add_blocks(facet, moments, request);
+            self.add_blocks(facet, moments, request, weighting);
         }
     }
 
     /// The depth at a point of a facet changes by ∇g·(w − t), w being its displacement and t that of the obstacle; its
-    /// area vector changes with its own corners.
-    fn add_blocks(&mut self, facet: &BodyFacet<D>, moments: &FacetMoments<D>, request: &DepthRequest) {
+    /// area vector changes with its own corners. Its weight changes as it moves; the obstacle feels this too, and what of the
+    /// sum over the overlap comes or goes.
+    fn add_blocks(
+        &mut self,
+        facet: &BodyFacet<D>,
+        moments: &FacetMoments<D>,
+        request: &DepthRequest,
+        weighting: Weighting,
+    ) {
         let &DepthRequest { second, obstacle_node, .. } = request;
         let own = facet.nodes.len();
         let count = own + 1;
@@ -143,6 +166,8 @@ impl<const D: usize> FacetSums<D> {
             }
         };
         let area_slopes = area_slopes(&facet.corners);
+        let outwards = weighting.gradient();
+        let has_weight = !weighting.is_plain() && second == SecondDerivative::Full;
         for a in 0..D {
             for c in 0..D {
                 let of_depth = match second {
@@ -162,6 +187,14 @@ impl<const D: usize> FacetSums<D> {
                         if second == SecondDerivative::Full {
                             add(row, col, factor * moments.depth[a], &area_slopes[c]);
                             add(own, col, -factor * moments.depth[a], &area_slopes[c]);
+                        }
+                        if has_weight {
+                            let of_facet = product(facet.measure * moments.moved[a][c], &facet.normal, &outwards);
+                            let of_sum = product(facet.measure * moments.moved[a][c], &outwards, &facet.normal);
+                            add(row, col, factor, &of_facet);
+                            add(own, col, -factor, &of_facet);
+                            add(own, col, factor, &of_sum);
+                            add(own, own, -factor, &of_sum);
                         }
                     }
                 }

@@ -7,9 +7,12 @@
 //! for a body A that moves past an obstacle at rest, φ being its signed distance. What the obstacle feels is the opposite:
 //! nothing changes if both move as one. If both are scaled by s about the position of the obstacle, J grows as s to the
 //! power of D + 1, which tells how it depends on the scale of the obstacle alone.
+//!
+//! With a weight ρ that is linear in space J changes also as both move, by ∫ g ∇ρ·v dx.
 
 use super::convex_facets::facet_moments;
 use super::convex_solid::ConvexSolid;
+use super::convex_volume::DepthSum;
 use super::quadrature::{over_facets, over_volume};
 use crate::Error;
 use crate::geometry::convex_piece::Piece;
@@ -49,7 +52,7 @@ pub(crate) fn of_obstacle<const D: usize>(
     let (sums, whole) = match solid {
         Some(solid) => {
             let facets = pair.a.facets_in(&within);
-            (in_convex_solid(pair, &solid, &facets, request), solid.sums(&pair.a))
+            (in_convex_solid(pair, &solid, &facets, request), solid.sums(&pair.a, pair.weighting))
         }
         None => {
             let distance = ObstacleDistance::new(&pair.counterpart, pose);
@@ -58,7 +61,7 @@ pub(crate) fn of_obstacle<const D: usize>(
         }
     };
     let overlap = sums.overlap(pair, whole.volume, sums.area);
-    Ok(overlap.map(|overlap| assembled(pair, pose, sums, whole.depth, overlap)))
+    Ok(overlap.map(|overlap| assembled(pair, pose, sums, &whole, overlap)))
 }
 
 fn in_convex_solid<const D: usize>(
@@ -72,8 +75,9 @@ fn in_convex_solid<const D: usize>(
         let (mut sums, mut work) = (FacetSums::default(), Piece::default());
         for &facet in facets {
             if let Some(facet) = BodyFacet::new(pair.surface, &pair.a, facet) {
-                let moments = facet_moments(solid, &facet, rounding, request.second, &mut work);
-                sums.add(&facet, &moments, request);
+                let weighting = pair.weighting;
+                let moments = facet_moments(solid, (&facet, weighting), rounding, request.second, &mut work);
+                sums.add(&facet, &moments, request, weighting);
             }
         }
         sums
@@ -85,7 +89,7 @@ fn assembled<const D: usize>(
     pair: &Pair<D>,
     pose: &Pose<D>,
     sums: FacetSums<D>,
-    depth: f64,
+    &DepthSum { depth, bare_depth, .. }: &DepthSum,
     overlap: Overlap<D>,
 ) -> DepthIntegral<D> {
     let (nodes, of_b, gradient) = sums.gradient.into_nodes();
@@ -98,7 +102,15 @@ fn assembled<const D: usize>(
         reaction.rotation.iter_mut().zip(moment(&x, g)).for_each(|(sum, m)| *sum -= m);
         about_center += (x - center).dot(g);
     }
-    reaction.scale = ((D + 1) as f64 * depth - about_center) / pose.scale;
+    let mut as_scaled = (D + 1) as f64 * depth;
+    if !pair.weighting.is_plain() {
+        // The weight is that of the place, which both have left.
+        let outwards = pair.weighting.gradient();
+        reaction.position += outwards * bare_depth;
+        reaction = reaction.in_weighting(pair.weighting);
+        as_scaled += depth - outwards.dot(&center) * bare_depth;
+    }
+    reaction.scale = (as_scaled - about_center) / pose.scale;
     DepthIntegral {
         value: depth,
         nodes,

@@ -13,7 +13,6 @@ use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance};
 use crate::overlap::pair::sides::Pair;
-use std::ops::AddAssign;
 
 /// What the division of a piece may tell without being followed, in parts of the sum over all, for pieces of one, two and
 /// three dimensions. There are some ten, some hundred and some thousand such pieces, whose errors have both signs; they
@@ -41,13 +40,6 @@ impl Quantity for DepthSum {
     }
 }
 
-impl AddAssign for DepthSum {
-    fn add_assign(&mut self, other: Self) {
-        self.volume += other.volume;
-        self.depth += other.depth;
-    }
-}
-
 /// Sums over the facets that reach into `within`, a box around what of the obstacle the body can meet.
 pub(crate) fn over_facets<const D: usize>(
     pair: &Pair<D>,
@@ -68,15 +60,16 @@ pub(crate) fn over_facets<const D: usize>(
         .collect();
     let integrand = |root: u32, w: &InSimplex, part: f64, at: &Distance<D>, sum: &mut FacetMoments<D>| {
         let gradient = -at.gradient;
-        let slopes = (request.second != SecondDerivative::No).then_some((&gradient, &facets[root as usize].normal));
+        let slopes = (request.second != SecondDerivative::No).then_some(&gradient);
         sum.piece_count = 1;
-        sum.add_point(&std::array::from_fn(|c| w[c]), part, -at.phi, slopes);
+        let on_facet = (&facets[root as usize], pair.weighting);
+        sum.add_point(on_facet, &std::array::from_fn(|c| w[c]), part, -at.phi, slopes);
     };
     let found =
         Adaptive { pair, distance, dimension: D - 1, tolerance: TOLERANCES[D - 2], integrand }.integrals(&roots)?;
     let mut sums = FacetSums::default();
     for (facet, moments) in facets.iter().zip(&found) {
-        sums.add(facet, moments, request);
+        sums.add(facet, moments, request, pair.weighting);
     }
     Ok(sums)
 }
@@ -103,12 +96,16 @@ pub(crate) fn over_volume<const D: usize>(
         roots.push(Root { corners, measure: measure.abs() });
         signs.push(measure);
     }
-    let integrand = |_: u32, _: &InSimplex, part: f64, at: &Distance<D>, sum: &mut DepthSum| {
-        *sum += DepthSum { volume: part, depth: part * -at.phi };
+    let integrand = |root: u32, w: &InSimplex, part: f64, at: &Distance<D>, sum: &mut DepthSum| {
+        let corners = &roots[root as usize].corners;
+        let x = (0..=D).fold(Vector::zeros(), |x, c| x + corners[c] * w[c]);
+        let weighted = part * pair.weighting.at(&x);
+        *sum += DepthSum { volume: weighted, depth: weighted * -at.phi, bare_depth: part * -at.phi };
     };
     let found = Adaptive { pair, distance, dimension: D, tolerance: TOLERANCES[D - 1], integrand }.integrals(&roots)?;
     Ok(found.iter().zip(&signs).fold(DepthSum::default(), |mut sums, (found, measure)| {
-        sums += DepthSum { volume: found.volume * measure, depth: found.depth * measure };
+        let [volume, depth, bare_depth] = [found.volume, found.depth, found.bare_depth].map(|sum| sum * measure);
+        sums += DepthSum { volume, depth, bare_depth };
         sums
     }))
 }

@@ -1,0 +1,142 @@
+"""Linear elastic bodies that are loaded, held and dragged, with friction: what the problems of this folder share."""
+
+from __future__ import annotations
+
+import numpy as np
+from fmc_contact_skfem import SkfemContact
+from scipy.sparse import block_diag, csr_matrix, identity, issparse
+from scipy.sparse.linalg import splu
+from skfem import Basis, ElementHex1, ElementQuad1, ElementVector, MeshHex, MeshQuad
+from skfem.models.elasticity import lame_parameters, linear_elasticity
+
+LIMIT = 40
+"""Iterations of Newton's method after which a step has failed."""
+
+SEARCHED = 8
+"""Iterations of the plain method, which most steps do with. When all of a contact begins to slide at once, in one step from
+rest, it can go to and fro between two states of a few facets for ever."""
+
+LAWS = {"depth": {"law": "depth", "estimator": "auto"}, "fiber": {"law": "fiber", "estimator": "exact"}}
+_ELEMENTS = {MeshQuad: ElementQuad1, MeshHex: ElementHex1}
+
+
+def grid(*axes, place=None):
+    """A mesh of quadrilaterals or hexahedra, one array of coordinates for each axis, moved to ``place(p)``."""
+    mesh = {2: MeshQuad, 3: MeshHex}[len(axes)].init_tensor(*axes)
+    return mesh if place is None else type(mesh)(np.ascontiguousarray(place(mesh.p)), mesh.t)
+
+
+class Bodies:
+    """One mesh, Young's modulus and Poisson's ratio for each body; plane strain in 2D.
+
+    The unknowns z say how everything moves: u = motion z. At first they are the displacements u themselves, those of the
+    nodes of one body after those of another.
+    """
+
+    def __init__(self, meshes, youngs, poisson, stiffness, law="depth", **options):
+        self.meshes, self.dim, self.law = meshes, meshes[0].dim(), law
+        # Two points along every axis; the default for hexahedra is four.
+        bases = [Basis(mesh, ElementVector(_ELEMENTS[type(mesh)]()), intorder=3) for mesh in meshes]
+        self.offsets = np.cumsum([0] + [basis.N for basis in bases])
+        elastic = [
+            linear_elasticity(*lame_parameters(young, poisson)).assemble(basis) for basis, young in zip(bases, youngs)
+        ]
+        self.stiffness = block_diag(elastic, "csr")
+        """Of the bodies, and of what the problem adds: springs, arms. By the unknowns z."""
+        self.contact = SkfemContact(
+            list(zip(bases, self.offsets)), stiffness=stiffness, **{**LAWS[law], **options}
+        )
+        self.size = self.offsets[-1]
+        self.motion = self.onto = identity(self.size, format="csr")
+        self.load = np.zeros(self.size)
+        self.z = np.zeros(self.size)
+        self.result = None
+        """Of the last evaluation."""
+
+    def dofs(self, where, body=0):
+        """Unknowns (dim, n) of the nodes of a body at which ``where(p)`` is true."""
+        nodes = np.flatnonzero(where(self.meshes[body].p))
+        return self.offsets[body] + self.dim * nodes + np.arange(self.dim)[:, None]
+
+    def move_as_one(self, groups):
+        """All unknowns of each group become one, after the others. Returns the numbers of the new ones, and of the old
+        ones that stay."""
+        joined = np.concatenate(groups)
+        single = np.setdiff1d(np.arange(self.size), joined)
+        new = len(single) + np.arange(len(groups))
+        cols = np.concatenate([np.arange(len(single)), np.repeat(new, [len(group) for group in groups])])
+        rows = np.concatenate([single, joined])
+        self.motion = csr_matrix((np.ones(len(cols)), (rows, cols)), (self.size, len(single) + len(groups)))
+        self.onto = self.motion
+        self.stiffness = (self.motion.T @ self.stiffness @ self.motion).tocsr()
+        self.z = np.zeros(self.motion.shape[1])
+        return new, single
+
+    def condense(self, kept):
+        """Leaves only these unknowns, between which the others follow as bodies without load do. What is held, loaded or may
+        come into contact, the inner nodes of cells at the surface with it, is to be kept."""
+        inner = np.setdiff1d(np.arange(len(self.z)), kept)
+        follow = -_solved(self.stiffness[inner][:, inner], self.stiffness[inner][:, kept].toarray())
+        self.stiffness = self.stiffness[kept][:, kept].toarray() + self.stiffness[kept][:, inner] @ follow
+        self.onto = self.motion[:, kept]
+        self.motion = self.onto.toarray() + self.motion[:, inner] @ follow
+        self.z = self.z[kept]
+
+    @property
+    def u(self):
+        return self.motion @ self.z
+
+    @property
+    def reactions(self):
+        """What holds the unknowns z: inner forces less loads and contact, at the last evaluation."""
+        return self.stiffness @ self.z - self.onto.T @ (self.load + self.contact.on_dofs(self.result.forces))
+
+    def begin_friction(self, coefficient):
+        """Friction from here on: nothing is carried."""
+        self.contact.contact.set_options(friction_coefficient=coefficient)
+        self.contact.begin_step(self.u)
+
+    def solve(self, held, prescribed=0.0, tolerance=1e-9):
+        """Equilibrium with these values of the unknowns ``held``; number of linear solves. What is prescribed moves with the
+        first of them. From the iteration ``SEARCHED`` on a step is halved until the residual falls."""
+        free = np.setdiff1d(np.arange(len(self.z)), held)
+        step = np.zeros(len(self.z))
+        step[held] = prescribed - self.z[held]
+        if self.law == "fiber":
+            self.contact.keep_patches(self.u)
+        residual, size = self._residual()
+        for iteration in range(LIMIT):
+            left, is_moving = np.linalg.norm(residual[free]), step.any()
+            if not is_moving and left <= tolerance * size:
+                return iteration
+            tangent = self.onto.T @ self.contact.tangent(self.u) @ self.onto
+            matrix = self.stiffness + (tangent if issparse(self.stiffness) else tangent.toarray())
+            step[free] = _solved(matrix[free][:, free], -(residual + matrix @ step)[free])
+            before, part = self.z, 1.0
+            while True:
+                self.z = before + part * step
+                residual, size = self._residual()
+                falls = np.linalg.norm(residual[free]) < (1 - 0.1 * part) * left
+                if falls or is_moving or iteration < SEARCHED or part < 0.01:
+                    break
+                part /= 2
+            step = np.zeros(len(self.z))
+        raise ArithmeticError(f"no equilibrium in {LIMIT} iterations: the residual is {left / size:.1e}")
+
+    def _residual(self):
+        """Of z, and the size of the forces that are to balance."""
+        self.result = self.contact.evaluate(self.u)
+        pushed = self.contact.on_dofs(self.result.forces)
+        found = self.reactions
+        return found, max(np.linalg.norm(pushed), np.linalg.norm(self.load), np.linalg.norm(found))
+
+    def commit(self):
+        self.contact.commit_step(self.u)
+
+
+def _solved(matrix, right):
+    """Rows and columns in one order, for the pattern of the matrix is symmetric, its values are not."""
+    if not issparse(matrix):
+        return np.linalg.solve(matrix, right)
+    order = {"permc_spec": "MMD_AT_PLUS_A", "diag_pivot_thresh": 0.1, "options": {"SymmetricMode": True}}
+    return splu(matrix.tocsc(), **order).solve(right)
