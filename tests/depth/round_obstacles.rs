@@ -42,6 +42,18 @@ fn balls() {
     }
 }
 
+/// A face that only touches a capsule: no rounding error makes the energy negative.
+#[test]
+fn touching_costs_no_energy() {
+    let mesh = Mesh::<2> {
+        coords: vec![[1.25, -1.5625], [2.25, -1.5625], [1.25, -0.5625]],
+        conn: vec![0, 1, 2],
+        nodes_per_cell: 3,
+    };
+    let at = found(&mesh, &Shape::Capsule { radius: 1.25, half_height: 1.25 }, Pose::default());
+    assert!((0.0..1e-15).contains(&at.energy) && (0.0..1e-15).contains(&at.volume), "{:e}, {:e}", at.energy, at.volume);
+}
+
 /// A ball a tenth as large as the facet it touches between all corners and points.
 #[test]
 fn small_balls_on_large_facets() {

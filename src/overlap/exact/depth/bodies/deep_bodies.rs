@@ -118,7 +118,7 @@ impl<const D: usize> DeepBodies<'_, D> {
         }
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         Some(DepthIntegral {
-            value,
+            value: value.max(0.0),
             nodes,
             of_b,
             gradient,

@@ -112,7 +112,8 @@ fn assembled<const D: usize>(
     }
     reaction.scale = (as_scaled - about_center) / pose.scale;
     DepthIntegral {
-        value: depth,
+        // Where the two only touch, parts of both signs may leave a rounding error below zero; as with the volume.
+        value: depth.max(0.0),
         nodes,
         of_b,
         gradient,
