@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 import pytest
-from fmc_agreement import outcome, reference, runs, table
+from fmc_agreement import outcome, problem as problems, reference, runs, table
 from fmc_agreement.runs import Case, label
 
 if "FMC" not in os.environ:
@@ -28,12 +28,14 @@ SHORT = [
             "contact.stiffness=1e5",
         ),
     ),
+    Case("cgs4", None, ("load_steps.then=[5]",)),
+    Case("hertz", "depth", (COARSE,)),
     Case("bar", None, ("time.end=0.3",)),
     Case("star", "smooth", ("contact.stiffness=1e9", "time.end=6e-4")),
 ]
 
 
-@pytest.mark.parametrize("case", SHORT, ids=lambda case: case.name)
+@pytest.mark.parametrize("case", SHORT, ids=lambda case: "-".join(filter(None, (case.name, case.variant))))
 def test_hosts_agree_node_by_node(tmp_path, case):
     problem = reference.run(tmp_path, case.name, case.variant, case.changes)
     for host, ranks in case.hosts:
@@ -60,6 +62,14 @@ def is_figure_of(ours, theirs, least):
             relative = 0.3 if key == "penetration_max" else 1e-7
             smallest = max(1e-9, least) if key.startswith("force") else 1e-9
             assert ours[key] == pytest.approx(value, rel=relative, abs=smallest), key
+
+
+@pytest.mark.parametrize(
+    "case, variant, said", [("stop", None, "moves with friction"), ("wedge", "linearised", "is linearised")]
+)
+def test_what_these_hosts_do_not_do_is_refused_by_name(case, variant, said):
+    with pytest.raises(ValueError, match=f"'{case}' {said}"):
+        problems.load(case, variant).contact_options()
 
 
 def test_ranks_do_not_matter(tmp_path):

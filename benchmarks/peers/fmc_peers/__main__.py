@@ -48,7 +48,7 @@ def main() -> None:
         name, _, variant = case.partition("-")
         words = [name, *(["--variant", variant] if variant else []), *changes]
         subprocess.run([fmc(), "mesh", *words, "--out", str(file)], check=True)
-        problem = from_json(json.loads(file.read_text()), with_friction=True)
+        problem = from_json(json.loads(file.read_text()))
         programs = [lambda: measure.ours(folder / "fmc", problem, words)]
         programs += [lambda name=name: measure.getfem(folder, problem, file, name) for name in FORMULATIONS[case]]
         # In turn, so that a machine that is busy for a while is busy for all.

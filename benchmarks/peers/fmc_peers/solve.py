@@ -22,7 +22,7 @@ def main() -> None:
     gf.util("trace level", 0)
     gf.util("warning level", 0)
     clock = Clock()
-    problem = from_json(json.loads(Path(path).read_text()), with_friction=True)
+    problem = from_json(json.loads(Path(path).read_text()))
     clock.lap("reading")
     found = SOLVERS[problem.raw["figures"]["kind"]](problem, formulation, clock)
     arrays = {"displacement": found.displacement, "inner_force": found.inner_force, "history": np.array(found.history)}

@@ -94,3 +94,12 @@ class Touching:
 
     def keep_patches(self, u: np.ndarray) -> Any:
         return self.adapter.keep_patches(*self._taken(u))
+
+    def begin_step(self, u: np.ndarray) -> None:
+        self.adapter.begin_step(*self._taken(u))
+
+    def freeze_friction(self, u: np.ndarray) -> None:
+        self.adapter.freeze_friction(*self._taken(u))
+
+    def commit_step(self, u: np.ndarray) -> None:
+        self.adapter.commit_step(*self._taken(u))

@@ -50,6 +50,8 @@ def at_rest(problem: Problem, out: Path, host: str, through_snes: bool) -> None:
     """Solves a case of statics."""
     found: dict[str, float] = {}
     if through_snes:
+        if problem.has_friction:
+            raise ValueError(f"'{problem.name}' has friction, which is not sought by SNES")
         model = Model(problem)
         contact = contact_of(problem, model)
         solved = by_snes.solved(problem, model, contact)
@@ -60,7 +62,7 @@ def at_rest(problem: Problem, out: Path, host: str, through_snes: bool) -> None:
         touching, pull = Touching(problem, bodies), np.concatenate([part.load() for part in bodies])
         elastic = parts.Elastic(bodies, problems)
         solved = LoadPath(Equilibrium(problem, elastic, touching, pull, solve)).follow()
-        touching.contact.release_patches()
+        bits.begun_anew(problem, touching)
         models, arrays = [part.model for part in bodies], bits.compared(out, problem, touching.force)
         for part, u in elastic.each(solved.steps[-1].displacement):
             part.take(u)

@@ -9,16 +9,29 @@ import numpy as np
 from fmc_contact import Contact
 
 from . import outcome
+from .equilibrium import Touching
 from .problem import Problem
 
 
 def package_force(problem: Problem, displacement: np.ndarray) -> np.ndarray:
-    """Contact forces (nodes, dim) of the package alone, with patches found where the bodies are."""
+    """Contact forces (nodes, dim) of the package alone, with patches found where the bodies are; with friction after one
+    step from the start."""
     coords = problem.coords + displacement
     blocks = [(body.cell_type, body.conn) for body in problem.bodies]
     contact = Contact(problem.coords, blocks, bodies=problem.body_of_cell, **problem.contact_options())
     problem.add_obstacles(contact)
+    if problem.has_friction:
+        contact.begin_step(problem.coords)
     return contact.evaluate(coords).forces
+
+
+def begun_anew(problem: Problem, touching: Touching) -> None:
+    """Leaves nothing of the way behind: no patches, and with friction a step that begins where the bodies were at
+    first."""
+    touching.contact.release_patches()
+    if problem.has_friction:
+        touching.begin_step(np.zeros(problem.coords.shape))
+        touching.contact.slip = np.zeros_like(touching.contact.slip)
 
 
 def compared(folder: Path, problem: Problem, force: Callable[[np.ndarray], np.ndarray]) -> dict[str, np.ndarray]:

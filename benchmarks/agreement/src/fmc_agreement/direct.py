@@ -1,4 +1,4 @@
-"""Sparse symmetric systems, by MUMPS: on the cone (19 600 unknowns) ten times as fast as SciPy's SuperLU."""
+"""Sparse systems, by MUMPS: on the cone (19 600 unknowns) ten times as fast as SciPy's SuperLU."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from petsc4py import PETSc
 from scipy.sparse import csr_matrix
 
 
-def solve(matrix: csr_matrix, right: np.ndarray) -> np.ndarray | None:
-    """Solution of a symmetric system; ``None`` where the matrix is not positive definite."""
+def solve(matrix: csr_matrix, right: np.ndarray, symmetric: bool = True) -> np.ndarray | None:
+    """Solution of a system; ``None`` where a symmetric matrix is not positive definite."""
     petsc = PETSc.Mat().createAIJ(matrix.shape, csr=(matrix.indptr, matrix.indices, matrix.data), comm=PETSc.COMM_SELF)
-    petsc.setOption(PETSc.Mat.Option.SYMMETRIC, True)
+    petsc.setOption(PETSc.Mat.Option.SYMMETRIC, symmetric)
     solver = PETSc.KSP().create(PETSc.COMM_SELF)
     solver.setOperators(petsc)
     solver.setType("preonly")
-    solver.getPC().setType("cholesky")
+    solver.getPC().setType("cholesky" if symmetric else "lu")
     solver.getPC().setFactorSolverType("mumps")
     solver.setUp()
     found = None
-    if solver.getPC().getFactorMatrix().getMumpsInfog(12) == 0:  # negative pivots
+    if not symmetric or solver.getPC().getFactorMatrix().getMumpsInfog(12) == 0:  # negative pivots
         given, solution = PETSc.Vec().createWithArray(right.copy(), comm=PETSc.COMM_SELF), petsc.createVecRight()
         solver.solve(given, solution)
         found = solution.array.copy()

@@ -25,6 +25,12 @@ FAR = 0.1
 GAIN = 1e-4
 """Part of what the slope promises that a step must gain."""
 
+MOST_FREEZES = 40
+"""Times that friction is frozen in a load step."""
+
+LEFT_OVER = 1e-3
+"""Part of the residual at which friction was frozen that a solve may leave: the next one starts from it."""
+
 FLAT = 1e-12
 """Part of the energies that a change must exceed to be distinguished from rounding."""
 
@@ -52,9 +58,15 @@ class Touching(Protocol):
 
     def keep_patches(self, u: np.ndarray) -> Any: ...
 
+    def begin_step(self, u: np.ndarray) -> None: ...
 
-Solve = Callable[[csr_matrix, np.ndarray], "np.ndarray | None"]
-"""Solution of a symmetric system; ``None`` where the matrix is not positive definite."""
+    def freeze_friction(self, u: np.ndarray) -> None: ...
+
+    def commit_step(self, u: np.ndarray) -> None: ...
+
+
+Solve = Callable[[csr_matrix, np.ndarray, bool], "np.ndarray | None"]
+"""Solution of a system, symmetric or not; ``None`` where a symmetric matrix is not positive definite."""
 
 
 @dataclass
@@ -114,11 +126,15 @@ class Equilibrium:
         scale = max(float(np.linalg.norm(force)) for force in (inside, touch.forces, self.load))
         if not np.isfinite(strain) or not np.isfinite(norm):
             raise NoEquilibrium("a cell is inverted")
-        magnitude = strain + abs(touch.energy) + abs(work)
-        return Balance(residual, norm, norm / (scale or 1.0), strain + touch.energy - work, magnitude, touch)
+        # What frozen friction stores and takes out is its potential.
+        contact = touch.energy + touch.friction.energy + touch.friction.dissipation
+        magnitude = strain + abs(contact) + abs(work)
+        return Balance(residual, norm, norm / (scale or 1.0), strain + contact - work, magnitude, touch)
 
-    def newton(self, u: np.ndarray, tolerance: float) -> tuple[np.ndarray, Balance]:
-        """Newton's method from a displacement. Errors: ``NoEquilibrium``."""
+    def newton(self, u: np.ndarray, tolerance: float, good: float | None = None) -> tuple[np.ndarray, Balance]:
+        """Newton's method from a displacement, until the residual is at most ``tolerance``, or a thousand times ``good``
+        where the energy cannot be lowered any more; default: the same. Errors: ``NoEquilibrium``."""
+        good = tolerance if good is None else good
         now = kept = self.with_patches(u)
         full_failed, turned = False, tolerance >= FAR
         for iteration in range(self.most_iterations + 1):
@@ -138,23 +154,64 @@ class Equilibrium:
             step, semidefinite = self._direction(u, now, residual > FAR or full_failed)
             found = self._search(u, now, step)
             if found is None:
-                if residual <= 1e3 * tolerance:
+                if residual <= 1e3 * good:
                     return u, now
                 raise NoEquilibrium(f"the energy cannot be lowered any more, with a residual of {residual:.1e}")
             full_failed = not semidefinite and found[1].norm > 0.5 * now.norm
             u, now = found
         raise NoEquilibrium(f"no equilibrium: residual {residual:.1e} of the forces")
 
+    def with_friction(self, u: np.ndarray, tolerance: float) -> tuple[np.ndarray, Balance]:
+        """Newton's method with friction frozen where the bodies are, and frozen anew where it comes to rest, until that
+        is what was frozen, or until the plain method gets there. Frozen friction has an energy and a symmetric tangent.
+        Errors: ``NoEquilibrium``."""
+        for _ in range(MOST_FREEZES):
+            self.timed(self.touching.keep_patches, u)
+            self.timed(self.touching.freeze_friction, u)
+            now = self.balance(u)
+            if now.relative <= tolerance:
+                return u, now
+            near = self._with_current_pressure(u, tolerance) if now.relative <= FAR else None
+            if near is not None:
+                return near
+            found, now = self.newton(u, max(tolerance, LEFT_OVER * now.relative), tolerance)
+            # What cannot be brought nearer is as near as rounding lets it.
+            if (found == u).all():
+                return u, now
+            u = found
+        raise NoEquilibrium(f"friction frozen {MOST_FREEZES} times leaves a residual of {now.relative:.1e} of the forces")
+
+    def _with_current_pressure(self, u: np.ndarray, tolerance: float) -> tuple[np.ndarray, Balance] | None:
+        """The plain Newton's method with friction that follows the pressure, whose tangent is unsymmetric; ``None`` where
+        the residual does not fall, with friction frozen as it was."""
+        start = u
+        self.touching.contact.release_friction()
+        try:
+            now = self.balance(u)
+            while now.relative > tolerance:
+                self.residuals.append(now.relative)
+                step = self.linear(u, -now.residual, False, symmetric=False)
+                reached = None if step is None else self.balance(u + step)
+                if reached is None or reached.norm >= now.norm:
+                    break
+                u, now = u + step, reached
+            else:
+                return u, now
+        except NoEquilibrium:  # a cell was inverted
+            pass
+        self.timed(self.touching.freeze_friction, start)
+        return None
+
     def with_patches(self, u: np.ndarray) -> Balance:
         """Forces and energy, and the patches are those of here from now on."""
         self.timed(self.touching.keep_patches, u)
         return self.balance(u)
 
-    def linear(self, u: np.ndarray, right: np.ndarray, semidefinite: bool) -> np.ndarray | None:
+    def linear(self, u: np.ndarray, right: np.ndarray, semidefinite: bool, symmetric: bool = True) -> np.ndarray | None:
         """Change of the displacement, (nodes, dim), that the tangent at ``u`` gives for forces; ``None`` where it is not
         positive definite, or singular: such may slip through a factorisation, but its solutions do not."""
         matrix = self.elastic.stiffness(u) + self.timed(self.touching.tangent, u, semidefinite)
-        found = self.solve(matrix[self.free][:, self.free], right.ravel()[self.free])
+        found = self.solve(matrix[self.free][:, self.free], right.ravel()[self.free], symmetric)
         if found is None:
             return None
         self.iterations += 1

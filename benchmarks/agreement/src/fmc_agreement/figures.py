@@ -86,11 +86,37 @@ def at_rest(problem: Problem, solved: Solved) -> tuple[dict[str, float], np.ndar
     kind, last = problem.raw["figures"]["kind"], solved.steps[-1]
     if kind == "patch":
         found, curve = {}, np.column_stack([np.arange(len(solved.residuals)), solved.residuals])
+    elif kind == "sliding":
+        return sliding(problem, solved)
     elif kind in ("hertz", "balls"):
         found, curve = (hertz if kind == "hertz" else balls)(problem, last.force)
     else:
         found, curve = indentation.figures(problem, solved)
     return {**found, "penetration_max": last.penetration}, curve
+
+
+def sliding(problem: Problem, solved: Solved) -> tuple[dict[str, float], np.ndarray]:
+    """Figures of a body that is pushed along another, and its push in the last stage: part of the load and force,
+    (steps, 2)."""
+    nodes = problem.bodies[problem.about].nodes
+    forces = np.array([step.force[nodes].sum(axis=0) for step in solved.steps])
+    ratio, across = -forces[-1, 0] / abs(forces[-1, -1]), abs(forces[-1, -1])
+    dissipated, stick, slip = np.array([step.sliding for step in solved.steps]).T
+    found = {
+        "force_ratio": float(ratio),
+        "force_across": float(across),
+        "dissipated": float(dissipated.sum()),
+        "dissipated_least": float(dissipated.min()),
+        "steps_failed": float(solved.halvings),
+        "penetration_max": max(step.penetration for step in solved.steps),
+    }
+    if stick[-1] + slip[-1] > 0.0:
+        found["stick_ratio"] = float(stick[-1] / (stick[-1] + slip[-1]))
+        left = 1.0 - abs(ratio) / problem.raw["contact"]["friction_coefficient"]
+        if left > 0.0:
+            found["stick_error"] = float(found["stick_ratio"] / np.sqrt(left) - 1.0)
+    last = [k for k, step in enumerate(solved.steps) if step.stage == solved.steps[-1].stage]
+    return found, np.array([[solved.steps[k].load, abs(forces[k, 0])] for k in last])
 
 
 def motion(problem: Problem, history: History, mass: np.ndarray) -> dict[str, float]:

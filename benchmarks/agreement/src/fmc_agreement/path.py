@@ -37,6 +37,7 @@ class Path:
         self.u = np.zeros(self.problem.coords.shape)
         self.load = 0.0
         self.found = Solved()
+        self.slides = self.problem.has_friction
 
     def follow(self) -> Solved:
         """Goes through all stages. Errors: ``NoEquilibrium``."""
@@ -64,10 +65,15 @@ class Path:
                 step *= 0.5
                 self.found.halvings += 1
                 continue
-            if load == 1.0:
+            if self.slides:
+                self.equilibrium.timed(self.equilibrium.touching.commit_step, u)
+            elif load == 1.0:
                 u, balance = self._on_its_own_patches(u, balance)
             self.before, self.u, self.load = (self.u, self.load), u, load
-            self.found.steps.append(Step(stage, load, u, balance.touch.forces, balance.touch.penetration))
+            touch = balance.touch
+            slid = touch.friction
+            sliding = (slid.dissipation, slid.stick_area, slid.slip_area)
+            self.found.steps.append(Step(stage, load, u, touch.forces, touch.penetration, sliding))
             if self.equilibrium.iterations - iterations <= EASY:
                 step = min(longest, 2.0 * step)
 
@@ -76,6 +82,10 @@ class Path:
         solver = self.equilibrium
         part = self.part_before + load * (1.0 - self.part_before)
         solver.load = part * solver.full_load
+        if self.slides:
+            solver.timed(solver.touching.begin_step, self.u)
+            # Until friction is sought, it is that of the last equilibrium.
+            solver.timed(solver.touching.freeze_friction, self.u)
         start = self._predicted(load)
         if self.soft < self.hard and (self._is_loose(start) or self._is_too_deep(start)):
             # A body that comes to rest on hard contact would creep, and cells that hard contact drives out at once are
@@ -84,7 +94,12 @@ class Path:
                 start = self._settled(start)
             finally:
                 self.contact.set_options(stiffness=self.hard)
-        return solver.newton(start, self.tolerance)
+        if not self.slides:
+            return solver.newton(start, self.tolerance)
+        try:
+            return solver.with_friction(start, self.tolerance)
+        finally:
+            self.contact.release_friction()
 
     def _on_its_own_patches(self, u: np.ndarray, balance: Balance) -> tuple[np.ndarray, Balance]:
         """The equilibrium on the patches that are found where it is, and not on the way there."""

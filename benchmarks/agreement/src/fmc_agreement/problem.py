@@ -75,6 +75,11 @@ class Problem:
         return self.raw["dimension"]
 
     @property
+    def has_friction(self) -> bool:
+        """Whether contact resists sliding."""
+        return any(self.raw["contact"].get(key, 0.0) > 0.0 for key in ("friction_coefficient", "cohesion"))
+
+    @property
     def is_static(self) -> bool:
         return self.raw["load_steps"] is not None
 
@@ -108,9 +113,11 @@ class Problem:
         """Keywords of ``fmc_contact.Contact``, as the reference host chooses them."""
         given = self.raw["contact"]
         law, estimator = given["law"], given["estimator"]
+        if given.get("linearised"):
+            raise ValueError(f"the contact of '{self.name}' is linearised, which only the reference host does")
         options: dict[str, Any] = {
             "stiffness": given["stiffness"],
-            "law": "volume" if law == "volume" else "fiber",
+            "law": "fiber" if law == "fiber-linear" else law,
             "estimator": estimator,
             "self_contact": given["self_contact"],
             "check_cells": given["check_cells"],
@@ -123,6 +130,9 @@ class Problem:
             options |= {key: given[key] for key in ("pattern", "weights", "seed", "momentum_correction", "spacing") if key in given}
             if self.is_static and law != "volume":
                 options["momentum_correction"] = False
+        if self.has_friction:
+            friction = ("friction_coefficient", "friction_stiffness", "cohesion", "shear_limit")
+            options |= {key: given[key] for key in friction if key in given}
         return options
 
     def add_obstacles(self, contact: Any) -> None:
@@ -160,11 +170,8 @@ def load(case: str, variant: str | None = None, overrides: tuple[str, ...] = ())
     return from_json(json.loads(found.stdout))
 
 
-def from_json(raw: dict[str, Any], with_friction: bool = False) -> Problem:
-    """A case from what ``fmc mesh`` wrote. Cases with friction are refused unless the caller has it: these hosts commit no
-    steps."""
-    if not with_friction and any(raw["contact"].get(key, 0.0) > 0.0 for key in ("friction_coefficient", "cohesion")):
-        raise ValueError("this case has friction, which only the reference host takes into its steps")
+def from_json(raw: dict[str, Any]) -> Problem:
+    """A case from what ``fmc mesh`` wrote."""
     coords = np.array(raw["coords"], float)
     dim = raw["dimension"]
     bodies = [
@@ -182,4 +189,7 @@ def from_json(raw: dict[str, Any], with_friction: bool = False) -> Problem:
     for supports, values in zip((raw["supports"], *raw["supports_then"]), stages):
         for node, axis, value in supports:
             held[node, axis], values[node, axis] = True, value
-    return Problem(raw, coords, bodies, held, stages[0], stages[1:])
+    problem = Problem(raw, coords, bodies, held, stages[0], stages[1:])
+    if problem.has_friction and not problem.is_static:
+        raise ValueError(f"the case '{problem.name}' moves with friction, which only the reference host follows")
+    return problem

@@ -95,10 +95,11 @@ def _curve(own: Path, problem: Problem, summary: dict) -> np.ndarray:
     kind = problem.raw["figures"]["kind"]
     if kind == "patch":
         return np.column_stack([np.arange(len(summary["residuals"])), summary["residuals"]])
-    if kind == "ironing":
+    if kind in ("ironing", "sliding"):
         rows = _rows(own / "load_steps.csv")
-        sliding = [row for row in rows if row["stage"] == rows[-1]["stage"]]
-        return np.array([[float(row["load"]), abs(float(row["force_y"]))] for row in sliding])
+        last = [row for row in rows if row["stage"] == rows[-1]["stage"]]
+        along = "force_x" if kind == "sliding" else f"force_{'xyz'[problem.dim - 1]}"
+        return np.array([[float(row["load"]), abs(float(row[along]))] for row in last])
     if problem.is_static:
         rows = [row for row in _rows(own / "pressure.csv") if row.get("what", "nodal pressure") == "nodal pressure"]
         place = "place" if "place" in rows[0] else "x"

@@ -55,6 +55,8 @@ CASES = (
     Case("cone", tolerance=1e-3),
     Case("punch"),
     Case("ironing"),
+    Case("cgs4"),
+    Case("hertz", "depth"),
     Case("bar", tolerance=1e-6),
     Case("star", "smooth", ("contact.stiffness=1e9", "time.end=9e-3"), tolerance=1e-6),
 )

@@ -18,6 +18,8 @@ class Step:
     force: np.ndarray
     """Of the contact."""
     penetration: float
+    sliding: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """With friction: energy taken out in the step; areas that stick and slip."""
 
 
 @dataclass
