@@ -55,7 +55,6 @@ impl Options {
         };
         let what = match () {
             () if !self.axisymmetric => return Ok(()),
-            () if self.friction.is_active() => "friction with axisymmetry",
             () if is_isotropic => "isotropic fibers with axisymmetry: use FiberPattern::Lines",
             () => return Ok(()),
         };

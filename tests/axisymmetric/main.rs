@@ -6,6 +6,7 @@ mod scene;
 mod derivatives;
 mod differences;
 mod flat;
+mod friction;
 mod itself;
 mod refused;
 mod revolved;

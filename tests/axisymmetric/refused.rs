@@ -2,7 +2,6 @@
 
 use crate::depth;
 use crate::scene::Scene;
-use fmc_contact::contact::Friction;
 use fmc_contact::{Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, Options};
 use fmc_shapes::{Diagonals, cuboid_hex8, rectangle_tri3};
 
@@ -22,14 +21,12 @@ fn nodes_beyond_the_axis() {
 }
 
 #[test]
-fn space_friction_and_isotropic_fibers() {
+fn space_and_isotropic_fibers() {
     let is_refused =
         |result: Result<(), Error>| assert!(matches!(result, Err(Error::Unsupported { .. })), "{result:?}");
     let cube = Scene::of(&[&cuboid_hex8([0.0; 3], [1.0; 3], [1; 3])]);
     is_refused(Contact::new(cube.surface(), depth(1.0)).map(drop));
     let square = Scene::of(&[&rectangle_tri3([0.0, 0.0], [1.0, 1.0], [1, 1], Diagonals::Same)]);
-    let friction = Options { friction: Friction::coulomb(0.3), ..depth(1.0) };
-    is_refused(Contact::new(square.surface(), friction).map(drop));
     let pattern = FiberPattern::Isotropic { length: None };
     let estimator = Estimator::Fibers(FiberOptions { pattern, ..FiberOptions::default() });
     is_refused(

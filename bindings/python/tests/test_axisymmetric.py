@@ -27,5 +27,13 @@ def test_what_is_refused():
     with pytest.raises(errors.NegativeRadiusError, match="node 1 lies beyond the axis") as caught:
         contact_force(RING - [0.75, 0], [[1, 2, 3, 4]], "quad", stiffness=1.0, axisymmetric=True, index_base=1)
     assert caught.value.indices == {"node": (1,)}
-    with pytest.raises(errors.UnsupportedError, match="friction with axisymmetry"):
-        Contact(RING, [[0, 1, 2, 3]], "quad", stiffness=1.0, axisymmetric=True, friction_coefficient=0.3)
+
+
+def test_friction_acts_on_whole_rings():
+    contact = Contact(RING, [[0, 1, 2, 3]], "quad", stiffness=1e4, axisymmetric=True, friction_coefficient=0.3)
+    contact.add_half_space((0, 1e-3), (0, 1))
+    contact.begin_step(RING)
+    result = contact.evaluate(RING + [0.01, 0])
+    area = np.pi * (1.01**2 - 0.51**2)
+    # The walls, 1e-3 high, do not face the plane.
+    assert -result.bodies[0].friction[0] == pytest.approx(0.3 * 1e4 * 1e-3 * area, rel=1e-2)
