@@ -4,6 +4,7 @@ import sys
 import time
 from types import SimpleNamespace
 
+import fmc_contact_dolfinx
 import numpy as np
 import ufl
 from dolfinx import fem, mesh
@@ -48,6 +49,8 @@ def solve(out, kind, order, whole, permute, through):
     problem = ContactProblem(elastic(u, v), u, bcs, contact)
     if through == "newton":
         newton(problem, contact)
+    elif through == "recipe":
+        fmc_contact_dolfinx.newton(problem, young=200.0)
     elif through == "attached":
         snes = problem.solver()
         alone = ContactProblem(elastic(u, v), u, bcs, _Nothing())

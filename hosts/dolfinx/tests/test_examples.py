@@ -33,3 +33,16 @@ def test_the_first_force_of_the_readme_runs_in_ten_lines():
     # A strip of unit width and depth 0.05: pressure k times depth makes 500, upwards.
     force = float(run.stdout.replace("[", " ").replace("]", " ").split()[1])
     assert force == pytest.approx(500.0, rel=0.02)
+
+
+def test_the_newton_of_the_readme_presses_a_block_on_a_plane():
+    text = (HERE / "README.md").read_text()
+    (code,) = [one.split("```")[0] for one in text.split("```python\n")[1:] if "newton(" in one]
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert run.returncode == 0, run.stderr
+    found = [[float(word) for word in line.split()] for line in run.stdout.splitlines()]
+    # The block and the layer of contact, E / 1 and 160 E, one after the other.
+    for (iterations, force), push in zip(found, (0.002, 0.01, 0.02), strict=True):
+        assert iterations <= 8
+        # Of a residual of 1e-9 of the forces.
+        assert force == pytest.approx(1e6 * push / (1 + 1 / 160), rel=1e-7)

@@ -45,6 +45,15 @@ def test_ranks_agree(ranks, alone, tmp_path, count, kind, order, shown):
     assert np.abs(one["force"]).max() > 0.1
 
 
+@pytest.mark.parametrize("kind", ["triangle", "quad", "tetra"])
+def test_newton_finds_what_snes_finds(ranks, alone, tmp_path, kind):
+    arguments = ("solve", kind, 1, "whole", "plain")
+    snes, found = alone(*arguments, "snes"), alone(*arguments, "recipe")
+    assert distance(found, snes, "u") < 1e-9 and distance(found, snes, "force") < 1e-8
+    several = ranks(2, "solve", tmp_path / "none", *map(str, arguments[1:]), "recipe")
+    assert several.returncode != 0 and "newton runs on one rank, these are 2" in several.stderr
+
+
 @pytest.mark.parametrize("kind, shown", [("triangle", "whole"), ("tetra", "whole"), ("hexahedron", "boundary")])
 def test_numbers_of_the_input_do_not_matter(ranks, alone, tmp_path, kind, shown):
     one = alone("solve", kind, 1, shown, "plain", "snes")

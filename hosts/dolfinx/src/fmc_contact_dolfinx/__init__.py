@@ -3,13 +3,14 @@ MPI ranks.
 
     contact = DolfinxContact(V, stiffness=1e9)
     problem = ContactProblem(residual_form, u, bcs, contact)
-    problem.solve()
+    problem.solve()          # or, on one rank, newton(problem, young=E)
 
-    ContactProblem, attach, with_contact  ->  DolfinxContact  ->  surface, replica, space  ->  versions, together
+    newton, ContactProblem, attach, with_contact  ->  DolfinxContact  ->  surface, replica, space  ->  versions, together
 """
 
 from .adapter import DolfinxContact
 from .input_numbers import by_input_number, set_by_input_number
+from .newton import newton
 from .nonlinear import attach, with_contact
 from .snes import ContactProblem
 from .space import LayoutError
@@ -22,6 +23,7 @@ __all__ = [
     "OtherRankError",
     "attach",
     "by_input_number",
+    "newton",
     "set_by_input_number",
     "with_contact",
 ]

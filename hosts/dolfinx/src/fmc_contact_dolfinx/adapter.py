@@ -173,9 +173,14 @@ class DolfinxContact:
 
     def force(self, *displacements: Any) -> Any:
         """Contact forces on what this rank owns, (owned unknowns,); a list of such for several spaces."""
-        result = self.evaluate(*displacements)
+        return self.on_unknowns(self.evaluate(*displacements).forces)
+
+    def on_unknowns(self, forces: np.ndarray) -> Any:
+        """Forces of ``evaluate`` on what this rank owns, (owned unknowns,); a list of such for several spaces."""
         found = [np.zeros(shown.displacement.owned * self.dim) for shown in self._shown]
-        self.add_forces(found, result)
+        on_nodes = self._on_nodes(forces)
+        for shown, first, target in zip(self._shown, self._first, found):
+            shown.replica.add_rows(target, on_nodes.take(first + shown.replica.rows, axis=0))
         return found[0] if len(found) == 1 else found
 
     def _on_nodes(self, forces: np.ndarray) -> np.ndarray:
@@ -204,6 +209,11 @@ class DolfinxContact:
         tangent = Triplets(*found)
         return tangent if self._skin is None else self._skin.tangent_to_nodes(tangent, self.dim)
 
+    def unknowns(self) -> np.ndarray:
+        """The unknown, over all ranks, of every row of ``tangent``; that of its own space."""
+        numbers = [shown.replica.blocks[:, None] * self.dim + np.arange(self.dim) for shown in self._shown]
+        return np.concatenate([of_space.ravel() for of_space in numbers])
+
     def add_tangent(self, matrix: Any, tangent: Triplets, bcs: Sequence[Any] = (), scale: float = 1.0) -> None:
         """Adds ``tangent`` to what this rank owns of an assembled PETSc matrix, and assembles it again; for several
         spaces a square list of lists of matrices. Contact couples unknowns that no cell does, so the matrix takes
@@ -213,9 +223,7 @@ class DolfinxContact:
         blocks = matrix if isinstance(matrix, (list, tuple)) else [[matrix]]
         held = np.concatenate([s.replica.gather(self._held(s, bcs).astype(float)) for s in self._shown]).ravel() > 0
         space_of = np.repeat(np.arange(len(self._shown)), np.diff(self._first) * self.dim)
-        unknown = np.concatenate(
-            [(s.replica.blocks[:, None] * self.dim + np.arange(self.dim)).ravel() for s in self._shown]
-        )
+        unknown = self.unknowns()
         mine = np.zeros(len(held), bool)
         for shown, first in zip(self._shown, self._first):
             mine.reshape(-1, self.dim)[first + shown.replica.rows] = True

@@ -1,0 +1,103 @@
+"""Equilibrium by the Newton's method of ``fmc_contact``, plain up to the eighth iteration, on one rank."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import dolfinx.fem.petsc as fpetsc
+import fmc_contact
+import numpy as np
+from fmc_contact import Equilibrium, Result
+from petsc4py import PETSc
+from scipy.sparse import csr_matrix
+
+from .adapter import DolfinxContact
+from .snes import ContactProblem
+from .versions import held_dofs, vector_of
+
+
+def newton(problem: ContactProblem, *, young: float, **options: Any) -> Equilibrium:
+    """Equilibrium at the end of a load step, from the displacement that is there, which receives the solution: one load
+    step a call.
+
+    ``problem``: its boundary conditions say where prescribed unknowns are at the end of the step; the displacement is
+    that of the step's start, best the last equilibrium, not yet moved by them. ``young`` and ``options`` as for
+    ``fmc_contact.newton``; so are what is returned, ``x`` being all unknowns, and the errors. The linear solver is
+    PETSc's LU, by MUMPS where it is there.
+
+    On one rank; on several ``NotImplementedError``: take ``ContactProblem.solve``.
+    """
+    space = problem.u.function_space
+    comm = space.mesh.comm
+    if comm.size > 1:
+        raise NotImplementedError(f"newton runs on one rank, these are {comm.size}: ContactProblem.solve runs on any")
+    start = vector_of(problem.u).array.copy()
+    prescribed = vector_of(problem.u).copy()
+    fpetsc.set_bc(prescribed, problem.bcs)
+    held = [held_dofs(bc) for bc in problem.bcs]
+    free = np.setdiff1d(np.arange(start.size), np.concatenate(held) if held else [])
+    options = {"solve": _solved, **options}
+    found = fmc_contact.newton(
+        lambda x: _bodies(problem, x), _OnUnknowns(problem.contact), start, free, prescribed.array, young=young, **options
+    )
+    _take(problem, found.x)
+    return found
+
+
+class _OnUnknowns:
+    """A contact in the numbering of the unknowns, as ``fmc_contact.newton`` wants it."""
+
+    def __init__(self, adapter: DolfinxContact) -> None:
+        self.adapter, self.contact = adapter, adapter.contact
+
+    def evaluate(self, x: np.ndarray) -> Result:
+        return self.adapter.evaluate(x)
+
+    def on_dofs(self, forces: np.ndarray) -> np.ndarray:
+        return self.adapter.on_unknowns(forces)
+
+    def tangent(self, x: np.ndarray, semidefinite: bool) -> csr_matrix:
+        found, unknown = self.adapter.tangent(x, semidefinite=semidefinite), self.adapter.unknowns()
+        return csr_matrix((found.values, (unknown[found.rows], unknown[found.cols])), (x.size, x.size))
+
+    def freeze_friction(self, x: np.ndarray) -> None:
+        self.adapter.freeze_friction(x)
+
+
+def _take(problem: ContactProblem, x: np.ndarray) -> None:
+    problem.u.x.array[: x.size] = x
+    problem.u.x.scatter_forward()
+
+
+def _bodies(problem: ContactProblem, x: np.ndarray) -> tuple[np.ndarray, csr_matrix]:
+    """The residual without contact, and its derivative, of all unknowns, the held ones too."""
+    _take(problem, x)
+    residual = fpetsc.assemble_vector(problem.residual)
+    matrix = fpetsc.assemble_matrix(problem.jacobian)
+    matrix.assemble()
+    starts, columns, values = matrix.getValuesCSR()
+    found = residual.array.copy(), csr_matrix((values, columns, starts), matrix.getSize())
+    residual.destroy()
+    matrix.destroy()
+    return found
+
+
+def _solved(matrix: csr_matrix, right: np.ndarray) -> np.ndarray:
+    """Errors: ``RuntimeError`` where the matrix is singular."""
+    matrix = matrix.tocsr()
+    petsc = PETSc.Mat().createAIJ(matrix.shape, csr=(matrix.indptr, matrix.indices, matrix.data), comm=PETSc.COMM_SELF)
+    solver = PETSc.KSP().create(PETSc.COMM_SELF)
+    solver.setOperators(petsc)
+    solver.setType("preonly")
+    solver.getPC().setType("lu")
+    if PETSc.Sys.hasExternalPackage("mumps"):
+        solver.getPC().setFactorSolverType("mumps")
+    given, solution = PETSc.Vec().createWithArray(right.copy(), comm=PETSc.COMM_SELF), petsc.createVecRight()
+    solver.solve(given, solution)
+    found = solution.array.copy()
+    reason = solver.getConvergedReason()
+    for one in (solver, petsc):
+        one.destroy()
+    if reason < 0 or not np.isfinite(found).all():
+        raise RuntimeError(f"PETSc reports {reason}")
+    return found
