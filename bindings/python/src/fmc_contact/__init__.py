@@ -4,7 +4,7 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    newton  ->  contact_force, Contact  ->  linearised
+    augmented  ->  newton  ->  contact_force, Contact  ->  linearised
             ->  mesh, obstacles, options, pair_options, friction, result, fields, gaps, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
@@ -15,6 +15,7 @@ from .contact import Contact
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
 from .gaps import GapConstraints
+from .augmented import Augmented, augmented
 from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options
 from .part import Part
@@ -33,6 +34,7 @@ def has_feature(name: str) -> bool:
 
 
 __all__ = [
+    "Augmented",
     "Contact",
     "ContactPoints",
     "ContactWarning",
@@ -50,6 +52,7 @@ __all__ = [
     "Result",
     "Resultant",
     "Tangent",
+    "augmented",
     "contact_force",
     "contact_force_step",
     "errors",

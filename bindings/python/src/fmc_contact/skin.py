@@ -68,13 +68,21 @@ class Skin:
         """A matrix of points, row and column ``point * dim + axis``, as one of nodes."""
         if self.prolongation is None:
             return tangent
-        from scipy.sparse import csr_matrix, identity, kron
+        from scipy.sparse import csr_matrix
 
-        points, nodes = self.prolongation.shape
-        matrix = csr_matrix((tangent.values, (tangent.rows, tangent.cols)), shape=2 * (points * dim,))
-        all_axes = kron(self.prolongation, identity(dim), format="csr")
-        moved = (all_axes.T @ matrix @ all_axes).tocoo()
+        size = self.prolongation.shape[0] * dim
+        matrix = csr_matrix((tangent.values, (tangent.rows, tangent.cols)), shape=(size, size))
+        moved = (self._all_axes(dim).T @ self.rows_to_nodes(matrix, dim)).tocoo()
         return Triplets(moved.row, moved.col, moved.data)
+
+    def rows_to_nodes(self, matrix: Any, dim: int) -> Any:
+        """A matrix of scipy whose columns are ``point * dim + axis``, as one with those of the nodes."""
+        return matrix if self.prolongation is None else matrix @ self._all_axes(dim)
+
+    def _all_axes(self, dim: int) -> Any:
+        from scipy.sparse import identity, kron
+
+        return kron(self.prolongation, identity(dim), format="csr")
 
 
 class _Part:

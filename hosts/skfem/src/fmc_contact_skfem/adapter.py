@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Sequence
 
 import numpy as np
-from fmc_contact import Contact, NodalContact, Result
+from fmc_contact import Contact, GapConstraints, NodalContact, Result
 from fmc_contact.skin import Skin, Triplets
 from numpy.typing import ArrayLike
 from scipy.sparse import csr_matrix
@@ -135,6 +135,17 @@ class SkfemContact:
             found = self._skin.tangent_to_nodes(found, self.contact.dim)
         dofs = self._dofs.ravel()
         return csr_matrix((found.values, (dofs[found.rows], dofs[found.cols])), shape=(self.size, self.size))
+
+    def gap_constraints(self, u: np.ndarray, reach: float) -> tuple[GapConstraints, csr_matrix]:
+        """Weighted gaps of the nodes near a partner, and their derivative by the degrees of freedom, (rows, size). See
+        ``Contact.gap_constraints``."""
+        coords = self.coords(u)
+        found = self.contact.gap_constraints(coords, reach)
+        rows = csr_matrix((found.data, found.indices, found.indptr), shape=(len(found), coords.size))
+        if self._skin is not None:
+            rows = self._skin.rows_to_nodes(rows, self.contact.dim)
+        rows = rows.tocoo()
+        return found, csr_matrix((rows.data, (rows.row, self._dofs.ravel()[rows.col])), (len(found), self.size))
 
     def begin_step(self, u: np.ndarray) -> None:
         """Begins a step with friction at ``u``. See ``Contact.begin_step``."""
