@@ -28,7 +28,7 @@ SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
-	$(CARGO) run --release -p fmc --no-default-features -- force examples/star.msh examples/block.msh --stiffness 2.8e7
+	$(CARGO) run --profile quick -p fmc --no-default-features -- force examples/star.msh examples/block.msh --stiffness 2.8e7
 
 check: check-tools
 	$(CARGO) fmt --all --check
