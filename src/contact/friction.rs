@@ -7,8 +7,8 @@
 //! ```
 //!
 //! `options` · `return_mapping` (from slip to traction) · `step` (the state when the step began) · `side_motion` (how one
-//! side moved since) · `carriers` (the facets on which a point lies) · `slip_facets` (the facets of a pair with their slip) · `tractions` (forces, tangent and energies of a
-//! pair) · `frozen` (facets and pressure of an earlier iteration) · `at_points` (what hosts see)
+//! side moved since) · `touch` (the part of the step during which a facet bears) · `carriers` (the facets on which a point
+//! lies) · `slip_facets` (the facets of a pair with their slip) · `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) · `at_points` (what hosts see)
 
 mod at_points;
 mod carriers;
@@ -18,6 +18,7 @@ mod return_mapping;
 mod side_motion;
 mod slip_facets;
 mod step;
+mod touch;
 mod tractions;
 
 pub(super) use at_points::{NodalFriction, PointFriction};
@@ -26,5 +27,6 @@ pub use options::Friction;
 pub(super) use return_mapping::Stick;
 pub(super) use slip_facets::{Sliding, SlipFacets};
 pub(super) use step::Step;
+pub(super) use touch::Bearings;
 pub use tractions::FrictionTotals;
 pub(super) use tractions::Tractions;

@@ -9,8 +9,10 @@ use super::options::Friction;
 use super::return_mapping::{Slider, Stick, Traction};
 use super::side_motion::SideMotion;
 use super::step::Step;
+use super::touch::{Bearing, Bearings, Touch};
 use crate::contact::laws::{Measured, PressurePoint};
 use crate::geometry::Vector;
+use crate::geometry::facet::area_vector;
 use crate::overlap::{Pair, Partner};
 use nalgebra::SMatrix;
 use std::collections::BTreeMap;
@@ -40,8 +42,14 @@ pub(crate) struct SlipFacet<const D: usize> {
     /// Area for which it stands.
     pub(crate) area: f64,
     pub(crate) slider: Slider,
-    /// Elastic slip of side 0 against side 1 if nothing slides: what was carried into the step, and the slip of the step.
+    /// Elastic slip of side 0 against side 1 if nothing slides: what was carried into the step, and the slip of the step
+    /// since it bears.
     pub(crate) trial: Vector<D>,
+    /// What that changes by with the slip of the step.
+    pub(crate) counted: f64,
+    /// And with the approach, for which more of the step counts.
+    pub(crate) by_approach: Vector<D>,
+    pub(crate) bearing: Bearing,
 }
 
 /// A node that moves a facet, or what it faces.
@@ -63,6 +71,9 @@ struct Sums<const D: usize> {
     /// Traction at which the facet slides, times the area.
     limit: f64,
     slip: Vector<D>,
+    /// By which the sides came nearer in the step.
+    approach: f64,
+    depth: f64,
     position: Vector<D>,
     normal: Vector<D>,
     /// Of the facet, since the step began.
@@ -96,22 +107,34 @@ impl<const D: usize> SlipFacets<D> {
         let in_surface = in_surface(pair, of_b, facet)?;
         let normal = sums.normal.try_normalize(0.0)?;
         let sign = if of_b { -1.0 } else { 1.0 };
-        let carried = match sliding.stick {
-            Stick::Spring(_) => sums.deformation * Vector::from(sliding.step.slip[in_surface]) * sign,
-            Stick::Memoryless(_) => Vector::zeros(),
+        let position = sums.position / sums.area;
+        let bearing = sums.bearing(pair, (of_b, facet));
+        let (carried, touch) = match sliding.stick {
+            Stick::Spring(_) => {
+                let before = sliding.step.bearing(&(pair.partners, of_b, in_surface));
+                let touch =
+                    before.map_or(Touch::WHOLE, |before| Touch::new(before, bearing, sums.approach / sums.area));
+                (sums.deformation * Vector::from(sliding.step.slip[in_surface]) * (sign * touch.carried), touch)
+            }
+            // Of which only the slip of the step counts, as a speed.
+            Stick::Memoryless(_) => (Vector::zeros(), Touch::WHOLE),
         };
-        let trial = carried + sums.slip / sums.area;
+        let tangential = |x: Vector<D>| x - normal * normal.dot(&x);
+        let slip = sums.slip / sums.area;
         let begin = self.rows.len();
         self.rows.extend(sums.rows.iter().map(|row| Row { slip: row.slip / sums.area, ..*row }));
         self.facets.push(SlipFacet {
             facet: in_surface,
             of_b,
             rows: begin..self.rows.len(),
-            position: sums.position / sums.area,
+            position,
             normal,
             area: sums.area,
             slider: Slider { stick: sliding.stick, limit: sums.limit / sums.area },
-            trial: trial - normal * normal.dot(&trial),
+            trial: tangential(carried + slip * touch.counted),
+            counted: touch.counted,
+            by_approach: tangential(slip * touch.by_approach),
+            bearing,
         });
         Some(())
     }
@@ -119,6 +142,11 @@ impl<const D: usize> SlipFacets<D> {
     /// Every facet with its rows and its traction.
     pub(crate) fn tractions(&self) -> impl Iterator<Item = (&SlipFacet<D>, &[Row<D>], Traction<D>)> {
         self.facets.iter().map(|facet| (facet, &self.rows[facet.rows.clone()], facet.slider.traction(&facet.trial)))
+    }
+
+    /// Adds how the facets bear.
+    pub(crate) fn add_bearings(&self, bearings: &mut Bearings) {
+        bearings.extend(self.facets.iter().map(|facet| ((self.partners, facet.of_b, facet.facet), facet.bearing)));
     }
 
     /// Calls `visit(facet of the surface, area, elastic slip of that facet against what it faces)`.
@@ -149,7 +177,8 @@ fn add_point<const D: usize>(
     ];
     let turned = (sides[0].deformation + sides[1].deformation) * 0.5;
     let slip = (sides[0].now - sides[1].now) - turned * (sides[0].start - sides[1].start);
-    let slip = slip - normal * normal.dot(&slip);
+    let approach = normal.dot(&slip);
+    let slip = slip - normal * approach;
     let position = (sides[0].now + sides[1].now) * 0.5;
     for (of_b, facet) in carriers.facets() {
         let new = || Sums::new(sides[usize::from(of_b)].deformation);
@@ -158,6 +187,8 @@ fn add_point<const D: usize>(
         sums.area += area;
         sums.limit += area * traction;
         sums.slip += slip * area;
+        sums.approach += approach * area;
+        sums.depth += area * point.penetration * point.normal.dot(&normal);
         sums.position += position * area;
         sums.normal += normal * area;
         for (of_b, side) in [(false, &sides[0]), (true, &sides[1])] {
@@ -174,7 +205,16 @@ fn add_point<const D: usize>(
 impl<const D: usize> Sums<D> {
     fn new(deformation: SMatrix<f64, D, D>) -> Self {
         let zero = Vector::zeros();
-        Self { area: 0.0, limit: 0.0, slip: zero, position: zero, normal: zero, deformation, rows: Vec::new() }
+        let (area, limit, approach, depth) = (0.0, 0.0, 0.0, 0.0);
+        Self { area, limit, slip: zero, approach, depth, position: zero, normal: zero, deformation, rows: Vec::new() }
+    }
+
+    /// How the facet bears.
+    fn bearing(&self, pair: &Pair<D>, (of_b, facet): (bool, u32)) -> Bearing {
+        let corners = pair.side(of_b).corners(facet as usize);
+        let centre = corners.iter().fold(Vector::zeros(), |sum, x| sum + x / D as f64);
+        let whole = area_vector(&corners).norm() * pair.weighting.at(&centre);
+        Bearing { area: self.area / whole, depth: self.depth / whole }
     }
 
     fn add_row(&mut self, row: Row<D>) {

@@ -1,6 +1,8 @@
 //! The state at the start of a step.
 
+use super::touch::{Bearing, Bearings};
 use crate::geometry::{Pose, Surface, Vector};
+use crate::overlap::Partner;
 
 /// Where all stood when the step began, and the elastic slip that was carried into it.
 #[derive(Clone)]
@@ -13,6 +15,8 @@ pub(crate) struct Step<const D: usize> {
     pub(crate) poses: Vec<Option<Pose<D>>>,
     /// Elastic slip of every facet against what it faces.
     pub(crate) slip: Vec<[f64; D]>,
+    /// How the facets of pairs with friction bore; `None` where that was not measured.
+    pub(crate) bearings: Option<Bearings>,
 }
 
 impl<const D: usize> Step<D> {
@@ -22,7 +26,12 @@ impl<const D: usize> Step<D> {
         poses: Vec<Option<Pose<D>>>,
         slip: Vec<[f64; D]>,
     ) -> Self {
-        Self { coords: coords.to_vec(), points: surface.points(coords), poses, slip }
+        Self { coords: coords.to_vec(), points: surface.points(coords), poses, slip, bearings: None }
+    }
+
+    /// How a facet bore; `None` where that is not known.
+    pub(crate) fn bearing(&self, facet: &([Partner; 2], bool, usize)) -> Option<Bearing> {
+        self.bearings.as_ref().map(|bearings| bearings.get(facet).copied().unwrap_or_default())
     }
 
     /// Where an obstacle stood; one that came later has not moved.

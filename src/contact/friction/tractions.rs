@@ -95,7 +95,8 @@ struct Scratch<const D: usize> {
 }
 
 impl<const D: usize> Scratch<D> {
-    /// Adds c Bᵀ C B, C = ∂q/∂s, and, `with_limit`, Bᵀ ∂q/∂τ times the derivative of the limit τ.
+    /// Adds c Bᵀ C B, C = ∂q/∂s by the part of the step that counts, and, `with_limit`, what is not symmetric: Bᵀ ∂q/∂τ times
+    /// the derivative of the limit τ, and that of this part.
     fn add_blocks(
         &mut self,
         facet: &SlipFacet<D>,
@@ -105,7 +106,11 @@ impl<const D: usize> Scratch<D> {
     ) {
         let Scratch { nodes, values } = self;
         let tangential = SMatrix::<f64, D, D>::identity() - facet.normal * facet.normal.transpose();
-        let stiffness = tangential * traction.stiffness * tangential * facet.area;
+        let mut stiffness = tangential * traction.stiffness * tangential * (facet.area * facet.counted);
+        if with_limit && facet.by_approach != Vector::<D>::zeros() {
+            // The nearer they come in the step, the more of it counts.
+            stiffness += tangential * traction.stiffness * facet.by_approach * facet.normal.transpose() * facet.area;
+        }
         let pushed = (with_limit && traction.by_limit != Vector::<D>::zeros()).then_some(traction.by_limit);
         nodes.clear();
         nodes.extend(rows.iter().map(|row| row.node));
