@@ -55,7 +55,12 @@ impl<const D: usize> Contact<D> {
             let PairOptions { excluded, law, friction_coefficient } = options.unwrap_or_default();
             let law = law.unwrap_or(self.options.law);
             let friction = friction_coefficient.map(|coefficient| Friction { coefficient, ..self.options.friction });
-            (options.is_some(), excluded, std::mem::discriminant(&law), friction.unwrap_or(self.options.friction).is_active())
+            (
+                options.is_some(),
+                excluded,
+                std::mem::discriminant(&law),
+                friction.unwrap_or(self.options.friction).is_active(),
+            )
         };
         let changes = bears_as(options) != bears_as(self.pair_table.options(&pair));
         self.pair_table.set(pair, options, &self.options)?;
