@@ -136,7 +136,7 @@ impl<const D: usize> Contact<D> {
         let old = std::mem::replace(&mut self.options, options);
         let bears_as = |options: &Options| {
             let Options { law, estimator, axisymmetric, friction, .. } = *options;
-            (std::mem::discriminant(&law), estimator, axisymmetric, friction.is_active())
+            (std::mem::discriminant(&law), estimator, axisymmetric, friction.is_active(), friction.cohesion > 0.0)
         };
         if bears_as(&old) != bears_as(&options) {
             self.forget_bearings();

@@ -1,5 +1,7 @@
 //! The state at the start of a step.
 
+use super::options::Friction;
+use super::return_mapping::Stick;
 use super::touch::{Bearing, Bearings};
 use crate::geometry::{Pose, Surface, Vector};
 use crate::overlap::Partner;
@@ -38,4 +40,11 @@ impl<const D: usize> Step<D> {
     pub(crate) fn pose<'a>(&'a self, obstacle: usize, now: &'a Pose<D>) -> &'a Pose<D> {
         self.poses.get(obstacle).and_then(Option::as_ref).unwrap_or(now)
     }
+}
+
+/// How a pair slides.
+pub(crate) struct Sliding<'a, const D: usize> {
+    pub(crate) friction: Friction,
+    pub(crate) stick: Stick,
+    pub(crate) step: &'a Step<D>,
 }

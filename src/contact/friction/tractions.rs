@@ -1,7 +1,8 @@
 //! The tractions of a pair, summed at its nodes.
 
+use super::facet_sums::Row;
 use super::return_mapping::Traction;
-use super::slip_facets::{Row, SlipFacet, SlipFacets};
+use super::slip_facets::{SlipFacet, SlipFacets};
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::geometry::{Vector, moment};
 use crate::overlap::{BlockSum, NodeSums, Partner};
