@@ -12,10 +12,11 @@ use super::view::fmc_coords;
 /// this comes before the first evaluation, and `fmc_context_commit_step` after every step that is accepted, which begins
 /// the next. A step may be tried as often as the host likes: nothing has to be undone.
 ///
-/// Elastic slip that was carried so far stays; there is none at first.
+/// Elastic slip that was carried so far stays; there is none at first. Where friction is on, what touches here is measured:
+/// a facet that touches later counts its slip from then on.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
-/// `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+/// `FMC_ERROR_BUSY`; with friction as `fmc_context_evaluate`. Nothing has changed then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
     entry(|| {

@@ -133,7 +133,14 @@ impl<const D: usize> Contact<D> {
             self.release_patches();
             self.depth = OnceLock::new();
         }
-        self.options = options;
+        let old = std::mem::replace(&mut self.options, options);
+        let bears_as = |options: &Options| {
+            let Options { law, estimator, axisymmetric, friction, .. } = *options;
+            (std::mem::discriminant(&law), estimator, axisymmetric, friction.is_active(), friction.cohesion > 0.0)
+        };
+        if bears_as(&old) != bears_as(&options) {
+            self.forget_bearings();
+        }
         self.forget_found();
         Ok(())
     }

@@ -7,24 +7,29 @@
 //! ```
 //!
 //! `options` · `return_mapping` (from slip to traction) · `step` (the state when the step began) · `side_motion` (how one
-//! side moved since) · `carriers` (the facets on which a point lies) · `slip_facets` (the facets of a pair with their slip) · `tractions` (forces, tangent and energies of a
-//! pair) · `frozen` (facets and pressure of an earlier iteration) · `at_points` (what hosts see)
+//! side moved since) · `touch` (the part of the step during which a facet bears) · `carriers` (the facets on which a point
+//! lies) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
+//! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
+//! `at_points` (what hosts see)
 
 mod at_points;
 mod carriers;
+mod facet_sums;
 mod frozen;
 mod options;
 mod return_mapping;
 mod side_motion;
 mod slip_facets;
 mod step;
+mod touch;
 mod tractions;
 
 pub(super) use at_points::{NodalFriction, PointFriction};
 pub(super) use frozen::FrozenFriction;
 pub use options::Friction;
 pub(super) use return_mapping::Stick;
-pub(super) use slip_facets::{Sliding, SlipFacets};
-pub(super) use step::Step;
+pub(super) use slip_facets::SlipFacets;
+pub(super) use step::{Sliding, Step};
+pub(super) use touch::Bearings;
 pub use tractions::FrictionTotals;
 pub(super) use tractions::Tractions;

@@ -1,7 +1,7 @@
 //! Steps of a contact with friction: what is carried from one to the next.
 
 use super::Contact;
-use super::friction::{Friction, FrozenFriction, Sliding, SlipFacets, Step, Stick};
+use super::friction::{Bearings, Friction, FrozenFriction, Sliding, SlipFacets, Step, Stick};
 use super::kernels;
 use super::laws::Measured;
 use crate::Error;
@@ -14,14 +14,25 @@ impl<const D: usize> Contact<D> {
     /// again nothing has to be undone.
     ///
     /// # Errors
-    /// [`Error::Length`], [`Error::NonFiniteCoordinate`].
+    /// [`Error::Length`], [`Error::NonFiniteCoordinate`]; with friction, of which what bears is measured here, as
+    /// [`Self::evaluate`]. Nothing has then changed.
     pub fn begin_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.surface.check_coords(coords, true)?;
-        let slip = match self.step.take() {
-            Some(step) => step.slip,
-            None => vec![[0.0; D]; self.surface.facets.len()],
-        };
-        self.step = Some(Step::new(&self.surface, coords, self.poses(), slip));
+        let before = self.step.take();
+        let none = || vec![[0.0; D]; self.surface.facets.len()];
+        let slip = before.as_ref().map_or_else(none, |step| step.slip.clone());
+        let mut begun = Step::new(&self.surface, coords, self.poses(), slip);
+        if self.has_friction() {
+            self.step = Some(begun.clone());
+            match kernels::slip_facets(self, coords) {
+                Ok(pairs) => begun.bearings = Some(bearings(&pairs)),
+                Err(error) => {
+                    self.step = before;
+                    return Err(error);
+                }
+            }
+        }
+        self.step = Some(begun);
         self.frozen = None;
         Ok(())
     }
@@ -34,7 +45,8 @@ impl<const D: usize> Contact<D> {
     pub fn commit_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.step.as_ref().ok_or(Error::NoStep)?;
         let mut sums = vec![(0.0, Vector::<D>::zeros()); self.surface.facets.len()];
-        for pair in kernels::slip_facets(self, coords)? {
+        let pairs = kernels::slip_facets(self, coords)?;
+        for pair in &pairs {
             pair.for_each_elastic_slip(|facet, area, slip| {
                 sums[facet].0 += area;
                 sums[facet].1 += slip * area;
@@ -42,7 +54,9 @@ impl<const D: usize> Contact<D> {
         }
         // A facet that faces several partners carries the mean.
         let slip = sums.iter().map(|(area, sum)| if *area > 0.0 { (sum / *area).into() } else { [0.0; D] });
-        self.step = Some(Step::new(&self.surface, coords, self.poses(), slip.collect()));
+        let mut next = Step::new(&self.surface, coords, self.poses(), slip.collect());
+        next.bearings = self.has_friction().then(|| bearings(&pairs));
+        self.step = Some(next);
         self.frozen = None;
         Ok(())
     }
@@ -101,8 +115,19 @@ impl<const D: usize> Contact<D> {
 
     /// Refuses friction before a step has begun.
     pub(super) fn check_step(&self) -> Result<(), Error> {
-        let has_friction = self.options.friction.is_active() || self.pair_table.has_friction();
-        if has_friction && self.step.is_none() { Err(Error::NoStep) } else { Ok(()) }
+        if self.has_friction() && self.step.is_none() { Err(Error::NoStep) } else { Ok(()) }
+    }
+
+    fn has_friction(&self) -> bool {
+        self.options.friction.is_active() || self.pair_table.has_friction()
+    }
+
+    /// Forgets how facets bore when the step began, where other pairs than then have friction, or bear in another way: the
+    /// slip of this step is then counted from its start.
+    pub(super) fn forget_bearings(&mut self) {
+        if let Some(step) = &mut self.step {
+            step.bearings = None;
+        }
     }
 
     /// How a pair slides, `None` for one without friction.
@@ -127,4 +152,11 @@ impl<const D: usize> Contact<D> {
     pub(super) fn frozen_at(&self, coords: &[[f64; D]]) -> Vec<SlipFacets<D>> {
         self.frozen.as_ref().map_or_else(Vec::new, |frozen| frozen.at(coords, &self.poses()))
     }
+}
+
+/// How all facets bear.
+fn bearings<const D: usize>(pairs: &[SlipFacets<D>]) -> Bearings {
+    let mut found = Bearings::new();
+    pairs.iter().for_each(|pair| pair.add_bearings(&mut found));
+    found
 }

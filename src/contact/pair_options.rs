@@ -1,5 +1,6 @@
 //! Options of a single pair of partners.
 
+use super::friction::Friction;
 use super::{Contact, EnergyLaw};
 use crate::Error;
 use crate::overlap::Partner;
@@ -50,7 +51,22 @@ impl<const D: usize> Contact<D> {
     /// support. The old options then stay.
     pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
         let pair = self.checked_pair(partners)?;
+        let bears_as = |options: Option<PairOptions>| {
+            let PairOptions { excluded, law, friction_coefficient } = options.unwrap_or_default();
+            let law = law.unwrap_or(self.options.law);
+            let friction = friction_coefficient.map(|coefficient| Friction { coefficient, ..self.options.friction });
+            (
+                options.is_some(),
+                excluded,
+                std::mem::discriminant(&law),
+                friction.unwrap_or(self.options.friction).is_active(),
+            )
+        };
+        let changes = bears_as(options) != bears_as(self.pair_table.options(&pair));
         self.pair_table.set(pair, options, &self.options)?;
+        if changes {
+            self.forget_bearings();
+        }
         self.forget_found();
         Ok(())
     }

@@ -1,14 +1,15 @@
 //! The tangent against differences. What it leaves out is of the size of the penetration by that of the facets.
 
 use crate::scene::Scene;
-use crate::{begun, in_plane, in_space, laws, slid};
+use crate::{begun, in_plane, in_space, laws, raised, slid};
 use fmc_contact::Options;
 use fmc_contact::contact::{Friction, TangentPart};
 use fmc_shapes::Splitmix;
 
-/// Largest difference of the friction's part of the tangent from that of its forces, by its largest product.
-fn error<const D: usize>(scene: &Scene<D>, options: Options, by: f64, delta: f64) -> f64 {
-    let contact = begun(scene, options, &scene.coords);
+/// Largest difference of the friction's part of the tangent from that of its forces, by its largest product; the upper
+/// block stood `above` when the step began.
+fn error<const D: usize>(scene: &Scene<D>, options: Options, (by, above): (f64, f64), delta: f64) -> f64 {
+    let contact = begun(scene, options, &raised(scene, above));
     let smooth = scene.contact(Options { friction: Friction::default(), ..options });
     let mut random = Splitmix::new(5);
     let mut coords = slid(scene, by);
@@ -46,16 +47,33 @@ fn of_the_friction_part() {
         for by in [0.1 * delta, delta] {
             for options in laws(0.3) {
                 for scene in in_plane(delta) {
-                    let found = error(&scene, options, by, delta);
+                    let found = error(&scene, options, (by, 0.0), delta);
                     println!("2D {:?} by {by}: {found:.2e} of {most:.2e}", options.law);
                     assert!(found < most, "{:?} by {by}: {found} of {most}", options.law);
                 }
                 for scene in in_space(delta) {
-                    let found = error(&scene, options, by, delta);
+                    let found = error(&scene, options, (by, 0.0), delta);
                     println!("3D {:?} by {by}: {found:.2e} of {most:.2e}", options.law);
                     assert!(found < most, "{:?} by {by}: {found} of {most}", options.law);
                 }
             }
+        }
+    }
+}
+
+/// Of a block that touches when a third of the step is over: the nearer it comes, the more of its slip counts.
+#[test]
+fn of_what_touches_within_the_step() {
+    let delta = 1e-3;
+    let most = 0.5 * delta / 0.3 * 4.0;
+    for (by, options) in [0.2 * delta, 2.0 * delta].into_iter().flat_map(|by| laws(0.3).map(|options| (by, options))) {
+        for scene in in_plane(delta) {
+            let found = error(&scene, options, (by, 1.5 * delta), delta);
+            assert!(found < most, "2D {:?} by {by}: {found} of {most}", options.law);
+        }
+        for scene in in_space(delta) {
+            let found = error(&scene, options, (by, 1.5 * delta), delta);
+            assert!(found < most, "3D {:?} by {by}: {found} of {most}", options.law);
         }
     }
 }

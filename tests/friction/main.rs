@@ -10,6 +10,7 @@ mod limits;
 mod memoryless;
 mod rings;
 mod steps;
+mod touch;
 mod turned;
 mod volume_law;
 
@@ -68,6 +69,14 @@ fn moved<const D: usize>(scene: &Scene<D>, mesh: usize, by: impl Fn([f64; D]) ->
 fn slid<const D: usize>(scene: &Scene<D>, by: f64) -> Vec<[f64; D]> {
     moved(scene, 1, |mut x| {
         x[0] += by;
+        x
+    })
+}
+
+/// The upper block raised along the last axis.
+fn raised<const D: usize>(scene: &Scene<D>, by: f64) -> Vec<[f64; D]> {
+    moved(scene, 1, |mut x| {
+        x[D - 1] += by;
         x
     })
 }

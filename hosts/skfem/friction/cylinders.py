@@ -154,8 +154,11 @@ class Cylinders:
 
     def in_proportion(self, dragged=0.5, steps=40):
         """From nothing, P and Q growing together: the error of q / p in L2, and iterations."""
-        bodies = self.bodies
+        bodies, guess = self.bodies, self.bodies.z.copy()
+        # Where they touch: that they overlap is but a guess for the first iteration.
+        bodies.z[:] = 0
         bodies.begin_friction(MU)
+        bodies.z = guess
         counts = []
         for step in range(1, steps + 1):
             counts.append(self.drag(dragged * step / steps, step / steps))

@@ -88,10 +88,15 @@ def test_what_a_cycle_of_dragging_loses_is_the_area_of_mindlins_loop():
     assert max(counts) <= 8
 
 
-def test_loads_that_grow_in_proportion_make_less_slide_in_smaller_steps():
-    """Nothing slides in truth, q = mu p / 2. Facets that begin to bear within a step slip from its start."""
-    errors = [cylinders.Cylinders(12).in_proportion(steps=steps)[0] for steps in (5, 10)]
-    assert errors[0] < 0.25 and errors[1] < 0.7 * errors[0]
+def test_loads_that_grow_in_proportion_make_nothing_slide():
+    """Nothing slides in truth, q = mu p / 2, and facets count their slip from their touch: what is left is the error of a
+    mesh of a/12, one facet of which is cut by the rim on either side, whatever the number of steps."""
+    for steps in (5, 10, 20):
+        pair = cylinders.Cylinders(12)
+        error, counts = pair.in_proportion(steps=steps)
+        assert error < 0.04
+        assert pair.result.friction.slip_area == 0 and pair.result.friction.dissipation == 0
+        assert max(counts) <= 9
 
 
 @pytest.mark.parametrize("law", LAWS)

@@ -15,8 +15,11 @@ pub(crate) struct FrozenFriction<const D: usize> {
 impl<const D: usize> FrozenFriction<D> {
     /// Freezes the facets as they are.
     pub(crate) fn new(mut pairs: Vec<SlipFacets<D>>, coords: &[[f64; D]], poses: Vec<Option<Pose<D>>>) -> Self {
-        // A frozen limit does not change.
-        pairs.iter_mut().flat_map(|pair| &mut pair.rows).for_each(|row| row.limit = Vector::zeros());
+        // A frozen limit does not change, nor does the part of the step that counts.
+        for SlipFacets { facets, rows, .. } in &mut pairs {
+            rows.iter_mut().for_each(|row| row.limit = Vector::zeros());
+            facets.iter_mut().for_each(|facet| facet.by_approach = Vector::zeros());
+        }
         Self { pairs, coords: coords.to_vec(), poses }
     }
 
@@ -35,7 +38,7 @@ impl<const D: usize> FrozenFriction<D> {
                     };
                     slip += row.slip * moved;
                 }
-                facet.trial += slip - facet.normal * facet.normal.dot(&slip);
+                facet.trial += (slip - facet.normal * facet.normal.dot(&slip)) * facet.counted;
             }
         }
         pairs

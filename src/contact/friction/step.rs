@@ -1,6 +1,10 @@
 //! The state at the start of a step.
 
+use super::options::Friction;
+use super::return_mapping::Stick;
+use super::touch::{Bearing, Bearings};
 use crate::geometry::{Pose, Surface, Vector};
+use crate::overlap::Partner;
 
 /// Where all stood when the step began, and the elastic slip that was carried into it.
 #[derive(Clone)]
@@ -13,6 +17,8 @@ pub(crate) struct Step<const D: usize> {
     pub(crate) poses: Vec<Option<Pose<D>>>,
     /// Elastic slip of every facet against what it faces.
     pub(crate) slip: Vec<[f64; D]>,
+    /// How the facets of pairs with friction bore; `None` where that was not measured.
+    pub(crate) bearings: Option<Bearings>,
 }
 
 impl<const D: usize> Step<D> {
@@ -22,11 +28,23 @@ impl<const D: usize> Step<D> {
         poses: Vec<Option<Pose<D>>>,
         slip: Vec<[f64; D]>,
     ) -> Self {
-        Self { coords: coords.to_vec(), points: surface.points(coords), poses, slip }
+        Self { coords: coords.to_vec(), points: surface.points(coords), poses, slip, bearings: None }
+    }
+
+    /// How a facet bore; `None` where that is not known.
+    pub(crate) fn bearing(&self, facet: &([Partner; 2], bool, usize)) -> Option<Bearing> {
+        self.bearings.as_ref().map(|bearings| bearings.get(facet).copied().unwrap_or_default())
     }
 
     /// Where an obstacle stood; one that came later has not moved.
     pub(crate) fn pose<'a>(&'a self, obstacle: usize, now: &'a Pose<D>) -> &'a Pose<D> {
         self.poses.get(obstacle).and_then(Option::as_ref).unwrap_or(now)
     }
+}
+
+/// How a pair slides.
+pub(crate) struct Sliding<'a, const D: usize> {
+    pub(crate) friction: Friction,
+    pub(crate) stick: Stick,
+    pub(crate) step: &'a Step<D>,
 }

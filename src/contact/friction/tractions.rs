@@ -1,7 +1,8 @@
 //! The tractions of a pair, summed at its nodes.
 
+use super::facet_sums::Row;
 use super::return_mapping::Traction;
-use super::slip_facets::{Row, SlipFacet, SlipFacets};
+use super::slip_facets::{SlipFacet, SlipFacets};
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::geometry::{Vector, moment};
 use crate::overlap::{BlockSum, NodeSums, Partner};
@@ -95,7 +96,8 @@ struct Scratch<const D: usize> {
 }
 
 impl<const D: usize> Scratch<D> {
-    /// Adds c Bᵀ C B, C = ∂q/∂s, and, `with_limit`, Bᵀ ∂q/∂τ times the derivative of the limit τ.
+    /// Adds c Bᵀ C B, C = ∂q/∂s by the part of the step that counts, and, `with_limit`, what is not symmetric: Bᵀ ∂q/∂τ times
+    /// the derivative of the limit τ, and that of this part.
     fn add_blocks(
         &mut self,
         facet: &SlipFacet<D>,
@@ -105,7 +107,11 @@ impl<const D: usize> Scratch<D> {
     ) {
         let Scratch { nodes, values } = self;
         let tangential = SMatrix::<f64, D, D>::identity() - facet.normal * facet.normal.transpose();
-        let stiffness = tangential * traction.stiffness * tangential * facet.area;
+        let mut stiffness = tangential * traction.stiffness * tangential * (facet.area * facet.counted);
+        if with_limit && facet.by_approach != Vector::<D>::zeros() {
+            // The nearer they come in the step, the more of it counts.
+            stiffness += tangential * traction.stiffness * facet.by_approach * facet.normal.transpose() * facet.area;
+        }
         let pushed = (with_limit && traction.by_limit != Vector::<D>::zeros()).then_some(traction.by_limit);
         nodes.clear();
         nodes.extend(rows.iter().map(|row| row.node));

@@ -1,0 +1,112 @@
+//! Sums over the points of a facet on which friction acts.
+
+use super::carriers::Carriers;
+use super::side_motion::SideMotion;
+use super::step::Sliding;
+use super::touch::Bearing;
+use crate::contact::laws::PressurePoint;
+use crate::geometry::Vector;
+use crate::geometry::facet::area_vector;
+use crate::overlap::Pair;
+use nalgebra::SMatrix;
+use std::collections::BTreeMap;
+
+/// A node that moves a facet, or what it faces.
+#[derive(Clone, Copy)]
+pub(crate) struct Row<const D: usize> {
+    /// From the number of nodes on: an obstacle.
+    pub(crate) node: u32,
+    pub(crate) of_b: bool,
+    /// What the slip changes by as the node moves: that of side 0 against side 1.
+    pub(crate) slip: SMatrix<f64, D, D>,
+    /// What the limit, times the area, changes by as the node moves.
+    pub(crate) limit: Vector<D>,
+}
+
+/// Sums over the points of a facet.
+pub(super) struct Sums<const D: usize> {
+    /// The weight of all means.
+    pub(super) area: f64,
+    /// Traction at which the facet slides, times the area.
+    pub(super) limit: f64,
+    pub(super) slip: Vector<D>,
+    /// By which the sides came nearer in the step.
+    pub(super) approach: f64,
+    pub(super) depth: f64,
+    pub(super) position: Vector<D>,
+    pub(super) normal: Vector<D>,
+    /// Of the facet, since the step began.
+    pub(super) deformation: SMatrix<f64, D, D>,
+    pub(super) rows: Vec<Row<D>>,
+}
+
+/// Adds a point to the facets on which it lies: to both by halves where both sides are facets of bodies.
+pub(super) fn add_point<const D: usize>(
+    of_facets: &mut BTreeMap<(bool, u32), Sums<D>>,
+    pair: &Pair<D>,
+    sliding: &Sliding<D>,
+    point: &PressurePoint<D>,
+    obstacle_node: u32,
+) -> Option<()> {
+    let (traction, slope) = sliding.friction.limit(point.pressure);
+    if traction <= 0.0 {
+        return None;
+    }
+    let carriers = Carriers::of(pair, point)?;
+    let (normal, part) = (carriers.normal, carriers.part);
+    let sides = [
+        SideMotion::new(pair, sliding.step, &point.middles[0])?,
+        SideMotion::new(pair, sliding.step, &point.middles[1])?,
+    ];
+    let turned = (sides[0].deformation + sides[1].deformation) * 0.5;
+    let slip = (sides[0].now - sides[1].now) - turned * (sides[0].start - sides[1].start);
+    let approach = normal.dot(&slip);
+    let slip = slip - normal * approach;
+    let position = (sides[0].now + sides[1].now) * 0.5;
+    for (of_b, facet) in carriers.facets() {
+        let new = || Sums::new(sides[usize::from(of_b)].deformation);
+        let sums = of_facets.entry((of_b, facet)).or_insert_with(new);
+        let area = part * point.area;
+        sums.area += area;
+        sums.limit += area * traction;
+        sums.slip += slip * area;
+        sums.approach += approach * area;
+        sums.depth += area * point.penetration * point.normal.dot(&normal);
+        sums.position += position * area;
+        sums.normal += normal * area;
+        for (of_b, side) in [(false, &sides[0]), (true, &sides[1])] {
+            let signed = if of_b { -area } else { area };
+            let slope = point.slopes[usize::from(of_b)] * (slope * part);
+            side.for_each_node(pair, &(position - side.now), obstacle_node, |node, shape, moved| {
+                sums.add_row(Row { node, of_b, slip: moved * signed, limit: slope * shape });
+            });
+        }
+    }
+    Some(())
+}
+
+impl<const D: usize> Sums<D> {
+    fn new(deformation: SMatrix<f64, D, D>) -> Self {
+        let zero = Vector::zeros();
+        let (area, limit, approach, depth) = (0.0, 0.0, 0.0, 0.0);
+        Self { area, limit, slip: zero, approach, depth, position: zero, normal: zero, deformation, rows: Vec::new() }
+    }
+
+    /// How the facet bears.
+    pub(super) fn bearing(&self, pair: &Pair<D>, (of_b, facet): (bool, u32)) -> Bearing {
+        let corners = pair.side(of_b).corners(facet as usize);
+        let centre = corners.iter().fold(Vector::zeros(), |sum, x| sum + x / D as f64);
+        let whole = area_vector(&corners).norm() * pair.weighting.at(&centre);
+        Bearing { area: self.area / whole, depth: self.depth / whole }
+    }
+
+    fn add_row(&mut self, row: Row<D>) {
+        match self.rows.iter_mut().find(|known| (known.node, known.of_b) == (row.node, row.of_b)) {
+            Some(known) => {
+                known.slip += row.slip;
+                known.limit += row.limit;
+            }
+            None => self.rows.push(row),
+        }
+    }
+}
