@@ -196,7 +196,8 @@ typedef enum {
   FMC_WEIGHTS_CONSISTENT = 1,
 } fmc_weights;
 
-// Type of a cell. The numbers and the node order are those of VTK.
+// Type of a cell. The numbers are those of VTK, and so is the node order, but for `FMC_WEDGE6`. Cells of the mirrored order
+// are taken too: what is outside follows from the volume of the body.
 typedef enum {
   // Triangle, 2D, 3 nodes.
   FMC_TRI3 = 5,
@@ -206,6 +207,11 @@ typedef enum {
   FMC_TET4 = 10,
   // Hexahedron, 3D, 8 nodes: four around the bottom, then the four above them.
   FMC_HEX8 = 12,
+  // Wedge, 3D, 6 nodes: three around the bottom, then the three above them, (x1 - x0) x (x2 - x0) . (x3 - x0) > 0: the
+  // order of Gmsh, meshio and Abaqus. In VTK's definition the triangles run the other way round; the mirrored order.
+  FMC_WEDGE6 = 13,
+  // Pyramid, 3D, 5 nodes: four around the base, then the apex.
+  FMC_PYRAMID5 = 14,
 } fmc_cell_type;
 
 // Kind of a partner.

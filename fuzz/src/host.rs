@@ -230,13 +230,18 @@ pub fn run(program: &Program) {
     }
 }
 
+/// Nodes of a cell of a type.
+fn cell_size(cell_type: i32) -> usize {
+    const SIZES: [(i32, usize); 6] = [(5, 3), (9, 4), (10, 4), (12, 8), (13, 6), (14, 5)];
+    SIZES.iter().find(|(number, _)| *number == cell_type).map_or(4, |(_, size)| *size)
+}
+
 fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Option<*mut fmc_context> {
     let coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
     let mut context = null_mut();
     let base = i64::from(options.index_base);
     let conn: Vec<Vec<i64>> =
         mesh.blocks.iter().map(|(_, conn)| conn.iter().map(|node| node + base).collect()).collect();
-    let size = |cell_type: i32| [3, 4, 4, 8][[5, 9, 10, 12].iter().position(|t| *t == cell_type).unwrap_or(0)];
     // SAFETY: arrays as long as they are said to be, alive during the call.
     let status = unsafe {
         if is_wide {
@@ -246,7 +251,7 @@ fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Option<*mut fmc_
                 .map(|((cell_type, nodes), conn)| fmc_cell_block_i64 {
                     cell_type: *cell_type,
                     conn: conn.ptr(),
-                    cell_count: nodes.len() / size(*cell_type),
+                    cell_count: nodes.len() / cell_size(*cell_type),
                 })
                 .collect();
             let ids = ids.as_ref().map_or(null(), |ids| ids.ptr().cast_const());
@@ -260,7 +265,7 @@ fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Option<*mut fmc_
                 .map(|((cell_type, nodes), conn)| fmc_cell_block {
                     cell_type: *cell_type,
                     conn: conn.ptr(),
-                    cell_count: nodes.len() / size(*cell_type),
+                    cell_count: nodes.len() / cell_size(*cell_type),
                 })
                 .collect();
             let ids = ids.as_ref().map_or(null(), |ids| ids.ptr().cast_const());
@@ -831,13 +836,7 @@ impl Host {
 
     fn stateless(&self, hole: Hole) {
         let Some((cell_type, conn)) = self.mesh.blocks.first() else { return };
-        let size = if *cell_type == 12 {
-            8
-        } else if *cell_type == 5 {
-            3
-        } else {
-            4
-        };
+        let size = cell_size(*cell_type);
         let wide = Guarded::new(&conn.iter().map(|n| n + i64::from(self.options.index_base)).collect::<Vec<_>>());
         let narrow = Guarded::new(&wide.values().iter().map(|&n| n as i32).collect::<Vec<_>>());
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);

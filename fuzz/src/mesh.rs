@@ -21,7 +21,7 @@ type Cell = (i32, &'static [[f64; 3]]);
 
 const PLANE: [Cell; 2] =
     [(5, &[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]]), (9, &[[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]])];
-const SOLID: [Cell; 2] = [
+const SOLID: [Cell; 4] = [
     (10, &[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]]),
     (
         12,
@@ -36,17 +36,19 @@ const SOLID: [Cell; 2] = [
             [0., 1., 1.],
         ],
     ),
+    (13, &[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.], [1., 0., 1.], [0., 1., 1.]]),
+    (14, &[[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [0.5, 0.5, 1.]]),
 ];
 
 impl<'a> Arbitrary<'a> for Mesh {
     fn arbitrary(bytes: &mut Unstructured<'a>) -> Result<Self> {
         let dim = if bytes.arbitrary::<bool>()? { 3 } else { 2 };
-        let cells = if dim == 2 { PLANE } else { SOLID };
+        let cells: &[Cell] = if dim == 2 { &PLANE } else { &SOLID };
         let mut mesh = Mesh { dim, coords: Vec::new(), blocks: Vec::new(), ids: None };
         let any_connectivity = bytes.arbitrary::<u8>()? < 24;
         let body_count = 1 + bytes.arbitrary::<u8>()? as usize % 3;
         for _ in 0..body_count {
-            let (cell_type, corners) = cells[bytes.arbitrary::<u8>()? as usize % 2];
+            let (cell_type, corners) = cells[bytes.arbitrary::<u8>()? as usize % cells.len()];
             let first = (mesh.coords.len() / dim) as i64;
             let mut conn: Vec<i64> = (first..first + corners.len() as i64).collect();
             let place: [Number; 3] = bytes.arbitrary()?;

@@ -5,7 +5,8 @@ use super::pointer::slice;
 use super::status::fmc_status::{FMC_ERROR_UNKNOWN_CELL_TYPE, FMC_ERROR_UNSUPPORTED};
 use crate::{Bodies, CellBlock, CellType, Error, Surface};
 
-/// Type of a cell. The numbers and the node order are those of VTK.
+/// Type of a cell. The numbers are those of VTK, and so is the node order, but for `FMC_WEDGE6`. Cells of the mirrored order
+/// are taken too: what is outside follows from the volume of the body.
 #[repr(C)]
 pub enum fmc_cell_type {
     /// Triangle, 2D, 3 nodes.
@@ -16,6 +17,11 @@ pub enum fmc_cell_type {
     FMC_TET4 = 10,
     /// Hexahedron, 3D, 8 nodes: four around the bottom, then the four above them.
     FMC_HEX8 = 12,
+    /// Wedge, 3D, 6 nodes: three around the bottom, then the three above them, (x1 - x0) x (x2 - x0) . (x3 - x0) > 0: the
+    /// order of Gmsh, meshio and Abaqus. In VTK's definition the triangles run the other way round; the mirrored order.
+    FMC_WEDGE6 = 13,
+    /// Pyramid, 3D, 5 nodes: four around the base, then the apex.
+    FMC_PYRAMID5 = 14,
 }
 
 /// Cells of one type; a mixed mesh has a block for each.
@@ -70,6 +76,8 @@ fn cell_type(block: usize, number: i32) -> Result<CellType, Failure> {
         (fmc_cell_type::FMC_QUAD4, CellType::Quad4),
         (fmc_cell_type::FMC_TET4, CellType::Tet4),
         (fmc_cell_type::FMC_HEX8, CellType::Hex8),
+        (fmc_cell_type::FMC_WEDGE6, CellType::Wedge6),
+        (fmc_cell_type::FMC_PYRAMID5, CellType::Pyramid5),
     ]
     .into_iter()
     .find_map(|(name, cell_type)| (name as i32 == number).then_some(cell_type))

@@ -142,7 +142,7 @@ fn width<const D: usize>(cells: &Cells, cell: usize, coords: &[[f64; D]]) -> f64
 mod tests {
     use super::*;
     use crate::geometry::{Bodies, CellBlock, CellType, Surface};
-    use fmc_shapes::{cuboid_hex8, cuboid_tet4};
+    use fmc_shapes::{cuboid_hex8, cuboid_pyramid5, cuboid_tet4, cuboid_wedge6};
 
     /// Nodes move at random until cells are inverted: at every step the result is that of a check of every cell.
     #[test]
@@ -150,6 +150,8 @@ mod tests {
         let meshes = [
             (cuboid_tet4([0.0; 3], [1.0; 3], [9, 8, 7]), CellType::Tet4),
             (cuboid_hex8([0.0; 3], [1.0; 3], [14, 13, 9]), CellType::Hex8),
+            (cuboid_wedge6([0.0; 3], [1.0; 3], [12, 11, 9]), CellType::Wedge6),
+            (cuboid_pyramid5([0.0; 3], [1.0; 3], [8, 8, 7]), CellType::Pyramid5),
         ];
         for (mesh, cell_type) in meshes {
             let blocks = [CellBlock { cell_type, conn: &mesh.conn }];

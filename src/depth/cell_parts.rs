@@ -4,7 +4,7 @@ use crate::geometry::CellType;
 
 /// A simplex of a cell: D + 1 corners that make a positive volume in a cell which does.
 ///
-/// Corners are numbers: first those of the cell's nodes, then those of its points. Quadrilaterals and hexahedra have points
+/// Corners are numbers: first those of the cell's nodes, then those of its points. Cells that are no simplices have points
 /// at the centroids of their faces, one after the other, and then in the middle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
@@ -24,9 +24,9 @@ impl Part {
 }
 
 /// The parts of a cell: triangles and tetrahedra as they are, others split about the centroids of the cell and of its
-/// faces, as facets and exact clipping have it. The parts of such a cell have one face on the cell's.
+/// quadrilateral faces, as facets and exact clipping have it. The parts of such a cell have one face on the cell's.
 pub(super) fn parts(cell_type: CellType) -> impl Iterator<Item = Part> {
-    let whole = is_simplex(cell_type);
+    let whole = cell_type.is_simplex();
     let of_whole = whole.then_some(Part { corners: [0, 1, 2, 3], face: None });
     let faces = cell_type.faces();
     let first_point = cell_type.node_count();
@@ -36,24 +36,23 @@ pub(super) fn parts(cell_type: CellType) -> impl Iterator<Item = Part> {
         let face = faces[f];
         let count = face.len();
         let centroid = (first_point + f) as u8;
-        let sides = if count == 2 { 0..1 } else { 0..count };
+        let sides = if count == 4 { 0..count } else { 0..1 };
         sides.map(move |k| {
             let [p, q] = [face[k] as u8, face[(k + 1) % count] as u8];
             // Seen from inside, the nodes of the face run clockwise.
-            let corners = if count == 2 { [p, q, middle, middle] } else { [q, p, centroid, middle] };
+            let corners = match count {
+                2 => [p, q, middle, middle],
+                3 => [q, p, face[2] as u8, middle],
+                _ => [q, p, centroid, middle],
+            };
             Part { corners, face: Some(f) }
         })
     }))
 }
 
-/// Whether a cell is a simplex, the only part of itself.
-pub(super) fn is_simplex(cell_type: CellType) -> bool {
-    matches!(cell_type, CellType::Tri3 | CellType::Tet4)
-}
-
 /// Weights of a cell's nodes in the points that every cell of the type has: the centroids of faces, then the middle.
 pub(super) fn own_points(cell_type: CellType) -> impl Iterator<Item = [f64; 8]> {
-    let all = if is_simplex(cell_type) { 0..0 } else { 0..cell_type.faces().len() + 1 };
+    let all = if cell_type.is_simplex() { 0..0 } else { 0..cell_type.faces().len() + 1 };
     all.map(move |point| match cell_type.faces().get(point) {
         Some(face) => mean(face.iter().copied()),
         None => mean(0..cell_type.node_count()),

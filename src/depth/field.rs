@@ -33,7 +33,8 @@ pub(crate) struct DepthField<const D: usize> {
 }
 
 /// In the order of their numbers.
-const TYPES: [CellType; 4] = [CellType::Tri3, CellType::Quad4, CellType::Tet4, CellType::Hex8];
+const TYPES: [CellType; 6] =
+    [CellType::Tri3, CellType::Quad4, CellType::Tet4, CellType::Hex8, CellType::Wedge6, CellType::Pyramid5];
 
 impl<const D: usize> DepthField<D> {
     /// The field of a surface that has cells; `None` for one that has none. Faces all of whose nodes are marked lie in

@@ -153,19 +153,33 @@ fn slopes<const D: usize>(corners: &[Vector<D>; 4]) -> Option<([Vector<D>; 4], f
 mod tests {
     use super::*;
     use crate::geometry::{Bodies, CellBlock, CellType, Surface, Weighting};
-    use fmc_shapes::{Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
+    use fmc_shapes::{
+        Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_mixed, cuboid_pyramid5, cuboid_tet4, cuboid_wedge6,
+        rectangle_quad4, rectangle_tri3,
+    };
 
     /// Pieces fill every cell; those that meet at a point have the same depth there, which is not above the distance
     /// from the surface of the convex body, and 0 on it; below facets the slope is 1.
     fn check<const D: usize>(mesh: &Mesh<D>, cell_type: CellType, low: [f64; D], high: [f64; D]) {
-        let blocks = [CellBlock { cell_type, conn: &mesh.conn }];
+        check_blocks(&[(cell_type, mesh)], low, high);
+    }
+
+    /// The same of meshes on the same nodes.
+    fn check_blocks<const D: usize>(meshes: &[(CellType, &Mesh<D>)], low: [f64; D], high: [f64; D]) {
+        let block = |&(cell_type, mesh)| {
+            let mesh: &Mesh<D> = mesh;
+            CellBlock { cell_type, conn: &mesh.conn }
+        };
+        let blocks: Vec<CellBlock> = meshes.iter().map(block).collect();
+        let mesh = meshes[0].1;
         let surface = Surface::from_cells(&mesh.coords, &blocks, Bodies::Connected).unwrap();
         let (field, cells) =
             (DepthField::new(&surface, None, Weighting::Plain).unwrap(), surface.cells.as_ref().unwrap());
         let mut pieces: Vec<DepthPiece<D>> = Vec::new();
         (0..cells.len()).for_each(|cell| field.for_each_piece(cells, cell, &mesh.coords, |piece| pieces.push(piece)));
         let volume: f64 = pieces.iter().map(|piece| piece.sign * piece.measure).sum();
-        assert!((volume / mesh.measure() - 1.0).abs() < 1e-12, "{volume}");
+        let expected: f64 = meshes.iter().map(|(_, mesh)| mesh.measure()).sum();
+        assert!((volume / expected - 1.0).abs() < 1e-12, "{volume}");
         let at_surface = pieces.iter().filter(|piece| piece.is_at_surface);
         assert_eq!(at_surface.clone().count(), surface.facets.len());
         at_surface.for_each(|piece| assert!((piece.gradient.norm() - 1.0).abs() < 1e-9, "{:?}", piece.gradient));
@@ -209,6 +223,11 @@ mod tests {
             let inner = |x: &[f64; 3]| (0..3).all(|i| x[i] > low[i] + 1e-9 && x[i] < high[i] - 1e-9);
             check(&cuboid_tet4(low, high, cells).jittered(0.2, 1, inner), CellType::Tet4, low, high);
             check(&cuboid_hex8(low, high, cells).jittered(0.1, 2, inner), CellType::Hex8, low, high);
+            check(&cuboid_wedge6(low, high, cells).jittered(0.1, 3, inner), CellType::Wedge6, low, high);
+            check(&cuboid_pyramid5(low, high, cells).jittered(0.1, 4, inner), CellType::Pyramid5, low, high);
+            let [a, b, c, d] = cuboid_mixed(low, high, [cells[0], cells[1], cells[2] + 2]);
+            let mixed = [(CellType::Hex8, &a), (CellType::Wedge6, &b), (CellType::Pyramid5, &c), (CellType::Tet4, &d)];
+            check_blocks(&mixed, low, high);
         }
     }
 }

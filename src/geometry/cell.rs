@@ -1,6 +1,6 @@
 //! Volume pieces and their node order.
 
-/// Type of a cell. Node order is that of VTK, Gmsh and most codes:
+/// Type of a cell. Node order is that of Gmsh, meshio, Abaqus and most codes, and of VTK but for `Wedge6`:
 ///
 /// ```text
 ///   Tri3     2          Quad4  3 --- 2     Tet4       3          Hex8     7 ---- 6
@@ -9,7 +9,18 @@
 ///         0 --- 1              0 --- 1             0 -|- 2              | 3 ---| 2
 ///                                                   \ | /               |/     |/
 ///        counter-clockwise                            1                 0 ---- 1
+///
+///   Wedge6   5               Pyramid5    4
+///           /|\                       // \\
+///          3 --- 4                    / | | \
+///          | 2   |                   /  3 ---- 2
+///          |/ \  |                  / /  \   /
+///          0 --- 1                  0 ------ 1
 /// ```
+///
+/// In a `Wedge6` the first triangle is counter-clockwise seen from the second, (x1 − x0) × (x2 − x0) · (x3 − x0) > 0. VTK
+/// defines its wedge the other way round, though the files that meshio and others write are in Gmsh's order. Both are taken:
+/// the one is the other's mirror image, as for cells of every type (see [`CellBlock`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum CellType {
@@ -21,6 +32,10 @@ pub enum CellType {
     Tet4,
     /// Hexahedron, 3D.
     Hex8,
+    /// Wedge, 3D: two triangles, the second above the first, and three quadrilaterals.
+    Wedge6,
+    /// Pyramid, 3D: four nodes around the base, then the apex.
+    Pyramid5,
 }
 
 impl CellType {
@@ -28,7 +43,7 @@ impl CellType {
     pub fn dimension(self) -> usize {
         match self {
             CellType::Tri3 | CellType::Quad4 => 2,
-            CellType::Tet4 | CellType::Hex8 => 3,
+            CellType::Tet4 | CellType::Hex8 | CellType::Wedge6 | CellType::Pyramid5 => 3,
         }
     }
 
@@ -38,6 +53,8 @@ impl CellType {
             CellType::Tri3 => 3,
             CellType::Quad4 | CellType::Tet4 => 4,
             CellType::Hex8 => 8,
+            CellType::Wedge6 => 6,
+            CellType::Pyramid5 => 5,
         }
     }
 
@@ -51,10 +68,19 @@ impl CellType {
             CellType::Hex8 => {
                 &[&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]]
             }
+            CellType::Wedge6 => &[&[0, 2, 1], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]],
+            CellType::Pyramid5 => &[&[0, 3, 2, 1], &[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]],
         }
     }
 
-    /// For every corner, its node and those whose edges from it span the corner's Jacobian, D + 1 in all.
+    /// Whether it is a triangle or a tetrahedron.
+    pub(crate) fn is_simplex(self) -> bool {
+        matches!(self, CellType::Tri3 | CellType::Tet4)
+    }
+
+    /// For every corner, its node and those whose edges from it span the corner's Jacobian, D + 1 in all. Of a pyramid
+    /// those of the base: the Jacobian of the map from the cube is bilinear over the base, and so positive within if it is
+    /// positive at its corners; at the apex it vanishes.
     pub(crate) fn corners(self) -> &'static [&'static [usize]] {
         match self {
             CellType::Tri3 => &[&[0, 1, 2]],
@@ -70,6 +96,10 @@ impl CellType {
                 &[6, 5, 7, 2],
                 &[7, 6, 4, 3],
             ],
+            CellType::Wedge6 => {
+                &[&[0, 1, 2, 3], &[1, 2, 0, 4], &[2, 0, 1, 5], &[3, 5, 4, 0], &[4, 3, 5, 1], &[5, 4, 3, 2]]
+            }
+            CellType::Pyramid5 => &[&[0, 1, 3, 4], &[1, 2, 0, 4], &[2, 3, 1, 4], &[3, 0, 2, 4]],
         }
     }
 }

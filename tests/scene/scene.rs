@@ -49,6 +49,20 @@ impl<const D: usize> Scene<D> {
         self
     }
 
+    /// Adds meshes of several types on the same nodes as (part of) body `id`.
+    pub(crate) fn with_mixed(mut self, meshes: &[Mesh<D>], id: i64) -> Self {
+        let Some(mesh) = meshes.first() else { return self };
+        let first = self.coords.len() as u32;
+        self.first_node.push(first as usize);
+        self.coords.extend_from_slice(&mesh.coords);
+        for mesh in meshes {
+            let cell_type = cell_type(D, mesh.nodes_per_cell).expect("cells");
+            self.ids.extend(std::iter::repeat_n(id, mesh.cell_count()));
+            self.blocks.push((cell_type, mesh.conn.iter().map(|node| node + first).collect()));
+        }
+        self
+    }
+
     /// Nodes of the mesh added as number `mesh`.
     pub(crate) fn nodes_of(&self, mesh: usize) -> std::ops::Range<usize> {
         self.first_node[mesh]..self.first_node.get(mesh + 1).copied().unwrap_or(self.coords.len())
@@ -85,6 +99,8 @@ fn cell_type(dimension: usize, nodes_per_cell: usize) -> Option<CellType> {
         (2, 3) => Some(CellType::Tri3),
         (2, 4) => Some(CellType::Quad4),
         (3, 4) => Some(CellType::Tet4),
+        (3, 6) => Some(CellType::Wedge6),
+        (3, 5) => Some(CellType::Pyramid5),
         (3, 8) => Some(CellType::Hex8),
         _ => None,
     }

@@ -8,7 +8,8 @@ pub(super) struct ElementType {
     pub(super) name: &'static str,
     pub(super) dimension: usize,
     pub(super) node_count: usize,
-    /// The cell that it is, if it is one; node orders agree.
+    /// The cell that it is, if it is one. Node orders agree, but that VTK defines its wedge as the mirror image of Gmsh's; files
+    /// are in either order, and both are taken.
     pub(super) cell_type: Option<CellType>,
 }
 
@@ -21,6 +22,8 @@ impl ElementType {
                 3 => Some(CellType::Quad4),
                 4 => Some(CellType::Tet4),
                 5 => Some(CellType::Hex8),
+                6 => Some(CellType::Wedge6),
+                7 => Some(CellType::Pyramid5),
                 _ => None,
             };
             Self { name, dimension, node_count, cell_type }
@@ -35,6 +38,8 @@ impl ElementType {
                 9 => Some(CellType::Quad4),
                 10 => Some(CellType::Tet4),
                 12 => Some(CellType::Hex8),
+                13 => Some(CellType::Wedge6),
+                14 => Some(CellType::Pyramid5),
                 _ => None,
             };
             Self { name, dimension, node_count, cell_type }
@@ -44,7 +49,8 @@ impl ElementType {
     /// Why these cells cannot be used.
     pub(super) fn refusal(&self) -> String {
         let Self { name, .. } = self;
-        format!("{name} cells are not supported, only Tri3, Quad4, Tet4 and Hex8 (straight-sided, first order)")
+        let taken = "only Tri3, Quad4, Tet4, Hex8, Wedge6 and Pyramid5 (straight-sided, first order)";
+        format!("{name} cells are not supported, {taken}")
     }
 }
 
@@ -55,7 +61,7 @@ const GMSH: &[(i64, &str, usize, usize)] = &[
     (3, "Quad4", 2, 4),
     (4, "Tet4", 3, 4),
     (5, "Hex8", 3, 8),
-    (6, "Prism6", 3, 6),
+    (6, "Wedge6", 3, 6),
     (7, "Pyramid5", 3, 5),
     (8, "Line3", 1, 3),
     (9, "Tri6", 2, 6),

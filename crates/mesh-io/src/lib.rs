@@ -42,7 +42,7 @@ pub enum Kind {
     Flat,
     /// Triangles and quadrilaterals in space: the surface of bodies.
     Surface,
-    /// Tetrahedra and hexahedra.
+    /// Tetrahedra, hexahedra, wedges and pyramids.
     Solid,
 }
 
@@ -80,7 +80,10 @@ impl Mesh {
         } else {
             bail!("{file} is neither a Gmsh mesh (.msh, format 4.1) nor a VTK unstructured grid (.vtu)");
         };
-        ensure!(!mesh.blocks.is_empty(), "{file} has no triangles, quadrilaterals, tetrahedra or hexahedra");
+        ensure!(
+            !mesh.blocks.is_empty(),
+            "{file} has no triangles, quadrilaterals, tetrahedra, hexahedra, wedges or pyramids"
+        );
         mesh.file = file;
         Ok(mesh)
     }

@@ -29,6 +29,8 @@ impl VtkCell {
             VtkCell::Mesh(CellType::Quad4) => 9,
             VtkCell::Mesh(CellType::Tet4) => 10,
             VtkCell::Mesh(CellType::Hex8) => 12,
+            VtkCell::Mesh(CellType::Wedge6) => 13,
+            VtkCell::Mesh(CellType::Pyramid5) => 14,
             VtkCell::Mesh(other) => unreachable!("{other:?} is not read from any file"),
         }
     }

@@ -4,12 +4,14 @@ use crate::Mesh;
 use std::collections::HashMap;
 
 /// Faces of a cell as local node numbers, outward.
-fn faces(dimension: usize, nodes_per_cell: usize) -> &'static [&'static [usize]] {
+pub(crate) fn faces(dimension: usize, nodes_per_cell: usize) -> &'static [&'static [usize]] {
     match (dimension, nodes_per_cell) {
         (2, 2) => &[&[0], &[1]],
         (2, 3) | (3, 3) => &[&[0, 1], &[1, 2], &[2, 0]],
         (2, 4) => &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]],
         (3, 4) => &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[0, 3, 2]],
+        (3, 5) => &[&[0, 3, 2, 1], &[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]],
+        (3, 6) => &[&[0, 2, 1], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]],
         (3, 8) => &[&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]],
         (d, n) => panic!("no cell of dimension {d} with {n} nodes"),
     }
@@ -33,10 +35,10 @@ impl<const D: usize> Mesh<D> {
     /// Boundary as a surface of its own, with the nodes it uses.
     ///
     /// # Panics
-    /// For `Hex8`, whose faces are no triangles.
+    /// For cells with faces that are no triangles.
     pub fn boundary(&self) -> Self {
         let faces = self.boundary_faces();
-        assert!(faces.iter().all(|face| face.len() == D), "faces of a hexahedron are not facets");
+        assert!(faces.iter().all(|face| face.len() == D), "quadrilateral faces are not facets");
         Self { coords: self.coords.clone(), conn: faces.concat(), nodes_per_cell: D }.without_unused_nodes()
     }
 

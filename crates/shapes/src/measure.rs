@@ -1,6 +1,7 @@
 //! Lengths, areas and volumes, and whether cells are valid.
 
 use crate::Mesh;
+use crate::boundary::faces;
 
 /// Determinant of the edge vectors from `x[0]`: D! times the measure of a simplex.
 fn determinant<const D: usize>(x: &[[f64; D]]) -> f64 {
@@ -17,6 +18,13 @@ fn determinant<const D: usize>(x: &[[f64; D]]) -> f64 {
     }
 }
 
+/// Edges at each corner of a wedge, in the order of a positive triple product.
+const WEDGE_CORNERS: [[usize; 4]; 6] =
+    [[0, 1, 2, 3], [1, 2, 0, 4], [2, 0, 1, 5], [3, 5, 4, 0], [4, 3, 5, 1], [5, 4, 3, 2]];
+
+/// The same at the corners of a pyramid's base.
+const PYRAMID_CORNERS: [[usize; 4]; 4] = [[0, 1, 3, 4], [1, 2, 0, 4], [2, 3, 1, 4], [3, 0, 2, 4]];
+
 /// Edges at each corner of a hexahedron, in the order of a positive triple product.
 const HEX_CORNERS: [[usize; 4]; 8] =
     [[0, 1, 3, 4], [1, 2, 0, 5], [2, 3, 1, 6], [3, 0, 2, 7], [4, 7, 5, 0], [5, 4, 6, 1], [6, 5, 7, 2], [7, 6, 4, 3]];
@@ -24,7 +32,7 @@ const HEX_CORNERS: [[usize; 4]; 8] =
 impl<const D: usize> Mesh<D> {
     /// Area (2D) or volume (3D) of all cells; of a closed surface, what it encloses.
     ///
-    /// A `Hex8` is taken with each face split into four triangles about its centroid, which agrees between neighbours.
+    /// Cells are taken with each quadrilateral face split into four triangles about its centroid, which agrees between neighbours.
     pub fn measure(&self) -> f64 {
         self.cells().map(|cell| self.cell_measure(cell)).sum()
     }
@@ -40,13 +48,15 @@ impl<const D: usize> Mesh<D> {
         match (D, x.len()) {
             (2, 3) | (3, 4) => determinant(&x) / factorial,
             (2, 4) => (determinant(&x[..3]) + determinant(&[x[0], x[2], x[3]])) / factorial,
-            (3, 8) => {
-                let faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
-                let cone = |face: [usize; 4]| {
+            (3, 5 | 6 | 8) => {
+                let cone = |face: &&[usize]| {
+                    if let [p, q, r] = **face {
+                        return determinant(&[x[0], x[p], x[q], x[r]]);
+                    }
                     let centre = std::array::from_fn(|i| face.iter().map(|&k| x[k][i]).sum::<f64>() / 4.0);
                     (0..4).map(|k| determinant(&[x[0], centre, x[face[k]], x[face[(k + 1) % 4]]])).sum::<f64>()
                 };
-                faces.into_iter().map(cone).sum::<f64>() / factorial
+                faces(D, x.len()).iter().map(cone).sum::<f64>() / factorial
             }
             (d, n) => panic!("no cell of dimension {d} with {n} nodes"),
         }
@@ -70,6 +80,8 @@ impl<const D: usize> Mesh<D> {
             (2, 3) => at(&[0, 1, 2]),
             (3, 4) => at(&[0, 1, 2, 3]),
             (2, 4) => (0..4).map(|k| at(&[k, (k + 1) % 4, (k + 3) % 4])).fold(f64::INFINITY, f64::min),
+            (3, 5) => PYRAMID_CORNERS.iter().map(|corner| at(corner)).fold(f64::INFINITY, f64::min),
+            (3, 6) => WEDGE_CORNERS.iter().map(|corner| at(corner)).fold(f64::INFINITY, f64::min),
             (3, 8) => HEX_CORNERS.iter().map(|corner| at(corner)).fold(f64::INFINITY, f64::min),
             (d, n) => panic!("no cell of dimension {d} with {n} nodes"),
         }

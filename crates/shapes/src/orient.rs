@@ -14,6 +14,8 @@ impl<const D: usize> Mesh<D> {
         let cells = self.conn.chunks_exact_mut(self.nodes_per_cell);
         for (cell, _) in cells.zip(negative).filter(|(_, negative)| *negative) {
             match cell.len() {
+                6 => [1, 4].into_iter().for_each(|node| cell.swap(node, node + 1)),
+                5 => cell.swap(1, 3),
                 8 => [1, 5].into_iter().for_each(|node| cell.swap(node, node + 2)),
                 4 if D == 2 => cell.swap(1, 3),
                 _ => cell.swap(1, 2),

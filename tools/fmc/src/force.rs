@@ -48,8 +48,9 @@ Examples:
 #[derive(Args, Debug)]
 #[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct ForceArgs {
-    /// Meshes: Gmsh 4.1 (.msh, text or binary) or VTK unstructured grids (.vtu) with Tri3, Quad4, Tet4, Hex8 cells. 2D:
-    /// triangles and quadrilaterals at constant z; 3D: tetrahedra and hexahedra, or a closed surface of triangles
+    /// Meshes: Gmsh 4.1 (.msh, text or binary) or VTK unstructured grids (.vtu) with Tri3, Quad4, Tet4, Hex8, Wedge6,
+    /// Pyramid5 cells. 2D: triangles and quadrilaterals at constant z; 3D: tetrahedra, hexahedra, wedges and pyramids, or
+    /// a closed surface of triangles
     #[arg(value_name = "MESH", required = true)]
     meshes: Vec<PathBuf>,
 

@@ -16,11 +16,11 @@ FMC_SYMMETRIC = 32
 FMC_LAW_OF_CONTEXT = -1
 FMC_FRICTION_OF_CONTEXT = -1
 
-CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12}
+CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12, "wedge": 13, "pyramid": 14}
 """Values of ``fmc_cell_type`` by the names of meshio."""
 
-CELL_NODES = {"triangle": 3, "quad": 4, "tetra": 4, "hexahedron": 8}
-CELL_DIMENSION = {"triangle": 2, "quad": 2, "tetra": 3, "hexahedron": 3}
+CELL_NODES = {"triangle": 3, "quad": 4, "tetra": 4, "hexahedron": 8, "wedge": 6, "pyramid": 5}
+CELL_DIMENSION = {"triangle": 2, "quad": 2, "tetra": 3, "hexahedron": 3, "wedge": 3, "pyramid": 3}
 
 CHOICES = {
     "law": {0: "volume", 1: "fiber", 2: "depth"},

@@ -32,9 +32,10 @@ class Contact(PairOptions, Steps, Linearised):
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
     (dim, n), read in place. ``conn`` are node numbers, (m, nodes per cell), of cells of one ``cell_type``:
-    ``"triangle"``, ``"quad"``, ``"tetra"`` or ``"hexahedron"``, in VTK's node order; or, without a cell type, a list
-    of ``(cell type, node numbers)`` for a mixed mesh. ``bodies``, one integer for every cell counted over the list,
-    says which body a cell belongs to; ``None``: bodies are the connected components by faces. ``stiffness`` is k > 0 of
+    ``"triangle"``, ``"quad"``, ``"tetra"``, ``"hexahedron"``, ``"wedge"`` or ``"pyramid"``, in meshio's node order, or the
+    mirrored one, as VTK defines its wedge; or, without a cell type, a list of ``(cell type, node numbers)`` for a mixed
+    mesh. ``bodies``, one integer for every cell counted over the list, says which body a cell belongs to; ``None``:
+    bodies are the connected components by faces. ``stiffness`` is k > 0 of
     the law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
 
     Errors: those of ``fmc_contact.errors`` for the mesh and the options; ``TypeError`` and ``ValueError`` for arrays of

@@ -77,7 +77,7 @@ class DimensionError(FmcError, ValueError):
 
 
 class UnknownCellTypeError(FmcError, ValueError):
-    """Not one of ``triangle``, ``quad``, ``tetra``, ``hexahedron``."""
+    """Not one of ``triangle``, ``quad``, ``tetra``, ``hexahedron``, ``wedge``, ``pyramid``."""
 
     status = 7
 

@@ -23,7 +23,8 @@ class DolfinxContact:
 
     ``whole_mesh``: whether all nodes are gathered and the cells handed over, so that the forces have the bits of any
     other host, and inverted cells are reported; or the nodes of the boundary only, which is less to send.
-    Default: the whole for first order, but for the estimator ``"fibers"`` the boundary. ``divisions`` of every edge of a
+    Default: the whole for first order, but for the estimator ``"fibers"`` the boundary. Prisms and pyramids, whose faces
+    are of two shapes, are passed whole. ``divisions`` of every edge of a
     boundary face into flat facets; default: the order of the space. Of second order the boundary alone is passed, and
     the default law is ``"fiber"``: depth is that of cells.
 
@@ -57,7 +58,8 @@ class DolfinxContact:
         fields = together(self.comm, lambda: [Displacement(space) for space in listed])
         first_order = divisions is None and all(field.order == 1 for field in fields)
         if whole_mesh is None:
-            whole_mesh = first_order and options.get("estimator") != "fibers"
+            is_divisible = not any(field.has_faces_of_two_shapes for field in fields)
+            whole_mesh = first_order and (options.get("estimator") != "fibers" or not is_divisible)
         if whole_mesh and not first_order:
             raise ValueError("the cells of a displacement of second order are not flat: whole_mesh is for first order")
         numbers = [None if one is None else np.asarray(one, np.int64) for one in given]

@@ -34,6 +34,7 @@ class Displacement:
         self.kind = cell_name(mesh)
         cell = getattr(basix.CellType, self.kind)
         self.topology, self.layout = basix.topology(cell), space.dofmap.dof_layout
+        self.has_faces_of_two_shapes = self.kind in ("prism", "pyramid")
         self.order = self._order()
         corners = cell_geometry(mesh).shape[1]
         if corners != len(self.topology[0]):
@@ -81,6 +82,8 @@ class Displacement:
     def facet_nodes(self) -> list[tuple[list[int], list[int]]]:
         """For every facet of a cell its corners, in order around it, and its nodes as ``fmc_contact.trace`` draws
         them."""
+        if self.has_faces_of_two_shapes:
+            raise LayoutError(f"the faces of {self.kind}s are of two shapes and cannot be divided: pass the whole mesh")
         edges = {frozenset(edge): number for number, edge in enumerate(self.topology[1])}
         found = []
         for facet, corners in enumerate(self.topology[self.facet_dim]):

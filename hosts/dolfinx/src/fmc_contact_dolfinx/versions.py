@@ -24,9 +24,7 @@ def mesh_from_cells(comm: Any, coords: np.ndarray, conn: np.ndarray, cell_type: 
 
     The row of a node is its input number, whatever the ranks are.
     """
-    name = {"triangle": "triangle", "quad": "quadrilateral", "tetra": "tetrahedron", "hexahedron": "hexahedron"}[
-        cell_type
-    ]
+    name = {ours: theirs for theirs, ours in CELL_TYPES.items()}[cell_type]
     coords = np.asarray(coords, np.float64)
     dim = coords.shape[1]
     cells = np.asarray(conn, np.int64)[:, TENSOR_ORDER[cell_type]]
@@ -83,7 +81,7 @@ def cell_dofs(space: Any) -> np.ndarray:
 
 
 def cell_name(mesh: Any) -> str:
-    """``triangle``, ``quadrilateral``, ``tetrahedron`` or ``hexahedron``."""
+    """``triangle``, ``quadrilateral``, ``tetrahedron``, ``hexahedron``, ``prism`` or ``pyramid``."""
     kind = mesh.topology.cell_type if hasattr(mesh.topology, "cell_type") else mesh.topology.cell_types[0]
     return str(getattr(kind, "name", kind)).split(".")[-1]
 
@@ -94,7 +92,8 @@ def held_dofs(bc: Any) -> np.ndarray:
     return np.asarray(found[0])
 
 
-# dolfinx counts the corners of quadrilaterals and hexahedra as a tensor product; VTK goes around.
+# dolfinx counts the corners of quadrilaterals, hexahedra and the base of pyramids as a tensor product; VTK goes around.
+# Prisms are counted as meshio counts wedges.
 #
 #      2-----3          3-----2          6-----7            7-----6
 #      |     |          |     |         /|    /|           /|    /|
@@ -109,8 +108,17 @@ TENSOR_ORDER = {
     "quad": [0, 1, 3, 2],
     "tetra": [0, 1, 2, 3],
     "hexahedron": [0, 1, 3, 2, 4, 5, 7, 6],
+    "wedge": [0, 1, 2, 3, 4, 5],
+    "pyramid": [0, 1, 3, 2, 4],
 }
 
-CELL_TYPES = {"triangle": "triangle", "quadrilateral": "quad", "tetrahedron": "tetra", "hexahedron": "hexahedron"}
+CELL_TYPES = {
+    "triangle": "triangle",
+    "quadrilateral": "quad",
+    "tetrahedron": "tetra",
+    "hexahedron": "hexahedron",
+    "prism": "wedge",
+    "pyramid": "pyramid",
+}
 
-CORNER_COUNT = {"triangle": 3, "quadrilateral": 4, "tetrahedron": 4, "hexahedron": 8}
+CORNER_COUNT = {"triangle": 3, "quadrilateral": 4, "tetrahedron": 4, "hexahedron": 8, "prism": 6, "pyramid": 5}

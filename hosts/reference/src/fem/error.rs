@@ -20,6 +20,13 @@ pub enum Error {
         /// Nodes that the mesh has per cell.
         nodes_per_cell: usize,
     },
+    /// There are no finite elements of this type here.
+    NoElement {
+        /// Name of the part.
+        part: String,
+        /// Type of its cells.
+        cell_type: CellType,
+    },
     /// A cell names a node that the part does not have.
     NodeOutOfRange {
         /// Name of the part.
@@ -76,6 +83,9 @@ impl fmt::Display for Error {
             Error::Empty => write!(f, "a model needs parts with cells"),
             Error::CellType { part, cell_type, dimension, nodes_per_cell } => {
                 write!(f, "{part}: {cell_type:?} with {nodes_per_cell} nodes per cell in a {dimension}D model")
+            }
+            Error::NoElement { part, cell_type } => {
+                write!(f, "{part}: there are no elements of {cell_type:?}, only of Tri3, Quad4, Tet4 and Hex8")
             }
             Error::NodeOutOfRange { part, cell, node, node_count } => {
                 write!(f, "{part}: cell {cell} names node {node}, but there are {node_count} nodes")

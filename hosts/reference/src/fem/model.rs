@@ -21,7 +21,7 @@ impl<const D: usize> Model<D> {
     /// Model of the parts, on one thread.
     ///
     /// # Errors
-    /// [`Error::Empty`], [`Error::CellType`], [`Error::NodeOutOfRange`], [`Error::UnusedNode`],
+    /// [`Error::Empty`], [`Error::CellType`], [`Error::NoElement`], [`Error::NodeOutOfRange`], [`Error::UnusedNode`],
     /// [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::Material`].
     pub fn new(parts: Vec<Part<D>>) -> Result<Self, Error> {
         if parts.is_empty() {

@@ -18,8 +18,8 @@ from .field import Field, field
 class SkfemContact:
     """Contact between all bodies of one basis or of several, with the obstacles that are added to ``contact``.
 
-    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1 or Q2 elements in 2D or 3D; or a list of
-    ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the vectors of the whole problem.
+    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1 or Q2 elements in 2D or 3D, or of
+    ``ElementWedge1``; or a list of ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the vectors of the whole problem.
     ``size``: length of these vectors; default: as far as the bases reach. ``bodies``: one number for every cell, basis
     after basis; default: bodies are the connected components. ``divisions`` of every edge of a boundary face into flat
     facets, for second order; default 2. ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``.

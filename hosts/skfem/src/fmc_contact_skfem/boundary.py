@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from fmc_contact.trace import Trace
 
-from .field import Field
+from .field import Field, LayoutError
 
 
 def outward(corners: np.ndarray, x: np.ndarray, cell_middles: np.ndarray) -> np.ndarray:
@@ -37,6 +37,8 @@ class Boundary:
 
     def __init__(self, field: Field, divisions: int | None) -> None:
         basis, mesh = field.basis, field.basis.mesh
+        if field.cell_type == "wedge":
+            raise LayoutError("the faces of wedges are of two shapes and cannot be divided: leave out divisions")
         faces = mesh.boundary_facets()
         cells = mesh.f2t[0, faces]
         x = mesh.p.T

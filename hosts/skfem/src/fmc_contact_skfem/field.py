@@ -25,8 +25,13 @@ _CELLS = [
     (skfem.MeshTet1, "tetra", [0, 1, 2, 3]),
     (skfem.MeshHex1, "hexahedron", _VTK_HEXAHEDRON),
 ]
+# Wedges came with scikit-fem 8; there are no pyramids.
+if hasattr(skfem, "MeshWedge1"):
+    _CELLS.append((skfem.MeshWedge1, "wedge", [0, 1, 2, 3, 4, 5]))
 
-_FIRST_ORDER = (skfem.ElementTriP1, skfem.ElementQuad1, skfem.ElementTetP1, skfem.ElementHex1)
+_FIRST_ORDER = (skfem.ElementTriP1, skfem.ElementQuad1, skfem.ElementTetP1, skfem.ElementHex1) + (
+    (skfem.ElementWedge1,) if hasattr(skfem, "ElementWedge1") else ()
+)
 _SECOND_ORDER = (skfem.ElementTriP2, skfem.ElementQuad2, skfem.ElementTetP2, skfem.ElementHex2)
 
 
@@ -43,7 +48,7 @@ class Field(NamedTuple):
     order: int
     cell_type: str
     conn: np.ndarray
-    """Corners of the cells, (cells, corners), in VTK's order."""
+    """Corners of the cells, (cells, corners), in the order of ``fmc_contact``."""
 
     @property
     def dofs(self) -> np.ndarray:
@@ -57,8 +62,8 @@ def cells_of(mesh: skfem.Mesh) -> tuple[str, np.ndarray]:
         if isinstance(mesh, kind):
             return name, np.ascontiguousarray(mesh.t[order].T)
     raise LayoutError(
-        f"a mesh of {type(mesh).__name__} is not known here: triangles, quadrilaterals, tetrahedra or hexahedra are "
-        "wanted"
+        f"a mesh of {type(mesh).__name__} is not known here: triangles, quadrilaterals, tetrahedra, hexahedra or wedges "
+        "are wanted"
     )
 
 

@@ -1,14 +1,14 @@
 //! Cells as simplices.
 
 use super::simplex::Simplex;
+use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
-use crate::geometry::{CellType, Vector};
 
 /// Corner opposite to every face of a triangle, and of a tetrahedron.
 const OPPOSITE: [&[usize]; 2] = [&[2, 0, 1], &[3, 2, 0, 1]];
 
 /// Calls `visit` for every simplex of a cell: triangles and tetrahedra as they are, others split about the centroids of
-/// the cell and of its faces, so that neighbours agree on the faces between them.
+/// the cell and of its quadrilateral faces, so that neighbours agree on the faces between them.
 pub(crate) fn for_each_simplex<const D: usize>(
     cells: &Cells,
     cell: usize,
@@ -23,7 +23,7 @@ pub(crate) fn for_each_simplex<const D: usize>(
     for (x, &n) in x.iter_mut().zip(nodes) {
         *x = at(n);
     }
-    if matches!(cell_type, CellType::Tri3 | CellType::Tet4) {
+    if cell_type.is_simplex() {
         let opposite = OPPOSITE[D - 2];
         let boundary = opposite.iter().enumerate().fold(0, |mask, (face, &k)| mask | (bounds >> face & 1) << k);
         Simplex::new(&x, boundary, flipped).into_iter().for_each(visit);
@@ -35,6 +35,10 @@ pub(crate) fn for_each_simplex<const D: usize>(
         let boundary = (bounds >> f & 1) << D;
         if D == 2 {
             Simplex::new(&[x[face[0]], x[face[1]], center], boundary, flipped).into_iter().for_each(&mut visit);
+            continue;
+        }
+        if let [p, q, r] = **face {
+            Simplex::new(&[x[q], x[p], x[r], center], boundary, flipped).into_iter().for_each(&mut visit);
             continue;
         }
         // In the order of node numbers: the same bits for both cells at the face.
@@ -55,6 +59,7 @@ fn mean<const D: usize>(x: &[Vector<D>]) -> Vector<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::CellType;
 
     #[test]
     fn opposite_corners_are_not_on_the_face() {

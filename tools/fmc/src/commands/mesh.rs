@@ -109,6 +109,8 @@ fn name(cell_type: CellType) -> &'static str {
         CellType::Quad4 => "quad",
         CellType::Tet4 => "tetra",
         CellType::Hex8 => "hexahedron",
+        CellType::Wedge6 => "wedge",
+        CellType::Pyramid5 => "pyramid",
         _ => "unknown",
     }
 }

@@ -1,5 +1,6 @@
 //! The command `fmc force`, run as a user runs it.
 
 mod command;
+mod mixed;
 mod refusals;
 mod results;
