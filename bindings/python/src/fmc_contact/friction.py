@@ -28,7 +28,8 @@ class Steps:
 
     def begin_step(self, coords: ArrayLike) -> None:
         """Begins a step at ``coords``, with the obstacles where they are. Elastic slip carried so far stays; there is
-        none at first."""
+        none at first. With friction, what touches here is measured: a facet that touches later counts its slip from then
+        on. Errors are then those of ``evaluate``."""
         view = coords_view(coords, self.dim)
         with self._handle:
             self._handle.call(library.fmc_context_begin_step, byref(view.struct))
