@@ -56,7 +56,8 @@ pub enum Error {
         node: usize,
     },
     /// A cell is inverted: its orientation is opposite to that of the cells it is connected to, or,
-    /// for `Quad4` and `Hex8`, the Jacobian is negative at a corner while it is positive at another.
+    /// for cells that are no simplices, the Jacobian is negative at a corner while it is positive at another. (A `Hex8` or
+    /// `Wedge6` may be positive at all corners and yet twisted inside; corners are what is looked at.)
     InvertedCell {
         /// Cell.
         cell: usize,

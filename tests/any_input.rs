@@ -134,3 +134,5 @@ any_input!(triangles, 2, CellType::Tri3, 3);
 any_input!(quadrilaterals, 2, CellType::Quad4, 4);
 any_input!(tetrahedra, 3, CellType::Tet4, 4);
 any_input!(hexahedra, 3, CellType::Hex8, 8);
+any_input!(wedges, 3, CellType::Wedge6, 6);
+any_input!(pyramids, 3, CellType::Pyramid5, 5);

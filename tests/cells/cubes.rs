@@ -60,7 +60,7 @@ fn under_the_law_depth() {
         let lacking = [1e-11, 0.05 * part, 0.4 * part, 1e-11, 1e-11];
         let bodies = boxes([0.0, 0.0, -delta], [1.0, 1.0, 1.0 - delta], [4, 4, 4]);
         for (k, (body, lacking)) in bodies.iter().zip(lacking).enumerate() {
-            let found = pair(&[lower.clone()], body).evaluate(exactly(EnergyLaw::depth(1.0)));
+            let found = pair(std::slice::from_ref(&lower), body).evaluate(exactly(EnergyLaw::depth(1.0)));
             let force = found.bodies[1].force[2] / delta;
             assert!((found.volume / delta - 1.0).abs() < 1e-12);
             assert!(force < expected + 1e-11 && force > expected - lacking, "mesh {k}, {part}: {force} for {expected}");

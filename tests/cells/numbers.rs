@@ -2,7 +2,8 @@
 
 use crate::scene::{Scene, consistent_lines, distance, exact, norm, table::exactly};
 use crate::{boxes, pair, shaken};
-use fmc_contact::EnergyLaw;
+use fmc_contact::contact::TangentPart;
+use fmc_contact::{EnergyLaw, Options};
 use fmc_shapes::Splitmix;
 
 fn shuffled(random: &mut Splitmix, n: usize) -> Vec<usize> {
@@ -49,6 +50,25 @@ fn do_not_matter() {
             assert!((found.volume / expected.volume - 1.0).abs() < 1e-12, "{:?}", options.law);
             let off = distance(&forces, &expected.forces) / norm(&expected.forces);
             assert!(off < 1e-11, "{k}, {:?}: {off}", options.law);
+        }
+    }
+}
+
+/// Nor does the number of threads: the same bits, tangent included.
+#[test]
+fn of_threads_do_not_matter_to_the_last_bit() {
+    let lower = boxes([-0.2, -0.1, -1.0], [1.5, 1.2, 0.0], [3, 3, 3]);
+    let upper = boxes([0.1, 0.1, -0.1], [1.3, 1.0, 0.6], [3, 2, 3]);
+    for (below, above) in lower.iter().zip(upper.iter().rev()) {
+        let mut scene = pair(below, above);
+        scene.coords = shaken(&scene.coords, 0.01, 9);
+        for options in [exact(), exactly(EnergyLaw::depth(5.0)), exactly(EnergyLaw::fiber(5.0))] {
+            let of = |threads: usize| {
+                let contact = scene.contact(Options { threads, ..options });
+                contact.evaluate_with_tangent(&scene.coords, TangentPart::Full).expect("valid coordinates")
+            };
+            let one = of(1);
+            assert!([2, 5].map(of).iter().all(|other| *other == one), "{:?}", options.law);
         }
     }
 }
