@@ -474,6 +474,30 @@ typedef struct {
   uint64_t reserved[3];
 } fmc_result;
 
+// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Its body, an index for `fmc_context_body`.
+  size_t body;
+  // Its cell, counted from 0 over all blocks; -1 where the context was made from facets.
+  int64_t cell;
+  // Its number among the facets as given, counted from 0; -1 where the context was made from cells.
+  int64_t given;
+  // Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
+  // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
+  // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567.
+  int32_t local_face;
+  // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D.
+  int32_t node_count;
+  // Nodes of its face, counted from the option `index_base`; unused ones are -1. In 2D the body lies left of the way from
+  // the first to the second, in 3D they run counter-clockwise seen from outside, also where the cell is numbered the
+  // other way round. Of four, the facet is the triangle of the first two and the mean of all.
+  int64_t nodes[4];
+  // Zero.
+  uint64_t reserved[4];
+} fmc_boundary_facet;
+
 // Contact force and moment on one body or obstacle.
 typedef struct {
   // Id of the body as given, or its number among the connected components; index of the obstacle.
@@ -869,11 +893,14 @@ fmc_status fmc_context_set_options(fmc_context *context, const fmc_options *opti
 // evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_log(fmc_context *context, fmc_log_callback callback, void *user);
 
-// Number of nodes of the mesh, of its boundary facets, and of its bodies. Any of the outputs may be NULL.
+// Number of nodes of the mesh, of its boundary facets (a quadrilateral face in 3D counts as four), and of its bodies. Any of the outputs may be NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 // changes it.
-fmc_status fmc_context_counts(const fmc_context *context, size_t *node_count, size_t *facet_count, size_t *body_count);
+fmc_status fmc_context_counts(const fmc_context *context,
+                              size_t *node_count,
+                              size_t *facet_count,
+                              size_t *body_count);
 
 // Contact forces at `coords`, the current coordinates of all nodes of the mesh.
 //
@@ -901,6 +928,15 @@ fmc_status fmc_context_evaluate(fmc_context *context,
 // leave their text in `fmc_last_error` only; so does a context that is NULL or busy, for which this returns that text.
 // Threads: several at once on one context, as long as no call changes it.
 const char *fmc_context_error(const fmc_context *context);
+
+// Writes the boundary facets to the host's array, with room for `capacity`: as many as `fmc_context_counts` says, in the
+// order in which `fmc_context_slip` has them, body after body.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_boundary_facets(const fmc_context *context,
+                                       fmc_boundary_facet *facets,
+                                       size_t capacity);
 
 // Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
 // later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
@@ -940,8 +976,8 @@ fmc_status fmc_context_commit_step(fmc_context *context,
 fmc_status fmc_context_freeze_friction(fmc_context *context,
                                        const fmc_coords *coords);
 
-// Writes the elastic slip that was carried into the step, `dim` numbers for every facet (`fmc_context_facet_count`) in dense
-// rows, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
+// Writes the elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
+// of `fmc_context_boundary_facets`, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
 // coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
 // `fmc_context_set_slip`, gives the bits of the unbroken run.
 //

@@ -15,6 +15,7 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod boundary;
+mod boundary_facet;
 mod compressed_rows;
 mod contact_point;
 mod contact_points;

@@ -302,6 +302,14 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_NULL_POINTER, "'points'", fmc_context_contact_points(context, NULL, point_count));
   EXPECT_OK(fmc_context_set_options(context, &o));
 
+  /* Boundary facets. */
+  fmc_boundary_facet facets[8];
+  EXPECT(FMC_ERROR_BUFFER_TOO_SMALL, "room for 7 boundary facets, and there are 8",
+         fmc_context_boundary_facets(context, facets, 7));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'facets'", fmc_context_boundary_facets(context, NULL, 8));
+  EXPECT_OK(fmc_context_boundary_facets(context, facets, 8));
+  EXPECT_TRUE(facets[4].cell == 1 && facets[4].body == 1 && facets[4].local_face == 0 && facets[4].nodes[2] == -1);
+
   /* Options. */
   o.stiffness = -1;
   EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'stiffness' is -1", fmc_context_set_options(context, &o));

@@ -1,5 +1,6 @@
 //! A mesh in contact, with its dimension hidden.
 
+use super::boundary_facet::fmc_boundary_facet;
 use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
@@ -26,6 +27,10 @@ pub(super) struct Counts {
 /// another.
 pub(super) trait Session: Send + Sync {
     fn counts(&self) -> Counts;
+
+    /// The boundary facets.
+    fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet>;
+
     fn set_options(&mut self, options: Options) -> Result<(), Failure>;
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure>;
     fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure>;
@@ -202,6 +207,11 @@ impl<const D: usize> Session for Resident<D> {
     fn counts(&self) -> Counts {
         let surface = self.contact.surface();
         Counts { nodes: surface.node_count(), facets: surface.facet_count(), bodies: surface.body_count() }
+    }
+
+    fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet> {
+        let facets = self.contact.boundary_facets();
+        facets.iter().map(|facet| fmc_boundary_facet::new(facet, index_base)).collect()
     }
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure> {

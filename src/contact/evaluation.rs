@@ -13,7 +13,7 @@ use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::depth::DepthField;
-use crate::geometry::Surface;
+use crate::geometry::{BoundaryFacet, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use std::sync::{Mutex, OnceLock};
 
@@ -146,6 +146,11 @@ impl<const D: usize> Contact<D> {
     /// The surface.
     pub fn surface(&self) -> &Surface<D> {
         &self.surface
+    }
+
+    /// The boundary facets, in the order in which [`Self::slip`] has them.
+    pub fn boundary_facets(&self) -> Vec<BoundaryFacet> {
+        self.surface.boundary_facets()
     }
 
     /// Contact forces at `coords`, `[node_count, D]`.

@@ -54,6 +54,20 @@ impl CellType {
         }
     }
 
+    /// The number that VTK gives to a face, by its place in [`Self::faces`]: in 2D the same. As node numbers VTK's faces are
+    /// those of `vtkTetra`, 013, 123, 203 and 021, and of `vtkHexahedron`, 0473, 1265, 0154, 3762, 0321 and 4567.
+    ///
+    /// # Panics
+    /// For a face that the cell does not have.
+    pub fn vtk_face(self, face: usize) -> usize {
+        match self {
+            CellType::Tri3 => [0, 1, 2][face],
+            CellType::Quad4 => [0, 1, 2, 3][face],
+            CellType::Tet4 => [3, 0, 1, 2][face],
+            CellType::Hex8 => [4, 5, 2, 1, 3, 0][face],
+        }
+    }
+
     /// For every corner, its node and those whose edges from it span the corner's Jacobian, D + 1 in all.
     pub(crate) fn corners(self) -> &'static [&'static [usize]] {
         match self {

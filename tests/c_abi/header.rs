@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 34] = [
+const SOURCES: [&str; 35] = [
     "version",
     "status",
     "failure",
@@ -17,6 +17,7 @@ const SOURCES: [&str; 34] = [
     "stateless_step",
     "creation",
     "context",
+    "boundary_facet",
     "patches",
     "friction",
     "reference",

@@ -9,6 +9,7 @@ mod arrangements;
 mod bad_meshes;
 mod bad_values;
 mod balance;
+mod boundary_facets;
 mod coinciding;
 mod corners;
 mod energy_gradient;
