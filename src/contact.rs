@@ -18,6 +18,7 @@ mod options;
 mod pair_options;
 mod pair_table;
 mod pairs;
+mod parallel;
 mod pattern;
 mod rigid;
 mod stable_step;

@@ -380,7 +380,9 @@ static void contexts(void) {
   wanted = own, wanted.law = FMC_LAW_OF_CONTEXT;
   EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "'stiffness' of a pair belongs to a law", BODIES);
   wanted = own, wanted.gap_offset = 0.1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "'gap_offset' of a pair is 0.1: it is for a later version", BODIES);
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "a gap offset between bodies", BODIES);
+  wanted = own, wanted.gap_offset = NAN;
+  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'gap_offset' is NaN", BODIES);
   wanted = own, wanted.friction_coefficient = 0.3;
   EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "friction with the law volume", BODIES);
   wanted = own, wanted.friction_coefficient = -0.3;

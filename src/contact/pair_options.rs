@@ -1,5 +1,6 @@
 //! Options of a single pair of partners.
 
+use super::parallel::Parallel;
 use super::{Contact, EnergyLaw};
 use crate::Error;
 use crate::overlap::Partner;
@@ -15,6 +16,14 @@ pub struct PairOptions {
     /// Coefficient of friction of the pair, at least 0; `None`: that of the options, also after it changes. All else of the
     /// friction is that of the options.
     pub friction_coefficient: Option<f64>,
+    /// Distance at which the contact of a body with an obstacle begins, in length, 0 by default: the obstacle's surface is
+    /// taken to lie so much further out (a shell's thickness, a coating), or, if negative, further in (a clearance).
+    /// Penetration, gap and pressure are counted from there, also in weighted gaps.
+    ///
+    /// The parallel surface of a half-space, a ball, a capsule, and that of a cylinder inwards are of the same kind, and as
+    /// exact. Any other shape becomes the signed distance φ less the offset: edges that point outwards are rounded, and
+    /// what holds for a [`Shape::SignedDistance`](crate::Shape::SignedDistance) holds for it.
+    pub gap_offset: f64,
 }
 
 impl PairOptions {
@@ -26,6 +35,11 @@ impl PairOptions {
     /// A pair with a law of its own.
     pub fn with_law(law: EnergyLaw) -> Self {
         Self { law: Some(law), ..Self::default() }
+    }
+
+    /// A pair whose contact begins at a distance.
+    pub fn with_gap_offset(gap_offset: f64) -> Self {
+        Self { gap_offset, ..Self::default() }
     }
 
     /// A pair with a coefficient of friction of its own.
@@ -46,11 +60,17 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles, which do not
-    /// act on one another; [`Error::OfPair`] for a value out of its range, or a law that the estimator does not
-    /// support. The old options then stay.
+    /// act on one another; [`Error::OfPair`] for a value out of its range, a law that the estimator does not
+    /// support, or a gap offset between bodies. The old options then stay.
     pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
         let pair = self.checked_pair(partners)?;
-        self.pair_table.set(pair, options, &self.options)?;
+        let parallel = match (options, pair[1]) {
+            (Some(PairOptions { gap_offset, .. }), Partner::Obstacle(obstacle)) if gap_offset != 0.0 => {
+                Some(Parallel::new(self.rigid(obstacle)?, gap_offset))
+            }
+            _ => None,
+        };
+        self.pair_table.set(pair, options, parallel, &self.options)?;
         self.forget_found();
         Ok(())
     }

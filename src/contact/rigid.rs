@@ -81,6 +81,12 @@ impl<const D: usize> Rigid<D> {
         self.distance.as_ref().unwrap_or(&self.obstacle.shape)
     }
 
+    /// Its facets, their vertices and where these are, in the shape's frame.
+    pub(crate) fn facets(&self) -> Option<(&[[u32; D]], &[u32], &[Vector<D>])> {
+        let (surface, points) = self.facets.as_ref()?;
+        Some((&surface.facets, &surface.vertices[0], points))
+    }
+
     /// Brings the facets of this obstacle, where the estimator is to see it so, to where it stands.
     pub(crate) fn place(&self, prefers_facets: bool, placed: &mut Option<Placed<D>>) {
         let is_optional = matches!(self.obstacle.shape, Shape::Cuboid { .. });

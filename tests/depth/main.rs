@@ -8,6 +8,7 @@ mod corners;
 mod derivatives;
 mod fields;
 mod flat;
+mod gap_offset;
 mod itself;
 mod noise;
 mod obstacles;

@@ -52,7 +52,7 @@ pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) partners: [Partner; 2],
     pub(crate) a: FacetSide<'a, D>,
     pub(crate) counterpart: Counterpart<'a, D>,
-    /// Pose of the second side, where it is an obstacle.
+    /// Pose of the second side, where it is an obstacle: that in the counterpart may be another, at a gap offset.
     pub(crate) pose: Option<&'a Pose<D>>,
     pub(crate) surface: &'a Surface<D>,
     /// Coordinates of all nodes.
