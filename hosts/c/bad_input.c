@@ -380,7 +380,9 @@ static void contexts(void) {
   wanted = own, wanted.law = FMC_LAW_OF_CONTEXT;
   EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "'stiffness' of a pair belongs to a law", BODIES);
   wanted = own, wanted.gap_offset = 0.1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "a gap offset between bodies", BODIES);
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "a positive gap offset between bodies", BODIES);
+  wanted = own, wanted.gap_offset = -0.1;
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "a gap offset between bodies by another law", BODIES);
   wanted = own, wanted.gap_offset = NAN;
   EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'gap_offset' is NaN", BODIES);
   wanted = own, wanted.friction_coefficient = 0.3;

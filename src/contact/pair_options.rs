@@ -16,9 +16,14 @@ pub struct PairOptions {
     /// Coefficient of friction of the pair, at least 0; `None`: that of the options, also after it changes. All else of the
     /// friction is that of the options.
     pub friction_coefficient: Option<f64>,
-    /// Distance at which the contact of a body with an obstacle begins, in length, 0 by default: the obstacle's surface is
-    /// taken to lie so much further out (a shell's thickness, a coating), or, if negative, further in (a clearance).
-    /// Penetration, gap and pressure are counted from there, also in weighted gaps.
+    /// Distance at which contact begins, in length, 0 by default. Penetration, gap and pressure are counted from there,
+    /// also in weighted gaps.
+    ///
+    /// Of a body with an obstacle: the obstacle's surface is taken to lie so much further out (a shell's thickness, a
+    /// coating), or, if negative, further in (a clearance, an overlap that is to be let be).
+    ///
+    /// Of two bodies, or of one with itself, only with the law `depth`, and not positive: −c lets either body in by c before
+    /// it presses, w = k/2 ∫ max(0, g_A − c) + max(0, g_B − c) dx over the overlap.
     ///
     /// The parallel surface of a half-space, a ball, a capsule, and that of a cylinder inwards are of the same kind, and as
     /// exact. Any other shape becomes the signed distance φ less the offset: edges that point outwards are rounded, and
@@ -61,7 +66,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles, which do not
     /// act on one another; [`Error::OfPair`] for a value out of its range, a law that the estimator does not
-    /// support, or a gap offset between bodies. The old options then stay.
+    /// support, or a gap offset between bodies that is positive or has another law than `depth`. The old options then stay.
     pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
         let pair = self.checked_pair(partners)?;
         let parallel = match (options, pair[1]) {

@@ -114,15 +114,20 @@ fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Resu
         Partner::Obstacle(obstacle) => ("obstacle", obstacle),
     };
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
-    Options { law, friction, ..*defaults }.check().and_then(|()| check_offset(pair, options)).map_err(of_pair)
+    Options { law, friction, ..*defaults }
+        .check()
+        .and_then(|()| check_offset(pair, options, law.needs_depth()))
+        .map_err(of_pair)
 }
 
-fn check_offset(pair: &[Partner; 2], options: &PairOptions) -> Result<(), Error> {
+fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> Result<(), Error> {
     let value = options.gap_offset;
-    let what = "a gap offset between bodies, which have no distance from one another where they are apart";
+    let apart = "a positive gap offset between bodies, which know no distance from one another where they are apart";
+    let law = "a gap offset between bodies by another law than depth";
     match pair[1] {
         _ if !value.is_finite() => Err(Error::NotPositive { name: "gap_offset", value }),
-        Partner::Body(_) if value != 0.0 => Err(Error::Unsupported { what }),
+        Partner::Body(_) if value > 0.0 => Err(Error::Unsupported { what: apart }),
+        Partner::Body(_) if value < 0.0 && !has_depth => Err(Error::Unsupported { what: law }),
         _ => Ok(()),
     }
 }

@@ -132,13 +132,15 @@ impl<const D: usize> Contact<D> {
             },
             (Partner::Obstacle(_), None) => return Ok(None),
         };
-        // Outside the pool there is none to share the work with.
-        let parallel = self.pool.is_some() && !counterpart.is_marched();
         let (surface, coords) = (&self.surface, configuration.coords());
         let law = self.law_of(&partners);
         let depth = self.depth_field(law, &partners);
         let weighting = self.options.weighting();
-        let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, weighting, parallel };
+        let clearance = if parallel.is_some() { 0.0 } else { -self.pair_table.gap_offset(&partners) };
+        // Outside the pool there is none to share the work with.
+        let shared = self.pool.is_some() && !counterpart.is_marched();
+        let pair =
+            Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, parallel: shared };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
         work(&Measured { pair: &pair, law, estimator: &*self.estimator, kept, found })

@@ -276,8 +276,15 @@ fn what_cannot_be_is_refused() {
     contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::default() }).unwrap();
     for pair in [[Body(0), Body(1)], [Body(1), Body(1)]] {
         let refused = contact.set_pair_options(pair, Some(PairOptions::with_gap_offset(0.1)));
-        assert!(refused.unwrap_err().to_string().contains("a gap offset between bodies"));
+        assert!(refused.unwrap_err().to_string().contains("a positive gap offset between bodies"));
+        let by_fiber = PairOptions { law: Some(EnergyLaw::fiber(1.0)), ..PairOptions::with_gap_offset(-0.1) };
+        let refused = contact.set_pair_options(pair, Some(by_fiber));
+        assert!(refused.unwrap_err().to_string().contains("by another law than depth"));
         assert_eq!(contact.pair_options(pair), Ok(None));
+        contact.set_pair_options(pair, Some(PairOptions::with_gap_offset(-0.1))).unwrap();
+        let refused = contact.set_options(exactly(EnergyLaw::fiber(1.0)));
+        assert!(refused.unwrap_err().to_string().contains("by another law than depth"));
+        contact.set_pair_options(pair, None).unwrap();
     }
     for by in [f64::NAN, f64::INFINITY] {
         let refused = contact.set_pair_options([Body(0), Rigid(0)], Some(PairOptions::with_gap_offset(by)));

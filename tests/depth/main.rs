@@ -3,6 +3,7 @@
 #[path = "../scene/scene.rs"]
 mod scene;
 
+mod clearance;
 mod coarse;
 mod corners;
 mod derivatives;

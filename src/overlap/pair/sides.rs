@@ -59,6 +59,8 @@ pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) coords: &'a [[f64; D]],
     /// Depth of the bodies' cells, where the law needs it and there are cells.
     pub(crate) depth: Option<&'a DepthField<D>>,
+    /// How deep below the surfaces the contact of two bodies begins; 0 for an obstacle, which then is another.
+    pub(crate) clearance: f64,
     /// What its measures count for.
     pub(crate) weighting: Weighting,
     /// Whether the threads of the pool that calls may share the work.

@@ -31,7 +31,8 @@ class PairOptions:
 
     Errors: ``BodyOutOfRangeError`` and ``ObstacleOutOfRangeError``, which name the index; ``NotPositiveError``;
     ``UnknownOptionError`` for an unknown value, or one that would have no effect; ``UnsupportedError`` for two obstacles,
-    for a law that the estimator does not support, and for a gap offset between bodies; ``BusyError``. What was set before then stays.
+    for a law that the estimator does not support, and for a gap offset between bodies that is positive
+    or has another law than ``depth``; ``BusyError``. What was set before then stays.
     """
 
     _handle: Handle
@@ -57,11 +58,12 @@ class PairOptions:
         that the contact has now, with this stiffness. None of these: the law of the contact, also after it changes.
         ``friction_coefficient``: that of this pair; all else of its friction is that of the contact's options.
 
-        ``gap_offset``, of a body with an obstacle: contact begins at this distance (length) from the obstacle, whose
-        surface is taken to lie so much further out (a shell's thickness, a coating), or, if negative, further in (a
-        clearance); penetration, gap and pressure are counted from there. Half-spaces, balls and capsules stay what they
-        are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
-        rounded, and what holds for ``add_signed_distance`` holds for it.
+        ``gap_offset``: the distance (length) at which contact begins; penetration, gap and pressure are counted from
+        there. The surface of an obstacle is taken to lie so much further out (a shell's thickness, a coating), or, if
+        negative, further in (a clearance). Half-spaces, balls and capsules stay what they are, cylinders inwards; any
+        other shape becomes its signed distance less the offset, with its outward edges rounded, and what holds for
+        ``add_signed_distance`` holds for it. Between bodies, and of one with itself, only with the law ``"depth"`` and
+        not positive: -c lets either body in by c before it presses.
 
         For a body with itself (``a == b``) this decides in place of the option ``self_contact`` whether it is evaluated
         against itself: ``excluded`` switches that off for this body, and anything else on.

@@ -15,7 +15,8 @@ pub(crate) struct CellPieces<const D: usize> {
 }
 
 impl<const D: usize> CellPieces<D> {
-    /// The pieces of one body that meet `region`; `facets` are those of its facets that do.
+    /// The pieces of one body that meet `region`; `facets` are those of its facets that do. Contact begins at the depth
+    /// `clearance`.
     pub(crate) fn new(
         surface: &Surface<D>,
         cells: &Cells,
@@ -24,13 +25,14 @@ impl<const D: usize> CellPieces<D> {
         body: usize,
         facets: &[u32],
         region: &Aabb<D>,
+        clearance: f64,
     ) -> Self {
         let (mut pieces, mut boxes) = (Vec::new(), Vec::new());
         for cell in cells_in(surface, cells, field, coords, body, facets, region) {
             field.for_each_piece(cells, cell as usize, coords, |piece| {
                 let aabb = piece.aabb();
                 if aabb.meets(region) {
-                    pieces.push(piece);
+                    pieces.push(piece.lowered(clearance));
                     boxes.push(aabb);
                 }
             });
