@@ -574,12 +574,12 @@ typedef struct {
   double exponent;
   // Smoothing length of the law "fiber"; 0, the default: the quadratic law.
   double smoothing_length;
-  // Distance at which the contact of a body with an obstacle begins, in length; 0, the default: at its surface. That is
-  // taken to lie so much further out (a shell's thickness, a coating), or, if negative, further in (a clearance), and
-  // penetration, gap and pressure are counted from there, also in weighted gaps. Half-spaces, balls and capsules stay
-  // what they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward
-  // edges rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Not between bodies, which have no
-  // distance where they are apart.
+  // Distance at which contact begins, in length; 0, the default: at the surfaces. Penetration, gap and pressure are
+  // counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
+  // shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
+  // they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
+  // rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Between bodies, and of one with itself,
+  // only with the law "depth" and not positive: -c lets either body in by c before it presses.
   double gap_offset;
   // Coefficient of friction, at least 0, or `FMC_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
   // the context's options.
@@ -1188,7 +1188,7 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
 // that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 // `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-// gap offset between bodies; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 // estimator that does not support the law of a pair. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         int32_t a_kind,
