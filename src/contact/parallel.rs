@@ -4,7 +4,7 @@ use super::rigid::Rigid;
 use crate::configuration::{FacetSide, FacetTree};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::tree::Tree;
-use crate::geometry::{Pose, Shape, SignedDistance, Vector, signed_distance};
+use crate::geometry::{Pose, Shape, SignedDistance, Surface, Vector, signed_distance};
 use crate::overlap::distance_from_facets;
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ impl<const D: usize> Parallel<D> {
             let distance = match (rigid.implicit(), rigid.facets()) {
                 (Shape::SignedDistance(function), _) => Distance::Function(function.clone()),
                 (Shape::Cuboid { .. }, _) | (_, None) => Distance::Shape(rigid.implicit().clone()),
-                (_, Some((facets, vertices, points))) => Distance::Facets(Facets::new(facets, vertices, points)),
+                (_, Some((surface, points))) => Distance::Facets(Facets::new(surface, points)),
             };
             Shape::SignedDistance(Arc::new(Offset { distance, offset: own }))
         });
@@ -105,13 +105,14 @@ struct Facets<const D: usize> {
 }
 
 impl<const D: usize> Facets<D> {
-    fn new(facets: &[[u32; D]], vertices: &[u32], points: &[Vector<D>]) -> Self {
+    fn new(surface: &Surface<D>, points: &[Vector<D>]) -> Self {
+        let facets = &surface.facets;
         let box_of = |facet: &[u32; D]| Aabb::of(facet.iter().map(|&vertex| &points[vertex as usize]));
         let boxes: Vec<Aabb<D>> = facets.iter().map(box_of).collect();
         Self {
-            facets: facets.to_vec(),
+            facets: facets.clone(),
             points: points.to_vec(),
-            tree: FacetTree::new(facets, vertices, points),
+            tree: FacetTree::new(facets, &surface.vertices[0], points),
             boxes: Tree::new(&boxes),
         }
     }

@@ -81,10 +81,9 @@ impl<const D: usize> Rigid<D> {
         self.distance.as_ref().unwrap_or(&self.obstacle.shape)
     }
 
-    /// Its facets, their vertices and where these are, in the shape's frame.
-    pub(crate) fn facets(&self) -> Option<(&[[u32; D]], &[u32], &[Vector<D>])> {
-        let (surface, points) = self.facets.as_ref()?;
-        Some((&surface.facets, &surface.vertices[0], points))
+    /// Its facets, and where their corners are, in the shape's frame.
+    pub(crate) fn facets(&self) -> Option<&(Surface<D>, Vec<Vector<D>>)> {
+        self.facets.as_ref()
     }
 
     /// Brings the facets of this obstacle, where the estimator is to see it so, to where it stands.

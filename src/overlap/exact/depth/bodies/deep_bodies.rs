@@ -132,10 +132,8 @@ impl<const D: usize> DeepBodies<'_, D> {
     }
 
     fn pieces(&self, which: usize, region: &Region<D>) -> CellPieces<D> {
-        let (surface, coords) = (self.pair.surface, self.pair.coords);
         let body = if let Partner::Body(body) = self.pair.partners[which] { body } else { 0 };
-        let facets = &region.facets[which];
-        CellPieces::new(surface, self.cells, self.field, coords, body, facets, &region.aabb, self.pair.clearance)
+        CellPieces::new(self.pair, self.cells, self.field, body, &region.facets[which], &region.aabb)
     }
 
     fn facets(
