@@ -16,6 +16,7 @@
 
 mod boundary;
 mod boundary_facet;
+mod boundary_facets;
 mod compressed_rows;
 mod contact_point;
 mod contact_points;

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 35] = [
+const SOURCES: [&str; 36] = [
     "version",
     "status",
     "failure",
@@ -18,6 +18,7 @@ const SOURCES: [&str; 35] = [
     "creation",
     "context",
     "boundary_facet",
+    "boundary_facets",
     "patches",
     "friction",
     "reference",
