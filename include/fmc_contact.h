@@ -1124,6 +1124,21 @@ fmc_status fmc_context_tangent_csr_i64(const fmc_context *context,
 // at a time on a context.
 fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
 
+// Gives tangents rows and columns for the rotations of the obstacles, with `on` 1, from the next one on; 0, the default:
+// none. With n nodes and m obstacles, removed ones included, the rotation of obstacle o is node n + m + o: a rotation
+// vector about the position of its pose, which moves along; in 2D its first entry is the angle, and the second has only
+// zeros. Wherever there are translations of obstacles, as with `FMC_OBSTACLES`, there are rotations then, after them.
+//
+// It is the second derivative of the energy, and symmetric. The moment M about the position (that of
+// `fmc_context_obstacle` less position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta. With
+// axisymmetry nothing turns, and there are only zeros. With friction, and where a body meets an obstacle by
+// the law "fiber", whose lines do not turn along, the tangent is then refused, with `FMC_ERROR_UNSUPPORTED`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for another number, `FMC_ERROR_BUSY`. Threads: one call
+// at a time on a context.
+fmc_status fmc_context_set_obstacle_rotations(fmc_context *context,
+                                              int32_t on);
+
 // `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
 // bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
 //

@@ -37,6 +37,7 @@ mod nodal_contact;
 mod nodal_lists;
 mod obstacle;
 mod obstacle_list;
+mod obstacle_rotations;
 mod option_keys;
 mod option_values;
 mod options;

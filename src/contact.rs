@@ -13,6 +13,7 @@ mod lanczos;
 mod laws;
 mod mass_scaled;
 mod momentum_correction;
+mod obstacle_rotation;
 mod obstacles;
 mod options;
 mod pair_options;

@@ -282,6 +282,9 @@ impl Host {
                 // SAFETY: the host's own context.
                 let status = checked(unsafe { fmc_context_keep_pattern(self.context, i32::from(*keep % 3)) });
                 assert_eq!(status == OK, keep % 3 < 2);
+                // SAFETY: as above.
+                let on = i32::from(*keep / 3 % 3);
+                assert_eq!(checked(unsafe { fmc_context_set_obstacle_rotations(self.context, on) }) == OK, on < 2);
             }
             Call::StableStep { mass, hole } => self.stable_step(mass.0, *hole),
             Call::Fields { read, hole } => self.fields(*read, *hole),

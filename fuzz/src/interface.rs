@@ -465,6 +465,7 @@ unsafe extern "C" {
         values: *mut f64,
         capacity: usize,
     ) -> fmc_status;
+    pub fn fmc_context_set_obstacle_rotations(context: *mut fmc_context, on: i32) -> fmc_status;
     pub fn fmc_context_keep_pattern(context: *mut fmc_context, keep: i32) -> fmc_status;
     pub fn fmc_context_evaluate_tangent(
         context: *mut fmc_context,

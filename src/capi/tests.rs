@@ -144,6 +144,8 @@ impl Session for Brittle {
         Ok(())
     }
 
+    fn set_obstacle_rotations(&mut self, _: bool) {}
+
     unsafe fn keep_patches(&mut self, _: Option<&fmc_coords>, _: i32) -> Result<usize, Failure> {
         Ok(0)
     }

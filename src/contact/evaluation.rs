@@ -27,6 +27,8 @@ pub struct Contact<const D: usize> {
     /// By index; `None` where one was removed.
     pub(super) obstacles: Vec<Option<Rigid<D>>>,
     pub(super) options: Options,
+    /// Whether tangents have the rotations of the obstacles.
+    pub(super) obstacle_rotations: bool,
     pub(super) pool: Option<rayon::ThreadPool>,
     pub(super) estimator: Box<dyn OverlapEstimator<D>>,
     /// Of the pairs that have none of their own.
@@ -59,6 +61,7 @@ impl<const D: usize> Contact<D> {
             surface,
             obstacles: Vec::new(),
             options,
+            obstacle_rotations: false,
             pool: pool(options.threads)?,
             estimator: estimator(&options)?,
             law: pair_law(&options.law)?,

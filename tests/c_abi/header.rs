@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 36] = [
+const SOURCES: [&str; 37] = [
     "version",
     "status",
     "failure",
@@ -24,6 +24,7 @@ const SOURCES: [&str; 36] = [
     "reference",
     "tangent",
     "compressed_rows",
+    "obstacle_rotations",
     "evaluate_tangent",
     "stable_step",
     "evaluation",

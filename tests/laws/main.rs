@@ -40,6 +40,7 @@ mod tangled;
 mod through_nodes;
 mod together;
 mod touching;
+mod turned_obstacles;
 mod units;
 mod warnings;
 mod wrapped;

@@ -137,6 +137,7 @@ FUNCTIONS = {
     "fmc_context_tangent_csr": (STATUS, [Context, c_uint32, Int32Array, Int32Array, Float64Array, c_size_t]),
     "fmc_context_tangent_csr_i64": (STATUS, [Context, c_uint32, Int64Array, Int64Array, Float64Array, c_size_t]),
     "fmc_context_keep_pattern": (STATUS, [Context, c_int32]),
+    "fmc_context_set_obstacle_rotations": (STATUS, [Context, c_int32]),
     "fmc_context_evaluate_tangent": (
         STATUS,
         [Context, _COORDS, c_uint32, POINTER(fmc_forces), POINTER(fmc_result), _COUNT, _COUNT],
