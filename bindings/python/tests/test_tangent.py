@@ -214,7 +214,7 @@ def test_obstacles_turn(squares):
         contact.set_pose(0, turned(pose[0], pose[1] + angle))
         result = contact.evaluate(coords)
         obstacle = result.obstacles[0]
-        about = obstacle.moment - (pose[0][0] * obstacle.force[1] - pose[0][1] * obstacle.force[0])
+        about = np.ravel(obstacle.moment)[-1] - (pose[0][0] * obstacle.force[1] - pose[0][1] * obstacle.force[0])
         return np.append(result.forces.ravel(), [*obstacle.force, about])
 
     expected = (moment(-1e-6) - moment(1e-6)) / 2e-6
