@@ -480,6 +480,30 @@ typedef struct {
   uint64_t reserved[3];
 } fmc_result;
 
+// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Its body, an index for `fmc_context_body`.
+  size_t body;
+  // Its cell, counted from 0 over all blocks; -1 where the context was made from facets.
+  int64_t cell;
+  // Its number among the facets as given, counted from 0; -1 where the context was made from cells.
+  int64_t given;
+  // Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
+  // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
+  // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567.
+  int32_t local_face;
+  // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D.
+  int32_t node_count;
+  // Nodes of its face, counted from the option `index_base`; unused ones are -1. In 2D the body lies left of the way from
+  // the first to the second, in 3D they run counter-clockwise seen from outside, also where the cell is numbered the
+  // other way round. Of four, the facet is the triangle of the first two and the mean of all.
+  int64_t nodes[4];
+  // Zero.
+  uint64_t reserved[4];
+} fmc_boundary_facet;
+
 // Contact force and moment on one body or obstacle.
 typedef struct {
   // Id of the body as given, or its number among the connected components; index of the obstacle.
@@ -556,7 +580,12 @@ typedef struct {
   double exponent;
   // Smoothing length of the law "fiber"; 0, the default: the quadratic law.
   double smoothing_length;
-  // Zero. Distance at which contact begins, for a later version of the library.
+  // Distance at which contact begins, in length; 0, the default: at the surfaces. Penetration, gap and pressure are
+  // counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
+  // shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
+  // they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
+  // rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Between bodies, and of one with itself,
+  // only with the law "depth" and not positive: -c lets either body in by c before it presses.
   double gap_offset;
   // Coefficient of friction, at least 0, or `FMC_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
   // the context's options.
@@ -875,11 +904,14 @@ fmc_status fmc_context_set_options(fmc_context *context, const fmc_options *opti
 // evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_log(fmc_context *context, fmc_log_callback callback, void *user);
 
-// Number of nodes of the mesh, of its boundary facets, and of its bodies. Any of the outputs may be NULL.
+// Number of nodes of the mesh, of its boundary facets (a quadrilateral face in 3D counts as four), and of its bodies. Any of the outputs may be NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 // changes it.
-fmc_status fmc_context_counts(const fmc_context *context, size_t *node_count, size_t *facet_count, size_t *body_count);
+fmc_status fmc_context_counts(const fmc_context *context,
+                              size_t *node_count,
+                              size_t *facet_count,
+                              size_t *body_count);
 
 // Contact forces at `coords`, the current coordinates of all nodes of the mesh.
 //
@@ -907,6 +939,15 @@ fmc_status fmc_context_evaluate(fmc_context *context,
 // leave their text in `fmc_last_error` only; so does a context that is NULL or busy, for which this returns that text.
 // Threads: several at once on one context, as long as no call changes it.
 const char *fmc_context_error(const fmc_context *context);
+
+// Writes the boundary facets to the host's array, with room for `capacity`: as many as `fmc_context_counts` says, in the
+// order in which `fmc_context_slip` has them, body after body.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_boundary_facets(const fmc_context *context,
+                                       fmc_boundary_facet *facets,
+                                       size_t capacity);
 
 // Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
 // later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
@@ -948,8 +989,8 @@ fmc_status fmc_context_commit_step(fmc_context *context,
 fmc_status fmc_context_freeze_friction(fmc_context *context,
                                        const fmc_coords *coords);
 
-// Writes the elastic slip that was carried into the step, `dim` numbers for every facet (`fmc_context_facet_count`) in dense
-// rows, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
+// Writes the elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
+// of `fmc_context_boundary_facets`, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
 // coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
 // `fmc_context_set_slip`, gives the bits of the unbroken run.
 //
@@ -1091,6 +1132,21 @@ fmc_status fmc_context_tangent_csr_i64(const fmc_context *context,
 // at a time on a context.
 fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
 
+// Gives tangents rows and columns for the rotations of the obstacles, with `on` 1, from the next one on; 0, the default:
+// none. With n nodes and m obstacles, removed ones included, the rotation of obstacle o is node n + m + o: a rotation
+// vector about the position of its pose, which moves along; in 2D its first entry is the angle, and the second has only
+// zeros. Wherever there are translations of obstacles, as with `FMC_OBSTACLES`, there are rotations then, after them.
+//
+// It is the second derivative of the energy, and symmetric. The moment M about the position (that of
+// `fmc_context_obstacle` less position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta. With
+// axisymmetry nothing turns, and there are only zeros. With friction, and where a body meets an obstacle by
+// the law "fiber", whose lines do not turn along, the tangent is then refused, with `FMC_ERROR_UNSUPPORTED`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for another number, `FMC_ERROR_BUSY`. Threads: one call
+// at a time on a context.
+fmc_status fmc_context_set_obstacle_rotations(fmc_context *context,
+                                              int32_t on);
+
 // `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
 // bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
 //
@@ -1155,7 +1211,7 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
 // that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 // `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-// gap offset; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 // estimator that does not support the law of a pair. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         int32_t a_kind,

@@ -15,6 +15,8 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod boundary;
+mod boundary_facet;
+mod boundary_facets;
 mod compressed_rows;
 mod contact_point;
 mod contact_points;
@@ -35,6 +37,7 @@ mod nodal_contact;
 mod nodal_lists;
 mod obstacle;
 mod obstacle_list;
+mod obstacle_rotations;
 mod option_keys;
 mod option_values;
 mod options;

@@ -3,6 +3,7 @@
 pub(crate) mod aabb;
 #[cfg(test)]
 mod against_parry;
+mod boundary_facet;
 mod cell;
 pub(crate) mod cells;
 mod chord;
@@ -30,6 +31,7 @@ mod surface;
 pub(crate) mod tree;
 pub(crate) mod weighting;
 
+pub use boundary_facet::BoundaryFacet;
 pub use cell::{Bodies, CellBlock, CellType};
 pub(crate) use chord::chord;
 pub(crate) use distance::distance_bound;

@@ -21,6 +21,7 @@ pub(crate) use depth_points::{DepthPlace, DepthPoint, PlaceInCell};
 pub(crate) use estimator::{Imbalance, OverlapEstimator};
 pub(crate) use gaps::{NodalGap, nodal_gaps};
 pub use pair::fiber_trace::FiberTrace;
+pub(crate) use pair::obstacle_distance::distance_from_facets;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
 pub use pair::overlap::{Overlap, PoseGradient};
 pub use pair::partner::Partner;

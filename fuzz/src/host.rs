@@ -287,6 +287,9 @@ impl Host {
                 // SAFETY: the host's own context.
                 let status = checked(unsafe { fmc_context_keep_pattern(self.context, i32::from(*keep % 3)) });
                 assert_eq!(status == OK, keep % 3 < 2);
+                // SAFETY: as above.
+                let on = i32::from(*keep / 3 % 3);
+                assert_eq!(checked(unsafe { fmc_context_set_obstacle_rotations(self.context, on) }) == OK, on < 2);
             }
             Call::StableStep { mass, hole } => self.stable_step(mass.0, *hole),
             Call::Fields { read, hole } => self.fields(*read, *hole),
@@ -787,7 +790,7 @@ impl Host {
                 options.smoothing_length = from.smoothing_length.map_or(0.0, |x| x.0);
             }
             options.excluded = i32::from(from.excluded % 3);
-            options.gap_offset = from.later.map_or(0.0, |x| x.0);
+            options.gap_offset = from.gap_offset.map_or(0.0, |x| x.0);
             let given = unless(hole, 0, &raw mut options).cast_const();
             let status = checked(fmc_context_set_pair_options(context, a_kind, a, b_kind, b, given));
             let after = found();
@@ -825,11 +828,19 @@ impl Host {
             if checked(fmc_context_warning(self.context, index, &raw mut code, unless(hole, 3, &raw mut text))) == OK
                 && hole != 4
             {
-                assert!((1..=5).contains(&code) && !CStr::from_ptr(text).to_bytes().is_empty());
+                assert!((1..=6).contains(&code) && !CStr::from_ptr(text).to_bytes().is_empty());
             }
             let [nodes, facets, bodies] = &mut counts;
             assert_eq!(checked(fmc_context_counts(self.context, nodes, facets, unless(hole, 4, bodies))), OK);
             assert_eq!(counts[0], self.mesh.node_count());
+            let blank = std::mem::MaybeUninit::<fmc_boundary_facet>::zeroed().assume_init();
+            let found = Guarded::new(&vec![blank; counts[1]]);
+            assert_ne!(checked(fmc_context_boundary_facets(self.context, found.ptr(), counts[1] - 1)), OK);
+            let (target, is_wanted) = (unless(hole, 2, found.ptr()), hole != 2);
+            let status = checked(fmc_context_boundary_facets(self.context, target, counts[1]));
+            assert_eq!(status == OK, is_wanted);
+            let size = if is_wanted { size_of::<fmc_boundary_facet>() } else { 0 };
+            assert!(found.values().iter().all(|facet| facet.struct_size == size));
             CStr::from_ptr(fmc_context_error(unless(hole, 5, self.context))).to_str().expect("UTF-8");
         }
     }

@@ -20,12 +20,26 @@ pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 41;
+pub const LAST: fmc_status = 42;
 
 /// Opaque.
 #[repr(C)]
 pub struct fmc_context {
     _private: [u8; 0],
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_boundary_facet {
+    pub struct_size: usize,
+    pub body: usize,
+    pub cell: i64,
+    pub given: i64,
+    pub local_face: i32,
+    pub node_count: i32,
+    pub nodes: [i64; 4],
+    pub reserved: [u64; 4],
 }
 
 /// As in the header.
@@ -417,6 +431,11 @@ unsafe extern "C" {
         status: *mut i32,
         node_count: usize,
     ) -> fmc_status;
+    pub fn fmc_context_boundary_facets(
+        context: *const fmc_context,
+        facets: *mut fmc_boundary_facet,
+        capacity: usize,
+    ) -> fmc_status;
     pub fn fmc_context_find_contact_points(
         context: *mut fmc_context,
         coords: *const fmc_view,
@@ -446,6 +465,7 @@ unsafe extern "C" {
         values: *mut f64,
         capacity: usize,
     ) -> fmc_status;
+    pub fn fmc_context_set_obstacle_rotations(context: *mut fmc_context, on: i32) -> fmc_status;
     pub fn fmc_context_keep_pattern(context: *mut fmc_context, keep: i32) -> fmc_status;
     pub fn fmc_context_evaluate_tangent(
         context: *mut fmc_context,

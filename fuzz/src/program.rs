@@ -112,8 +112,7 @@ pub struct PairOptions {
     pub exponent: Option<Number>,
     pub smoothing_length: Option<Number>,
     pub excluded: u8,
-    /// What is for a later version.
-    pub later: Option<Number>,
+    pub gap_offset: Option<Number>,
 }
 
 /// What a host's callback does wrong.

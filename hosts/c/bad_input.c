@@ -302,6 +302,14 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_NULL_POINTER, "'points'", fmc_context_contact_points(context, NULL, point_count));
   EXPECT_OK(fmc_context_set_options(context, &o));
 
+  /* Boundary facets. */
+  fmc_boundary_facet facets[8];
+  EXPECT(FMC_ERROR_BUFFER_TOO_SMALL, "room for 7 boundary facets, and there are 8",
+         fmc_context_boundary_facets(context, facets, 7));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'facets'", fmc_context_boundary_facets(context, NULL, 8));
+  EXPECT_OK(fmc_context_boundary_facets(context, facets, 8));
+  EXPECT_TRUE(facets[4].cell == 1 && facets[4].body == 1 && facets[4].local_face == 0 && facets[4].nodes[2] == -1);
+
   /* Options. */
   o.stiffness = -1;
   EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'stiffness' is -1", fmc_context_set_options(context, &o));
@@ -372,7 +380,11 @@ static void contexts(void) {
   wanted = own, wanted.law = FMC_LAW_OF_CONTEXT;
   EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "'stiffness' of a pair belongs to a law", BODIES);
   wanted = own, wanted.gap_offset = 0.1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "'gap_offset' of a pair is 0.1: it is for a later version", BODIES);
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "a positive gap offset between bodies", BODIES);
+  wanted = own, wanted.gap_offset = -0.1;
+  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "a gap offset between bodies by another law", BODIES);
+  wanted = own, wanted.gap_offset = NAN;
+  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'gap_offset' is NaN", BODIES);
   wanted = own, wanted.friction_coefficient = 0.3;
   EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "friction with the law volume", BODIES);
   wanted = own, wanted.friction_coefficient = -0.3;

@@ -241,6 +241,7 @@ static void refused(void) {
   REFUSED(FMC_ERROR_MISALIGNED_POINTER, "'row_offsets'", fmc_context_tangent_csr_i64(context, 0, odd, wide, values, count));
   REFUSED(FMC_ERROR_UNKNOWN_OPTION, "'keep' is 2", fmc_context_keep_pattern(context, 2));
   REFUSED(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_keep_pattern(NULL, 1));
+  REFUSED(FMC_ERROR_UNKNOWN_OPTION, "'on' is 2", fmc_context_set_obstacle_rotations(context, 2));
   REFUSED(FMC_ERROR_UNKNOWN_OPTION, "flag in 0x1", fmc_context_tangent(context, &x, FMC_ADD, &entries, &parts));
   REFUSED(FMC_ERROR_UNKNOWN_OPTION, "flag in 0x4", fmc_context_evaluate_tangent(context, &x, FMC_BLOCKS, NULL, NULL, &entries, &parts));
   REFUSED(FMC_ERROR_NULL_POINTER, "'coords'", fmc_context_evaluate_tangent(context, NULL, 0, NULL, NULL, &entries, &parts));

@@ -56,8 +56,8 @@ pub unsafe extern "C" fn fmc_context_freeze_friction(
     })
 }
 
-/// Writes the elastic slip that was carried into the step, `dim` numbers for every facet (`fmc_context_facet_count`) in dense
-/// rows, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
+/// Writes the elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
+/// of `fmc_context_boundary_facets`, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
 /// coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
 /// `fmc_context_set_slip`, gives the bits of the unbroken run.
 ///

@@ -8,7 +8,7 @@ use super::option_values::EXCLUDED;
 use super::options::{fmc_estimator, fmc_law, fmc_options};
 use super::pointer::{Output, optional};
 use super::status::fmc_status;
-use super::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION, FMC_ERROR_UNSUPPORTED};
+use super::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
 use crate::contact::PairOptions;
 use crate::overlap::Partner;
 use crate::{EnergyLaw, FiberProfile};
@@ -37,7 +37,12 @@ pub struct fmc_pair_options {
     pub exponent: f64,
     /// Smoothing length of the law "fiber"; 0, the default: the quadratic law.
     pub smoothing_length: f64,
-    /// Zero. Distance at which contact begins, for a later version of the library.
+    /// Distance at which contact begins, in length; 0, the default: at the surfaces. Penetration, gap and pressure are
+    /// counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
+    /// shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
+    /// they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
+    /// rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Between bodies, and of one with itself,
+    /// only with the law "depth" and not positive: -c lets either body in by c before it presses.
     pub gap_offset: f64,
     /// Coefficient of friction, at least 0, or `FMC_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
     /// the context's options.
@@ -69,7 +74,8 @@ impl Default for fmc_pair_options {
 impl From<PairOptions> for fmc_pair_options {
     fn from(options: PairOptions) -> Self {
         let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_FRICTION_OF_CONTEXT.into());
-        let own = Self { excluded: options.excluded.into(), friction_coefficient, ..Self::default() };
+        let (excluded, gap_offset) = (options.excluded.into(), options.gap_offset);
+        let own = Self { excluded, friction_coefficient, gap_offset, ..Self::default() };
         match options.law {
             None => own,
             Some(EnergyLaw::Volume { stiffness, exponent }) => {
@@ -102,14 +108,14 @@ impl fmc_pair_options {
             let text = "a reserved field of fmc_pair_options is not zero: an option of a later version of the library";
             return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
         }
-        if self.gap_offset != 0.0 {
-            let value = self.gap_offset;
-            let text = format!("option 'gap_offset' of a pair is {value}: it is for a later version of the library");
-            return Err(Failure::new(FMC_ERROR_UNSUPPORTED, text));
-        }
         let coefficient = self.friction_coefficient;
         let friction_coefficient = (coefficient != f64::from(FMC_FRICTION_OF_CONTEXT)).then_some(coefficient);
-        Ok(PairOptions { excluded: EXCLUDED.is_on(self.excluded)?, law: self.law()?, friction_coefficient })
+        Ok(PairOptions {
+            excluded: EXCLUDED.is_on(self.excluded)?,
+            law: self.law()?,
+            friction_coefficient,
+            gap_offset: self.gap_offset,
+        })
     }
 
     fn law(&self) -> Result<Option<EnergyLaw>, Failure> {
@@ -167,7 +173,7 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 /// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
 /// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 /// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-/// gap offset; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+/// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 /// estimator that does not support the law of a pair. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_pair_options(
@@ -239,7 +245,8 @@ mod tests {
         ] {
             for excluded in [false, true] {
                 for friction_coefficient in [None, Some(0.0), Some(0.3)] {
-                    let options = PairOptions { excluded, law: Some(law), friction_coefficient };
+                    let gap_offset = friction_coefficient.unwrap_or(-0.2);
+                    let options = PairOptions { excluded, law: Some(law), friction_coefficient, gap_offset };
                     assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
                 }
             }
@@ -260,9 +267,6 @@ mod tests {
         ] {
             let (status, found) = refused(change);
             assert!(status == FMC_ERROR_UNKNOWN_OPTION && found.contains(text), "{found}");
-        }
-        for value in [0.3, f64::NAN, -1.0] {
-            assert_eq!(refused(|o| o.gap_offset = value).0, FMC_ERROR_UNSUPPORTED);
         }
         assert_eq!(refused(|o| o.struct_size = 0).0, FMC_ERROR_STRUCT_SIZE);
     }

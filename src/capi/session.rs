@@ -1,5 +1,6 @@
 //! A mesh in contact, with its dimension hidden.
 
+use super::boundary_facet::fmc_boundary_facet;
 use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
@@ -26,6 +27,10 @@ pub(super) struct Counts {
 /// another.
 pub(super) trait Session: Send + Sync {
     fn counts(&self) -> Counts;
+
+    /// The boundary facets.
+    fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet>;
+
     fn set_options(&mut self, options: Options) -> Result<(), Failure>;
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure>;
     fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure>;
@@ -77,6 +82,9 @@ pub(super) trait Session: Send + Sync {
 
     /// Sets it.
     fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure>;
+
+    /// Whether tangents have the rotations of the obstacles.
+    fn set_obstacle_rotations(&mut self, on: bool);
 
     /// Keeps the patches at these coordinates, or none; returns the number of directions.
     ///
@@ -156,6 +164,11 @@ impl<const D: usize> Resident<D> {
         Ok(Self { contact: Contact::new(surface, options)?, scratch: Vec::new() })
     }
 
+    /// Nodes that stand for obstacles in tangents: their translations, then, where asked for, their rotations.
+    fn obstacle_nodes(&self) -> usize {
+        self.contact.obstacle_count() * if self.contact.obstacle_rotations() { 2 } else { 1 }
+    }
+
     /// What `work` makes of the contact at the host's coordinates.
     ///
     /// # Safety
@@ -202,6 +215,11 @@ impl<const D: usize> Session for Resident<D> {
     fn counts(&self) -> Counts {
         let surface = self.contact.surface();
         Counts { nodes: surface.node_count(), facets: surface.facet_count(), bodies: surface.body_count() }
+    }
+
+    fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet> {
+        let facets = self.contact.boundary_facets();
+        facets.iter().map(|facet| fmc_boundary_facet::new(facet, index_base)).collect()
     }
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure> {
@@ -277,6 +295,10 @@ impl<const D: usize> Session for Resident<D> {
         Ok(self.contact.set_slip(rows)?)
     }
 
+    fn set_obstacle_rotations(&mut self, on: bool) {
+        self.contact.set_obstacle_rotations(on);
+    }
+
     unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure> {
         let Some(coords) = coords else {
             self.contact.release_patches();
@@ -289,7 +311,7 @@ impl<const D: usize> Session for Resident<D> {
     unsafe fn tangent(&mut self, coords: &fmc_coords, part: TangentPart, index_base: i32) -> Result<Kept, Failure> {
         // SAFETY: passed on to the caller.
         let tangent = unsafe { self.at(coords, index_base, |contact, rows| contact.tangent(rows, part)) }?;
-        Ok(Kept::new(&tangent, coords.node_count, self.contact.obstacle_count()))
+        Ok(Kept::new(&tangent, coords.node_count, self.obstacle_nodes()))
     }
 
     unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure> {
@@ -305,7 +327,7 @@ impl<const D: usize> Session for Resident<D> {
         add: bool,
         index_base: i32,
     ) -> Result<(Evaluation, Kept), Failure> {
-        let [nodes, obstacles] = [self.contact.surface().node_count(), self.contact.obstacle_count()];
+        let [nodes, obstacles] = [self.contact.surface().node_count(), self.obstacle_nodes()];
         // SAFETY: passed on to the caller.
         unsafe {
             self.evaluated(coords, forces, add, index_base, |contact, rows| {

@@ -1,5 +1,6 @@
 //! The C functions called as C calls them, where a C program could not look.
 
+use super::boundary_facet::fmc_boundary_facet;
 use super::contact_point::fmc_contact_point;
 use super::context::{State, fmc_context, fmc_context_error, fmc_context_evaluate};
 use super::creation::{fmc_context_free, fmc_context_new_from_cells};
@@ -83,6 +84,10 @@ impl Session for Brittle {
         Counts { nodes: 8, facets: 8, bodies: 2 }
     }
 
+    fn boundary_facets(&self, _: i32) -> Vec<fmc_boundary_facet> {
+        Vec::new()
+    }
+
     fn set_options(&mut self, _: Options) -> Result<(), Failure> {
         Ok(())
     }
@@ -138,6 +143,8 @@ impl Session for Brittle {
     fn set_slip(&mut self, _: &[f64]) -> Result<(), Failure> {
         Ok(())
     }
+
+    fn set_obstacle_rotations(&mut self, _: bool) {}
 
     unsafe fn keep_patches(&mut self, _: Option<&fmc_coords>, _: i32) -> Result<usize, Failure> {
         Ok(0)

@@ -13,7 +13,7 @@ use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::depth::DepthField;
-use crate::geometry::Surface;
+use crate::geometry::{BoundaryFacet, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use std::sync::{Mutex, OnceLock};
 
@@ -27,6 +27,8 @@ pub struct Contact<const D: usize> {
     /// By index; `None` where one was removed.
     pub(super) obstacles: Vec<Option<Rigid<D>>>,
     pub(super) options: Options,
+    /// Whether tangents have the rotations of the obstacles.
+    pub(super) obstacle_rotations: bool,
     pub(super) pool: Option<rayon::ThreadPool>,
     pub(super) estimator: Box<dyn OverlapEstimator<D>>,
     /// Of the pairs that have none of their own.
@@ -59,6 +61,7 @@ impl<const D: usize> Contact<D> {
             surface,
             obstacles: Vec::new(),
             options,
+            obstacle_rotations: false,
             pool: pool(options.threads)?,
             estimator: estimator(&options)?,
             law: pair_law(&options.law)?,
@@ -153,6 +156,11 @@ impl<const D: usize> Contact<D> {
     /// The surface.
     pub fn surface(&self) -> &Surface<D> {
         &self.surface
+    }
+
+    /// The boundary facets, in the order in which [`Self::slip`] has them.
+    pub fn boundary_facets(&self) -> Vec<BoundaryFacet> {
+        self.surface.boundary_facets()
     }
 
     /// Contact forces at `coords`, `[node_count, D]`.

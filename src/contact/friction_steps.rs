@@ -61,8 +61,8 @@ impl<const D: usize> Contact<D> {
         Ok(())
     }
 
-    /// The elastic slip that was carried into the step, a vector for every facet of the surface: that of the facet against
-    /// what it faces. With the coordinates at which the step began it is all that a restart needs.
+    /// The elastic slip that was carried into the step, a vector for every facet of the surface, in the order of
+    /// [`Self::boundary_facets`]: that of the facet against what it faces. With the coordinates at which the step began it is all that a restart needs.
     ///
     /// # Errors
     /// [`Error::NoStep`].

@@ -95,8 +95,13 @@ fn measured_pairs<const D: usize>(
     contact.check_step()?;
     let found = contact.for_each_pair(coords, |measured| {
         let slides = if contact.frozen.is_none() { contact.sliding(measured)? } else { None };
-        let asked = Asked { slides: slides.is_some(), ..*asked };
-        let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
+        let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
+        let asked = Asked { slides: slides_here, energy: wants_energy || asked.turns, ..*asked };
+        let Some(mut answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
+        if let Some(part) = asked.tangent.filter(|_| asked.turns) {
+            contact.add_rotation(measured, &mut answer, part)?;
+            answer.energy = answer.energy.filter(|_| wants_energy);
+        }
         let tractions = slides.map(|sliding| {
             let facets = SlipFacets::new(measured, &sliding, &answer.points);
             Tractions::new(&facets, coords.len(), asked.tangent)
@@ -132,7 +137,16 @@ fn tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<Tangent<D>, Error> {
-    let asked = Asked { tangent: Some(part), ..Asked::default() };
+    tangent_with(contact, coords, part, contact.turns_obstacles()?)
+}
+
+fn tangent_with<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    part: TangentPart,
+    turns: bool,
+) -> Result<Tangent<D>, Error> {
+    let asked = Asked { tangent: Some(part), turns, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     tangent_of(answers.into_iter().filter_map(|answer| answer.tangent), tractions)
 }
@@ -149,7 +163,8 @@ fn evaluate_with_tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<(ContactForces<D>, Tangent<D>), Error> {
-    let asked = Asked { energy: true, tangent: Some(part), ..Asked::default() };
+    let turns = contact.turns_obstacles()?;
+    let asked = Asked { energy: true, tangent: Some(part), turns, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     let (energies, tangents): (Vec<_>, Vec<_>) =
         answers.into_iter().map(|answer| (answer.energy, answer.tangent)).unzip();
@@ -168,7 +183,7 @@ fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> 
 }
 
 fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
-    largest_step(&tangent_in(contact, coords, TangentPart::Symmetric)?, masses)
+    largest_step(&tangent_with(contact, coords, TangentPart::Symmetric, false)?, masses)
 }
 
 fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {

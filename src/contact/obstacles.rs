@@ -48,7 +48,11 @@ impl<const D: usize> Contact<D> {
         check_pose(&pose, obstacle)?;
         self.rigid(obstacle)?;
         if let Some(rigid) = &mut self.obstacles[obstacle] {
+            let is_scaled = rigid.obstacle.pose.scale != pose.scale;
             rigid.obstacle.pose = pose;
+            if is_scaled {
+                self.pair_table.rescale(obstacle, rigid);
+            }
         }
         self.forget_found();
         Ok(())

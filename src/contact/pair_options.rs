@@ -1,6 +1,7 @@
 //! Options of a single pair of partners.
 
 use super::friction::Friction;
+use super::parallel::Parallel;
 use super::{Contact, EnergyLaw};
 use crate::Error;
 use crate::overlap::Partner;
@@ -16,6 +17,19 @@ pub struct PairOptions {
     /// Coefficient of friction of the pair, at least 0; `None`: that of the options, also after it changes. All else of the
     /// friction is that of the options.
     pub friction_coefficient: Option<f64>,
+    /// Distance at which contact begins, in length, 0 by default. Penetration, gap and pressure are counted from there,
+    /// also in weighted gaps.
+    ///
+    /// Of a body with an obstacle: the obstacle's surface is taken to lie so much further out (a shell's thickness, a
+    /// coating), or, if negative, further in (a clearance, an overlap that is to be let be).
+    ///
+    /// Of two bodies, or of one with itself, only with the law `depth`, and not positive: −c lets either body in by c before
+    /// it presses, w = k/2 ∫ max(0, g_A − c) + max(0, g_B − c) dx over the overlap.
+    ///
+    /// The parallel surface of a half-space, a ball, a capsule, and that of a cylinder inwards are of the same kind, and as
+    /// exact. Any other shape becomes the signed distance φ less the offset: edges that point outwards are rounded, and
+    /// what holds for a [`Shape::SignedDistance`](crate::Shape::SignedDistance) holds for it.
+    pub gap_offset: f64,
 }
 
 impl PairOptions {
@@ -27,6 +41,11 @@ impl PairOptions {
     /// A pair with a law of its own.
     pub fn with_law(law: EnergyLaw) -> Self {
         Self { law: Some(law), ..Self::default() }
+    }
+
+    /// A pair whose contact begins at a distance.
+    pub fn with_gap_offset(gap_offset: f64) -> Self {
+        Self { gap_offset, ..Self::default() }
     }
 
     /// A pair with a coefficient of friction of its own.
@@ -47,23 +66,25 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles, which do not
-    /// act on one another; [`Error::OfPair`] for a value out of its range, or a law that the estimator does not
-    /// support. The old options then stay.
+    /// act on one another; [`Error::OfPair`] for a value out of its range, a law that the estimator does not
+    /// support, or a gap offset between bodies that is positive or has another law than `depth`. The old options then stay.
     pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
         let pair = self.checked_pair(partners)?;
         let bears_as = |options: Option<PairOptions>| {
-            let PairOptions { excluded, law, friction_coefficient } = options.unwrap_or_default();
+            let PairOptions { excluded, law, friction_coefficient, gap_offset, .. } = options.unwrap_or_default();
             let law = law.unwrap_or(self.options.law);
             let friction = friction_coefficient.map(|coefficient| Friction { coefficient, ..self.options.friction });
-            (
-                options.is_some(),
-                excluded,
-                std::mem::discriminant(&law),
-                friction.unwrap_or(self.options.friction).is_active(),
-            )
+            let friction = friction.unwrap_or(self.options.friction).is_active();
+            (options.is_some(), excluded, std::mem::discriminant(&law), friction, gap_offset.to_bits())
         };
         let changes = bears_as(options) != bears_as(self.pair_table.options(&pair));
-        self.pair_table.set(pair, options, &self.options)?;
+        let parallel = match (options, pair[1]) {
+            (Some(PairOptions { gap_offset, .. }), Partner::Obstacle(obstacle)) if gap_offset != 0.0 => {
+                Some(Parallel::new(self.rigid(obstacle)?, gap_offset))
+            }
+            _ => None,
+        };
+        self.pair_table.set(pair, options, parallel, &self.options)?;
         if changes {
             self.forget_bearings();
         }

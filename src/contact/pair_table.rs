@@ -5,6 +5,8 @@ use super::kernels::pair_law;
 use super::laws::PairLaw;
 use super::options::Options;
 use super::pair_options::PairOptions;
+use super::parallel::Parallel;
+use super::rigid::Rigid;
 use crate::Error;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
@@ -15,6 +17,8 @@ pub(super) struct PairTable<const D: usize>(BTreeMap<[Partner; 2], Entry<D>>);
 struct Entry<const D: usize> {
     options: PairOptions,
     law: Option<Box<dyn PairLaw<D>>>,
+    /// What stands for the obstacle, where the contact begins at a distance from it.
+    parallel: Option<Parallel<D>>,
 }
 
 impl<const D: usize> PairTable<D> {
@@ -27,13 +31,14 @@ impl<const D: usize> PairTable<D> {
         &mut self,
         pair: [Partner; 2],
         options: Option<PairOptions>,
+        parallel: Option<Parallel<D>>,
         defaults: &Options,
     ) -> Result<(), Error> {
         match options {
             Some(options) => {
                 check(&pair, &options, defaults)?;
                 let law = options.law.as_ref().map(pair_law).transpose()?;
-                self.0.insert(pair, Entry { options, law });
+                self.0.insert(pair, Entry { options, law, parallel });
             }
             None => drop(self.0.remove(&pair)),
         }
@@ -58,6 +63,25 @@ impl<const D: usize> PairTable<D> {
     /// The law of the pair, if it has one of its own.
     pub(super) fn law(&self, pair: &[Partner; 2]) -> Option<&dyn PairLaw<D>> {
         self.0.get(pair)?.law.as_deref()
+    }
+
+    /// What stands for the obstacle of the pair, if its contact begins at a distance.
+    pub(super) fn parallel(&self, pair: &[Partner; 2]) -> Option<&Parallel<D>> {
+        self.0.get(pair)?.parallel.as_ref()
+    }
+
+    /// How far outside an obstacle the contact of the pair begins.
+    pub(super) fn gap_offset(&self, pair: &[Partner; 2]) -> f64 {
+        self.0.get(pair).map_or(0.0, |entry| entry.options.gap_offset)
+    }
+
+    /// Brings what stands for an obstacle to its new scale.
+    pub(super) fn rescale(&mut self, obstacle: usize, rigid: &Rigid<D>) {
+        for (_, entry) in self.0.iter_mut().filter(|(pair, _)| pair[1] == Partner::Obstacle(obstacle)) {
+            if entry.parallel.is_some() {
+                entry.parallel = Some(Parallel::new(rigid, entry.options.gap_offset));
+            }
+        }
     }
 
     /// The laws that pairs have of their own.
@@ -90,5 +114,20 @@ fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Resu
         Partner::Obstacle(obstacle) => ("obstacle", obstacle),
     };
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
-    Options { law, friction, ..*defaults }.check().map_err(of_pair)
+    Options { law, friction, ..*defaults }
+        .check()
+        .and_then(|()| check_offset(pair, options, law.needs_depth()))
+        .map_err(of_pair)
+}
+
+fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> Result<(), Error> {
+    let value = options.gap_offset;
+    let apart = "a positive gap offset between bodies, which know no distance from one another where they are apart";
+    let law = "a gap offset between bodies by another law than depth";
+    match pair[1] {
+        _ if !value.is_finite() => Err(Error::NotPositive { name: "gap_offset", value }),
+        Partner::Body(_) if value > 0.0 => Err(Error::Unsupported { what: apart }),
+        Partner::Body(_) if value < 0.0 && !has_depth => Err(Error::Unsupported { what: law }),
+        _ => Ok(()),
+    }
 }

@@ -45,7 +45,11 @@ impl<const D: usize> Contact<D> {
     }
 
     fn is_marched(&self, partners: &[Partner; 2]) -> bool {
+        let parallel = self.pair_table.parallel(partners);
         match partners[1] {
+            Partner::Obstacle(_) if parallel.is_some() => {
+                parallel.is_some_and(|parallel| matches!(parallel.shape, Shape::SignedDistance(_)))
+            }
             Partner::Obstacle(o) => {
                 let is_marched = |rigid: &Rigid<D>| matches!(rigid.implicit(), Shape::SignedDistance(_));
                 self.obstacles[o].as_ref().is_some_and(is_marched)
@@ -75,7 +79,8 @@ impl<const D: usize> Contact<D> {
             for (o, (rigid, placed)) in self.obstacles.iter().zip(&state.placed).enumerate() {
                 let pair = [Partner::Body(i), Partner::Obstacle(o)];
                 let Some(rigid) = rigid else { continue };
-                if self.pair_table.has(&pair, true) && rigid.may_meet(placed.as_ref(), &aabb) {
+                let out = self.pair_table.gap_offset(&pair).max(0.0);
+                if self.pair_table.has(&pair, true) && rigid.may_meet(placed.as_ref(), &aabb.inflated(out)) {
                     pairs.push(pair);
                 }
             }
@@ -107,6 +112,8 @@ impl<const D: usize> Contact<D> {
             Partner::Body(_) => None,
         };
         let pose = rigid.map(|rigid| &rigid.obstacle.pose);
+        let parallel = self.pair_table.parallel(&partners).zip(pose);
+        let parallel = parallel.map(|(parallel, pose)| (&parallel.shape, parallel.pose(pose)));
         let counterpart = match (partners[1], rigid) {
             (Partner::Body(second), _) if second == first => {
                 if !a.may_cross_itself() && self.surface.is_one_sheet(first) {
@@ -115,22 +122,25 @@ impl<const D: usize> Contact<D> {
                 Counterpart::Itself
             }
             (Partner::Body(second), _) => Counterpart::Facets(configuration.body(&self.surface, second)),
-            (Partner::Obstacle(obstacle), Some(rigid)) => match &placed[obstacle] {
-                Some(placed) => Counterpart::Facets(rigid.side(placed)),
-                None => {
+            (Partner::Obstacle(obstacle), Some(rigid)) => match (&parallel, &placed[obstacle]) {
+                (Some((shape, pose)), _) => Counterpart::Implicit(ImplicitSide { obstacle, shape, pose }),
+                (None, Some(placed)) => Counterpart::Facets(rigid.side(placed)),
+                (None, None) => {
                     let (shape, pose) = (rigid.implicit(), &rigid.obstacle.pose);
                     Counterpart::Implicit(ImplicitSide { obstacle, shape, pose })
                 }
             },
             (Partner::Obstacle(_), None) => return Ok(None),
         };
-        // Outside the pool there is none to share the work with.
-        let parallel = self.pool.is_some() && !counterpart.is_marched();
         let (surface, coords) = (&self.surface, configuration.coords());
         let law = self.law_of(&partners);
         let depth = self.depth_field(law, &partners);
         let weighting = self.options.weighting();
-        let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, weighting, parallel };
+        let clearance = if parallel.is_some() { 0.0 } else { -self.pair_table.gap_offset(&partners) };
+        // Outside the pool there is none to share the work with.
+        let shared = self.pool.is_some() && !counterpart.is_marched();
+        let pair =
+            Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, parallel: shared };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
         work(&Measured { pair: &pair, law, estimator: &*self.estimator, kept, found })

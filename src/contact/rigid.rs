@@ -81,6 +81,11 @@ impl<const D: usize> Rigid<D> {
         self.distance.as_ref().unwrap_or(&self.obstacle.shape)
     }
 
+    /// Its facets, and where their corners are, in the shape's frame.
+    pub(crate) fn facets(&self) -> Option<&(Surface<D>, Vec<Vector<D>>)> {
+        self.facets.as_ref()
+    }
+
     /// Brings the facets of this obstacle, where the estimator is to see it so, to where it stands.
     pub(crate) fn place(&self, prefers_facets: bool, placed: &mut Option<Placed<D>>) {
         let is_optional = matches!(self.obstacle.shape, Shape::Cuboid { .. });

@@ -13,7 +13,7 @@ pub(crate) struct DepthPiece<const D: usize> {
     pub(crate) cell: u32,
     /// D + 1 corners.
     pub(crate) corners: [Vector<D>; 4],
-    /// Depth at the corners.
+    /// Depth at the corners; less the clearance, where the contact begins below the surface, so that it may be negative.
     pub(crate) depths: [f64; 4],
     /// Weights of the cell's nodes in the corners.
     pub(crate) weights: [[f64; MOST_NODES]; 4],
@@ -51,6 +51,17 @@ impl<const D: usize> DepthPiece<D> {
             sign,
             is_at_surface: false,
         })
+    }
+
+    /// The same with another zero of the depth.
+    pub(crate) fn lowered(mut self, by: f64) -> Self {
+        self.depths.iter_mut().take(D + 1).for_each(|depth| *depth -= by);
+        self
+    }
+
+    /// Whether only a part of it counts, that where the depth is positive.
+    pub(crate) fn is_cut(&self) -> bool {
+        self.depths[..=D].iter().any(|depth| *depth < 0.0)
     }
 
     /// Barycentric coordinates of a point.

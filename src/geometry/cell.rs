@@ -78,6 +78,22 @@ impl CellType {
         matches!(self, CellType::Tri3 | CellType::Tet4)
     }
 
+    /// The number that VTK gives to a face, by its place in [`Self::faces`]: in 2D the same. As node numbers VTK's faces are
+    /// those of `vtkTetra`, 013, 123, 203 and 021, of `vtkHexahedron`, 0473, 1265, 0154, 3762, 0321 and 4567, of `vtkWedge`, 012, 354, 0341, 1452 and 2530, and of
+    /// `vtkPyramid`, 0321, 014, 124, 234 and 304.
+    ///
+    /// # Panics
+    /// For a face that the cell does not have.
+    pub fn vtk_face(self, face: usize) -> usize {
+        match self {
+            CellType::Tri3 => [0, 1, 2][face],
+            CellType::Quad4 => [0, 1, 2, 3][face],
+            CellType::Tet4 => [3, 0, 1, 2][face],
+            CellType::Hex8 => [4, 5, 2, 1, 3, 0][face],
+            CellType::Wedge6 | CellType::Pyramid5 => [0, 1, 2, 3, 4][face],
+        }
+    }
+
     /// For every corner, its node and those whose edges from it span the corner's Jacobian, D + 1 in all. Of a pyramid
     /// those of the base: the Jacobian of the map from the cube is bilinear over the base, and so positive within if it is
     /// positive at its corners; at the apex it vanishes.

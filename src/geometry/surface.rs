@@ -27,6 +27,8 @@ pub struct Surface<const D: usize> {
     pub(crate) ranges: Vec<Range<usize>>,
     /// Cell of every facet; empty for surfaces given directly.
     pub(crate) facet_cell: Vec<u32>,
+    /// Where every facet comes from: the face of its cell, or the facet as given.
+    pub(super) facet_source: Vec<u32>,
     /// Vertices of every body, ascending: its nodes, then its centroids.
     pub(crate) vertices: Vec<Vec<u32>>,
     /// Whether the facets of a body hang together, by body.
@@ -58,24 +60,24 @@ impl<const D: usize> Surface<D> {
         let mut cells = Cells::new::<D>(coords.len(), blocks)?;
         check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))?;
         let body_ids = cells.connect(coords, bodies)?;
-        let mut faces: Vec<(u32, u32, Vec<u32>)> = Vec::new();
+        let mut faces: Vec<(u32, [u32; 2], Vec<u32>)> = Vec::new();
         for cell in 0..cells.len() {
             for face in (0..8).filter(|face| cells.boundary[cell] >> face & 1 == 1) {
-                faces.push((cells.body[cell], cell as u32, cells.face_nodes(cell, face)));
+                faces.push((cells.body[cell], [cell as u32, face as u32], cells.face_nodes(cell, face)));
             }
         }
         faces.sort_by_key(|(body, _, _)| *body);
         let mut surface = Self::empty(coords.len(), body_ids, faces.iter().flat_map(|f| f.2.iter().copied()));
-        for (body, cell, face) in &faces {
-            let vertices: Vec<u32> = face.iter().map(|&n| surface.vertex_of(n)).collect();
+        for (body, source, nodes) in &faces {
+            let vertices: Vec<u32> = nodes.iter().map(|&n| surface.vertex_of(n)).collect();
             if let Ok(facet) = <[u32; D]>::try_from(vertices.as_slice()) {
-                surface.push(*body, *cell, facet);
+                surface.push(*body, *source, facet);
             } else {
                 let centroid = (surface.nodes.len() + surface.centroids.len()) as u32;
                 surface.centroids.push(std::array::from_fn(|k| vertices[k]));
                 for k in 0..4 {
                     let corners = [vertices[k], vertices[(k + 1) % 4], centroid];
-                    surface.push(*body, *cell, std::array::from_fn(|c| corners[c]));
+                    surface.push(*body, *source, std::array::from_fn(|c| corners[c]));
                 }
             }
         }
@@ -123,7 +125,7 @@ impl<const D: usize> Surface<D> {
         for facet in order {
             let body = surface.body_ids.partition_point(|&id| id < labels[facet]) as u32;
             let vertices = facets[facet].map(|n| surface.vertex_of(n));
-            surface.push(body, facet as u32, vertices);
+            surface.push(body, [0, facet as u32], vertices);
         }
         surface.facet_cell.clear();
         surface.collect_vertices();
@@ -148,6 +150,7 @@ impl<const D: usize> Surface<D> {
             centroids: Vec::new(),
             facets: Vec::new(),
             facet_cell: Vec::new(),
+            facet_source: Vec::new(),
             vertices: Vec::new(),
             one_sheet: Vec::new(),
             cells: None,
@@ -185,7 +188,7 @@ impl<const D: usize> Surface<D> {
         self.nodes.partition_point(|&n| n < node) as u32
     }
 
-    fn push(&mut self, body: u32, cell: u32, facet: [u32; D]) {
+    fn push(&mut self, body: u32, [cell, source]: [u32; 2], facet: [u32; D]) {
         let range = &mut self.ranges[body as usize];
         if range.start == range.end {
             range.start = self.facets.len();
@@ -193,6 +196,7 @@ impl<const D: usize> Surface<D> {
         range.end = self.facets.len() + 1;
         self.facets.push(facet);
         self.facet_cell.push(cell);
+        self.facet_source.push(source);
     }
 
     /// Coordinates of all nodes without deformation: those from which the surface was made. Empty where there are no

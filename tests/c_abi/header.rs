@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 34] = [
+const SOURCES: [&str; 37] = [
     "version",
     "status",
     "failure",
@@ -17,11 +17,14 @@ const SOURCES: [&str; 34] = [
     "stateless_step",
     "creation",
     "context",
+    "boundary_facet",
+    "boundary_facets",
     "patches",
     "friction",
     "reference",
     "tangent",
     "compressed_rows",
+    "obstacle_rotations",
     "evaluate_tangent",
     "stable_step",
     "evaluation",

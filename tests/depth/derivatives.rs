@@ -66,7 +66,7 @@ pub(crate) fn in_space(visit: impl FnMut(Contact<3>, Vec<[f64; 3]>)) {
 
 /// Central differences with a step of 1e-5: their error is 1e-10 by truncation where the energy is smooth within the
 /// step, and 1e-11 by rounding; a facet that passes a face within it adds a jump of the second derivative times the step.
-fn force_is_the_slope_of_the_energy<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) {
+pub(crate) fn force_is_the_slope_of_the_energy<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) {
     let at = contact.evaluate(coords).expect("valid coordinates");
     let largest = at.forces.iter().flatten().fold(0.0f64, |m, f| m.max(f.abs()));
     assert!(at.volume > 1e-3 && largest > 0.0);
@@ -95,7 +95,7 @@ fn forces_balance<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) {
 }
 
 /// Differences of the force, as those of the energy.
-fn tangent_is_the_slope_of_the_force<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) {
+pub(crate) fn tangent_is_the_slope_of_the_force<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) {
     let tangent = contact.tangent(coords, TangentPart::Full).expect("valid coordinates");
     let mut random = Splitmix::new(8);
     for _ in 0..4 {
@@ -120,6 +120,14 @@ fn tangent_is_the_slope_of_the_force<const D: usize>(contact: &Contact<D>, coord
     assert_eq!(both, (contact.evaluate(coords).expect("valid coordinates"), tangent));
 }
 
+/// All of it.
+pub(crate) fn check_all<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) {
+    force_is_the_slope_of_the_energy(contact, coords);
+    forces_balance(contact, coords);
+    tangent_is_the_slope_of_the_force(contact, coords);
+    semidefinite_part_is_semidefinite(contact, coords);
+}
+
 /// xᵀ K x is not negative.
 fn semidefinite_part_is_semidefinite<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) {
     let tangent = contact.tangent(coords, TangentPart::Semidefinite).expect("valid coordinates");
@@ -133,19 +141,13 @@ fn semidefinite_part_is_semidefinite<const D: usize>(contact: &Contact<D>, coord
 #[test]
 fn in_the_plane() {
     in_plane(|contact, coords| {
-        force_is_the_slope_of_the_energy(&contact, &coords);
-        forces_balance(&contact, &coords);
-        tangent_is_the_slope_of_the_force(&contact, &coords);
-        semidefinite_part_is_semidefinite(&contact, &coords);
+        check_all(&contact, &coords);
     });
 }
 
 #[test]
 fn in_space_too() {
     in_space(|contact, coords| {
-        force_is_the_slope_of_the_energy(&contact, &coords);
-        forces_balance(&contact, &coords);
-        tangent_is_the_slope_of_the_force(&contact, &coords);
-        semidefinite_part_is_semidefinite(&contact, &coords);
+        check_all(&contact, &coords);
     });
 }

@@ -3,11 +3,13 @@
 #[path = "../scene/scene.rs"]
 mod scene;
 
+mod clearance;
 mod coarse;
 mod corners;
 mod derivatives;
 mod fields;
 mod flat;
+mod gap_offset;
 mod itself;
 mod noise;
 mod obstacles;

@@ -136,7 +136,17 @@ pub(crate) fn deviations<const D: usize>(
     pose: Pose<D>,
     steps: [f64; 2],
 ) -> Deviations {
-    let (scene, mut contact) = against(mesh, shape, pose, 30.0);
+    let (scene, contact) = against(mesh, shape, pose, 30.0);
+    deviations_of(&scene, contact, pose, steps)
+}
+
+/// The same of a contact with one obstacle, which stands there.
+pub(crate) fn deviations_of<const D: usize>(
+    scene: &Scene<D>,
+    mut contact: Contact<D>,
+    pose: Pose<D>,
+    steps: [f64; 2],
+) -> Deviations {
     let coords = &scene.coords;
     let mut random = Splitmix::new(5);
     let tangent = contact.tangent(coords, TangentPart::Full).expect("valid coordinates");
@@ -188,7 +198,7 @@ pub(crate) fn deviations<const D: usize>(
     let eigenvalues = matrix.symmetric_eigenvalues();
     let (least, largest) = (eigenvalues.min(), eigenvalues.max());
     // It is none where all facets that move outwards rise from the depth.
-    assert!(least >= -1e-12 * largest.max(1e-9), "{shape:?}: {least:e} and {largest:e}");
+    assert!(least >= -1e-12 * largest.max(1e-9), "{least:e} and {largest:e}");
     let both = contact.evaluate_with_tangent(coords, TangentPart::Full).expect("valid coordinates");
     assert_eq!(both, (contact.evaluate(coords).expect("valid coordinates"), tangent));
     found

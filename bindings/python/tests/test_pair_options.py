@@ -43,6 +43,7 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
     assert contact.pair_options(0, FLOOR) == {
         "excluded": False,
         "friction_coefficient": None,
+        "gap_offset": 0.0,
         "law": "volume",
         "stiffness": 5 * K,
         "exponent": 2.0,
@@ -111,3 +112,23 @@ def test_what_is_refused_changes_nothing() -> None:
     with pytest.raises(errors.BodyOutOfRangeError) as caught:
         contact.pair_options(0, 9)
     assert caught.value.indices == {"body": (9,)}
+
+
+def test_contact_begins_at_a_distance() -> None:
+    contact = tower(law="depth", estimator="auto")
+    # Squares are 0.1 deep in the floor, and sink in one another by as much.
+    contact.set_pair(0, FLOOR, gap_offset=0.2)
+    contact.set_pair(1, 2, gap_offset=-0.04)
+    assert contact.pair_options(0, FLOOR)["gap_offset"] == 0.2
+    result = contact.evaluate(TOWER)
+    found = {(pair.a[1], pair.b): pair.penetration for pair in result.pairs}
+    expected = {(0, FLOOR): 0.3, (0, ("body", 1)): 0.1, (1, ("body", 2)): 0.06}
+    assert found == pytest.approx(expected)
+    assert result.obstacles[0].force[1] == pytest.approx(-0.3 * K)
+    for offset, a, b, error in (
+        (0.1, 0, 1, errors.UnsupportedError),
+        (np.nan, 0, FLOOR, errors.NotPositiveError),
+    ):
+        with pytest.raises(error, match="offset"):
+            contact.set_pair(a, b, gap_offset=offset)
+    assert contact.pair_options(0, 1)["gap_offset"] == 0

@@ -5,7 +5,7 @@ from ctypes import c_size_t
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, errors
+from fmc_contact import Contact, Pose, errors
 from fmc_contact._library import check, library
 from scenes import K
 
@@ -197,3 +197,31 @@ def test_stable_step(squares):
     assert caught.value.indices == {"node": (touched,)}
     with pytest.raises(ValueError, match=r"masses has shape \(7,\)"):
         contact.stable_step(coords, masses[1:])
+
+
+def test_obstacles_turn(squares):
+    coords, cells = squares
+    contact = Contact(coords, cells, "quad", stiffness=K, law="depth")
+    pose = np.array([0.2, 0.05]), 0.1
+    turned = lambda at, angle: Pose(at, [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])  # noqa: E731
+    contact.add_half_space(pose[0], (-np.sin(pose[1]), np.cos(pose[1])))
+    plain = contact.tangent_parts(coords, obstacles=True)
+    contact.set_obstacle_rotations(True)
+    tangent = contact.tangent_parts(coords, obstacles=True)
+    assert (plain.size, tangent.size) == (18, 20)
+
+    def moment(angle):
+        contact.set_pose(0, turned(pose[0], pose[1] + angle))
+        result = contact.evaluate(coords)
+        obstacle = result.obstacles[0]
+        about = np.ravel(obstacle.moment)[-1] - (pose[0][0] * obstacle.force[1] - pose[0][1] * obstacle.force[0])
+        return np.append(result.forces.ravel(), [*obstacle.force, about])
+
+    expected = (moment(-1e-6) - moment(1e-6)) / 2e-6
+    unit = np.zeros(20)
+    unit[18] = 1
+    np.testing.assert_allclose((tangent @ unit)[:19], expected, atol=1e-6 * abs(expected).max())
+    contact.set_options(friction_coefficient=0.3)
+    contact.begin_step(coords)
+    with pytest.raises(errors.UnsupportedError, match="rotation of obstacles"):
+        contact.tangent(coords)

@@ -48,6 +48,8 @@ pub(crate) struct Asked {
     pub(crate) points: bool,
     /// These for friction: also of a law that has one pressure for the whole pair, which then presses everywhere.
     pub(crate) slides: bool,
+    /// The rotation of the obstacle in the tangent, which needs the gradient.
+    pub(crate) turns: bool,
 }
 
 /// What a law answers: the parts that were asked for.

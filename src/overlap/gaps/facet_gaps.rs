@@ -45,13 +45,14 @@ pub(crate) fn facet_gap<const D: usize>(
         let share = bare * weighting.at(x);
         let Some(found) = found.filter(|found| facet.normal.dot(&found.distance.gradient) <= -FACING) else { continue };
         gap.is_near = true;
+        let phi = found.distance.phi + pair.clearance;
         for corner in 0..D {
             gap.areas[corner] += share * facet.measure * at[corner];
-            gap.gaps[corner] += share * facet.measure * at[corner] * found.distance.phi;
+            gap.gaps[corner] += share * facet.measure * at[corner] * phi;
         }
         for corner in 0..D {
             let by = found.distance.gradient * (share * facet.measure * at[corner]);
-            let of_weight = weighting.gradient() * (bare * facet.measure * at[corner] * found.distance.phi);
+            let of_weight = weighting.gradient() * (bare * facet.measure * at[corner] * phi);
             let gradient = &mut gap.gradients[corner];
             for (other, weights) in facet.weights.iter().enumerate() {
                 let own = facet.nodes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);

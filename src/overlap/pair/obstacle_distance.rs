@@ -48,6 +48,7 @@ impl<'a, const D: usize> ObstacleDistance<'a, D> {
             Counterpart::Implicit(ImplicitSide { shape, .. }) => Source::Shape(shape),
             Counterpart::Itself => Source::Shape(&Shape::HalfSpace),
         };
+        let pose = if let Counterpart::Implicit(side) = counterpart { side.pose } else { pose };
         Self { source, pose }
     }
 
@@ -69,7 +70,7 @@ impl<'a, const D: usize> ObstacleDistance<'a, D> {
                     in_space(phi, &gradient)
                 })
                 .collect()),
-            Source::Facets { side, tree } => Ok(points.iter().map(|x| from_facets(side, tree, x)).collect()),
+            Source::Facets { side, tree } => Ok(points.iter().map(|x| distance_from_facets(side, tree, x)).collect()),
             Source::Function { function, obstacle } => {
                 let x: Vec<[f64; D]> = points.iter().map(|x| self.pose.unplace(x).into()).collect();
                 let (mut phi, mut gradient) = (vec![f64::NAN; x.len()], vec![[f64::NAN; D]; x.len()]);
@@ -102,7 +103,7 @@ impl<'a, const D: usize> ObstacleDistance<'a, D> {
 }
 
 /// Distance from the nearest facet, negative where the facets lie around the point.
-fn from_facets<const D: usize>(side: &FacetSide<D>, tree: &Tree<D>, x: &Vector<D>) -> Distance<D> {
+pub(crate) fn distance_from_facets<const D: usize>(side: &FacetSide<D>, tree: &Tree<D>, x: &Vector<D>) -> Distance<D> {
     let found = Cell::new((f64::INFINITY, Vector::zeros(), 0));
     tree.least_squared_distance(x, f64::INFINITY, |facet, least| {
         let corners = side.corners(facet as usize);

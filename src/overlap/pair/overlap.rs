@@ -12,7 +12,7 @@ pub struct PoseGradient<const D: usize> {
     /// ∂V/∂(rotation about the origin of space), as a vector of three; in 2D only the last entry differs from zero, with
     /// axisymmetry none.
     pub rotation: [f64; 3],
-    /// ∂V/∂scale.
+    /// ∂V/∂scale; a gap offset of the pair is scaled too.
     pub scale: f64,
 }
 

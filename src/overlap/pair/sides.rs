@@ -52,13 +52,15 @@ pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) partners: [Partner; 2],
     pub(crate) a: FacetSide<'a, D>,
     pub(crate) counterpart: Counterpart<'a, D>,
-    /// Pose of the second side, where it is an obstacle.
+    /// Pose of the second side, where it is an obstacle: that in the counterpart may be another, at a gap offset.
     pub(crate) pose: Option<&'a Pose<D>>,
     pub(crate) surface: &'a Surface<D>,
     /// Coordinates of all nodes.
     pub(crate) coords: &'a [[f64; D]],
     /// Depth of the bodies' cells, where the law needs it and there are cells.
     pub(crate) depth: Option<&'a DepthField<D>>,
+    /// How deep below the surfaces the contact of two bodies begins; 0 for an obstacle, which then is another.
+    pub(crate) clearance: f64,
     /// What its measures count for.
     pub(crate) weighting: Weighting,
     /// Whether the threads of the pool that calls may share the work.

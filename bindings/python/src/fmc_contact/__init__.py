@@ -5,12 +5,13 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 (2D: N/m).
 
     augmented  ->  newton  ->  contact_force, Contact  ->  linearised
-            ->  mesh, obstacles, options, pair_options, friction, result, fields, gaps, tangent
+            ->  mesh, obstacles, options, pair_options, friction, result, fields, boundary, gaps, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
 
 from . import errors
 from ._library import library as _shared
+from .boundary import BoundaryFacets
 from .contact import Contact
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
@@ -35,6 +36,7 @@ def has_feature(name: str) -> bool:
 
 __all__ = [
     "Augmented",
+    "BoundaryFacets",
     "Contact",
     "ContactPoints",
     "ContactWarning",

@@ -7,6 +7,7 @@ from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_size_t, c_
 import numpy as np
 
 from ._structs import (
+    fmc_boundary_facet,
     fmc_cell_block,
     fmc_cell_block_i64,
     fmc_contact_point,
@@ -117,6 +118,7 @@ FUNCTIONS = {
     "fmc_context_set_options": (STATUS, [Context, _OPTIONS]),
     "fmc_context_set_log": (STATUS, [Context, LOG, c_void_p]),
     "fmc_context_counts": (STATUS, [Context, _COUNT, _COUNT, _COUNT]),
+    "fmc_context_boundary_facets": (STATUS, [Context, POINTER(fmc_boundary_facet), c_size_t]),
     "fmc_context_evaluate": (STATUS, [Context, _COORDS, POINTER(fmc_forces), c_uint32, POINTER(fmc_result)]),
     "fmc_context_error": (c_char_p, [Context]),
     "fmc_context_set_reference": (STATUS, [Context, _COORDS]),
@@ -135,6 +137,7 @@ FUNCTIONS = {
     "fmc_context_tangent_csr": (STATUS, [Context, c_uint32, Int32Array, Int32Array, Float64Array, c_size_t]),
     "fmc_context_tangent_csr_i64": (STATUS, [Context, c_uint32, Int64Array, Int64Array, Float64Array, c_size_t]),
     "fmc_context_keep_pattern": (STATUS, [Context, c_int32]),
+    "fmc_context_set_obstacle_rotations": (STATUS, [Context, c_int32]),
     "fmc_context_evaluate_tangent": (
         STATUS,
         [Context, _COORDS, c_uint32, POINTER(fmc_forces), POINTER(fmc_result), _COUNT, _COUNT],

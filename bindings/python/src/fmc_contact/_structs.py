@@ -214,6 +214,19 @@ class fmc_contact_point(Structure):
     ]
 
 
+class fmc_boundary_facet(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("body", c_size_t),
+        ("cell", c_int64),
+        ("given", c_int64),
+        ("local_face", c_int32),
+        ("node_count", c_int32),
+        ("nodes", c_int64 * 4),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_friction_step(Structure):
     _fields_ = [
         ("struct_size", c_size_t),

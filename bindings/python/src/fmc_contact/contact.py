@@ -13,6 +13,7 @@ from ._arrays import View, coords_view, forces_view
 from ._library import library
 from ._signatures import LOG
 from ._structs import fmc_result
+from .boundary import BoundaryFacets, boundary_facets
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .friction import Steps
 from .gaps import GapConstraints, gap_constraints
@@ -91,6 +92,11 @@ class Contact(PairOptions, Steps, Linearised):
         counts = [c_size_t() for _ in range(3)]
         self._handle.call(library.fmc_context_counts, *map(byref, counts))
         self.node_count, self.facet_count, self.body_count = (count.value for count in counts)
+
+    def boundary_facets(self) -> BoundaryFacets:
+        """The boundary facets that were found, in the order of ``slip``: cell, face of the cell, nodes and body of each."""
+        with self._handle:
+            return boundary_facets(self._handle, self.facet_count, self.dim)
 
     @property
     def options(self) -> dict[str, object]:

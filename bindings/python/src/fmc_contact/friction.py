@@ -56,7 +56,8 @@ class Steps:
 
     @property
     def slip(self) -> np.ndarray:
-        """The elastic slip carried into the step, (facets, dim): that of every facet against what it faces. With the
+        """The elastic slip carried into the step, (facets, dim): that of every facet against what it faces, in
+        the order of ``Contact.boundary_facets``. With the
         coordinates and poses at which the step began it is all that a restart needs: ``begin_step`` there, then set it."""
         found = np.empty((self.facet_count, self.dim))
         with self._handle:

@@ -38,7 +38,7 @@ class Linearised(Obstacles):
         A ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; with ``blocks`` a
         ``bsr_matrix`` of blocks (dim, dim). Without scipy ``(rows, cols, values)``, where duplicate entries are summed.
         ``semidefinite`` leaves out the terms that can be indefinite, for use far from a solution. ``obstacles`` appends
-        the translations of the obstacles, as nodes after the last. For the law ``"volume"`` all nodes of a pair are
+        the translations of the obstacles, as nodes after the last, and, with ``set_obstacle_rotations``, their rotations. For the law ``"volume"`` all nodes of a pair are
         coupled: see ``tangent_parts`` for large ones.
 
         With the law ``"fiber"``, ``keep_patches`` and ``momentum_correction=False`` it is the derivative of the forces; the
@@ -93,6 +93,15 @@ class Linearised(Obstacles):
         if add:
             raise ValueError("add is for forces that are there already: give the array as out")
         return np.empty((self.dim, self.node_count) if view.is_columns else (self.node_count, self.dim)), 0
+
+    def set_obstacle_rotations(self, on: bool) -> None:
+        """Whether tangents with ``obstacles`` have their rotations, too, after the translations, from the next one on; they
+        have not at first. The rotation of obstacle o of m is node n + m + o: a rotation vector about the position of its
+        pose, which moves along; in 2D its first entry is the angle, and the second has only zeros. It is the second
+        derivative of the energy: the moment M about the position changes by -K dtheta + dtheta x M / 2. Not with friction
+        nor with the law ``"fiber"``: the tangent then raises ``UnsupportedError``."""
+        with self._handle:
+            self._handle.call(library.fmc_context_set_obstacle_rotations, int(bool(on)))
 
     def keep_pattern(self) -> None:
         """Keeps the pattern of the tangent's entries: from the last tangent on it only grows, and places that have no

@@ -31,7 +31,8 @@ class PairOptions:
 
     Errors: ``BodyOutOfRangeError`` and ``ObstacleOutOfRangeError``, which name the index; ``NotPositiveError``;
     ``UnknownOptionError`` for an unknown value, or one that would have no effect; ``UnsupportedError`` for two obstacles,
-    and for a law that the estimator does not support; ``BusyError``. What was set before then stays.
+    for a law that the estimator does not support, and for a gap offset between bodies that is positive
+    or has another law than ``depth``; ``BusyError``. What was set before then stays.
     """
 
     _handle: Handle
@@ -47,6 +48,7 @@ class PairOptions:
         exponent: float | None = None,
         smoothing_length: float | None = None,
         friction_coefficient: float | None = None,
+        gap_offset: float = 0.0,
         excluded: bool = False,
     ) -> None:
         """Gives the pair of ``a`` and ``b``, in either order, options of its own, in place of those it had.
@@ -56,13 +58,20 @@ class PairOptions:
         that the contact has now, with this stiffness. None of these: the law of the contact, also after it changes.
         ``friction_coefficient``: that of this pair; all else of its friction is that of the contact's options.
 
+        ``gap_offset``: the distance (length) at which contact begins; penetration, gap and pressure are counted from
+        there. The surface of an obstacle is taken to lie so much further out (a shell's thickness, a coating), or, if
+        negative, further in (a clearance). Half-spaces, balls and capsules stay what they are, cylinders inwards; any
+        other shape becomes its signed distance less the offset, with its outward edges rounded, and what holds for
+        ``add_signed_distance`` holds for it. Between bodies, and of one with itself, only with the law ``"depth"`` and
+        not positive: -c lets either body in by c before it presses.
+
         For a body with itself (``a == b``) this decides in place of the option ``self_contact`` whether it is evaluated
         against itself: ``excluded`` switches that off for this body, and anything else on.
         """
         given = {"stiffness": stiffness, "exponent": exponent, "smoothing_length": smoothing_length}
         own = fmc_pair_options()
         check(library.fmc_pair_options_init(byref(own)))
-        own.excluded = bool(excluded)
+        own.excluded, own.gap_offset = bool(excluded), float(gap_offset)
         if friction_coefficient is not None:
             own.friction_coefficient = float(friction_coefficient)
         if law is not None:
@@ -88,7 +97,7 @@ class PairOptions:
 
     def pair_options(self, a: Partner, b: Partner) -> dict[str, object]:
         """The options of a pair, as ``set_pair`` takes them: ``excluded``, and ``law`` with what belongs to it, ``None``
-        where it is the contact's. Of a pair without options of its own, those that hold for it."""
+        where it is the contact's, and ``gap_offset``. Of a pair without options of its own, those that hold for it."""
         found = fmc_pair_options()
         with self._handle:
             self._handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
@@ -96,6 +105,7 @@ class PairOptions:
         options: dict[str, object] = {"excluded": bool(found.excluded)}
         has_friction = found.friction_coefficient != FMC_FRICTION_OF_CONTEXT
         options["friction_coefficient"] = found.friction_coefficient if has_friction else None
+        options["gap_offset"] = found.gap_offset
         options["law"] = CHOICES["law"][found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         return options

@@ -70,6 +70,7 @@ mod tests {
             surface: &surfaces[0],
             coords: &a.coords,
             depth: None,
+            clearance: 0.0,
             weighting: Weighting::Plain,
             parallel: false,
         };

@@ -5,6 +5,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::tree::Tree;
 use crate::geometry::{Surface, Vector};
+use crate::overlap::pair::sides::Pair;
 use rustc_hash::FxHashSet;
 
 /// Pieces on which the depth of a body is linear, to be found by place.
@@ -15,22 +16,22 @@ pub(crate) struct CellPieces<const D: usize> {
 }
 
 impl<const D: usize> CellPieces<D> {
-    /// The pieces of one body that meet `region`; `facets` are those of its facets that do.
+    /// The pieces of one body of a pair that meet `region`; `facets` are those of its facets that do.
     pub(crate) fn new(
-        surface: &Surface<D>,
+        pair: &Pair<D>,
         cells: &Cells,
         field: &DepthField<D>,
-        coords: &[[f64; D]],
         body: usize,
         facets: &[u32],
         region: &Aabb<D>,
     ) -> Self {
+        let (surface, coords) = (pair.surface, pair.coords);
         let (mut pieces, mut boxes) = (Vec::new(), Vec::new());
         for cell in cells_in(surface, cells, field, coords, body, facets, region) {
             field.for_each_piece(cells, cell as usize, coords, |piece| {
                 let aabb = piece.aabb();
                 if aabb.meets(region) {
-                    pieces.push(piece);
+                    pieces.push(piece.lowered(pair.clearance));
                     boxes.push(aabb);
                 }
             });

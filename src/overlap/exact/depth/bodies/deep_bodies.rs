@@ -132,9 +132,8 @@ impl<const D: usize> DeepBodies<'_, D> {
     }
 
     fn pieces(&self, which: usize, region: &Region<D>) -> CellPieces<D> {
-        let (surface, coords) = (self.pair.surface, self.pair.coords);
         let body = if let Partner::Body(body) = self.pair.partners[which] { body } else { 0 };
-        CellPieces::new(surface, self.cells, self.field, coords, body, &region.facets[which], &region.aabb)
+        CellPieces::new(self.pair, self.cells, self.field, body, &region.facets[which], &region.aabb)
     }
 
     fn facets(
@@ -149,7 +148,9 @@ impl<const D: usize> DeepBodies<'_, D> {
         let body = if let Partner::Body(body) = self.pair.partners[0] { body } else { 0 };
         let own_cell = own.then(|| &surface.facet_cell[surface.ranges[body].clone()]);
         let weighting = self.pair.weighting;
-        let of_side = FacetsInCells { surface, cells, side, of_b, other, weight: WEIGHT, weighting, request, own_cell };
+        let (weight, clearance) = (WEIGHT, self.pair.clearance);
+        let of_side =
+            FacetsInCells { surface, cells, side, of_b, other, weight, clearance, weighting, request, own_cell };
         let parts = self.pair.in_chunks(facets, CHUNK, |facets| of_side.integrals(facets, rounding));
         FacetSums::of_parts(parts)
     }

@@ -34,6 +34,8 @@ pub(crate) struct FacetsInCells<'a, const D: usize> {
     pub(crate) other: &'a CellPieces<D>,
     /// Part with which it counts.
     pub(crate) weight: f64,
+    /// How deep below the other's surface the contact begins.
+    pub(crate) clearance: f64,
     pub(crate) weighting: Weighting,
     pub(crate) request: &'a DepthRequest,
     /// Cell of every facet of the side, which does not count, where the other body is the same.
@@ -85,12 +87,31 @@ impl<const D: usize> FacetsInCells<'_, D> {
         let Scratch { work, values } = scratch;
         let is_same_way = piece.is_at_surface && facet.normal.dot(&piece.gradient) < -SAME_WAY * piece.gradient.norm();
         let flat = FLAT * facet.measure.powf(1.0 / (D - 1) as f64);
+        let coordinates =
+            |w: &[f64; D]| -> [f64; 4] { std::array::from_fn(|k| (0..D).map(|c| w[c] * barycentric[c][k]).sum()) };
+        let depth = |at: &[f64; 4]| -> f64 { (0..=D).map(|k| at[k] * piece.depths[k]).sum() };
+        let at_corners: [f64; D] = std::array::from_fn(|c| depth(&barycentric[c]));
         clip(&facet.corners, &barycentric, &facet.area, piece, work, |inside, part| {
-            sums.piece_count += 1;
             let part = part * piece.sign;
-            let coordinates =
-                |w: &[f64; D]| -> [f64; 4] { std::array::from_fn(|k| (0..D).map(|c| w[c] * barycentric[c][k]).sum()) };
-            let depth = |at: &[f64; 4]| -> f64 { (0..=D).map(|k| at[k] * piece.depths[k]).sum() };
+            if is_same_way {
+                self.weighting.for_each_simplex(&facet.corners, inside.corners(), |corners, share, _| {
+                    let is_flat = |w: &[f64; D]| (depth(&coordinates(w)) + self.clearance).abs() <= flat;
+                    if corners.iter().all(|w| is_flat(w)) {
+                        sums.flush += share * part * facet.measure;
+                    }
+                });
+            }
+            let mut below = Piece::default();
+            let inside = if piece.is_cut() {
+                below.clone_from(inside);
+                if !below.cut(&at_corners.map(|depth| -depth)) {
+                    return;
+                }
+                &below
+            } else {
+                inside
+            };
+            sums.piece_count += 1;
             let (mut areas, mut local) = ([0.0; D], [0.0; D]);
             // Products of the functions that move with nodes.
             let mut products = [[0.0; MOST]; MOST];
@@ -104,9 +125,6 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 let total: f64 = g.iter().sum();
                 sums.area += share * facet.measure;
                 sums.depth += share * facet.measure * total / D as f64;
-                if is_same_way && g.iter().all(|g| g.abs() <= flat) {
-                    sums.flush += share * facet.measure;
-                }
                 let norm = share / (D * (D + 1)) as f64;
                 for (a, moment) in local.iter_mut().enumerate() {
                     let same: f64 = (0..D).map(|c| g[c] * corners[c][a]).sum();

@@ -90,7 +90,12 @@ impl Moments for Products {
 
 /// Moments of the common part of two pieces, in the barycentric coordinates of each, the parts of inverted cells counted
 /// negative; `None` where they have no part in common.
+///
+/// Of a piece whose depth is negative somewhere those of the part where it is positive.
 pub(crate) fn common_moments<M: Moments, const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<[M; 2]> {
+    if p.is_cut() || q.is_cut() {
+        return common_moments_below(p, q);
+    }
     let of_p = coordinates(p, q);
     let by_q = cuts::<D>(&of_p)?;
     let of_q = coordinates(q, p);
@@ -98,12 +103,31 @@ pub(crate) fn common_moments<M: Moments, const D: usize>(p: &DepthPiece<D>, q: &
     let some = |moments: M| (!moments.is_zero()).then_some(moments);
     // The one of which fewer faces cut the other cuts.
     if by_q <= by_p {
-        let in_q: M = inside::<M, D>(of_p, p.sign * q.sign * q.measure);
+        let in_q: M = inside::<M, D>(of_p, p.sign * q.sign * q.measure, None);
         Some([some(in_q)?.carried(&of_q), in_q])
     } else {
-        let in_p: M = inside::<M, D>(of_q, p.sign * q.sign * p.measure);
+        let in_p: M = inside::<M, D>(of_q, p.sign * q.sign * p.measure, None);
         Some([in_p, some(in_p)?.carried(&of_p)])
     }
+}
+
+/// The same where the depth of either piece is positive, each by itself.
+fn common_moments_below<M: Moments, const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<[M; 2]> {
+    let (of_p, of_q) = (coordinates(p, q), coordinates(q, p));
+    let by_q_first = cuts::<D>(&of_p)? <= cuts::<D>(&of_q)?;
+    let sign = p.sign * q.sign;
+    // Depth of one piece at the corners of the other.
+    let at = |corners: &[[f64; 4]; 4], depths: &[f64; 4]| {
+        corners.map(|corner| (0..=D).map(|k| corner[k] * depths[k]).sum::<f64>())
+    };
+    let [in_p, in_q] = if by_q_first {
+        let in_p: M = inside::<M, D>(of_p, sign * q.measure, Some(at(&of_q, &p.depths)));
+        [in_p.carried(&of_q), inside::<M, D>(of_p, sign * q.measure, Some(q.depths))]
+    } else {
+        let in_q: M = inside::<M, D>(of_q, sign * p.measure, Some(at(&of_p, &q.depths)));
+        [inside::<M, D>(of_q, sign * p.measure, Some(p.depths)), in_q.carried(&of_p)]
+    };
+    (!in_p.is_zero() || !in_q.is_zero()).then_some([in_p, in_q])
 }
 
 /// Barycentric coordinates in `q` of the corners of `p`.
@@ -128,26 +152,38 @@ fn cuts<const D: usize>(corners: &[[f64; 4]; 4]) -> Option<usize> {
 }
 
 /// Moments of the part of a simplex where all coordinates are positive; the simplex whose coordinates they are has this
-/// measure.
+/// measure. With `positive` only where that linear function is, given at the corners of that simplex.
 ///
 /// Faces that leave the fewest corners come first: what they cut falls into the fewest parts.
-fn inside<M: Moments, const D: usize>(corners: [[f64; 4]; 4], measure: f64) -> M {
+fn inside<M: Moments, const D: usize>(corners: [[f64; 4]; 4], measure: f64, positive: Option<[f64; 4]>) -> M {
     let left = |k: usize| corners[..=D].iter().filter(|corner| corner[k] > 0.0).count();
     let mut order = [0, 1, 2, 3];
     order[..=D].sort_by_key(|&k| left(k));
     let mut in_order = M::default();
-    add_inside::<M, D>(corners.map(|corner| order.map(|k| corner[k])), 0, &mut in_order);
+    let positive = positive.map(|at| order.map(|k| at[k]));
+    add_inside::<M, D>(corners.map(|corner| order.map(|k| corner[k])), 0, positive.as_ref(), &mut in_order);
     in_order.in_order(&order, measure)
 }
 
 /// Adds the moments of the part of a simplex, given by the coordinates of its corners, where those from number `level` on
-/// are positive; in units of the measure of the simplex whose coordinates they are.
-fn add_inside<M: Moments, const D: usize>(mut x: [[f64; 4]; 4], level: usize, sums: &mut M) {
-    for k in level..=D {
+/// are positive, and that linear function, if there is one; in units of the measure of the simplex whose coordinates they
+/// are.
+fn add_inside<M: Moments, const D: usize>(
+    mut x: [[f64; 4]; 4],
+    level: usize,
+    positive: Option<&[f64; 4]>,
+    sums: &mut M,
+) {
+    let last = if positive.is_some() { D + 1 } else { D };
+    for k in level..=last {
+        let value = |x: &[f64; 4]| match positive {
+            Some(at) if k > D => (0..=D).map(|i| x[i] * at[i]).sum(),
+            _ => x[k],
+        };
         // Those inside come first.
         let mut inside = 0;
         for c in 0..=D {
-            if x[c][k] > 0.0 {
+            if value(&x[c]) > 0.0 {
                 x.swap(c, inside);
                 inside += 1;
             }
@@ -156,13 +192,16 @@ fn add_inside<M: Moments, const D: usize>(mut x: [[f64; 4]; 4], level: usize, su
             continue;
         }
         let cut = |p: usize, q: usize| {
-            let part = x[p][k] / (x[p][k] - x[q][k]);
+            let (of_p, of_q) = (value(&x[p]), value(&x[q]));
+            let part = of_p / (of_p - of_q);
             let mut at: [f64; 4] = std::array::from_fn(|i| x[p][i] + part * (x[q][i] - x[p][i]));
-            at[k] = 0.0;
+            if k <= D {
+                at[k] = 0.0;
+            }
             at
         };
         let none = [0.0; 4];
-        let mut add = |simplex: [[f64; 4]; 4]| add_inside::<M, D>(simplex, k + 1, sums);
+        let mut add = |simplex: [[f64; 4]; 4]| add_inside::<M, D>(simplex, k + 1, positive, sums);
         match (D, inside) {
             (_, 0) => {}
             (2, 1) => add([x[0], cut(0, 1), cut(0, 2), none]),
@@ -204,13 +243,13 @@ mod tests {
         let corners = [[-0.2, 0.1, 0.2], [0.7, -0.3, 0.1], [0.2, 0.8, -0.1], [0.3, 0.2, 0.9]];
         let whole = corners.map(|[x, y, z]| at(x, y, z));
         let mut sums = [0.0; 4];
-        add_inside::<[f64; 4], 3>(whole, 0, &mut sums);
+        add_inside::<[f64; 4], 3>(whole, 0, None, &mut sums);
         let middle: [f64; 4] = std::array::from_fn(|i| whole.iter().map(|x| x[i]).sum::<f64>() / 4.0);
         let mut of_parts = [0.0; 4];
         for k in 0..4 {
             let mut part = whole;
             part[k] = middle;
-            add_inside::<[f64; 4], 3>(part, 0, &mut of_parts);
+            add_inside::<[f64; 4], 3>(part, 0, None, &mut of_parts);
         }
         for i in 0..4 {
             assert!((sums[i] - of_parts[i]).abs() < 1e-15 && sums[i] > 0.0, "{sums:?} {of_parts:?}");

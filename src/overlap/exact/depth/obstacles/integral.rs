@@ -37,7 +37,7 @@ pub(crate) fn of_obstacle<const D: usize>(
     request: &DepthRequest,
 ) -> Result<Option<DepthIntegral<D>>, Error> {
     let solid = match &pair.counterpart {
-        Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, .. }) => {
+        Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
             Some(ConvexSolid::below(&Plane::of(pose)))
         }
         Counterpart::Facets(side) => ConvexSolid::within(side),

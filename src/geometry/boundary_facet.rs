@@ -1,0 +1,50 @@
+//! The boundary facets of a mesh, as a host asks for them.
+
+use super::Surface;
+
+/// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BoundaryFacet {
+    /// Index of its body.
+    pub body: usize,
+    /// Its cell, counted over all blocks; `None` where the surface was given by facets.
+    pub cell: Option<usize>,
+    /// Number of its face among those of the cell, as VTK counts them ([`CellType::vtk_face`](super::CellType::vtk_face)).
+    pub local_face: Option<usize>,
+    /// Its number among the facets as given; `None` where the surface was made from cells.
+    pub given: Option<usize>,
+    /// Nodes of its face: in 2D with the body on the left, in 3D counter-clockwise seen from outside. Of four, the facet
+    /// is the triangle of the first two and the mean of all.
+    pub nodes: Vec<u32>,
+}
+
+impl<const D: usize> Surface<D> {
+    /// All boundary facets, in the order in which everything is told of them: body after body, by cell and face.
+    pub fn boundary_facets(&self) -> Vec<BoundaryFacet> {
+        let bodies =
+            self.ranges.iter().enumerate().flat_map(|(body, range)| range.clone().map(move |facet| (body, facet)));
+        bodies.map(|(body, facet)| self.boundary_facet(body, facet)).collect()
+    }
+
+    fn boundary_facet(&self, body: usize, facet: usize) -> BoundaryFacet {
+        let source = self.facet_source[facet] as usize;
+        let cell = self.facet_cell.get(facet).map(|&cell| cell as usize);
+        let cells = cell.zip(self.cells.as_ref());
+        let local_face = cells.map(|(cell, cells)| cells.cell_type(cell).vtk_face(source));
+        let given = cell.is_none().then_some(source);
+        BoundaryFacet { body, cell, local_face, given, nodes: self.nodes_of_facet(facet) }
+    }
+
+    /// Nodes of the face of a facet, from the facet's first on.
+    fn nodes_of_facet(&self, facet: usize) -> Vec<u32> {
+        let vertices = self.facets[facet];
+        let node = |&vertex: &u32| self.nodes[vertex as usize];
+        let Some(centroid) = (vertices[D - 1] as usize).checked_sub(self.nodes.len()) else {
+            return vertices.iter().map(node).collect();
+        };
+        let mut four = self.centroids[centroid];
+        let first = four.iter().position(|&vertex| vertex == vertices[0]).unwrap_or(0);
+        four.rotate_left(first);
+        four.iter().map(node).collect()
+    }
+}
