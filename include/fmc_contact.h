@@ -492,7 +492,8 @@ typedef struct {
   int64_t given;
   // Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
   // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
-  // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567.
+  // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
+  // 124, 234, 304.
   int32_t local_face;
   // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D.
   int32_t node_count;

@@ -2,7 +2,10 @@
 
 use crate::scene::Scene;
 use fmc_contact::{Bodies, BoundaryFacet, CellBlock, CellType, Contact, Options, Surface};
-use fmc_shapes::{Mesh, cuboid_hex8, cuboid_pyramid5, cuboid_surface, cuboid_tet4, cuboid_wedge6, disc_quad4, disc_tri3, rectangle_quad4};
+use fmc_shapes::{
+    Mesh, cuboid_hex8, cuboid_pyramid5, cuboid_surface, cuboid_tet4, cuboid_wedge6, disc_quad4, disc_tri3,
+    rectangle_quad4,
+};
 
 /// Faces as in VTK's documentation, by the places of their nodes in the cell.
 fn vtk_faces(cell_type: CellType) -> &'static [&'static [usize]] {
