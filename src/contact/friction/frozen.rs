@@ -18,7 +18,10 @@ impl<const D: usize> FrozenFriction<D> {
         // A frozen limit does not change, nor does the part of the step that counts.
         for SlipFacets { facets, rows, .. } in &mut pairs {
             rows.iter_mut().for_each(|row| row.limit = Vector::zeros());
-            facets.iter_mut().for_each(|facet| facet.by_approach = Vector::zeros());
+            facets.iter_mut().for_each(|facet| {
+                facet.by_approach = Vector::zeros();
+                facet.is_frozen = true;
+            });
         }
         Self { pairs, coords: coords.to_vec(), poses }
     }

@@ -46,6 +46,8 @@ pub(crate) struct SlipFacet<const D: usize> {
     pub(crate) counted: f64,
     /// And with the approach, for which more of the step counts.
     pub(crate) by_approach: Vector<D>,
+    /// Whether limits and parts of the step are those of an earlier iteration.
+    pub(crate) is_frozen: bool,
     pub(crate) bearing: Bearing,
 }
 
@@ -95,6 +97,7 @@ impl<const D: usize> SlipFacets<D> {
             trial: tangential(carried + slip * touch.counted),
             counted: touch.counted,
             by_approach: tangential(slip * touch.by_approach),
+            is_frozen: false,
             bearing,
         });
         Some(())
@@ -114,6 +117,21 @@ impl<const D: usize> SlipFacets<D> {
     pub(crate) fn for_each_elastic_slip(&self, mut visit: impl FnMut(usize, f64, Vector<D>)) {
         for (facet, _, traction) in self.tractions() {
             visit(facet.facet, facet.area, traction.elastic * if facet.of_b { -1.0 } else { 1.0 });
+        }
+    }
+}
+
+impl<const D: usize> SlipFacet<D> {
+    /// Energy taken out, by area. The traction acts for the whole step, though of it only the part φ counts: what slides does
+    /// so at the limit for all of it. As areas shrink no less than they grow, that is the loss of the mean area.
+    ///
+    /// Frozen, the traction is the gradient of a potential, (stored + dissipated)/φ; what of it is not stored.
+    pub(crate) fn dissipated(&self, traction: &Traction<D>) -> f64 {
+        let Traction { stored, dissipated, .. } = *traction;
+        match self.counted {
+            0.0 => dissipated,
+            part if self.is_frozen => (stored + dissipated) / part - stored,
+            part => dissipated / part,
         }
     }
 }

@@ -40,7 +40,7 @@ pub struct FrictionTotals {
 impl FrictionTotals {
     fn add<const D: usize>(&mut self, facet: &SlipFacet<D>, traction: &Traction<D>) {
         self.stored += facet.area * traction.stored;
-        self.dissipated += facet.area * traction.dissipated;
+        self.dissipated += facet.area * facet.dissipated(traction);
         match traction.slides {
             true => self.slip_area += facet.area,
             false => self.stick_area += facet.area,
