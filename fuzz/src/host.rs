@@ -836,7 +836,8 @@ impl Host {
             let blank = std::mem::MaybeUninit::<fmc_boundary_facet>::zeroed().assume_init();
             let found = Guarded::new(&vec![blank; counts[1]]);
             assert_ne!(checked(fmc_context_boundary_facets(self.context, found.ptr(), counts[1] - 1)), OK);
-            let (target, is_wanted) = (unless(hole, 2, found.ptr()), hole != 2);
+            let target = unless(hole, 2, found.ptr());
+            let is_wanted = !target.is_null();
             let status = checked(fmc_context_boundary_facets(self.context, target, counts[1]));
             assert_eq!(status == OK, is_wanted);
             let size = if is_wanted { size_of::<fmc_boundary_facet>() } else { 0 };

@@ -7,10 +7,21 @@ One half, y > 0, of both; hexahedra that do not match.
 import numpy as np
 from bodies import Bodies, grid
 from cylinders import _graded
+from scipy.integrate import trapezoid
 
 YOUNG, RADIUS, MU, WIDTH = 200.0, 32.0, 0.3, 1.0
 PRESS = 4 * (YOUNG / 2) * WIDTH**3 / (3 * RADIUS / 2)
 """P that gives the radius a = ``WIDTH`` by Hertz."""
+LARGEST_PUSH = MU * PRESS
+
+
+def loop_area(largest):
+    """Exact work lost in a cycle between -+ ``largest`` mu P, nu = 0: the area between the ways there and back of Mindlin
+    and Deresiewicz 1953, delta = C (2 (1 - (Q* - Q) / 2 mu P)^(2/3) - (1 - Q* / mu P)^(2/3) - 1), C = 3 mu P / 4 a G."""
+    full = 3 * MU * PRESS / (16 * WIDTH) * 2 * 2 / (YOUNG / 2)
+    q = np.linspace(-largest, largest, 200_001)
+    back = 2 * (1 - (largest - q) / 2) ** (2 / 3) - (1 - largest) ** (2 / 3) - 1
+    return MU * PRESS * full * trapezoid(back + back[::-1], q)
 
 
 def _ball(facets, sign, ratio, reach):
@@ -50,6 +61,19 @@ class Balls:
             self.load((step / steps) ** 2, 0.0)
             self.bodies.solve([*self.still, self.along])
         self.bodies.begin_friction(MU)
+
+    def loop(self, largest=0.6, quarter=5):
+        """To Q = ``largest`` mu P and to and fro: Q by mu P and displacement after every step, what every step dissipates,
+        and iterations. The loop proper begins with the step ``quarter - 1``."""
+        way = np.linspace(0, largest, quarter + 1)[1:]
+        down, up = np.linspace(largest, -largest, 2 * quarter + 1)[1:], np.linspace(-largest, largest, 2 * quarter + 1)[1:]
+        loads, places, lost, counts = np.concatenate([way, down, up]), [], [], []
+        for dragged in loads:
+            counts.append(self.drag(dragged)[0])
+            places.append(self.bodies.z[self.along].item())
+            # Of both halves.
+            lost.append(2 * self.bodies.result.friction.dissipation)
+        return loads, np.array(places), np.array(lost), counts
 
     def drag(self, dragged):
         """One step; its iterations, and c / a by the areas that stick and slide."""

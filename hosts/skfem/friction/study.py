@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 from arm import Arm
-from balls import Balls
+from balls import LARGEST_PUSH, Balls
+from balls import loop_area as area_of_balls
 from capstan import Capstan
 from cylinders import MU, PRESS, Cylinders, loop_area
 from fmc_contact import FmcError
@@ -135,6 +136,15 @@ def balls(folder):
         count, sticks = pair.drag(dragged)
         reached = f"{sticks / (1 - dragged) ** (1 / 3):.4f}"
         yield f"two balls in 3D, a/4, Q = {dragged} μP", "c/a by exact", "1 ± 0.02", reached, str(count)
+    for facets in (3, 5, 7):
+        pair = Balls(facets)
+        pair.press()
+        loads, places, lost, counts = pair.loop()
+        area = abs(trapezoid(loads[4:] * LARGEST_PUSH, places[4:])) / area_of_balls(0.6)
+        yield f"the same to and fro, a/{facets}", "area by exact", "1 ± 0.02", f"{area:.3f}", most(counts)
+        yield "", "dissipated in it, by exact", "", f"{lost[5:].sum() / area_of_balls(0.6):.3f}", ""
+        yield "", "closes to", "1e-5", f"{abs(places[24] - places[4]) / np.ptp(places):.0e}", ""
+        yield "", "least dissipation of a step", "not negative", f"{lost.min():.1e}", ""
 
 
 def fold(folder):

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.integrate import trapezoid
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "friction"))
 
@@ -121,3 +122,16 @@ def test_balls_that_are_dragged_stick_within_a_circle():
     count, sticks = pair.drag(0.3)
     assert count <= 7
     assert sticks == pytest.approx((1 - 0.3) ** (1 / 3), rel=0.03)
+
+
+def test_what_a_cycle_of_dragging_balls_loses_is_the_area_of_their_loop():
+    """Of second order in the cells: a fifth too much with a/3."""
+    pair = balls.Balls(3)
+    pair.press()
+    loads, places, lost, counts = pair.loop(quarter=4)
+    area = abs(trapezoid(loads[3:] * balls.LARGEST_PUSH, places[3:]))
+    assert area == pytest.approx(balls.loop_area(0.6), rel=0.25)
+    # The loop is one of straight lines, of four steps a quarter.
+    assert lost[4:].sum() == pytest.approx(area, rel=0.03) and lost.min() >= 0
+    assert abs(places[-1] - places[3]) < 1e-5 * np.ptp(places)
+    assert max(counts) <= 8
