@@ -15,6 +15,7 @@ mod mass_scaled;
 mod momentum_correction;
 mod obstacle_rotation;
 mod obstacles;
+mod onto_nodes;
 mod options;
 mod pair_options;
 mod pair_table;

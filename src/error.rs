@@ -55,6 +55,11 @@ pub enum Error {
         /// Node named twice.
         node: usize,
     },
+    /// Two cells do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
+    NonConforming {
+        /// Both cells, counted over all blocks.
+        cells: [usize; 2],
+    },
     /// A cell is inverted: its orientation is opposite to that of the cells it is connected to, or,
     /// for cells that are no simplices, the Jacobian is negative at a corner while it is positive at another. (A `Hex8` or
     /// `Wedge6` may be positive at all corners and yet twisted inside; corners are what is looked at.)
@@ -237,6 +242,11 @@ impl fmt::Display for Error {
                 write!(f, "node {node} lies beyond the axis of axisymmetry: its first coordinate is {radius:.3e}")
             }
             Error::RepeatedNode { cell, node } => write!(f, "cell or facet {cell} names node {node} twice"),
+            Error::NonConforming { cells: [one, other] } => write!(
+                f,
+                "cells {one} and {other} do not fit: an edge or a face has a node in its middle in one of them, and in the \
+                 other it has none, or another one"
+            ),
             Error::InvertedCell { cell } => write!(
                 f,
                 "cell {cell} is inverted: its nodes are numbered against the others, or a step of the host was too large"

@@ -22,6 +22,24 @@ pub enum fmc_cell_type {
     FMC_WEDGE6 = 13,
     /// Pyramid, 3D, 5 nodes: four around the base, then the apex.
     FMC_PYRAMID5 = 14,
+    /// Triangle of second order, 2D, 6 nodes: the corners, then the middles of the edges 01, 12, 20.
+    FMC_TRI6 = 22,
+    /// Quadrilateral of second order, 2D, 8 nodes: the corners, then the middles of the edges 01, 12, 23, 30.
+    FMC_QUAD8 = 23,
+    /// Tetrahedron of second order, 3D, 10 nodes: the corners, then the middles of 01, 12, 20, 03, 13, 23. (Gmsh has the last two
+    /// the other way round.)
+    FMC_TET10 = 24,
+    /// Hexahedron of second order, 3D, 20 nodes: the corners, then the middles of 01, 12, 23, 30, 45, 56, 67, 74, 04, 15, 26, 37.
+    FMC_HEX20 = 25,
+    /// Wedge of second order, 3D, 15 nodes: the corners as those of `FMC_WEDGE6`, then the middles of 01, 12, 20, 34, 45, 53, 03,
+    /// 14, 25.
+    FMC_WEDGE15 = 26,
+    /// Pyramid of second order, 3D, 13 nodes: the corners, then the middles of 01, 12, 23, 30, 04, 14, 24, 34.
+    FMC_PYRAMID13 = 27,
+    /// `FMC_QUAD8` with a ninth node in the middle of the cell.
+    FMC_QUAD9 = 28,
+    /// `FMC_HEX20` with nodes in the middles of the faces 0473, 1265, 0154, 3762, 0321, 4567 and of the cell: 27.
+    FMC_HEX27 = 29,
 }
 
 /// Cells of one type; a mixed mesh has a block for each.
@@ -78,6 +96,14 @@ fn cell_type(block: usize, number: i32) -> Result<CellType, Failure> {
         (fmc_cell_type::FMC_HEX8, CellType::Hex8),
         (fmc_cell_type::FMC_WEDGE6, CellType::Wedge6),
         (fmc_cell_type::FMC_PYRAMID5, CellType::Pyramid5),
+        (fmc_cell_type::FMC_TRI6, CellType::Tri6),
+        (fmc_cell_type::FMC_QUAD8, CellType::Quad8),
+        (fmc_cell_type::FMC_QUAD9, CellType::Quad9),
+        (fmc_cell_type::FMC_TET10, CellType::Tet10),
+        (fmc_cell_type::FMC_HEX20, CellType::Hex20),
+        (fmc_cell_type::FMC_HEX27, CellType::Hex27),
+        (fmc_cell_type::FMC_WEDGE15, CellType::Wedge15),
+        (fmc_cell_type::FMC_PYRAMID13, CellType::Pyramid13),
     ]
     .into_iter()
     .find_map(|(name, cell_type)| (name as i32 == number).then_some(cell_type))

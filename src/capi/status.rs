@@ -96,6 +96,8 @@ pub enum fmc_status {
     FMC_ERROR_NON_FINITE_SLIP = 41,
     /// A node lies beyond the axis, with axisymmetry: its first coordinate is negative.
     FMC_ERROR_NEGATIVE_RADIUS = 42,
+    /// Two cells do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
+    FMC_ERROR_NON_CONFORMING = 43,
 }
 
 use fmc_status::*;
@@ -145,6 +147,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NO_STEP, c"FMC_ERROR_NO_STEP"),
     (FMC_ERROR_NON_FINITE_SLIP, c"FMC_ERROR_NON_FINITE_SLIP"),
     (FMC_ERROR_NEGATIVE_RADIUS, c"FMC_ERROR_NEGATIVE_RADIUS"),
+    (FMC_ERROR_NON_CONFORMING, c"FMC_ERROR_NON_CONFORMING"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -171,6 +174,7 @@ impl From<&Error> for fmc_status {
             Error::OfPair { cause, .. } => Self::from(&**cause),
             Error::NonFiniteSlip { .. } => FMC_ERROR_NON_FINITE_SLIP,
             Error::NegativeRadius { .. } => FMC_ERROR_NEGATIVE_RADIUS,
+            Error::NonConforming { .. } => FMC_ERROR_NON_CONFORMING,
             Error::NoStep => FMC_ERROR_NO_STEP,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
             Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
@@ -205,7 +209,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NEGATIVE_RADIUS);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NON_CONFORMING);
     }
 
     #[test]
@@ -233,6 +237,7 @@ mod tests {
             Error::NoStep,
             Error::NonFiniteSlip { facet: 0 },
             Error::NegativeRadius { node: 0, radius: -1.0 },
+            Error::NonConforming { cells: [0, 1] },
             Error::DegenerateHull { point_count: 3 },
             Error::TooFewHeights { axis: 0, count: 1 },
             Error::NonFiniteHeight { point: 0 },

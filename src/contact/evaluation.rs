@@ -109,6 +109,11 @@ impl<const D: usize> Contact<D> {
         if has_surface.contains(&false) {
             return Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" });
         }
+        if let Some(division) = self.surface.division() {
+            let map = &division.interpolation;
+            let of_point = |point| map.row(point).all(|(node, _)| marked[node as usize]);
+            marked = (0..map.point_count()).map(of_point).collect();
+        }
         self.in_symmetry_plane = Some(marked);
         self.depth = OnceLock::new();
         Ok(())

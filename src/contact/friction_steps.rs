@@ -17,11 +17,12 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`]; with friction, of which what bears is measured here, as
     /// [`Self::evaluate`]. Nothing has then changed.
     pub fn begin_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
-        self.surface.check_coords(coords, true)?;
+        let points = self.surface.mesh_points(coords)?;
+        self.surface.check_coords(&points, true)?;
         let before = self.step.take();
         let none = || vec![[0.0; D]; self.surface.facets.len()];
         let slip = before.as_ref().map_or_else(none, |step| step.slip.clone());
-        let mut begun = Step::new(&self.surface, coords, self.poses(), slip);
+        let mut begun = Step::new(&self.surface, &points, self.poses(), slip);
         if self.has_friction() {
             self.step = Some(begun.clone());
             match kernels::slip_facets(self, coords) {
@@ -54,7 +55,7 @@ impl<const D: usize> Contact<D> {
         }
         // A facet that faces several partners carries the mean.
         let slip = sums.iter().map(|(area, sum)| if *area > 0.0 { (sum / *area).into() } else { [0.0; D] });
-        let mut next = Step::new(&self.surface, coords, self.poses(), slip.collect());
+        let mut next = Step::new(&self.surface, &self.surface.mesh_points(coords)?, self.poses(), slip.collect());
         next.bearings = self.has_friction().then(|| bearings(&pairs));
         self.step = Some(next);
         self.frozen = None;
@@ -99,7 +100,7 @@ impl<const D: usize> Contact<D> {
     pub fn freeze_friction(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.step.as_ref().ok_or(Error::NoStep)?;
         let pairs = kernels::slip_facets(self, coords)?;
-        self.frozen = Some(FrozenFriction::new(pairs, coords, self.poses()));
+        self.frozen = Some(FrozenFriction::new(pairs, &self.surface.mesh_points(coords)?, self.poses()));
         Ok(())
     }
 

@@ -7,6 +7,7 @@ use super::friction::{SlipFacets, Tractions};
 use super::gap_constraints::GapConstraints;
 use super::laws::{self, Answer, Asked, EnergyLaw, PairEnergy, PairLaw};
 use super::mass_scaled::largest_step;
+use super::onto_nodes::OntoNodes;
 use super::options::Options;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
@@ -20,6 +21,18 @@ pub(super) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
 /// Patches by pair.
 pub(super) type PatchesByPair<const D: usize> = Vec<([Partner; 2], Patches<D>)>;
 
+/// What `work` finds at the points of the straight mesh, as the host's nodes have it.
+fn on_points<const D: usize, T: OntoNodes>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    work: impl FnOnce(&[[f64; D]]) -> Result<T, Error>,
+) -> Result<T, Error> {
+    let Some(division) = contact.surface.division() else { return work(coords) };
+    let points = division.interpolation.points(coords)?;
+    let found = work(&points).map_err(|error| division.told(error))?;
+    Ok(found.onto_nodes(division))
+}
+
 /// Hands `$public` over to `$work`, at D = 2 or 3.
 macro_rules! kernel {
     ($(#[$doc:meta])* $public:ident = $work:ident ( $($name:ident : $kind:ty),* ) -> $result:ident) => {
@@ -30,10 +43,10 @@ macro_rules! kernel {
             $($name: $kind,)*
         ) -> Result<$result!(D), Error> {
             fn in_plane(contact: &Contact<2>, coords: &[[f64; 2]], $($name: $kind,)*) -> Result<$result!(2), Error> {
-                $work(contact, coords, $($name,)*)
+                on_points(contact, coords, |points| $work(contact, points, $($name,)*))
             }
             fn in_space(contact: &Contact<3>, coords: &[[f64; 3]], $($name: $kind,)*) -> Result<$result!(3), Error> {
-                $work(contact, coords, $($name,)*)
+                on_points(contact, coords, |points| $work(contact, points, $($name,)*))
             }
             let any: &dyn Any = contact;
             if let Some(contact) = any.downcast_ref() {
@@ -183,7 +196,12 @@ fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> 
 }
 
 fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
-    largest_step(&tangent_with(contact, coords, TangentPart::Symmetric, false)?, masses)
+    let tangent = tangent_with(contact, coords, TangentPart::Symmetric, false)?;
+    let on_nodes = match contact.surface.division() {
+        Some(division) => tangent.onto_nodes(division),
+        None => tangent,
+    };
+    largest_step(&on_nodes, masses)
 }
 
 fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {

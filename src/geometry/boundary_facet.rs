@@ -2,7 +2,8 @@
 
 use super::Surface;
 
-/// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges.
+/// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
+/// of second order is divided first, an edge in two, a triangle or quadrilateral in four.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BoundaryFacet {
     /// Index of its body.
@@ -14,7 +15,8 @@ pub struct BoundaryFacet {
     /// Its number among the facets as given; `None` where the surface was made from cells.
     pub given: Option<usize>,
     /// Nodes of its face: in 2D with the body on the left, in 3D counter-clockwise seen from outside. Of four, the facet
-    /// is the triangle of the first two and the mean of all.
+    /// is the triangle of the first two and the mean of all. Of a face of second order those of the part to which the
+    /// facet belongs; numbers from the node count on are middles of faces in which there is no node.
     pub nodes: Vec<u32>,
 }
 
@@ -29,8 +31,14 @@ impl<const D: usize> Surface<D> {
     fn boundary_facet(&self, body: usize, facet: usize) -> BoundaryFacet {
         let source = self.facet_source[facet] as usize;
         let cell = self.facet_cell.get(facet).map(|&cell| cell as usize);
-        let cells = cell.zip(self.cells.as_ref());
-        let local_face = cells.map(|(cell, cells)| cells.cell_type(cell).vtk_face(source));
+        let of_whole = |cell: usize| match (&self.division, &self.cells) {
+            (Some(division), _) => {
+                let face = division.face(cell, source).map(|face| division.cell_type(cell).vtk_face(face));
+                (Some(division.cell(cell)), face)
+            }
+            (None, cells) => (Some(cell), cells.as_ref().map(|cells| cells.cell_type(cell).vtk_face(source))),
+        };
+        let (cell, local_face) = cell.map_or((None, None), of_whole);
         let given = cell.is_none().then_some(source);
         BoundaryFacet { body, cell, local_face, given, nodes: self.nodes_of_facet(facet) }
     }

@@ -50,9 +50,9 @@ impl Cells {
             CellType::Tri3 => self.check_cells::<D, 3>(CellType::Tri3, cells, conn, coords),
             CellType::Quad4 => self.check_cells::<D, 4>(CellType::Quad4, cells, conn, coords),
             CellType::Tet4 => self.check_cells::<D, 4>(CellType::Tet4, cells, conn, coords),
-            CellType::Hex8 => self.check_cells::<D, 8>(CellType::Hex8, cells, conn, coords),
             CellType::Wedge6 => self.check_cells::<D, 6>(CellType::Wedge6, cells, conn, coords),
             CellType::Pyramid5 => self.check_cells::<D, 5>(CellType::Pyramid5, cells, conn, coords),
+            _ => self.check_cells::<D, 8>(CellType::Hex8, cells, conn, coords),
         }
     }
 

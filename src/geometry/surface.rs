@@ -3,9 +3,12 @@
 use super::cells::{Cells, check_nodes};
 use super::closed::check_closed;
 use super::components::{Components, connected_labels, enclosed_volume, sorted_ids};
+use super::second_order::Division;
 use super::{Bodies, CellBlock, Vector, facet::area_vector};
 use crate::Error;
 use crate::dimension::{recast, rows};
+use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Boundary facets of the bodies of a mesh, oriented outwards: their topology. Of coordinates only those of the
@@ -37,6 +40,8 @@ pub struct Surface<const D: usize> {
     pub(crate) cells: Option<Cells>,
     /// Coordinates of all nodes without deformation; empty where there are no cells.
     reference: Vec<[f64; D]>,
+    /// Where there are cells of second order, their division: all nodes named here are then its points.
+    pub(super) division: Option<Division>,
 }
 
 impl<const D: usize> Surface<D> {
@@ -48,7 +53,8 @@ impl<const D: usize> Surface<D> {
     /// # Errors
     /// [`Error::Empty`], [`Error::Dimension`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
     /// [`Error::NonFiniteCoordinate`], [`Error::NonManifold`] (more than two cells at a face),
-    /// [`Error::InconsistentOrientation`], [`Error::InvertedCell`], [`Error::ZeroMeasure`].
+    /// [`Error::InconsistentOrientation`], [`Error::NonConforming`] (an edge that has a node in its middle in one of two
+    /// cells), [`Error::InvertedCell`], [`Error::ZeroMeasure`].
     pub fn from_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         match D {
             2 => recast(from_cells_in_plane(rows(coords), blocks, bodies)?),
@@ -57,6 +63,22 @@ impl<const D: usize> Surface<D> {
     }
 
     fn of_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
+        let Some(mut division) = Division::of::<D>(coords.len(), blocks)? else {
+            return Self::of_straight_cells(coords, blocks, bodies);
+        };
+        let points = division.interpolation.points(coords)?;
+        let straight = std::mem::take(&mut division.blocks);
+        let blocks: Vec<_> =
+            straight.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
+        let ids = division.body_ids(bodies)?;
+        let bodies = ids.as_deref().map_or(Bodies::Connected, Bodies::Ids);
+        let surface = Self::of_straight_cells(&points, &blocks, bodies);
+        let mut surface = surface.map_err(|error| division.told(error))?;
+        surface.division = Some(division);
+        Ok(surface)
+    }
+
+    fn of_straight_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         let mut cells = Cells::new::<D>(coords.len(), blocks)?;
         check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))?;
         let body_ids = cells.connect(coords, bodies)?;
@@ -155,6 +177,7 @@ impl<const D: usize> Surface<D> {
             one_sheet: Vec::new(),
             cells: None,
             reference: Vec::new(),
+            division: None,
         }
     }
 
@@ -224,10 +247,10 @@ impl<const D: usize> Surface<D> {
         let Some(cells) = &self.cells else {
             return Err(Error::Unsupported { what: "reference coordinates of a surface without cells" });
         };
-        self.check_coords(coords, true)?;
-        cells.check_range(0..cells.len(), coords)?;
-        self.reference.clear();
-        self.reference.extend_from_slice(coords);
+        let points = self.mesh_points(coords)?;
+        self.check_coords(&points, true)?;
+        cells.check_range(0..cells.len(), &points).map_err(|error| self.told(error))?;
+        self.reference = points.into_owned();
         Ok(())
     }
 
@@ -271,17 +294,40 @@ impl<const D: usize> Surface<D> {
         }
     }
 
-    /// Number of nodes of the whole mesh: the length that coordinates must have.
-    pub fn node_count(&self) -> usize {
-        self.node_count
+    /// Coordinates of all nodes of the straight mesh that is measured: those of the host's, or of the points at which
+    /// its cells are divided.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::NonFiniteCoordinate`], where there are cells of second order.
+    pub(crate) fn mesh_points<'a>(&self, coords: &'a [[f64; D]]) -> Result<Cow<'a, [[f64; D]]>, Error> {
+        match &self.division {
+            Some(division) => division.interpolation.points(coords).map(Cow::Owned),
+            None => Ok(Cow::Borrowed(coords)),
+        }
     }
 
-    /// Number of nodes on the surface of a body.
+    /// How cells of second order are divided; `None` where there are none.
+    pub(crate) fn division(&self) -> Option<&Division> {
+        self.division.as_ref()
+    }
+
+    /// An error that names cells as given.
+    pub(crate) fn told(&self, error: Error) -> Error {
+        self.division.as_ref().map_or(error.clone(), |division| division.told(error))
+    }
+
+    /// Number of nodes of the whole mesh: the length that coordinates must have.
+    pub fn node_count(&self) -> usize {
+        self.division.as_ref().map_or(self.node_count, |division| division.interpolation.node_count())
+    }
+
+    /// Number of nodes on the surface of a body; where cells are of second order, of points at which its faces are divided.
     pub fn surface_node_count(&self, body: usize) -> usize {
         self.vertices[body].partition_point(|&v| (v as usize) < self.nodes.len())
     }
 
-    /// Number of facets; a quadrilateral face counts as four.
+    /// Number of facets; a quadrilateral face counts as four, and one of second order as all its parts: two for an edge, four
+    /// for a triangle, sixteen for a quadrilateral.
     pub fn facet_count(&self) -> usize {
         self.facets.len()
     }
@@ -296,8 +342,32 @@ impl<const D: usize> Surface<D> {
         &self.body_ids
     }
 
-    /// Faces of the surface as nodes, with the index of their body; a quadrilateral face appears once, with four nodes.
+    /// Faces of the surface as corner nodes, with the index of their body; a quadrilateral face appears once, with four.
     pub fn faces(&self) -> Vec<(usize, Vec<u32>)> {
+        match (&self.division, &self.cells) {
+            (Some(division), Some(cells)) => self.whole_faces(division, cells),
+            _ => self.straight_faces(),
+        }
+    }
+
+    /// The same of faces of second order, each once.
+    fn whole_faces(&self, division: &Division, cells: &Cells) -> Vec<(usize, Vec<u32>)> {
+        let (mut faces, mut seen) = (Vec::new(), BTreeSet::new());
+        for (body, range) in self.ranges.iter().enumerate() {
+            for facet in range.clone() {
+                let cell = self.facet_cell[facet] as usize;
+                let Some(face) = division.face(cell, self.facet_source[facet] as usize) else { continue };
+                if seen.insert((division.cell(cell), face)) {
+                    let corners = division.corners_of_face(cell, face);
+                    let is_flipped = cells.is_flipped(cell);
+                    faces.push((body, if is_flipped { corners.rev().collect() } else { corners.collect() }));
+                }
+            }
+        }
+        faces
+    }
+
+    fn straight_faces(&self) -> Vec<(usize, Vec<u32>)> {
         let mut faces = Vec::new();
         for (body, range) in self.ranges.iter().enumerate() {
             for facet in &self.facets[range.clone()] {

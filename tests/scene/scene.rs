@@ -102,6 +102,14 @@ fn cell_type(dimension: usize, nodes_per_cell: usize) -> Option<CellType> {
         (3, 6) => Some(CellType::Wedge6),
         (3, 5) => Some(CellType::Pyramid5),
         (3, 8) => Some(CellType::Hex8),
+        (2, 6) => Some(CellType::Tri6),
+        (2, 8) => Some(CellType::Quad8),
+        (2, 9) => Some(CellType::Quad9),
+        (3, 10) => Some(CellType::Tet10),
+        (3, 13) => Some(CellType::Pyramid13),
+        (3, 15) => Some(CellType::Wedge15),
+        (3, 20) => Some(CellType::Hex20),
+        (3, 27) => Some(CellType::Hex27),
         _ => None,
     }
 }

@@ -2,12 +2,12 @@
 
 /// Mesh of cells or facets of one kind, which `D` and `nodes_per_cell` tell:
 ///
-/// | | 2 | 3 | 4 | 5 | 6 | 8 |
-/// | --- | --- | --- | --- | --- | --- | --- |
-/// | `D = 2` | edges (facets) | Tri3 | Quad4 | | | |
-/// | `D = 3` | | triangles (facets) | Tet4 | Pyramid5 | Wedge6 | Hex8 |
+/// | | 2 | 3 | 4 | 5 | 6 | 8 | 9 | 10 | 13 | 15 | 20 | 27 |
+/// | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |
+/// | `D = 2` | edges (facets) | Tri3 | Quad4 | | Tri6 | Quad8 | Quad9 | | | | | |
+/// | `D = 3` | | triangles (facets) | Tet4 | Pyramid5 | Wedge6 | Hex8 | | Tet10 | Pyramid13 | Wedge15 | Hex20 | Hex27 |
 ///
-/// Node order is that of Gmsh. Cells have a positive Jacobian; facets have the body on their left (2D) or are
+/// Node order is that of meshio. Cells have a positive Jacobian; facets have the body on their left (2D) or are
 /// counter-clockwise seen from outside (3D).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh<const D: usize> {

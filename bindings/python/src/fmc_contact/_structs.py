@@ -16,11 +16,41 @@ FMC_SYMMETRIC = 32
 FMC_LAW_OF_CONTEXT = -1
 FMC_FRICTION_OF_CONTEXT = -1
 
-CELL_TYPES = {"triangle": 5, "quad": 9, "tetra": 10, "hexahedron": 12, "wedge": 13, "pyramid": 14}
+CELL_TYPES = {
+    "triangle": 5,
+    "quad": 9,
+    "tetra": 10,
+    "hexahedron": 12,
+    "wedge": 13,
+    "pyramid": 14,
+    "triangle6": 22,
+    "quad8": 23,
+    "tetra10": 24,
+    "hexahedron20": 25,
+    "wedge15": 26,
+    "pyramid13": 27,
+    "quad9": 28,
+    "hexahedron27": 29,
+}
 """Values of ``fmc_cell_type`` by the names of meshio."""
 
-CELL_NODES = {"triangle": 3, "quad": 4, "tetra": 4, "hexahedron": 8, "wedge": 6, "pyramid": 5}
-CELL_DIMENSION = {"triangle": 2, "quad": 2, "tetra": 3, "hexahedron": 3, "wedge": 3, "pyramid": 3}
+CELL_NODES = {
+    "triangle": 3,
+    "quad": 4,
+    "tetra": 4,
+    "hexahedron": 8,
+    "wedge": 6,
+    "pyramid": 5,
+    "triangle6": 6,
+    "quad8": 8,
+    "quad9": 9,
+    "tetra10": 10,
+    "hexahedron20": 20,
+    "hexahedron27": 27,
+    "wedge15": 15,
+    "pyramid13": 13,
+}
+CELL_DIMENSION = {name: 2 if name.startswith(("triangle", "quad")) else 3 for name in CELL_TYPES}
 
 CHOICES = {
     "law": {0: "volume", 1: "fiber", 2: "depth"},

@@ -1,0 +1,309 @@
+//! A mesh with cells of second order, divided.
+
+use super::children::{Child, children};
+use super::entities::Entities;
+use super::interpolation::Interpolation;
+use crate::Error;
+use crate::geometry::cells::check_nodes;
+use crate::geometry::{Bodies, CellBlock, CellType};
+use std::collections::BTreeMap;
+
+/// κ: how much farther from its chord the point of an edge is than the node in its middle.
+const RISE: f64 = 4.0 / 3.0;
+
+/// Straight cells in place of given ones. Points that are nodes, or stand for one in the middle of an edge, face or cell,
+/// have its number; others follow after the nodes.
+#[derive(Clone, Debug)]
+pub(crate) struct Division {
+    pub(crate) interpolation: Interpolation,
+    /// Straight cells by type, in the order of the given blocks.
+    pub(crate) blocks: Vec<(CellType, Vec<u32>)>,
+    /// Where every straight cell comes from.
+    origins: Vec<Origin>,
+    /// Corners of the given cells, one after the other, and where they begin.
+    corners: Vec<u32>,
+    starts: Vec<usize>,
+    /// Children of a cell, by its type.
+    types: Vec<(CellType, Vec<Child>)>,
+}
+
+/// Where a straight cell comes from.
+#[derive(Clone, Copy, Debug)]
+struct Origin {
+    /// The given cell, counted over all blocks.
+    cell: u32,
+    cell_type: CellType,
+    /// Its number among the children.
+    child: u8,
+}
+
+/// What a node is in the cells that use it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Role {
+    Unused,
+    Corner,
+    /// In the middle of an edge, quadrilateral or cell: its corners, sorted, and the rest `u32::MAX`.
+    Middle([u32; 8]),
+}
+
+/// Points while they are collected.
+struct Points {
+    rows: Vec<Vec<(u32, f64)>>,
+    roles: Vec<Role>,
+    /// The cell that gave a node its role.
+    given_by: Vec<u32>,
+    /// Point in the middle of an edge, quadrilateral or cell, by its corners; with the cell that made it, and whether it is a node.
+    middles: BTreeMap<[u32; 8], (u32, u32, bool)>,
+}
+
+impl Division {
+    /// Divides the cells of `blocks`; `None` where all are straight.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::Dimension`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
+    /// [`Error::NonConforming`].
+    pub(crate) fn of<const D: usize>(node_count: usize, blocks: &[CellBlock]) -> Result<Option<Self>, Error> {
+        if blocks.iter().all(|block| block.cell_type.straight() == block.cell_type) {
+            return Ok(None);
+        }
+        let row = |node| vec![(node as u32, 1.0)];
+        let mut points = Points {
+            rows: (0..node_count).map(row).collect(),
+            roles: vec![Role::Unused; node_count],
+            given_by: vec![0; node_count],
+            middles: BTreeMap::new(),
+        };
+        let mut all = Self {
+            interpolation: Interpolation::new(0, &[], |_| false),
+            blocks: Vec::new(),
+            origins: Vec::new(),
+            corners: Vec::new(),
+            starts: vec![0],
+            types: Vec::new(),
+        };
+        let mut cell = 0;
+        for (block, CellBlock { cell_type, conn }) in blocks.iter().enumerate() {
+            if cell_type.dimension() != D {
+                return Err(Error::Dimension { block, expected: D, found: cell_type.dimension() });
+            }
+            let size = cell_type.node_count();
+            if conn.len() % size != 0 {
+                return Err(Error::Length { array: "conn", expected: size, found: conn.len() });
+            }
+            let cells = conn.chunks_exact(size).zip(cell..);
+            for (nodes, cell) in cells.clone() {
+                check_nodes(cell, nodes, node_count)?;
+                all.corners.extend_from_slice(&nodes[..cell_type.straight().node_count()]);
+                all.starts.push(all.corners.len());
+            }
+            all.divide(*cell_type, cells.map(|(nodes, cell)| (cell as u32, nodes)), &mut points)?;
+            cell += conn.len() / size;
+        }
+        points.check_straight(blocks)?;
+        let mut used = vec![false; points.rows.len()];
+        all.blocks.iter().flat_map(|(_, conn)| conn).for_each(|&point| used[point as usize] = true);
+        all.interpolation = Interpolation::new(node_count, &points.rows, |point| used[point]);
+        Ok(Some(all))
+    }
+
+    /// Adds the children of cells of one type, those of one type in a block.
+    fn divide<'a>(
+        &mut self,
+        cell_type: CellType,
+        cells: impl Iterator<Item = (u32, &'a [u32])>,
+        points: &mut Points,
+    ) -> Result<(), Error> {
+        let entities = Entities::of(cell_type);
+        let of_type = match &entities {
+            Some(entities) => children(cell_type, entities),
+            None => {
+                let faces = (0..cell_type.faces().len()).map(Some).collect();
+                vec![Child { cell_type, nodes: (0..cell_type.node_count()).collect(), faces }]
+            }
+        };
+        let mut found: Vec<(CellType, Vec<u32>, Vec<Origin>)> = Vec::new();
+        for (cell, nodes) in cells {
+            let local = match &entities {
+                Some(entities) => points.of_cell(cell, nodes, entities)?,
+                None => {
+                    for &node in nodes {
+                        points.set_role(cell, node, Role::Corner)?;
+                    }
+                    nodes.to_vec()
+                }
+            };
+            for (number, child) in of_type.iter().enumerate() {
+                let place = found.iter().position(|(of_type, ..)| *of_type == child.cell_type).unwrap_or_else(|| {
+                    found.push((child.cell_type, Vec::new(), Vec::new()));
+                    found.len() - 1
+                });
+                found[place].1.extend(child.nodes.iter().map(|&point| local[point]));
+                found[place].2.push(Origin { cell, cell_type, child: number as u8 });
+            }
+        }
+        for (of_type, conn, origins) in found {
+            self.blocks.push((of_type, conn));
+            self.origins.extend(origins);
+        }
+        self.types.push((cell_type, of_type));
+        Ok(())
+    }
+
+    /// Body ids of the straight cells, given those of the cells.
+    pub(crate) fn body_ids(&self, bodies: Bodies) -> Result<Option<Vec<i64>>, Error> {
+        let Bodies::Ids(ids) = bodies else { return Ok(None) };
+        let count = self.starts.len() - 1;
+        if ids.len() != count {
+            return Err(Error::Length { array: "body_ids", expected: count, found: ids.len() });
+        }
+        Ok(Some(self.origins.iter().map(|origin| ids[origin.cell as usize]).collect()))
+    }
+
+    /// The cell as given to which a straight one belongs.
+    pub(crate) fn cell(&self, straight: usize) -> usize {
+        self.origins[straight].cell as usize
+    }
+
+    /// Type of that cell.
+    pub(crate) fn cell_type(&self, straight: usize) -> CellType {
+        self.origins[straight].cell_type
+    }
+
+    /// The face of that cell in which a face of the straight one lies, where it is part of its boundary.
+    pub(crate) fn face(&self, straight: usize, face: usize) -> Option<usize> {
+        let Origin { cell_type, child, .. } = self.origins[straight];
+        let (_, children) = self.types.iter().find(|(of_type, _)| *of_type == cell_type)?;
+        children[child as usize].faces[face]
+    }
+
+    /// Corners of a face of that cell, as the cell has them.
+    pub(crate) fn corners_of_face(&self, straight: usize, face: usize) -> impl DoubleEndedIterator<Item = u32> {
+        let corners = &self.corners[self.starts[self.cell(straight)]..];
+        self.cell_type(straight).faces()[face].iter().map(move |&local| corners[local])
+    }
+
+    /// An error with cells as given.
+    pub(crate) fn told(&self, mut error: Error) -> Error {
+        match &mut error {
+            Error::InvertedCell { cell } | Error::ZeroMeasure { cell } => *cell = self.cell(*cell),
+            Error::NonManifold { facet, .. } | Error::InconsistentOrientation { facet, .. } => {
+                *facet = self.cell(*facet);
+            }
+            _ => {}
+        }
+        error
+    }
+}
+
+impl Points {
+    /// Numbers of all points of a cell, which are added where they are new.
+    fn of_cell(&mut self, cell: u32, nodes: &[u32], entities: &Entities) -> Result<Vec<u32>, Error> {
+        let mut local: Vec<u32> = nodes.to_vec();
+        for &node in &nodes[..entities.corners] {
+            self.set_role(cell, node, Role::Corner)?;
+        }
+        for point in entities.corners..entities.count() {
+            let mut key = [u32::MAX; 8];
+            for (k, corner) in entities.around(point).into_iter().enumerate() {
+                key[k] = nodes[corner];
+            }
+            key.sort_unstable();
+            let given = nodes.get(point).copied();
+            if let Some(node) = given {
+                self.set_role(cell, node, Role::Middle(key))?;
+            }
+            let next = given.unwrap_or(self.rows.len() as u32);
+            let &mut (number, other, is_node) = self.middles.entry(key).or_insert((next, cell, given.is_some()));
+            if is_node != given.is_some() || given.is_some_and(|node| node != number) {
+                return Err(Error::NonConforming { cells: [other as usize, cell as usize] });
+            }
+            if number == next {
+                let row = row(entities, point, &local, given);
+                match given {
+                    Some(node) => self.rows[node as usize] = row,
+                    None => self.rows.push(row),
+                }
+            }
+            if given.is_none() {
+                local.push(number);
+            }
+        }
+        Ok(local)
+    }
+
+    fn set_role(&mut self, cell: u32, node: u32, role: Role) -> Result<(), Error> {
+        let known = &mut self.roles[node as usize];
+        if *known == Role::Unused {
+            *known = role;
+            self.given_by[node as usize] = cell;
+        }
+        if *known == role {
+            return Ok(());
+        }
+        Err(Error::NonConforming { cells: [self.given_by[node as usize] as usize, cell as usize] })
+    }
+
+    /// Refuses straight cells with an edge in whose middle a cell of second order has a node.
+    fn check_straight(&self, blocks: &[CellBlock]) -> Result<(), Error> {
+        let mut first = 0;
+        for CellBlock { cell_type, conn } in blocks {
+            let size = cell_type.node_count();
+            if *cell_type == cell_type.straight() {
+                for (cell, nodes) in conn.chunks_exact(size).enumerate() {
+                    for face in cell_type.faces() {
+                        for (k, &p) in face.iter().enumerate() {
+                            let mut key = [u32::MAX; 8];
+                            (key[0], key[1]) = (nodes[p], nodes[face[(k + 1) % face.len()]]);
+                            key.sort_unstable();
+                            if let Some((_, other, _)) = self.middles.get(&key) {
+                                return Err(Error::NonConforming { cells: [*other as usize, first + cell] });
+                            }
+                        }
+                    }
+                }
+            }
+            first += conn.len() / size;
+        }
+        Ok(())
+    }
+}
+
+/// The weights of nodes at a point that is no corner; `local` are the points before it, and `given` is its own node.
+///
+/// A tensor product in each case: of the edge's weights −1/6, 4/3, −1/6 where there is a node in every middle, else of their
+/// serendipity part, linear ones and κ times the bubbles of the edges.
+fn row(entities: &Entities, point: usize, local: &[u32], given: Option<u32>) -> Vec<(u32, f64)> {
+    let aside = (1.0 - RISE) / 2.0;
+    let corners = entities.around(point);
+    let nodes = |points: &[usize], weight: f64| points.iter().map(|&p| (local[p], weight)).collect::<Vec<_>>();
+    let between = |corners: &[usize]| {
+        let mut middles = Vec::new();
+        for (k, &p) in corners.iter().enumerate() {
+            for &q in &corners[..k] {
+                let middle = entities.between(p, q);
+                let is_edge = (entities.corners..entities.corners + entities.edges.len()).contains(&middle);
+                middles.extend(is_edge.then_some(middle));
+            }
+        }
+        middles
+    };
+    let rows = match (corners.len(), given) {
+        (2, Some(node)) => vec![nodes(&corners, aside), vec![(node, RISE)]],
+        (4, None) => vec![nodes(&corners, 0.25 - RISE / 2.0), nodes(&between(&corners), RISE / 2.0)],
+        (4, Some(node)) => {
+            vec![nodes(&corners, aside * aside), nodes(&between(&corners), RISE * aside), vec![(node, RISE * RISE)]]
+        }
+        (_, None) => vec![nodes(&corners, 0.125 - 3.0 * RISE / 8.0), nodes(&between(&corners), RISE / 4.0)],
+        (_, Some(node)) => {
+            let first = entities.corners + entities.edges.len();
+            let faces: Vec<usize> = (first..first + entities.quads.len()).collect();
+            vec![
+                nodes(&corners, aside * aside * aside),
+                nodes(&between(&corners), RISE * aside * aside),
+                nodes(&faces, RISE * RISE * aside),
+                vec![(node, RISE * RISE * RISE)],
+            ]
+        }
+    };
+    rows.concat()
+}
