@@ -245,7 +245,7 @@ impl fmt::Display for Error {
             Error::NonConforming { cells: [one, other] } => write!(
                 f,
                 "cells {one} and {other} do not fit: an edge or a face has a node in its middle in one of them, and in the \
-                 other it has none, or another one"
+                 other it has none, or another one, or one that hangs beside the middle"
             ),
             Error::InvertedCell { cell } => write!(
                 f,

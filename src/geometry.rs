@@ -15,6 +15,7 @@ pub(crate) mod crossing;
 mod distance;
 pub(crate) mod facet;
 pub(crate) mod facet_slopes;
+pub(crate) mod hanging;
 mod height_field;
 pub(crate) mod inside;
 pub(crate) mod inverted;

@@ -3,6 +3,7 @@
 use super::distances::Distances;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
+use crate::geometry::hanging::HangingNode;
 
 /// Depth of every node that a cell has, 0 on the surface of a body, and the facet that is nearest to it.
 pub(super) fn node_depths<const D: usize>(
@@ -33,5 +34,27 @@ pub(super) fn node_depths<const D: usize>(
             (depths[node as usize], anchors[node as usize]) = distances.of_point(body, &x, limit);
         }
     }
+    follow_parents(cells, &mut depths);
     (depths, anchors)
+}
+
+/// Nodes in the middle of a larger cell's edge get the depth that this cell has there, so that depth does not jump between the
+/// two: the mean of the ends. Where both ends lie on the surface and the edge does not, the larger cell has a point in its
+/// middle, with the true depth, as the node has it.
+fn follow_parents(cells: &Cells, depths: &mut [f64]) {
+    // The ends may hang themselves: as often as nodes hang at most.
+    for _ in 0..cells.hanging().len() {
+        let mut has_changed = false;
+        for HangingNode { node, parents } in cells.hanging() {
+            let [p, q] = parents[..] else { continue };
+            let mean = 0.5 * (depths[p as usize] + depths[q as usize]);
+            if mean > 0.0 && depths[*node as usize] != mean {
+                depths[*node as usize] = mean;
+                has_changed = true;
+            }
+        }
+        if !has_changed {
+            break;
+        }
+    }
 }

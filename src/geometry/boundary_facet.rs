@@ -31,12 +31,14 @@ impl<const D: usize> Surface<D> {
     fn boundary_facet(&self, body: usize, facet: usize) -> BoundaryFacet {
         let source = self.facet_source[facet] as usize;
         let cell = self.facet_cell.get(facet).map(|&cell| cell as usize);
-        let of_whole = |cell: usize| match (&self.division, &self.cells) {
-            (Some(division), _) => {
-                let face = division.face(cell, source).map(|face| division.cell_type(cell).vtk_face(face));
-                (Some(division.cell(cell)), face)
-            }
-            (None, cells) => (Some(cell), cells.as_ref().map(|cells| cells.cell_type(cell).vtk_face(source))),
+        let of_whole = |cell: usize| {
+            let (whole, face) = match &self.division {
+                Some(division) => (division.cell(cell), division.face(cell, source)),
+                None => (cell, Some(source)),
+            };
+            let of_whole = self.division.as_ref().and_then(|division| division.cell_type(cell));
+            let cell_type = of_whole.or_else(|| self.cells.as_ref().map(|cells| cells.cell_type(cell)));
+            (Some(whole), cell_type.zip(face).map(|(cell_type, face)| cell_type.vtk_face(face)))
         };
         let (cell, local_face) = cell.map_or((None, None), of_whole);
         let given = cell.is_none().then_some(source);

@@ -1,7 +1,9 @@
 //! The cells of a mesh: checked connectivity, neighbours, orientation.
 
 use super::components::{Components, sorted_ids};
-use super::{Bodies, CellBlock, CellType};
+use super::facet::area_vector;
+use super::hanging::{HangingNode, LoneFace, Meeting, meetings};
+use super::{Bodies, CellBlock, CellType, Vector};
 use crate::Error;
 use std::ops::Range;
 
@@ -21,12 +23,27 @@ pub(crate) struct Cells {
     blocks: Vec<Range<usize>>,
     /// Cell of the same body behind every face; a cell has no more faces than nodes, and shares its place in `conn`.
     neighbours: Vec<u32>,
+    /// Pairs of cells of which the first has a face that meets several smaller ones, sorted.
+    smaller: Vec<(u32, u32)>,
+    /// Nodes that hang in the middle of larger faces.
+    hanging: Vec<HangingNode>,
+    /// Faces in space that meet smaller ones, with the nodes of these.
+    refined: Vec<RefinedFace>,
     /// Whether a cell's node order is opposite to the one that encloses a positive volume.
     flipped: Vec<bool>,
     /// Body index of every cell.
     pub(crate) body: Vec<u32>,
     /// Bit f is set where face f lies on the boundary of the body.
     pub(crate) boundary: Vec<u8>,
+}
+
+/// A face in space that meets smaller ones: where it is bent, they do not lie on it, and depth within it is another than on them.
+#[derive(Clone, Debug)]
+pub(super) struct RefinedFace {
+    pub(super) cell: u32,
+    pub(super) face: u8,
+    /// Nodes of the smaller ones, seen from inside the cell counter-clockwise, as far as the cell is not mirrored.
+    pub(super) parts: Vec<Vec<u32>>,
 }
 
 /// Face `face` of cell `cell`, found by its sorted nodes.
@@ -81,7 +98,24 @@ impl Cells {
     /// Cells of the same body behind the faces of a cell.
     pub(crate) fn neighbours(&self, cell: usize) -> impl Iterator<Item = &u32> {
         let all = &self.neighbours[self.offsets[cell]..self.offsets[cell + 1]];
-        all.iter().filter(|&&other| other != NO_CELL)
+        let first = self.smaller.partition_point(|(large, _)| (*large as usize) < cell);
+        let smaller = self.smaller[first..].iter().take_while(move |(large, _)| *large as usize == cell);
+        all.iter().filter(|&&other| other != NO_CELL).chain(smaller.map(|(_, small)| small))
+    }
+
+    /// Faces in space that meet smaller ones.
+    pub(super) fn refined(&self) -> &[RefinedFace] {
+        &self.refined
+    }
+
+    /// Whether faces meet smaller ones.
+    pub(crate) fn is_refined(&self) -> bool {
+        !self.smaller.is_empty()
+    }
+
+    /// Nodes that hang in the middle of larger faces, ascending.
+    pub(crate) fn hanging(&self) -> &[HangingNode] {
+        &self.hanging
     }
 
     /// For every block as given: its type, its cells and their nodes one after the other.
@@ -117,6 +151,7 @@ impl Cells {
         let mut faces = self.faces();
         faces.sort_unstable_by_key(|f| (f.key, f.cell));
         let mut groups = Components::new(self.len());
+        let mut lone = Vec::new();
         self.boundary = vec![0; self.len()];
         self.neighbours = vec![NO_CELL; self.conn.len()];
         for same in faces.chunk_by(|f, g| f.key == g.key) {
@@ -135,10 +170,14 @@ impl Cells {
                     for f in same {
                         self.boundary[f.cell as usize] |= 1 << f.face;
                     }
+                    if let [f] = same {
+                        lone.push(self.lone_face(f, ids));
+                    }
                 }
                 [_, _, third, ..] => return Err(Error::NonManifold { facet: third.cell as usize, nodes }),
             }
         }
+        self.join_refined(&lone, coords, &mut groups)?;
         self.orient(coords, &mut groups)?;
         let labels: Vec<i64> = match ids {
             Some(ids) => ids.to_vec(),
@@ -160,6 +199,54 @@ impl Cells {
         let body_ids = sorted_ids(&labels);
         self.body = labels.iter().map(|id| body_ids.partition_point(|b| b < id) as u32).collect();
         Ok(body_ids)
+    }
+
+    fn lone_face(&self, face: &Face, ids: Option<&[i64]>) -> LoneFace {
+        let cell = face.cell as usize;
+        let nodes = self.nodes(cell);
+        let local = self.types[cell].faces()[face.face as usize];
+        LoneFace {
+            cell: face.cell,
+            face: face.face,
+            id: ids.map_or(0, |ids| ids[cell]),
+            nodes: local.iter().map(|&n| nodes[n]).collect(),
+        }
+    }
+
+    /// Takes faces that meet smaller ones for inner faces.
+    fn join_refined<const D: usize>(
+        &mut self,
+        lone: &[LoneFace],
+        coords: &[[f64; D]],
+        groups: &mut Components,
+    ) -> Result<(), Error> {
+        let (met, hanging) = meetings(lone, coords)?;
+        let area = |face: &LoneFace| area_of(&face.nodes, coords);
+        for Meeting { large, small } in met {
+            let large = &lone[large];
+            let agree = |small: &LoneFace| area(large).dot(&area(small)) < 0.0;
+            self.boundary[large.cell as usize] &= !(1 << large.face);
+            if D == 3 {
+                let part = |face: &usize| {
+                    let nodes = lone[*face].nodes.clone();
+                    if agree(&lone[*face]) { nodes } else { nodes.into_iter().rev().collect() }
+                };
+                let parts = small.iter().map(part).collect();
+                self.refined.push(RefinedFace { cell: large.cell, face: large.face, parts });
+            }
+            for small in small.into_iter().map(|face| &lone[face]) {
+                if !groups.join(large.cell, small.cell, !agree(small)) {
+                    let nodes = [small.nodes[0] as usize, small.nodes[1] as usize];
+                    return Err(Error::InconsistentOrientation { facet: small.cell as usize, nodes });
+                }
+                self.boundary[small.cell as usize] &= !(1 << small.face);
+                self.neighbours[self.offsets[small.cell as usize] + small.face as usize] = large.cell;
+                self.smaller.push((large.cell, small.cell));
+            }
+        }
+        self.smaller.sort_unstable();
+        self.hanging = hanging;
+        Ok(())
     }
 
     fn faces(&self) -> Vec<Face> {
@@ -205,6 +292,16 @@ impl Cells {
         self.flipped = relative.iter().map(|&(root, turned)| turned != (volume[root] < 0.0)).collect();
         self.check_range(0..self.len(), coords)
     }
+}
+
+/// Normal of a face times its measure (up to a factor), in the sense of its nodes: 2D to the right of the way.
+fn area_of<const D: usize>(nodes: &[u32], coords: &[[f64; D]]) -> Vector<D> {
+    let x = |node: u32| Vector::<D>::from(coords[node as usize]);
+    let corners = |k: usize| -> [Vector<D>; D] {
+        std::array::from_fn(|c| x(nodes[(if c == 0 { 0 } else { k + c - 1 }) % nodes.len()]))
+    };
+    let parts = if D == 2 { 1..2 } else { 1..nodes.len() - 1 };
+    parts.map(|k| area_vector(&corners(k))).sum()
 }
 
 /// Checks the ids of one cell or facet.

@@ -23,6 +23,7 @@ mod children;
 mod division;
 mod entities;
 mod interpolation;
+mod refined;
 
 pub(crate) use division::Division;
 pub(crate) use interpolation::Interpolation;

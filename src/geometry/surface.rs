@@ -50,11 +50,17 @@ impl<const D: usize> Surface<D> {
     /// A face that belongs to one cell, or to two of different bodies, is boundary. Coordinates serve to distinguish
     /// inside from outside: each connected group of cells is turned so that its volume is positive.
     ///
+    /// In a mesh that is refined in part a face may meet smaller ones of the same body: an edge its halves, a triangle four
+    /// triangles or two, a quadrilateral four, two halves or two triangles, if their nodes lie within 1e-9 of the middle
+    /// (in lengths of the edge). These are inner faces. A node that hangs is where the nodes put it in whose middle it is,
+    /// whatever its own coordinates are later, and forces on it are brought to these.
+    ///
     /// # Errors
     /// [`Error::Empty`], [`Error::Dimension`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
     /// [`Error::NonFiniteCoordinate`], [`Error::NonManifold`] (more than two cells at a face),
     /// [`Error::InconsistentOrientation`], [`Error::NonConforming`] (an edge that has a node in its middle in one of two
-    /// cells), [`Error::InvertedCell`], [`Error::ZeroMeasure`].
+    /// cells; a node that hangs up to 1 % beside the middle), [`Error::Unsupported`] (nodes that hang beside cells of second
+    /// order), [`Error::InvertedCell`], [`Error::ZeroMeasure`].
     pub fn from_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         match D {
             2 => recast(from_cells_in_plane(rows(coords), blocks, bodies)?),
@@ -64,7 +70,7 @@ impl<const D: usize> Surface<D> {
 
     fn of_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         let Some(mut division) = Division::of::<D>(coords.len(), blocks)? else {
-            return Self::of_straight_cells(coords, blocks, bodies);
+            return Self::of_straight_cells(coords, blocks, bodies)?.refined(coords, blocks);
         };
         let points = division.interpolation.points(coords)?;
         let straight = std::mem::take(&mut division.blocks);
@@ -73,6 +79,26 @@ impl<const D: usize> Surface<D> {
         let ids = division.body_ids(bodies)?;
         let bodies = ids.as_deref().map_or(Bodies::Connected, Bodies::Ids);
         let surface = Self::of_straight_cells(&points, &blocks, bodies);
+        let mut surface = surface.map_err(|error| division.told(error))?;
+        if surface.cells.as_ref().is_some_and(Cells::is_refined) {
+            return Err(Error::Unsupported { what: "nodes that hang in a mesh with cells of second order" });
+        }
+        surface.division = Some(division);
+        Ok(surface)
+    }
+
+    /// The same where nodes hang: they are moved by those in whose middle they do, and cells in space with a face that meets
+    /// smaller faces are divided about their own middle, so that they fit these wherever the nodes go.
+    fn refined(self, coords: &[[f64; D]], blocks: &[CellBlock]) -> Result<Self, Error> {
+        let Some(cells) = self.cells.as_ref().filter(|cells| cells.is_refined()) else { return Ok(self) };
+        let mut division = Division::of_refined(coords.len(), blocks, cells);
+        let points = division.interpolation.points(coords)?;
+        let straight = std::mem::take(&mut division.blocks);
+        let blocks: Vec<_> =
+            straight.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
+        let ids = cells.body.iter().map(|&body| self.body_ids[body as usize]).collect::<Vec<_>>();
+        let ids = division.body_ids(Bodies::Ids(&ids))?.unwrap_or_default();
+        let surface = Self::of_straight_cells(&points, &blocks, Bodies::Ids(&ids));
         let mut surface = surface.map_err(|error| division.told(error))?;
         surface.division = Some(division);
         Ok(surface)
@@ -345,7 +371,7 @@ impl<const D: usize> Surface<D> {
     /// Faces of the surface as corner nodes, with the index of their body; a quadrilateral face appears once, with four.
     pub fn faces(&self) -> Vec<(usize, Vec<u32>)> {
         match (&self.division, &self.cells) {
-            (Some(division), Some(cells)) => self.whole_faces(division, cells),
+            (Some(division), Some(cells)) if division.is_divided() => self.whole_faces(division, cells),
             _ => self.straight_faces(),
         }
     }

@@ -13,6 +13,14 @@ pub(super) struct Child {
     pub(super) faces: Vec<Option<usize>>,
 }
 
+impl Child {
+    /// A straight cell that is not divided.
+    pub(super) fn whole(cell_type: CellType) -> Self {
+        let faces = (0..cell_type.faces().len()).map(Some).collect();
+        Self { cell_type, nodes: (0..cell_type.node_count()).collect(), faces }
+    }
+}
+
 /// What lies between the cells at the corners.
 fn inner(cell_type: CellType) -> &'static [(CellType, &'static [usize])] {
     match cell_type {

@@ -18,23 +18,31 @@ pub(crate) struct Division {
     pub(crate) interpolation: Interpolation,
     /// Straight cells by type, in the order of the given blocks.
     pub(crate) blocks: Vec<(CellType, Vec<u32>)>,
-    /// Where every straight cell comes from.
-    origins: Vec<Origin>,
+    /// Where every straight cell comes from; empty where the cells are those given.
+    pub(super) origins: Vec<Origin>,
     /// Corners of the given cells, one after the other, and where they begin.
-    corners: Vec<u32>,
-    starts: Vec<usize>,
+    pub(super) corners: Vec<u32>,
+    pub(super) starts: Vec<usize>,
     /// Children of a cell, by its type.
-    types: Vec<(CellType, Vec<Child>)>,
+    pub(super) types: Vec<(CellType, Vec<Child>)>,
 }
 
 /// Where a straight cell comes from.
 #[derive(Clone, Copy, Debug)]
-struct Origin {
+pub(super) struct Origin {
     /// The given cell, counted over all blocks.
-    cell: u32,
-    cell_type: CellType,
-    /// Its number among the children.
-    child: u8,
+    pub(super) cell: u32,
+    pub(super) cell_type: CellType,
+    pub(super) place: Place,
+}
+
+/// Where in its cell a straight one lies.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Place {
+    /// Its number among the children of the type.
+    Child(u8),
+    /// It has its first face on this one, and its last node in the middle.
+    OnFace(u8),
 }
 
 /// What a node is in the cells that use it.
@@ -116,10 +124,7 @@ impl Division {
         let entities = Entities::of(cell_type);
         let of_type = match &entities {
             Some(entities) => children(cell_type, entities),
-            None => {
-                let faces = (0..cell_type.faces().len()).map(Some).collect();
-                vec![Child { cell_type, nodes: (0..cell_type.node_count()).collect(), faces }]
-            }
+            None => vec![Child::whole(cell_type)],
         };
         let mut found: Vec<(CellType, Vec<u32>, Vec<Origin>)> = Vec::new();
         for (cell, nodes) in cells {
@@ -138,7 +143,7 @@ impl Division {
                     found.len() - 1
                 });
                 found[place].1.extend(child.nodes.iter().map(|&point| local[point]));
-                found[place].2.push(Origin { cell, cell_type, child: number as u8 });
+                found[place].2.push(Origin { cell, cell_type, place: Place::Child(number as u8) });
             }
         }
         for (of_type, conn, origins) in found {
@@ -147,6 +152,28 @@ impl Division {
         }
         self.types.push((cell_type, of_type));
         Ok(())
+    }
+
+    /// Every cell as it was given.
+    pub(crate) fn none(node_count: usize) -> Self {
+        Self {
+            interpolation: Interpolation::identity(node_count),
+            blocks: Vec::new(),
+            origins: Vec::new(),
+            corners: Vec::new(),
+            starts: Vec::new(),
+            types: Vec::new(),
+        }
+    }
+
+    /// Type of that cell; `None` where it is the straight one.
+    pub(crate) fn cell_type(&self, straight: usize) -> Option<CellType> {
+        self.origins.get(straight).map(|origin| origin.cell_type)
+    }
+
+    /// Whether cells are divided.
+    pub(crate) fn is_divided(&self) -> bool {
+        !self.origins.is_empty()
     }
 
     /// Body ids of the straight cells, given those of the cells.
@@ -161,17 +188,16 @@ impl Division {
 
     /// The cell as given to which a straight one belongs.
     pub(crate) fn cell(&self, straight: usize) -> usize {
-        self.origins[straight].cell as usize
-    }
-
-    /// Type of that cell.
-    pub(crate) fn cell_type(&self, straight: usize) -> CellType {
-        self.origins[straight].cell_type
+        self.origins.get(straight).map_or(straight, |origin| origin.cell as usize)
     }
 
     /// The face of that cell in which a face of the straight one lies, where it is part of its boundary.
     pub(crate) fn face(&self, straight: usize, face: usize) -> Option<usize> {
-        let Origin { cell_type, child, .. } = self.origins[straight];
+        let Some(&Origin { cell_type, place, .. }) = self.origins.get(straight) else { return Some(face) };
+        let child = match place {
+            Place::OnFace(whole) => return (face == 0).then_some(usize::from(whole)),
+            Place::Child(child) => child,
+        };
         let (_, children) = self.types.iter().find(|(of_type, _)| *of_type == cell_type)?;
         children[child as usize].faces[face]
     }
@@ -179,7 +205,7 @@ impl Division {
     /// Corners of a face of that cell, as the cell has them.
     pub(crate) fn corners_of_face(&self, straight: usize, face: usize) -> impl DoubleEndedIterator<Item = u32> {
         let corners = &self.corners[self.starts[self.cell(straight)]..];
-        self.cell_type(straight).faces()[face].iter().map(move |&local| corners[local])
+        self.origins[straight].cell_type.faces()[face].iter().map(move |&local| corners[local])
     }
 
     /// An error with cells as given.

@@ -1,6 +1,8 @@
 //! Points as fixed linear combinations of the host's nodes.
 
 use crate::Error;
+use crate::geometry::hanging::HangingNode;
+use std::collections::BTreeMap;
 
 /// X = P x: rows of nodes and weights, one for every point.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +29,50 @@ impl Interpolation {
             all.starts.push(all.nodes.len());
         }
         all
+    }
+
+    /// Every point a node.
+    pub(crate) fn identity(node_count: usize) -> Self {
+        let rows: Vec<_> = (0..node_count as u32).map(|node| vec![(node, 1.0)]).collect();
+        Self::new(node_count, &rows, |_| true)
+    }
+
+    /// The same with points that hang brought to the middle of others, which may hang themselves.
+    pub(crate) fn with_hanging(&self, hanging: &[HangingNode], is_used: impl Fn(usize) -> bool) -> Self {
+        let parents_of = |point: u32| {
+            let place = hanging.binary_search_by_key(&point, |hanging| hanging.node);
+            place.ok().map(|place| &hanging[place].parents)
+        };
+        let resolved = |point: u32| {
+            let (mut row, mut open) = (BTreeMap::new(), vec![(point, 1.0)]);
+            // A chain of parents is no longer than there are points that hang: what would be longer runs in a circle.
+            for _ in 0..=hanging.len() {
+                let mut next = Vec::new();
+                for (point, weight) in open {
+                    match parents_of(point) {
+                        Some(parents) => {
+                            next.extend(parents.iter().map(|&parent| (parent, weight / parents.len() as f64)));
+                        }
+                        None => {
+                            for (node, part) in self.row(point as usize) {
+                                *row.entry(node).or_insert(0.0) += weight * part;
+                            }
+                        }
+                    }
+                }
+                open = next;
+                if open.is_empty() {
+                    break;
+                }
+            }
+            row.into_iter().collect()
+        };
+        let row = |point: usize| match parents_of(point as u32) {
+            Some(_) => resolved(point as u32),
+            None => self.row(point).collect::<Vec<_>>(),
+        };
+        let rows: Vec<_> = (0..self.point_count()).map(row).collect();
+        Self::new(self.node_count, &rows, is_used)
     }
 
     /// Number of nodes.
