@@ -55,6 +55,15 @@ pub enum Error {
         /// Node named twice.
         node: usize,
     },
+    /// A row of a basis names an unknown that does not exist.
+    UnknownOutOfRange {
+        /// Row, which is a node of the mesh.
+        row: usize,
+        /// The unknown, as given.
+        unknown: i64,
+        /// How many there are.
+        count: usize,
+    },
     /// Two cells do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
     NonConforming {
         /// Both cells, counted over all blocks.
@@ -242,6 +251,9 @@ impl fmt::Display for Error {
                 write!(f, "node {node} lies beyond the axis of axisymmetry: its first coordinate is {radius:.3e}")
             }
             Error::RepeatedNode { cell, node } => write!(f, "cell or facet {cell} names node {node} twice"),
+            Error::UnknownOutOfRange { row, unknown, count } => {
+                write!(f, "row {row} of the basis names unknown {unknown}, but there are {count}")
+            }
             Error::NonConforming { cells: [one, other] } => write!(
                 f,
                 "cells {one} and {other} do not fit: an edge or a face has a node in its middle in one of them, and in the \

@@ -31,6 +31,7 @@ pub(crate) mod shapes;
 mod signed_distance;
 pub(crate) mod simplex_rule;
 mod surface;
+mod surface_division;
 pub(crate) mod tree;
 pub(crate) mod weighting;
 
@@ -43,6 +44,7 @@ pub use height_field::HeightField;
 pub(crate) use march::{Intersection, MarchFailure, ROUNDS as MARCH_ROUNDS, SearchInterval, march};
 pub use obstacle::{Obstacle, Shape, SignedDistance};
 pub use pose::Pose;
+pub use second_order::Basis;
 pub(crate) use signed_distance::signed_distance;
 pub use surface::Surface;
 pub(crate) use weighting::Weighting;

@@ -42,6 +42,7 @@ fn renumbered(mut error: Error, base: usize) -> Error {
         Error::NonFiniteCoordinate { node, .. }
         | Error::NotPositiveMass { node, .. }
         | Error::NegativeRadius { node, .. } => *node += base,
+        Error::UnknownOutOfRange { row, .. } => *row += base,
         Error::NonConforming { cells } => cells.iter_mut().for_each(|cell| *cell += base),
         Error::RepeatedNode { cell, node } => {
             *cell += base;

@@ -179,7 +179,7 @@ impl<const D: usize> Resident<D> {
         index_base: i32,
         work: impl FnOnce(&mut Contact<D>, &[[f64; D]]) -> Result<T, Error>,
     ) -> Result<T, Failure> {
-        check_node_count(coords.node_count, self.contact.surface().node_count())?;
+        check_node_count(coords.node_count, self.contact.surface().unknown_count())?;
         // SAFETY: passed on to the caller.
         let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
         work(&mut self.contact, rows).map_err(Failure::counted_from(index_base))
@@ -197,7 +197,7 @@ impl<const D: usize> Resident<D> {
         index_base: i32,
         work: impl FnOnce(&mut Contact<D>, &[[f64; D]]) -> Result<(ContactForces<D>, T), Error>,
     ) -> Result<(Evaluation, T), Failure> {
-        let node_count = self.contact.surface().node_count();
+        let node_count = self.contact.surface().unknown_count();
         check_node_count(coords.node_count, node_count)?;
         let output = forces.map(|forces| forces.output::<D>(node_count)).transpose()?;
         // SAFETY: passed on to the caller.
@@ -327,7 +327,7 @@ impl<const D: usize> Session for Resident<D> {
         add: bool,
         index_base: i32,
     ) -> Result<(Evaluation, Kept), Failure> {
-        let [nodes, obstacles] = [self.contact.surface().node_count(), self.obstacle_nodes()];
+        let [nodes, obstacles] = [self.contact.surface().unknown_count(), self.obstacle_nodes()];
         // SAFETY: passed on to the caller.
         unsafe {
             self.evaluated(coords, forces, add, index_base, |contact, rows| {

@@ -13,7 +13,7 @@ use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::depth::DepthField;
-use crate::geometry::{BoundaryFacet, Surface};
+use crate::geometry::{Basis, BoundaryFacet, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use std::sync::{Mutex, OnceLock};
 
@@ -85,6 +85,15 @@ impl<const D: usize> Contact<D> {
         self.surface.set_reference(coords)?;
         self.depth = OnceLock::new();
         Ok(())
+    }
+
+    /// Has the nodes of the mesh moved by a host's own unknowns: see [`Surface::set_basis`]. What was begun, kept or frozen
+    /// stays. Nodes in planes of symmetry and nodal fields remain those of the mesh; masses are those of unknowns.
+    ///
+    /// # Errors
+    /// Those of [`Surface::set_basis`]; nothing changes then.
+    pub fn set_basis(&mut self, basis: &Basis) -> Result<(), Error> {
+        self.surface.set_basis(basis)
     }
 
     /// Names the nodes that lie in planes of symmetry: for the law `depth` a face all of whose nodes are named is no

@@ -28,7 +28,7 @@ fn on_points<const D: usize, T: OntoNodes>(
     work: impl FnOnce(&[[f64; D]]) -> Result<T, Error>,
 ) -> Result<T, Error> {
     let Some(division) = contact.surface.division() else { return work(coords) };
-    let points = division.interpolation.points(coords)?;
+    let points = division.map().points(coords)?;
     let found = work(&points).map_err(|error| division.told(error))?;
     Ok(found.onto_nodes(division))
 }

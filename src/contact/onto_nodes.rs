@@ -2,12 +2,12 @@
 
 use super::fields::{NodalContact, PointOfContact};
 use super::forces::ContactForces;
+use super::friction::SlipFacets;
 use super::gap_constraints::GapConstraints;
-use super::kernels::{PatchesByPair, SlipFacetsByPair};
 use super::tangent::{RankOne, Tangent};
 use crate::geometry::Vector;
 use crate::geometry::second_order::{Division, Interpolation};
-use crate::overlap::{Block, FiberTrace, Overlap, merged};
+use crate::overlap::{Block, FiberTrace, Overlap, Partner, Patches, merged};
 use std::collections::BTreeMap;
 
 /// A result that was found at the points of a division.
@@ -19,13 +19,13 @@ pub(super) trait OntoNodes: Sized {
 }
 
 impl OntoNodes for f64 {}
-impl<const D: usize> OntoNodes for SlipFacetsByPair<D> {}
-impl<const D: usize> OntoNodes for PatchesByPair<D> {}
+impl<const D: usize> OntoNodes for Vec<SlipFacets<D>> {}
+impl<const D: usize> OntoNodes for Vec<([Partner; 2], Patches<D>)> {}
 impl<const D: usize> OntoNodes for Vec<FiberTrace<D>> {}
 
 impl<const D: usize> OntoNodes for ContactForces<D> {
     fn onto_nodes(mut self, division: &Division) -> Self {
-        self.forces = division.interpolation.onto_nodes(&self.forces);
+        self.forces = division.map().onto_nodes(&self.forces);
         self
     }
 }
@@ -38,7 +38,7 @@ impl<const D: usize> OntoNodes for (ContactForces<D>, Tangent<D>) {
 
 impl<const D: usize> OntoNodes for Tangent<D> {
     fn onto_nodes(self, division: &Division) -> Self {
-        let map = &division.interpolation;
+        let map = division.map();
         let mut blocks = Vec::with_capacity(2 * self.blocks.len());
         for block in &self.blocks {
             for (row, of_row) in nodes(map, block.row) {
@@ -62,7 +62,7 @@ impl<const D: usize> OntoNodes for Vec<Overlap<D>> {
         for overlap in &mut self {
             let mut sums: BTreeMap<(u32, bool), Vector<D>> = BTreeMap::new();
             for ((&point, gradient), &of_b) in overlap.nodes.iter().zip(&overlap.gradient).zip(&overlap.of_b) {
-                for (node, weight) in nodes(&division.interpolation, point) {
+                for (node, weight) in nodes(division.map(), point) {
                     *sums.entry((node, of_b)).or_insert_with(Vector::zeros) += gradient * weight;
                 }
             }
@@ -105,7 +105,7 @@ impl<const D: usize> OntoNodes for GapConstraints<D> {
         let (mut row_starts, mut columns, mut slopes) = (vec![0], Vec::new(), Vec::new());
         for ends in self.row_starts.windows(2) {
             let entries = self.columns[ends[0]..ends[1]].iter().zip(&self.slopes[ends[0]..ends[1]]);
-            let (nodes, vector) = gathered(&division.interpolation, entries.map(|(point, g)| (*point, *g)));
+            let (nodes, vector) = gathered(division.map(), entries.map(|(point, g)| (*point, *g)));
             columns.extend(nodes);
             slopes.extend(vector);
             row_starts.push(columns.len());

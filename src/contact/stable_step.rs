@@ -19,7 +19,7 @@ impl<const D: usize> Contact<D> {
     /// As [`Self::tangent`]; [`Error::Length`] for masses of another number than the nodes,
     /// [`Error::NotPositiveMass`] for a node that feels contact.
     pub fn stable_step(&self, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
-        let expected = self.surface.node_count();
+        let expected = self.surface.unknown_count();
         if masses.len() != expected {
             return Err(Error::Length { array: "masses", expected, found: masses.len() });
         }

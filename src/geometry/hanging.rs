@@ -143,8 +143,10 @@ impl<const D: usize> Finder<'_, D> {
         small: Vec<Vec<u32>>,
         middles: Vec<HangingNode>,
     ) -> Option<(Vec<usize>, Vec<HangingNode>)> {
-        let id = self.faces[large].id;
-        let find = |nodes| self.by_nodes.get(&sorted(nodes)).copied().filter(|&face| self.faces[face].id == id);
+        let LoneFace { id, cell, .. } = self.faces[large];
+        // A flat cell has a node in the middle of its own edge.
+        let fits = |face: &usize| self.faces[*face].id == id && self.faces[*face].cell != cell;
+        let find = |nodes| self.by_nodes.get(&sorted(nodes)).copied().filter(fits);
         let found: Option<Vec<usize>> = small.into_iter().map(find).collect();
         Some((found?, middles))
     }
@@ -219,6 +221,14 @@ mod tests {
         // A hole.
         beside[2][0] += 0.2;
         assert_eq!(meetings(&lone, &beside), Ok((Vec::new(), Vec::new())));
+    }
+
+    #[test]
+    fn a_flat_cell_meets_nothing_of_its_own() {
+        let x = [[0.0, 0.0], [1.0, 0.0], [0.5, 1e-4]];
+        let mut lone = faces(&[&[0, 1], &[1, 2], &[2, 0]]);
+        lone.iter_mut().for_each(|face| face.cell = 0);
+        assert_eq!(meetings(&lone, &x), Ok((Vec::new(), Vec::new())));
     }
 
     #[test]

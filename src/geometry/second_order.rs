@@ -19,11 +19,13 @@
 //! times for every direction in which it is quadratic. On a lattice of n parts the factor would be n²/(n² − 1), since the trapezoidal rule
 //! integrates a parabola with the factor 1 − 1/n².
 
+mod basis;
 mod children;
 mod division;
 mod entities;
 mod interpolation;
 mod refined;
 
+pub use basis::Basis;
 pub(crate) use division::Division;
 pub(crate) use interpolation::Interpolation;

@@ -7,8 +7,6 @@ use super::second_order::Division;
 use super::{Bodies, CellBlock, Vector, facet::area_vector};
 use crate::Error;
 use crate::dimension::{recast, rows};
-use std::borrow::Cow;
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Boundary facets of the bodies of a mesh, oriented outwards: their topology. Of coordinates only those of the
@@ -18,7 +16,7 @@ use std::ops::Range;
 /// nodes), about which such a face is split into four triangles.
 #[derive(Clone, Debug)]
 pub struct Surface<const D: usize> {
-    node_count: usize,
+    pub(super) node_count: usize,
     body_ids: Vec<i64>,
     /// Node of every vertex that is a node, ascending.
     pub(crate) nodes: Vec<u32>,
@@ -87,24 +85,7 @@ impl<const D: usize> Surface<D> {
         Ok(surface)
     }
 
-    /// The same where nodes hang: they are moved by those in whose middle they do, and cells in space with a face that meets
-    /// smaller faces are divided about their own middle, so that they fit these wherever the nodes go.
-    fn refined(self, coords: &[[f64; D]], blocks: &[CellBlock]) -> Result<Self, Error> {
-        let Some(cells) = self.cells.as_ref().filter(|cells| cells.is_refined()) else { return Ok(self) };
-        let mut division = Division::of_refined(coords.len(), blocks, cells);
-        let points = division.interpolation.points(coords)?;
-        let straight = std::mem::take(&mut division.blocks);
-        let blocks: Vec<_> =
-            straight.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
-        let ids = cells.body.iter().map(|&body| self.body_ids[body as usize]).collect::<Vec<_>>();
-        let ids = division.body_ids(Bodies::Ids(&ids))?.unwrap_or_default();
-        let surface = Self::of_straight_cells(&points, &blocks, Bodies::Ids(&ids));
-        let mut surface = surface.map_err(|error| division.told(error))?;
-        surface.division = Some(division);
-        Ok(surface)
-    }
-
-    fn of_straight_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
+    pub(super) fn of_straight_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         let mut cells = Cells::new::<D>(coords.len(), blocks)?;
         check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))?;
         let body_ids = cells.connect(coords, bodies)?;
@@ -320,29 +301,7 @@ impl<const D: usize> Surface<D> {
         }
     }
 
-    /// Coordinates of all nodes of the straight mesh that is measured: those of the host's, or of the points at which
-    /// its cells are divided.
-    ///
-    /// # Errors
-    /// [`Error::Length`], [`Error::NonFiniteCoordinate`], where there are cells of second order.
-    pub(crate) fn mesh_points<'a>(&self, coords: &'a [[f64; D]]) -> Result<Cow<'a, [[f64; D]]>, Error> {
-        match &self.division {
-            Some(division) => division.interpolation.points(coords).map(Cow::Owned),
-            None => Ok(Cow::Borrowed(coords)),
-        }
-    }
-
-    /// How cells of second order are divided; `None` where there are none.
-    pub(crate) fn division(&self) -> Option<&Division> {
-        self.division.as_ref()
-    }
-
-    /// An error that names cells as given.
-    pub(crate) fn told(&self, error: Error) -> Error {
-        self.division.as_ref().map_or(error.clone(), |division| division.told(error))
-    }
-
-    /// Number of nodes of the whole mesh: the length that coordinates must have.
+    /// Number of nodes of the whole mesh.
     pub fn node_count(&self) -> usize {
         self.division.as_ref().map_or(self.node_count, |division| division.interpolation.node_count())
     }
@@ -374,23 +333,6 @@ impl<const D: usize> Surface<D> {
             (Some(division), Some(cells)) if division.is_divided() => self.whole_faces(division, cells),
             _ => self.straight_faces(),
         }
-    }
-
-    /// The same of faces of second order, each once.
-    fn whole_faces(&self, division: &Division, cells: &Cells) -> Vec<(usize, Vec<u32>)> {
-        let (mut faces, mut seen) = (Vec::new(), BTreeSet::new());
-        for (body, range) in self.ranges.iter().enumerate() {
-            for facet in range.clone() {
-                let cell = self.facet_cell[facet] as usize;
-                let Some(face) = division.face(cell, self.facet_source[facet] as usize) else { continue };
-                if seen.insert((division.cell(cell), face)) {
-                    let corners = division.corners_of_face(cell, face);
-                    let is_flipped = cells.is_flipped(cell);
-                    faces.push((body, if is_flipped { corners.rev().collect() } else { corners.collect() }));
-                }
-            }
-        }
-        faces
     }
 
     fn straight_faces(&self) -> Vec<(usize, Vec<u32>)> {

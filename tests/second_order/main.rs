@@ -3,6 +3,7 @@
 #[path = "../scene/scene.rs"]
 mod scene;
 
+mod basis;
 mod derivatives;
 mod flat;
 mod friction;

@@ -1,5 +1,6 @@
 //! A mesh with cells of second order, divided.
 
+use super::basis::Basis;
 use super::children::{Child, children};
 use super::entities::Entities;
 use super::interpolation::Interpolation;
@@ -15,7 +16,10 @@ const RISE: f64 = 4.0 / 3.0;
 /// have its number; others follow after the nodes.
 #[derive(Clone, Debug)]
 pub(crate) struct Division {
+    /// Points from the nodes of the mesh.
     pub(crate) interpolation: Interpolation,
+    /// Points from the unknowns of a host that has a basis of its own.
+    of_unknowns: Option<Interpolation>,
     /// Straight cells by type, in the order of the given blocks.
     pub(crate) blocks: Vec<(CellType, Vec<u32>)>,
     /// Where every straight cell comes from; empty where the cells are those given.
@@ -83,6 +87,7 @@ impl Division {
         };
         let mut all = Self {
             interpolation: Interpolation::new(0, &[], |_| false),
+            of_unknowns: None,
             blocks: Vec::new(),
             origins: Vec::new(),
             corners: Vec::new(),
@@ -158,12 +163,27 @@ impl Division {
     pub(crate) fn none(node_count: usize) -> Self {
         Self {
             interpolation: Interpolation::identity(node_count),
+            of_unknowns: None,
             blocks: Vec::new(),
             origins: Vec::new(),
             corners: Vec::new(),
             starts: Vec::new(),
             types: Vec::new(),
         }
+    }
+
+    /// Points from what the host hands over: its nodes, or its own unknowns.
+    pub(crate) fn map(&self) -> &Interpolation {
+        self.of_unknowns.as_ref().unwrap_or(&self.interpolation)
+    }
+
+    /// Has the nodes moved by unknowns.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::UnknownOutOfRange`], [`Error::Overflow`], [`Error::Unsupported`].
+    pub(crate) fn set_basis(&mut self, basis: &Basis) -> Result<(), Error> {
+        self.of_unknowns = Some(self.interpolation.of_unknowns(basis)?);
+        Ok(())
     }
 
     /// Type of that cell; `None` where it is the straight one.

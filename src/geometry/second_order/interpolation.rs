@@ -11,15 +11,22 @@ pub(crate) struct Interpolation {
     starts: Vec<usize>,
     nodes: Vec<u32>,
     weights: Vec<f64>,
-    /// Nodes that move a point that is used.
+    /// Nodes that move a point that is used, and these points.
     used: Vec<bool>,
+    used_points: Vec<bool>,
 }
 
 impl Interpolation {
     /// Points given by nodes and weights, of which those marked are used.
     pub(crate) fn new(node_count: usize, rows: &[Vec<(u32, f64)>], is_used: impl Fn(usize) -> bool) -> Self {
-        let mut all =
-            Self { node_count, starts: vec![0], nodes: Vec::new(), weights: Vec::new(), used: vec![false; node_count] };
+        let mut all = Self {
+            node_count,
+            starts: vec![0],
+            nodes: Vec::new(),
+            weights: Vec::new(),
+            used: vec![false; node_count],
+            used_points: (0..rows.len()).map(&is_used).collect(),
+        };
         for (point, row) in rows.iter().enumerate() {
             for &(node, weight) in row {
                 all.nodes.push(node);
@@ -78,6 +85,11 @@ impl Interpolation {
     /// Number of nodes.
     pub(crate) fn node_count(&self) -> usize {
         self.node_count
+    }
+
+    /// Whether a cell or facet has a point.
+    pub(super) fn is_used(&self, point: usize) -> bool {
+        self.used_points[point]
     }
 
     /// Number of points.
