@@ -44,6 +44,7 @@ mod options;
 mod pair_options;
 mod part;
 mod patches;
+mod point_weights;
 mod pointer;
 mod pose;
 mod reference;

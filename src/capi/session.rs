@@ -14,7 +14,7 @@ use super::shape::{ShapeOf, kind_of};
 use super::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::{PairOptions, TangentPart};
 use crate::overlap::Partner;
-use crate::{Contact, ContactForces, Error, Obstacle, Options, Pose, Surface};
+use crate::{Contact, ContactForces, Error, Obstacle, Options, PointWeights, Pose, Surface};
 
 /// Number of nodes, facets and bodies.
 pub(super) struct Counts {
@@ -30,6 +30,9 @@ pub(super) trait Session: Send + Sync {
 
     /// The boundary facets.
     fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet>;
+
+    /// The points of which hosts are told, as combinations of nodes.
+    fn point_weights(&self) -> PointWeights;
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure>;
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure>;
@@ -220,6 +223,10 @@ impl<const D: usize> Session for Resident<D> {
     fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet> {
         let facets = self.contact.boundary_facets();
         facets.iter().map(|facet| fmc_boundary_facet::new(facet, index_base)).collect()
+    }
+
+    fn point_weights(&self) -> PointWeights {
+        self.contact.point_weights()
     }
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure> {

@@ -13,7 +13,7 @@ use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::depth::DepthField;
-use crate::geometry::{BoundaryFacet, Surface};
+use crate::geometry::{BoundaryFacet, PointWeights, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use std::sync::{Mutex, OnceLock};
 
@@ -88,7 +88,8 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Names the nodes that lie in planes of symmetry: for the law `depth` a face all of whose nodes are named is no
-    /// surface, since the body goes on behind it, and its depth does not vanish there. The host holds such nodes in
+    /// surface, since the body goes on behind it, and its depth does not vanish there. Of a face of second order those in
+    /// the middles of its edges, and its own, are named too. The host holds such nodes in
     /// their plane. Replaces what was named before. With none, all of the surface is surface, and flush faces are not warned
     /// of.
     ///
@@ -166,6 +167,12 @@ impl<const D: usize> Contact<D> {
     /// The boundary facets, in the order in which [`Self::slip`] has them.
     pub fn boundary_facets(&self) -> Vec<BoundaryFacet> {
         self.surface.boundary_facets()
+    }
+
+    /// The points of which [`Self::boundary_facets`], [`Self::contact_points`] and [`Self::gap_constraints`] tell, as
+    /// combinations of nodes: more than the nodes where there are cells of second order, else the nodes themselves.
+    pub fn point_weights(&self) -> PointWeights {
+        self.surface.point_weights()
     }
 
     /// Contact forces at `coords`, `[node_count, D]`.
