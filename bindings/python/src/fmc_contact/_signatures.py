@@ -119,6 +119,8 @@ FUNCTIONS = {
     "fmc_context_set_log": (STATUS, [Context, LOG, c_void_p]),
     "fmc_context_counts": (STATUS, [Context, _COUNT, _COUNT, _COUNT]),
     "fmc_context_boundary_facets": (STATUS, [Context, POINTER(fmc_boundary_facet), c_size_t]),
+    "fmc_context_point_weights_size": (STATUS, [Context, _COUNT, _COUNT]),
+    "fmc_context_point_weights": (STATUS, [Context, Int64Array, c_size_t, Int64Array, Float64Array, c_size_t]),
     "fmc_context_evaluate": (STATUS, [Context, _COORDS, POINTER(fmc_forces), c_uint32, POINTER(fmc_result)]),
     "fmc_context_error": (c_char_p, [Context]),
     "fmc_context_set_reference": (STATUS, [Context, _COORDS]),

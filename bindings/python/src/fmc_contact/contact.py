@@ -20,6 +20,7 @@ from .gaps import GapConstraints, gap_constraints
 from .linearised import Linearised
 from .options import changed, defaults, described
 from .pair_options import PairOptions
+from .points import PointWeights, point_weights
 from .result import Result, gather
 
 if TYPE_CHECKING:
@@ -33,9 +34,10 @@ class Contact(PairOptions, Steps, Linearised):
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
     (dim, n), read in place. ``conn`` are node numbers, (m, nodes per cell), of cells of one ``cell_type``:
-    ``"triangle"``, ``"quad"``, ``"tetra"``, ``"hexahedron"``, ``"wedge"`` or ``"pyramid"``, in meshio's node order, or the
-    mirrored one, as VTK defines its wedge; or, without a cell type, a list of ``(cell type, node numbers)`` for a mixed
-    mesh. ``bodies``, one integer for every cell counted over the list, says which body a cell belongs to; ``None``:
+    ``"triangle"``, ``"quad"``, ``"tetra"``, ``"hexahedron"``, ``"wedge"`` or ``"pyramid"``, or of second order
+    ``"triangle6"``, ``"quad8"``, ``"quad9"``, ``"tetra10"``, ``"hexahedron20"``, ``"hexahedron27"``, ``"wedge15"`` or
+    ``"pyramid13"``, in meshio's node order, or the mirrored one, as VTK defines its wedge; or, without a cell type, a list of
+    ``(cell type, node numbers)`` for a mixed mesh. ``bodies``, one integer for every cell counted over the list, says which body a cell belongs to; ``None``:
     bodies are the connected components by faces. ``stiffness`` is k > 0 of
     the law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
 
@@ -51,7 +53,8 @@ class Contact(PairOptions, Steps, Linearised):
     node_count: int
     """Number of nodes of ``coords``."""
     facet_count: int
-    """Number of boundary facets; a quadrilateral face in 3D counts as four triangles."""
+    """Number of boundary facets; a quadrilateral face in 3D counts as four triangles. Of second order an edge counts as two, a
+    triangle as four, a quadrilateral as sixteen."""
     body_count: int
     """Number of bodies."""
 
@@ -97,6 +100,12 @@ class Contact(PairOptions, Steps, Linearised):
         """The boundary facets that were found, in the order of ``slip``: cell, face of the cell, nodes and body of each."""
         with self._handle:
             return boundary_facets(self._handle, self.facet_count, self.dim)
+
+    def point_weights(self) -> PointWeights:
+        """The points of which ``boundary_facets``, ``contact_points`` and ``gap_constraints`` tell, as combinations of nodes:
+        with cells of second order more than the nodes, else the nodes themselves."""
+        with self._handle:
+            return point_weights(self._handle, self.node_count)
 
     @property
     def options(self) -> dict[str, object]:
@@ -181,7 +190,8 @@ class Contact(PairOptions, Steps, Linearised):
 
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
         """Names the nodes that lie in planes of symmetry: for the law ``"depth"`` a face all of whose nodes are named is
-        no surface, since the body goes on behind it. Replaces what was named before; an empty list names none, and flush
+        no surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are
+        named too. Replaces what was named before; an empty list names none, and flush
         faces are not warned of."""
         numbers = np.ascontiguousarray(nodes if np.size(nodes) else [], dtype=np.int64).reshape(-1)
         with self._handle:

@@ -293,6 +293,12 @@ class NegativeRadiusError(FmcError, ValueError):
     status = 42
 
 
+class NonConformingError(FmcError, ValueError):
+    """Two cells do not fit: an edge has a node in its middle in one of them and none, or another, in the other."""
+
+    status = 43
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 
