@@ -37,9 +37,8 @@ class Contact(PairOptions, Steps, Linearised):
     ``"triangle"``, ``"quad"``, ``"tetra"``, ``"hexahedron"``, ``"wedge"`` or ``"pyramid"``, or of second order
     ``"triangle6"``, ``"quad8"``, ``"quad9"``, ``"tetra10"``, ``"hexahedron20"``, ``"hexahedron27"``, ``"wedge15"`` or
     ``"pyramid13"``, in meshio's node order, or the mirrored one, as VTK defines its wedge; or, without a cell type, a list of
-    ``(cell type, node numbers)`` for a mixed mesh. ``bodies``, one integer for every cell counted over the list, says which body a cell belongs to; ``None``:
-    bodies are the connected components by faces. ``stiffness`` is k > 0 of
-    the law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
+    ``(cell type, node numbers)`` for a mixed mesh. ``bodies``, one integer for every cell counted over the list, says which
+    body a cell belongs to; ``None``: bodies are the connected components by faces. ``stiffness`` is k > 0 of the law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
 
     Errors: those of ``fmc_contact.errors`` for the mesh and the options; ``TypeError`` and ``ValueError`` for arrays of
     another dtype or shape. After any error a contact is as it was before the call.
@@ -105,7 +104,7 @@ class Contact(PairOptions, Steps, Linearised):
         """The points of which ``boundary_facets``, ``contact_points`` and ``gap_constraints`` tell, as combinations of nodes:
         with cells of second order more than the nodes, else the nodes themselves."""
         with self._handle:
-            return point_weights(self._handle, self.node_count)
+            return point_weights(self._handle, self.node_count, self._options.index_base)
 
     @property
     def options(self) -> dict[str, object]:

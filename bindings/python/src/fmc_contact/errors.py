@@ -294,7 +294,8 @@ class NegativeRadiusError(FmcError, ValueError):
 
 
 class NonConformingError(FmcError, ValueError):
-    """Two cells do not fit: an edge has a node in its middle in one of them and none, or another, in the other."""
+    """Two cells do not fit: an edge or a face has a node in its middle in one of them, and in the other it has none, or another
+    one."""
 
     status = 43
 

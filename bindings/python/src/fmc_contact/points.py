@@ -18,7 +18,8 @@ class PointWeights:
     ``scipy.sparse.csr_array((w.data, w.indices, w.indptr), shape=(len(w), node_count))``.
 
     Cells of second order are divided into straight ones, whose points are fixed linear combinations of the nodes.
-    ``BoundaryFacets.nodes``, ``ContactPoints.nodes`` and ``GapConstraints.node`` then name points: rows of P. A point that is a
+    ``BoundaryFacets.nodes``, ``ContactPoints.nodes`` and ``GapConstraints.node`` then name points: rows of P, counted from the
+    option ``index_base`` as nodes are. Rows and columns of the matrix itself count from 0, as scipy has them. A point that is a
     node, or stands for one in the middle of an edge, face or cell, has the node's number; middles of faces without a node
     come after the nodes. Without cells of second order P is the identity.
     """
@@ -26,7 +27,7 @@ class PointWeights:
     indptr: np.ndarray
     """Entries of point p are those from ``indptr[p]`` to ``indptr[p + 1]``, (m + 1,)."""
     indices: np.ndarray
-    """Node of every entry, each node once in a row."""
+    """Node of every entry, counted from 0; each node once in a row."""
     data: np.ndarray
     """Its weight. The weights of a row add up to 1; some are negative."""
     node_count: int
@@ -56,11 +57,11 @@ class PointWeights:
         return self.data.reshape(-1, *[1] * (values.ndim - 1))
 
 
-def point_weights(handle: Handle, node_count: int) -> PointWeights:
-    """Asks for them."""
+def point_weights(handle: Handle, node_count: int, index_base: int) -> PointWeights:
+    """Asks for them, where the library counts nodes from ``index_base``."""
     points, entries = c_size_t(), c_size_t()
     handle.call(library.fmc_context_point_weights_size, byref(points), byref(entries))
     indptr, indices = np.zeros(points.value + 1, np.int64), np.empty(entries.value, np.int64)
     data = np.empty(entries.value)
     handle.call(library.fmc_context_point_weights, indptr, points.value, indices, data, entries.value)
-    return PointWeights(indptr, indices, data, node_count)
+    return PointWeights(indptr, indices - index_base, data, node_count)
