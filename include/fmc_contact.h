@@ -149,6 +149,8 @@ typedef enum {
   FMC_ERROR_NON_FINITE_SLIP = 41,
   // A node lies beyond the axis, with axisymmetry: its first coordinate is negative.
   FMC_ERROR_NEGATIVE_RADIUS = 42,
+  // Two cells do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
+  FMC_ERROR_NON_CONFORMING = 43,
 } fmc_status;
 
 // Contact energy.
@@ -212,6 +214,24 @@ typedef enum {
   FMC_WEDGE6 = 13,
   // Pyramid, 3D, 5 nodes: four around the base, then the apex.
   FMC_PYRAMID5 = 14,
+  // Triangle of second order, 2D, 6 nodes: the corners, then the middles of the edges 01, 12, 20.
+  FMC_TRI6 = 22,
+  // Quadrilateral of second order, 2D, 8 nodes: the corners, then the middles of the edges 01, 12, 23, 30.
+  FMC_QUAD8 = 23,
+  // Tetrahedron of second order, 3D, 10 nodes: the corners, then the middles of 01, 12, 20, 03, 13, 23. (Gmsh has the last two
+  // the other way round.)
+  FMC_TET10 = 24,
+  // Hexahedron of second order, 3D, 20 nodes: the corners, then the middles of 01, 12, 23, 30, 45, 56, 67, 74, 04, 15, 26, 37.
+  FMC_HEX20 = 25,
+  // Wedge of second order, 3D, 15 nodes: the corners as those of `FMC_WEDGE6`, then the middles of 01, 12, 20, 34, 45, 53, 03,
+  // 14, 25.
+  FMC_WEDGE15 = 26,
+  // Pyramid of second order, 3D, 13 nodes: the corners, then the middles of 01, 12, 23, 30, 04, 14, 24, 34.
+  FMC_PYRAMID13 = 27,
+  // `FMC_QUAD8` with a ninth node in the middle of the cell.
+  FMC_QUAD9 = 28,
+  // `FMC_HEX20` with nodes in the middles of the faces 0473, 1265, 0154, 3762, 0321, 4567 and of the cell: 27.
+  FMC_HEX27 = 29,
 } fmc_cell_type;
 
 // Kind of a partner.
@@ -480,7 +500,8 @@ typedef struct {
   uint64_t reserved[3];
 } fmc_result;
 
-// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges.
+// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
+// of a cell of second order is divided first: an edge in two, a triangle or quadrilateral in four parts.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
@@ -493,13 +514,14 @@ typedef struct {
   // Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
   // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
   // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
-  // 124, 234, 304.
+  // 124, 234, 304; of cells of second order the same, by their corners.
   int32_t local_face;
-  // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D.
+  // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; of a face of second order of the part in which the facet lies.
   int32_t node_count;
   // Nodes of its face, counted from the option `index_base`; unused ones are -1. In 2D the body lies left of the way from
   // the first to the second, in 3D they run counter-clockwise seen from outside, also where the cell is numbered the
-  // other way round. Of four, the facet is the triangle of the first two and the mean of all.
+  // other way round. Of four, the facet is the triangle of the first two and the mean of all. Of a face of second order they
+  // are points of its division, of which `fmc_context_point_weights` tells; those from the node count on are no nodes.
   int64_t nodes[4];
   // Zero.
   uint64_t reserved[4];
@@ -513,7 +535,7 @@ typedef struct {
   double force[3];
   // Moment of the forces about the origin of space; in 2D only the last entry differs from 0.
   double moment[3];
-  // Nodes on the body's surface; 0 for an obstacle.
+  // Nodes on the body's surface, with cells of second order points of its division; 0 for an obstacle.
   size_t node_count;
   // The part of `force` that is friction.
   double friction[3];
@@ -599,7 +621,8 @@ typedef struct {
   uint64_t reserved[10];
 } fmc_pair_options;
 
-// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there.
+// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second
+// order those of the straight face or cell of their division.
 typedef struct {
   // A value of `fmc_partner`.
   int32_t kind;
@@ -609,9 +632,11 @@ typedef struct {
   size_t index;
   // Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
   int64_t cell;
-  // Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`.
+  // Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`. Where the cell
+  // is of second order they are points of its division: row p of `fmc_context_point_weights` takes the force at point p
+  // to the nodes.
   int64_t nodes[8];
-  // Values of their shape functions: a force at this end goes to the nodes by these parts.
+  // Values of their shape functions: a force at this end goes to the nodes, or points, by these parts.
   double weights[8];
   // The end; in 2D the last entry is 0.
   double position[3];
@@ -656,10 +681,15 @@ typedef struct {
 // The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over what the facets of the
 // node have nearer than the reach and facing the partner, within 60 degrees of the way to its nearest point. N is the shape
 // function of the node, phi the distance from the partner's surface, negative inside. Contact is gap >= 0.
+//
+// With cells of second order a row is that of a point of their division, and N is its straight shape function, which is
+// positive everywhere; that of a node would not be, and its integral at the corner of a face may vanish. Multipliers are
+// then pressures at points; the derivative is that by nodes.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // The node, counted from the option `index_base`.
+  // The node, counted from the option `index_base`; with cells of second order the point, see
+  // `fmc_context_point_weights`: from the node count on it is no node.
   int64_t node;
   // Its body, an index for `fmc_context_body`.
   size_t body;
@@ -905,7 +935,8 @@ fmc_status fmc_context_set_options(fmc_context *context, const fmc_options *opti
 // evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_log(fmc_context *context, fmc_log_callback callback, void *user);
 
-// Number of nodes of the mesh, of its boundary facets (a quadrilateral face in 3D counts as four), and of its bodies. Any of the outputs may be NULL.
+// Number of nodes of the mesh, of its boundary facets, and of its bodies. A quadrilateral face in 3D counts as four facets;
+// of second order an edge counts as two, a triangle as four, a quadrilateral as sixteen. Any of the outputs may be NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 // changes it.
@@ -949,6 +980,57 @@ const char *fmc_context_error(const fmc_context *context);
 fmc_status fmc_context_boundary_facets(const fmc_context *context,
                                        fmc_boundary_facet *facets,
                                        size_t capacity);
+
+// Sizes of the matrix of `fmc_context_point_weights`: rows, which are points, at least as many as there are nodes, and
+// entries. Either output may be NULL. They change with a basis only.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+// changes it.
+fmc_status fmc_context_point_weights_size(const fmc_context *context, size_t *point_count, size_t *entry_count);
+
+// The matrix P that takes nodes to points, X = P x, in compressed rows: the entries of point p are those from `row_offsets[p]`
+// to `row_offsets[p + 1]`, counted from 0, `nodes`, counted from the option `index_base`, with their `weights`.
+//
+// Cells of second order are divided into straight ones, whose points are fixed linear combinations of the nodes.
+// `fmc_boundary_facet`, `fmc_contact_side` and `fmc_gap_constraint` tell of points: their numbers, less the option
+// `index_base`, are rows. What is known at nodes is brought to points by P, forces and other derivatives from points to nodes by
+// its transpose. A point that is a node, or stands for one in the middle of an edge, face or cell, has the node's
+// number; middles of faces without a node come after the nodes. The weights of a row add up to 1, and some are
+// negative. Without cells of second order, and nodes that hang, P is the identity. With a basis (`fmc_context_set_basis`) its
+// columns are unknowns, and rows add up to what those of the basis do.
+//
+// `row_offsets` has room for one number more than `point_capacity`, `nodes` and `weights` for `capacity` entries;
+// `fmc_context_point_weights_size` has both sizes.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_point_weights(const fmc_context *context,
+                                     int64_t *row_offsets,
+                                     size_t point_capacity,
+                                     int64_t *nodes,
+                                     double *weights,
+                                     size_t capacity);
+
+// Has the nodes of the mesh moved by unknowns of the host: control points of splines, coefficients of hierarchical shape
+// functions, nodes of another mesh. Node n lies at the sum of weights[k] times the coordinates of unknown unknowns[k], for k
+// from `row_offsets[n]` to `row_offsets[n + 1]`, which count from 0 and are one number more than the nodes of the mesh.
+// `unknowns` and `weights` have `entry_count` entries; unknowns are counted from the option `index_base`.
+//
+// From then on every `fmc_coords` and `fmc_forces` has `unknown_count` rows, tangents and the columns of gap gradients are
+// those of unknowns, and so are masses and the columns of `fmc_context_point_weights`. The mesh and its coordinates without
+// deformation stay, and so do the nodes of `fmc_context_nodal_contact` and `fmc_context_set_symmetry_nodes`. A pattern that
+// is kept (`fmc_context_keep_pattern`) is released.
+// `row_offsets` NULL: nodes move by themselves again.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for offsets that descend or do not end at `entry_count`,
+// `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite;
+// nothing changes then. Threads: one call at a time on a context.
+fmc_status fmc_context_set_basis(fmc_context *context,
+                                 size_t unknown_count,
+                                 const int64_t *row_offsets,
+                                 const int64_t *unknowns,
+                                 const double *weights,
+                                 size_t entry_count);
 
 // Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
 // later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
@@ -1019,12 +1101,15 @@ fmc_status fmc_context_set_reference(fmc_context *context,
                                      const fmc_coords *coords);
 
 // Names `count` nodes that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
-// surface, since the body goes on behind it. The host holds such nodes in their plane. Replaces what was named before;
+// surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are named too.
+// The host holds such nodes in their plane. Replaces what was named before;
 // `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
 // that would have no surface left; what was named before then stays. Threads: one call at a time on a context.
-fmc_status fmc_context_set_symmetry_nodes(fmc_context *context, const int64_t *nodes, size_t count);
+fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
+                                          const int64_t *nodes,
+                                          size_t count);
 
 // Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
 // to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
@@ -1246,6 +1331,11 @@ fmc_status fmc_context_pair_options(const fmc_context *context,
 // body, the mean over the same part, and `sliding` the part of the contact at the node that slides, of its area,
 // between 0 and 1. `status` has values of `fmc_node_status`.
 //
+// With cells of second order a node has what is at the point of their division that stands for it, with the straight shape
+// function of that point: shape functions of second order are negative in places, and have no mean at a corner. Forces
+// at points, -pressure * area * normal, are then not those of the nodes, nor do they add up to the resultant where
+// faces have no node in their middle, whose points are not told.
+//
 // It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
 // the context. Errors: as `fmc_context_evaluate`; nothing is written then. Threads: one call at a time on a context.
 fmc_status fmc_context_nodal_contact(fmc_context *context,
@@ -1281,7 +1371,7 @@ fmc_status fmc_context_contact_points(const fmc_context *context, fmc_contact_po
 // that of the entries of their derivative; both may be NULL.
 //
 // Both bodies of a pair have rows, ordered by pair, side and node; a host that wants one side only takes the rows of one
-// body. A body has no gaps over itself. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_NOT_POSITIVE` for `reach`; what
+// body. A body has no gaps over itself. With cells of second order rows are points, columns nodes. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_NOT_POSITIVE` for `reach`; what
 // was kept then stays. Threads: one call at a time on a context.
 fmc_status fmc_context_find_gap_constraints(fmc_context *context,
                                             const fmc_coords *coords,

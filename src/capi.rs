@@ -14,6 +14,7 @@
 // Whom a caller in C must obey is in the text of every function; "Safety" headings would go into the header.
 #![allow(clippy::missing_safety_doc)]
 
+mod basis;
 mod boundary;
 mod boundary_facet;
 mod boundary_facets;
@@ -44,6 +45,7 @@ mod options;
 mod pair_options;
 mod part;
 mod patches;
+mod point_weights;
 mod pointer;
 mod pose;
 mod reference;

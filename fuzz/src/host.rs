@@ -232,7 +232,22 @@ pub fn run(program: &Program) {
 
 /// Nodes of a cell of a type.
 fn cell_size(cell_type: i32) -> usize {
-    const SIZES: [(i32, usize); 6] = [(5, 3), (9, 4), (10, 4), (12, 8), (13, 6), (14, 5)];
+    const SIZES: [(i32, usize); 14] = [
+        (5, 3),
+        (9, 4),
+        (10, 4),
+        (12, 8),
+        (13, 6),
+        (14, 5),
+        (22, 6),
+        (23, 8),
+        (24, 10),
+        (25, 20),
+        (26, 15),
+        (27, 13),
+        (28, 9),
+        (29, 27),
+    ];
     SIZES.iter().find(|(number, _)| *number == cell_type).map_or(4, |(_, size)| *size)
 }
 
@@ -842,7 +857,48 @@ impl Host {
             assert_eq!(status == OK, is_wanted);
             let size = if is_wanted { size_of::<fmc_boundary_facet>() } else { 0 };
             assert!(found.values().iter().all(|facet| facet.struct_size == size));
+            let weights = self.point_weights(hole);
+            let named = found.values().into_iter().flat_map(|facet| facet.nodes);
+            let points = weights + i64::from(self.options.index_base);
+            assert!(!is_wanted || named.into_iter().all(|point| (-1..points).contains(&point)));
             CStr::from_ptr(fmc_context_error(unless(hole, 5, self.context))).to_str().expect("UTF-8");
+        }
+    }
+
+    /// Points as combinations of nodes; returns their number.
+    fn point_weights(&self, hole: Hole) -> i64 {
+        let (mut points, mut entries) = (77usize, 77usize);
+        // SAFETY: outputs that may be written, with room for as much as is said.
+        unsafe {
+            let context = unless(hole, 6, self.context).cast_const();
+            let status = checked(fmc_context_point_weights_size(context, &raw mut points, &raw mut entries));
+            if status != OK {
+                assert!(context.is_null() && (points, entries) == (77, 77));
+                return i64::MAX / 2;
+            }
+            let offsets = Guarded::new(&vec![-7i64; points + 1]);
+            let (nodes, weights) = (Guarded::new(&vec![-7i64; entries]), Guarded::new(&vec![CANARY; entries]));
+            let at = |offsets: *mut i64, nodes: *mut i64, points: usize, entries: usize| {
+                let weights = weights.ptr().cast();
+                checked(fmc_context_point_weights(context, offsets, points, nodes, weights, entries))
+            };
+            assert_ne!(at(offsets.ptr(), nodes.ptr(), points - 1, entries), OK);
+            assert_ne!(at(offsets.ptr(), nodes.ptr(), points, entries - 1), OK);
+            assert_ne!(at(null_mut(), nodes.ptr(), points, entries), OK);
+            assert_ne!(at(offsets.ptr(), null_mut(), points, entries), OK);
+            assert!(offsets.values().iter().chain(&nodes.values()).all(|&at| at == -7), "an error writes outputs");
+            assert_eq!(at(offsets.ptr(), nodes.ptr(), points, entries), OK);
+            let (offsets, nodes, weights) = (offsets.values(), nodes.values(), weights.values());
+            assert!(points >= self.mesh.node_count() && (offsets[0], offsets[points]) == (0, entries as i64));
+            let base = i64::from(self.options.index_base);
+            let range = base..self.mesh.node_count() as i64 + base;
+            for row in offsets.windows(2) {
+                let row = row[0] as usize..row[1] as usize;
+                assert!(!row.is_empty() && nodes[row.clone()].iter().all(|node| range.contains(node)));
+                let sum: f64 = weights[row].iter().map(|&bits| f64::from_bits(bits)).sum();
+                assert!((sum - 1.0).abs() < 1e-12, "{sum}");
+            }
+            points as i64
         }
     }
 

@@ -20,7 +20,7 @@ pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 42;
+pub const LAST: fmc_status = 43;
 
 /// Opaque.
 #[repr(C)]
@@ -434,6 +434,19 @@ unsafe extern "C" {
     pub fn fmc_context_boundary_facets(
         context: *const fmc_context,
         facets: *mut fmc_boundary_facet,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_point_weights_size(
+        context: *const fmc_context,
+        point_count: *mut usize,
+        entry_count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_point_weights(
+        context: *const fmc_context,
+        row_offsets: *mut i64,
+        point_capacity: usize,
+        nodes: *mut i64,
+        weights: *mut f64,
         capacity: usize,
     ) -> fmc_status;
     pub fn fmc_context_find_contact_points(

@@ -2,7 +2,8 @@
 
 use crate::BoundaryFacet;
 
-/// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges.
+/// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
+/// of a cell of second order is divided first: an edge in two, a triangle or quadrilateral in four parts.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_boundary_facet {
@@ -17,13 +18,14 @@ pub struct fmc_boundary_facet {
     /// Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
     /// by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
     /// 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
-    /// 124, 234, 304.
+    /// 124, 234, 304; of cells of second order the same, by their corners.
     pub local_face: i32,
-    /// Number of nodes of its face: 2 in 2D, 3 or 4 in 3D.
+    /// Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; of a face of second order of the part in which the facet lies.
     pub node_count: i32,
     /// Nodes of its face, counted from the option `index_base`; unused ones are -1. In 2D the body lies left of the way from
     /// the first to the second, in 3D they run counter-clockwise seen from outside, also where the cell is numbered the
-    /// other way round. Of four, the facet is the triangle of the first two and the mean of all.
+    /// other way round. Of four, the facet is the triangle of the first two and the mean of all. Of a face of second order they
+    /// are points of its division, of which `fmc_context_point_weights` tells; those from the node count on are no nodes.
     pub nodes: [i64; 4],
     /// Zero.
     pub reserved: [u64; 4],

@@ -3,7 +3,8 @@
 use super::evaluation::{padded, side_of};
 use crate::contact::{PointOfContact, SideOfPoint};
 
-/// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there.
+/// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second
+/// order those of the straight face or cell of their division.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_contact_side {
@@ -15,9 +16,11 @@ pub struct fmc_contact_side {
     pub index: usize,
     /// Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
     pub cell: i64,
-    /// Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`.
+    /// Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`. Where the cell
+    /// is of second order they are points of its division: row p of `fmc_context_point_weights` takes the force at point p
+    /// to the nodes.
     pub nodes: [i64; 8],
-    /// Values of their shape functions: a force at this end goes to the nodes by these parts.
+    /// Values of their shape functions: a force at this end goes to the nodes, or points, by these parts.
     pub weights: [f64; 8],
     /// The end; in 2D the last entry is 0.
     pub position: [f64; 3],

@@ -173,7 +173,8 @@ pub unsafe extern "C" fn fmc_context_set_log(
     })
 }
 
-/// Number of nodes of the mesh, of its boundary facets (a quadrilateral face in 3D counts as four), and of its bodies. Any of the outputs may be NULL.
+/// Number of nodes of the mesh, of its boundary facets, and of its bodies. A quadrilateral face in 3D counts as four facets;
+/// of second order an edge counts as two, a triangle as four, a quadrilateral as sixteen. Any of the outputs may be NULL.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 /// changes it.

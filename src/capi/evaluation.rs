@@ -63,7 +63,7 @@ pub struct fmc_resultant {
     pub force: [f64; 3],
     /// Moment of the forces about the origin of space; in 2D only the last entry differs from 0.
     pub moment: [f64; 3],
-    /// Nodes on the body's surface; 0 for an obstacle.
+    /// Nodes on the body's surface, with cells of second order points of its division; 0 for an obstacle.
     pub node_count: usize,
     /// The part of `force` that is friction.
     pub friction: [f64; 3],

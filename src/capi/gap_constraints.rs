@@ -15,7 +15,7 @@ use super::view::fmc_coords;
 /// that of the entries of their derivative; both may be NULL.
 ///
 /// Both bodies of a pair have rows, ordered by pair, side and node; a host that wants one side only takes the rows of one
-/// body. A body has no gaps over itself. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_NOT_POSITIVE` for `reach`; what
+/// body. A body has no gaps over itself. With cells of second order rows are points, columns nodes. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_NOT_POSITIVE` for `reach`; what
 /// was kept then stays. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_find_gap_constraints(

@@ -20,6 +20,11 @@ use super::view::fmc_coords;
 /// body, the mean over the same part, and `sliding` the part of the contact at the node that slides, of its area,
 /// between 0 and 1. `status` has values of `fmc_node_status`.
 ///
+/// With cells of second order a node has what is at the point of their division that stands for it, with the straight shape
+/// function of that point: shape functions of second order are negative in places, and have no mean at a corner. Forces
+/// at points, -pressure * area * normal, are then not those of the nodes, nor do they add up to the resultant where
+/// faces have no node in their middle, whose points are not told.
+///
 /// It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
 /// the context. Errors: as `fmc_context_evaluate`; nothing is written then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]

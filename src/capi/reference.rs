@@ -21,7 +21,8 @@ pub unsafe extern "C" fn fmc_context_set_reference(context: *mut fmc_context, co
 }
 
 /// Names `count` nodes that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
-/// surface, since the body goes on behind it. The host holds such nodes in their plane. Replaces what was named before;
+/// surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are named too.
+/// The host holds such nodes in their plane. Replaces what was named before;
 /// `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body

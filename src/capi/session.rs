@@ -14,11 +14,13 @@ use super::shape::{ShapeOf, kind_of};
 use super::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::{PairOptions, TangentPart};
 use crate::overlap::Partner;
-use crate::{Contact, ContactForces, Error, Obstacle, Options, Pose, Surface};
+use crate::{Basis, Contact, ContactForces, Error, Obstacle, Options, PointWeights, Pose, Surface};
 
 /// Number of nodes, facets and bodies.
 pub(super) struct Counts {
     pub(super) nodes: usize,
+    /// Rows of coordinates: nodes, or unknowns of a basis.
+    pub(super) unknowns: usize,
     pub(super) facets: usize,
     pub(super) bodies: usize,
 }
@@ -30,6 +32,12 @@ pub(super) trait Session: Send + Sync {
 
     /// The boundary facets.
     fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet>;
+
+    /// The points of which hosts are told, as combinations of nodes.
+    fn point_weights(&self) -> PointWeights;
+
+    /// Has the nodes moved by unknowns, counted from zero, or by themselves.
+    fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Failure>;
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure>;
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure>;
@@ -214,12 +222,25 @@ impl<const D: usize> Resident<D> {
 impl<const D: usize> Session for Resident<D> {
     fn counts(&self) -> Counts {
         let surface = self.contact.surface();
-        Counts { nodes: surface.node_count(), facets: surface.facet_count(), bodies: surface.body_count() }
+        Counts {
+            nodes: surface.node_count(),
+            unknowns: surface.unknown_count(),
+            facets: surface.facet_count(),
+            bodies: surface.body_count(),
+        }
     }
 
     fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet> {
         let facets = self.contact.boundary_facets();
         facets.iter().map(|facet| fmc_boundary_facet::new(facet, index_base)).collect()
+    }
+
+    fn point_weights(&self) -> PointWeights {
+        self.contact.point_weights()
+    }
+
+    fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Failure> {
+        Ok(self.contact.set_basis(basis)?)
     }
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure> {

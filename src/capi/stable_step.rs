@@ -30,7 +30,7 @@ pub unsafe extern "C" fn fmc_context_stable_step(
         let found = unsafe {
             write(context, |state| {
                 let coords = reference("coords", coords)?;
-                let masses = slice("masses", masses, state.session.counts().nodes, 1)?;
+                let masses = slice("masses", masses, state.session.counts().unknowns, 1)?;
                 state.session.stable_step(coords, masses, state.index_base)
             })
         }?;

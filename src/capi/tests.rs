@@ -21,7 +21,7 @@ use super::status::fmc_status::*;
 use super::view::{fmc_coords, fmc_forces};
 use crate::contact::{NodalContact, PairOptions, TangentPart};
 use crate::overlap::Partner;
-use crate::{Bodies, CellBlock, CellType, EnergyLaw, Options, contact_force};
+use crate::{Basis, Bodies, CellBlock, CellType, EnergyLaw, Options, PointWeights, contact_force};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
@@ -81,11 +81,18 @@ struct Brittle {
 
 impl Session for Brittle {
     fn counts(&self) -> Counts {
-        Counts { nodes: 8, facets: 8, bodies: 2 }
+        Counts { nodes: 8, unknowns: 8, facets: 8, bodies: 2 }
     }
 
     fn boundary_facets(&self, _: i32) -> Vec<fmc_boundary_facet> {
         Vec::new()
+    }
+
+    fn point_weights(&self) -> PointWeights {
+        PointWeights::default()
+    }
+    fn set_basis(&mut self, _: Option<&Basis>) -> Result<(), Failure> {
+        panic!("a basis")
     }
 
     fn set_options(&mut self, _: Options) -> Result<(), Failure> {

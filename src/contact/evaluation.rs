@@ -13,7 +13,7 @@ use super::state::State;
 use super::tangent::{Tangent, TangentPart};
 use crate::Error;
 use crate::depth::DepthField;
-use crate::geometry::{Basis, BoundaryFacet, Surface};
+use crate::geometry::{Basis, BoundaryFacet, PointWeights, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use std::sync::{Mutex, OnceLock};
 
@@ -87,17 +87,21 @@ impl<const D: usize> Contact<D> {
         Ok(())
     }
 
-    /// Has the nodes of the mesh moved by a host's own unknowns: see [`Surface::set_basis`]. What was begun, kept or frozen
-    /// stays. Nodes in planes of symmetry and nodal fields remain those of the mesh; masses are those of unknowns.
+    /// Has the nodes of the mesh moved by a host's own unknowns, `None`: by themselves again. Coordinates are then those of the
+    /// unknowns, and so are forces, tangents, masses, and the columns of gap constraints; the mesh and its coordinates without
+    /// deformation stay, and so do the nodes of nodal fields and those in planes of symmetry. What was begun, kept or frozen
+    /// stays too.
     ///
     /// # Errors
-    /// Those of [`Surface::set_basis`]; nothing changes then.
-    pub fn set_basis(&mut self, basis: &Basis) -> Result<(), Error> {
+    /// [`Error::Length`] for arrays of other lengths than the rows say, [`Error::UnknownOutOfRange`], [`Error::Overflow`] for a
+    /// weight that is not finite, [`Error::Unsupported`] for rows that do not begin at 0 or descend; nothing changes then.
+    pub fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Error> {
         self.surface.set_basis(basis)
     }
 
     /// Names the nodes that lie in planes of symmetry: for the law `depth` a face all of whose nodes are named is no
-    /// surface, since the body goes on behind it, and its depth does not vanish there. The host holds such nodes in
+    /// surface, since the body goes on behind it, and its depth does not vanish there. Of a face of second order those in
+    /// the middles of its edges, and its own, are named too. The host holds such nodes in
     /// their plane. Replaces what was named before. With none, all of the surface is surface, and flush faces are not warned
     /// of.
     ///
@@ -175,6 +179,13 @@ impl<const D: usize> Contact<D> {
     /// The boundary facets, in the order in which [`Self::slip`] has them.
     pub fn boundary_facets(&self) -> Vec<BoundaryFacet> {
         self.surface.boundary_facets()
+    }
+
+    /// The points of which [`Self::boundary_facets`], [`Self::contact_points`] and [`Self::gap_constraints`] tell, as
+    /// combinations of nodes: more than the nodes where there are cells of second order, else the nodes themselves. With a
+    /// basis ([`Self::set_basis`]) they are combinations of its unknowns.
+    pub fn point_weights(&self) -> PointWeights {
+        self.surface.point_weights()
     }
 
     /// Contact forces at `coords`, `[node_count, D]`.

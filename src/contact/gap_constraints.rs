@@ -10,9 +10,12 @@ use crate::overlap::{NodalGap, Partner};
 /// distance from the partner's surface, negative inside. Contact is g_r ≥ 0.
 /// Multipliers p_r (pressures) act with the nodal forces Σ_r p_r ∂g_r/∂x, which balance: partners that are bodies take the
 /// opposite. With axisymmetry areas are those of rings, dA = 2πr ds, and radial forces need not balance. Both bodies of a pair have rows; a host that wants one side only takes the rows of one body.
+///
+/// With cells of second order a row is that of a point of their division ([`PointWeights`](crate::PointWeights)), and N its
+/// straight shape function, which is nowhere negative; columns are nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GapConstraints<const D: usize> {
-    /// Node of every row.
+    /// Node of every row; with cells of second order the point.
     pub nodes: Vec<u32>,
     /// Its body and the partner, by row.
     pub partners: Vec<[Partner; 2]>,

@@ -47,16 +47,12 @@ impl<const D: usize> Surface<D> {
         self.division.as_ref().map_or(error.clone(), |division| division.told(error))
     }
 
-    /// Has the nodes of the mesh moved by a host's own unknowns: coordinates are from now on those of the unknowns, and so are
-    /// forces and tangents. The mesh and its coordinates without deformation stay. Replaces a basis that was set before.
-    ///
-    /// # Errors
-    /// [`Error::Length`] for arrays of other lengths than the rows say, [`Error::UnknownOutOfRange`], [`Error::Overflow`] for a
-    /// weight that is not finite, [`Error::Unsupported`] for rows that do not begin at 0 or descend; nothing changes then.
-    pub fn set_basis(&mut self, basis: &Basis) -> Result<(), Error> {
-        match &mut self.division {
-            Some(division) => division.set_basis(basis),
-            None => {
+    /// Has the nodes of the mesh moved by a host's own unknowns, or by themselves again.
+    pub(crate) fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Error> {
+        match (&mut self.division, basis) {
+            (Some(division), _) => division.set_basis(basis),
+            (None, None) => Ok(()),
+            (None, Some(_)) => {
                 let mut division = Division::none(self.node_count);
                 division.set_basis(basis)?;
                 self.division = Some(division);
@@ -65,7 +61,8 @@ impl<const D: usize> Surface<D> {
         }
     }
 
-    /// The length that coordinates must have: the number of nodes, or of the unknowns of a basis ([`Self::set_basis`]).
+    /// The length that coordinates must have: the number of nodes, or of the unknowns of a basis
+    /// ([`Contact::set_basis`](crate::Contact::set_basis)).
     pub fn unknown_count(&self) -> usize {
         self.division.as_ref().map_or(self.node_count, |division| division.map().node_count())
     }

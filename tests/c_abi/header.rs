@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 37] = [
+const SOURCES: [&str; 39] = [
     "version",
     "status",
     "failure",
@@ -19,6 +19,8 @@ const SOURCES: [&str; 37] = [
     "context",
     "boundary_facet",
     "boundary_facets",
+    "point_weights",
+    "basis",
     "patches",
     "friction",
     "reference",

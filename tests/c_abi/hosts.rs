@@ -104,6 +104,14 @@ fn pressure_at_nodes_and_points() {
 }
 
 #[test]
+fn points_of_second_order_brought_to_nodes() {
+    let printed = output("second_order.c", Link::Shared);
+    // 1000 on 0.8 of an edge, by the integrals of its shape functions.
+    assert!(printed.starts_with("nodes 9, 16, 12 bear 133.333 533.333 133.333\n"), "{printed}");
+    assert!(printed.ends_with("\n0 failures\n"), "{printed}");
+}
+
+#[test]
 fn newton_with_the_contact_tangent() {
     let printed = output("newton.c", Link::Shared);
     // Linear where contact is closed: one step, and one to see that it was enough.

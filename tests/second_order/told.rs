@@ -93,3 +93,55 @@ fn overlaps_tangents_and_time_steps_are_those_of_nodes() {
     assert!(matches!(refused, Some(fmc_contact::Error::Length { array: "masses", .. })));
     assert_eq!(scene.blocks[0].0, CellType::Hex20);
 }
+
+/// P takes nodes to points, its transpose the forces at contact points to the nodes.
+#[test]
+fn points_are_combinations_of_nodes() {
+    let lower = boxes([-0.5, -0.5, -1.0], [1.5, 1.5, 0.0], [2; 3]);
+    for (k, upper) in boxes([0.0, 0.0, -1e-3], [1.0, 1.0, 1.0], [2; 3]).iter().enumerate() {
+        let scene = pair(&lower[k], upper);
+        let coords = &scene.coords;
+        let contact = scene.contact(exactly(EnergyLaw::fiber(7.0)));
+        let weights = contact.point_weights();
+        let has_middles = matches!(scene.blocks[0].0, CellType::Tet10 | CellType::Hex27);
+        assert_eq!(weights.point_count() == coords.len(), has_middles, "{:?}", scene.blocks[0].0);
+        let at = |point: u32| {
+            let row = weights.row(point as usize);
+            row.fold([0.0; 3], |x, (node, w)| std::array::from_fn(|axis| x[axis] + w * coords[node as usize][axis]))
+        };
+        for point in 0..weights.point_count() {
+            assert!((weights.row(point).map(|(_, w)| w).sum::<f64>() - 1.0).abs() < 1e-14);
+        }
+        let named = contact.boundary_facets().into_iter().flat_map(|facet| facet.nodes).max();
+        assert!(named.is_some_and(|point| (point as usize) < weights.point_count()));
+        let mut lifts = vec![0.0; coords.len()];
+        for point in contact.contact_points(coords).expect("points") {
+            for (side, sign) in point.sides.iter().zip([-1.0, 1.0]) {
+                let lift = sign * point.pressure * point.area * point.normal[2];
+                let mut place = [0.0; 3];
+                for (&number, &weight) in side.nodes[..side.node_count].iter().zip(&side.weights) {
+                    (0..3).for_each(|axis| place[axis] += weight * at(number)[axis]);
+                    for (node, part) in weights.row(number as usize) {
+                        lifts[node as usize] += lift * weight * part;
+                    }
+                }
+                assert!(place.iter().zip(&side.position).all(|(a, b)| (a - b).abs() < 1e-12), "{place:?}");
+            }
+        }
+        // The pressure is uniform, so that a point in the middle of its piece stands for all of it.
+        let forces = contact.evaluate(coords).expect("forces").forces;
+        assert!(lifts.iter().any(|lift| *lift > 1e-4));
+        for (node, lift) in lifts.iter().enumerate() {
+            assert!((lift - forces[node][2]).abs() < 1e-12, "{lift} for {}", forces[node][2]);
+        }
+    }
+}
+
+#[test]
+fn straight_cells_have_their_nodes_as_points() {
+    let mesh = fmc_shapes::cuboid_hex8([0.0; 3], [1.0; 3], [1; 3]);
+    let weights = pair(&mesh, &mesh).surface().point_weights();
+    assert_eq!(weights.point_count(), 16);
+    assert_eq!((weights.starts, weights.weights), ((0..=16).collect(), vec![1.0; 16]));
+    assert_eq!(weights.nodes, (0..16).collect::<Vec<_>>());
+}

@@ -69,8 +69,8 @@ def test_bad_cells(squares):
     fan = np.array([[0, 0], [1, 0], [0, 1], [0, -1], [1, 1.0]])
     with pytest.raises(errors.NonManifoldError, match="2 is the third to meet at nodes"):
         contact_force(fan, [[0, 1, 2], [1, 0, 3], [0, 1, 4]], "triangle", **OPTIONS)
-    with pytest.raises(errors.UnknownCellTypeError, match="no cell type 'quad9'; there are triangle, quad, tetra"):
-        contact_force(coords, conn, "quad9", **OPTIONS)
+    with pytest.raises(errors.UnknownCellTypeError, match="no cell type 'quad16'; there are triangle, quad, tetra"):
+        contact_force(coords, conn, "quad16", **OPTIONS)
     with pytest.raises(errors.DimensionError, match="block 1 has cells of dimension 3"):
         contact_force(coords, [("quad", conn), ("tetra", conn)], **OPTIONS)
     with pytest.raises(errors.EmptyError):

@@ -8,48 +8,81 @@ pub(super) struct ElementType {
     pub(super) name: &'static str,
     pub(super) dimension: usize,
     pub(super) node_count: usize,
-    /// The cell that it is, if it is one. Node orders agree, but that VTK defines its wedge as the mirror image of Gmsh's; files
-    /// are in either order, and both are taken.
+    /// The cell that it is, if it is one. VTK defines its wedges as the mirror image of Gmsh's; files are in either order, and
+    /// both are taken.
     pub(super) cell_type: Option<CellType>,
+    /// Where the nodes of the cell stand in a row of the file, in our order; empty where the orders agree.
+    order: &'static [usize],
+}
+
+/// Cells by their numbers in Gmsh and in VTK.
+const CELLS: [(CellType, i64, u8); 14] = [
+    (CellType::Tri3, 2, 5),
+    (CellType::Quad4, 3, 9),
+    (CellType::Tet4, 4, 10),
+    (CellType::Hex8, 5, 12),
+    (CellType::Wedge6, 6, 13),
+    (CellType::Pyramid5, 7, 14),
+    (CellType::Tri6, 9, 22),
+    (CellType::Quad9, 10, 28),
+    (CellType::Tet10, 11, 24),
+    (CellType::Hex27, 12, 29),
+    (CellType::Quad8, 16, 23),
+    (CellType::Hex20, 17, 25),
+    (CellType::Wedge15, 18, 26),
+    (CellType::Pyramid13, 19, 27),
+];
+
+/// Gmsh's places of our nodes, where they differ: Gmsh numbers edges by their lower, then their upper corner (of a tetrahedron
+/// the last two are exchanged), and has its own order of a hexahedron's faces.
+const fn gmsh_order(cell_type: CellType) -> &'static [usize] {
+    match cell_type {
+        CellType::Tet10 => &[0, 1, 2, 3, 4, 5, 6, 7, 9, 8],
+        CellType::Hex20 => &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15],
+        CellType::Hex27 => {
+            &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26]
+        }
+        CellType::Wedge15 => &[0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11],
+        CellType::Pyramid13 => &[0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12],
+        _ => &[],
+    }
+}
+
+/// Number of a cell type in VTK.
+pub(super) fn vtk_number(cell_type: CellType) -> u8 {
+    match CELLS.iter().find(|row| row.0 == cell_type) {
+        Some((_, _, number)) => *number,
+        None => unreachable!("{cell_type:?} is not read from any file"),
+    }
 }
 
 impl ElementType {
     /// Element type by its number in the MSH format.
     pub(super) fn of_gmsh(number: i64) -> Option<Self> {
         GMSH.iter().find(|row| row.0 == number).map(|&(_, name, dimension, node_count)| {
-            let cell_type = match number {
-                2 => Some(CellType::Tri3),
-                3 => Some(CellType::Quad4),
-                4 => Some(CellType::Tet4),
-                5 => Some(CellType::Hex8),
-                6 => Some(CellType::Wedge6),
-                7 => Some(CellType::Pyramid5),
-                _ => None,
-            };
-            Self { name, dimension, node_count, cell_type }
+            let cell_type = CELLS.iter().find(|row| row.1 == number).map(|row| row.0);
+            Self { name, dimension, node_count, cell_type, order: cell_type.map_or(&[], gmsh_order) }
         })
     }
 
     /// Element type by its number in VTK; types of variable size have a node count of 0.
     pub(super) fn of_vtk(number: i64) -> Option<Self> {
         VTK.iter().find(|row| row.0 == number).map(|&(_, name, dimension, node_count)| {
-            let cell_type = match number {
-                5 => Some(CellType::Tri3),
-                9 => Some(CellType::Quad4),
-                10 => Some(CellType::Tet4),
-                12 => Some(CellType::Hex8),
-                13 => Some(CellType::Wedge6),
-                14 => Some(CellType::Pyramid5),
-                _ => None,
-            };
-            Self { name, dimension, node_count, cell_type }
+            let cell_type = CELLS.iter().find(|row| i64::from(row.2) == number).map(|row| row.0);
+            Self { name, dimension, node_count, cell_type, order: &[] }
         })
+    }
+
+    /// The entry of a row of the file that is our node `number`.
+    pub(super) fn place(&self, number: usize) -> usize {
+        self.order.get(number).copied().unwrap_or(number)
     }
 
     /// Why these cells cannot be used.
     pub(super) fn refusal(&self) -> String {
         let Self { name, .. } = self;
-        let taken = "only Tri3, Quad4, Tet4, Hex8, Wedge6 and Pyramid5 (straight-sided, first order)";
+        let taken = "only Tri3, Quad4, Tet4, Hex8, Wedge6 and Pyramid5, and of second order Tri6, Quad8, Quad9, Tet10, \
+                     Hex20, Hex27, Wedge15 and Pyramid13";
         format!("{name} cells are not supported, {taken}")
     }
 }
@@ -68,12 +101,12 @@ const GMSH: &[(i64, &str, usize, usize)] = &[
     (10, "Quad9", 2, 9),
     (11, "Tet10", 3, 10),
     (12, "Hex27", 3, 27),
-    (13, "Prism18", 3, 18),
+    (13, "Wedge18", 3, 18),
     (14, "Pyramid14", 3, 14),
     (15, "Point", 0, 1),
     (16, "Quad8", 2, 8),
     (17, "Hex20", 3, 20),
-    (18, "Prism15", 3, 15),
+    (18, "Wedge15", 3, 15),
     (19, "Pyramid13", 3, 13),
     (20, "Tri9", 2, 9),
     (21, "Tri10", 2, 10),

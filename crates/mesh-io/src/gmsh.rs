@@ -185,8 +185,9 @@ fn cells(mesh: &mut Mesh, elements: &[ElementBlock]) -> Result<()> {
     for block in filled().filter(|block| block.element_type.dimension == highest) {
         let Some(cell_type) = block.element_type.cell_type else { bail!("{}", block.element_type.refusal()) };
         for row in block.rows.chunks_exact(1 + block.element_type.node_count) {
-            let mut nodes = Vec::with_capacity(8);
-            for tag in &row[1..] {
+            let mut nodes = Vec::with_capacity(27);
+            for number in 0..block.element_type.node_count {
+                let tag = &row[1 + block.element_type.place(number)];
                 match index.get(tag) {
                     Some(&node) => nodes.push(node),
                     None => bail!("cell {} names node {tag}, which does not exist", row[0]),

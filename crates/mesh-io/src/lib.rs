@@ -27,7 +27,7 @@ pub use whole_file::write_whole;
 pub struct Block {
     /// Type of all cells of the block.
     pub cell_type: CellType,
-    /// Node indices, `[cell_count, node_count]`.
+    /// Node indices, `[cell_count, node_count]`, in the order of [`CellType`] whatever that of the file is.
     pub conn: Vec<u32>,
     /// Number of each cell in the file.
     pub tags: Vec<u64>,

@@ -143,7 +143,7 @@ fn cells(mesh: &mut Mesh, conn: &[i64], ends: &[i64], types: &[i64], groups: &Op
             element_type.name,
             nodes.len()
         );
-        let mut indices = Vec::with_capacity(8);
+        let mut indices = Vec::with_capacity(27);
         for &node in nodes {
             match usize::try_from(node) {
                 Ok(index) if index < mesh.points.len() => indices.push(index as u32),

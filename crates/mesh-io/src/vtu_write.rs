@@ -1,5 +1,6 @@
 //! Writes VTU files: inline base64, which every version of ParaView reads and which is XML.
 
+use crate::element_type::vtk_number;
 use crate::whole_file::write_whole;
 use anyhow::Result;
 use base64::Engine;
@@ -25,13 +26,7 @@ impl VtkCell {
         match self {
             VtkCell::Vertex => 1,
             VtkCell::Line => 3,
-            VtkCell::Mesh(CellType::Tri3) => 5,
-            VtkCell::Mesh(CellType::Quad4) => 9,
-            VtkCell::Mesh(CellType::Tet4) => 10,
-            VtkCell::Mesh(CellType::Hex8) => 12,
-            VtkCell::Mesh(CellType::Wedge6) => 13,
-            VtkCell::Mesh(CellType::Pyramid5) => 14,
-            VtkCell::Mesh(other) => unreachable!("{other:?} is not read from any file"),
+            VtkCell::Mesh(cell_type) => vtk_number(cell_type),
         }
     }
 }

@@ -7,10 +7,11 @@ const HEX_EDGES: [[usize; 2]; 12] =
     [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
 const QUAD_EDGES: [[usize; 2]; 4] = [[0, 1], [1, 2], [2, 3], [3, 0]];
 
-/// Corners whose mean is a new node, in meshio's order, for a cell of `nodes` nodes in dimension `dimension`.
-fn middles(dimension: usize, nodes: usize) -> (usize, Vec<Vec<usize>>) {
+/// Number of corners, and the corners whose mean is each further node, in meshio's order, for a cell of `nodes` nodes in
+/// dimension `dimension`; `None` if that is no cell of second order.
+pub(crate) fn middles(dimension: usize, nodes: usize) -> Option<(usize, Vec<Vec<usize>>)> {
     let of = |corners: usize, edges: &[[usize; 2]]| (corners, edges.iter().map(|ends| ends.to_vec()).collect());
-    match (dimension, nodes) {
+    Some(match (dimension, nodes) {
         (2, 6) => of(3, &[[0, 1], [1, 2], [2, 0]]),
         (2, 8) => of(4, &QUAD_EDGES),
         (2, 9) => {
@@ -26,8 +27,8 @@ fn middles(dimension: usize, nodes: usize) -> (usize, Vec<Vec<usize>>) {
             let (corners, edges) = of(8, &HEX_EDGES);
             (corners, [edges, faces.map(|face| face.to_vec()).to_vec(), vec![(0..8).collect()]].concat())
         }
-        _ => panic!("no cell of second order has {nodes} nodes in dimension {dimension}"),
-    }
+        _ => return None,
+    })
 }
 
 /// The cells of `mesh` with nodes in their middles, `nodes_per_cell` in all; every edge keeps straight sides. New nodes come
@@ -36,7 +37,9 @@ fn middles(dimension: usize, nodes: usize) -> (usize, Vec<Vec<usize>>) {
 /// # Panics
 /// For a number of nodes that no cell of second order with these corners has.
 pub fn second_order<const D: usize>(mesh: &Mesh<D>, nodes_per_cell: usize) -> Mesh<D> {
-    let (corners, middles) = middles(D, nodes_per_cell);
+    let Some((corners, middles)) = middles(D, nodes_per_cell) else {
+        panic!("no cell of second order has {nodes_per_cell} nodes in dimension {D}");
+    };
     assert_eq!(mesh.nodes_per_cell, corners, "cells of {nodes_per_cell} nodes have {corners} corners");
     let mut coords = mesh.coords.clone();
     let mut known = BTreeMap::new();

@@ -47,7 +47,8 @@ pub struct SideOfPoint<const D: usize> {
     /// How many of `nodes` and `weights` are used: those of the boundary face, or of the cell for a place inside it; 0
     /// for an obstacle.
     pub node_count: usize,
-    /// Nodes of the mesh.
+    /// Nodes of the mesh; where the cell is of second order points of its division
+    /// ([`PointWeights`](crate::PointWeights)).
     pub nodes: [u32; 8],
     /// Values of their shape functions here: Σ weights · coordinates is `position`, and a force here goes to the nodes
     /// by these parts.

@@ -177,12 +177,12 @@ impl Division {
         self.of_unknowns.as_ref().unwrap_or(&self.interpolation)
     }
 
-    /// Has the nodes moved by unknowns.
+    /// Has the nodes moved by unknowns, or by themselves again.
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::UnknownOutOfRange`], [`Error::Overflow`], [`Error::Unsupported`].
-    pub(crate) fn set_basis(&mut self, basis: &Basis) -> Result<(), Error> {
-        self.of_unknowns = Some(self.interpolation.of_unknowns(basis)?);
+    pub(crate) fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Error> {
+        self.of_unknowns = basis.map(|basis| self.interpolation.of_unknowns(basis)).transpose()?;
         Ok(())
     }
 

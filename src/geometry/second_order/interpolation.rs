@@ -1,6 +1,7 @@
 //! Points as fixed linear combinations of the host's nodes.
 
 use crate::Error;
+use crate::geometry::PointWeights;
 use crate::geometry::hanging::HangingNode;
 use std::collections::BTreeMap;
 
@@ -11,31 +12,27 @@ pub(crate) struct Interpolation {
     starts: Vec<usize>,
     nodes: Vec<u32>,
     weights: Vec<f64>,
-    /// Nodes that move a point that is used, and these points.
-    used: Vec<bool>,
+    /// Nodes that move a point that is used, ascending, and these points.
+    used: Vec<u32>,
     used_points: Vec<bool>,
 }
 
 impl Interpolation {
     /// Points given by nodes and weights, of which those marked are used.
     pub(crate) fn new(node_count: usize, rows: &[Vec<(u32, f64)>], is_used: impl Fn(usize) -> bool) -> Self {
-        let mut all = Self {
-            node_count,
-            starts: vec![0],
-            nodes: Vec::new(),
-            weights: Vec::new(),
-            used: vec![false; node_count],
-            used_points: (0..rows.len()).map(&is_used).collect(),
-        };
-        for (point, row) in rows.iter().enumerate() {
-            for &(node, weight) in row {
-                all.nodes.push(node);
-                all.weights.push(weight);
-                all.used[node as usize] |= is_used(point);
-            }
-            all.starts.push(all.nodes.len());
-        }
-        all
+        let used_points: Vec<bool> = (0..rows.len()).map(is_used).collect();
+        let entries = || rows.iter().flatten();
+        let of_used = rows.iter().zip(&used_points).filter(|(_, is_used)| **is_used).flat_map(|(row, _)| row);
+        let mut used: Vec<u32> = of_used.map(|(node, _)| *node).collect();
+        used.sort_unstable();
+        used.dedup();
+        let mut starts = vec![0];
+        starts.extend(rows.iter().scan(0, |end, row| {
+            *end += row.len();
+            Some(*end)
+        }));
+        let (nodes, weights) = (entries().map(|entry| entry.0).collect(), entries().map(|entry| entry.1).collect());
+        Self { node_count, starts, nodes, weights, used, used_points }
     }
 
     /// Every point a node.
@@ -103,6 +100,11 @@ impl Interpolation {
         self.nodes[range.clone()].iter().copied().zip(self.weights[range].iter().copied())
     }
 
+    /// All rows, as hosts are told.
+    pub(crate) fn weights(&self) -> PointWeights {
+        PointWeights { starts: self.starts.clone(), nodes: self.nodes.clone(), weights: self.weights.clone() }
+    }
+
     /// The points where the nodes are.
     ///
     /// # Errors
@@ -111,8 +113,9 @@ impl Interpolation {
         if coords.len() != self.node_count {
             return Err(Error::Length { array: "coords", expected: self.node_count, found: coords.len() });
         }
-        for (node, x) in coords.iter().enumerate().filter(|(node, _)| self.used[*node]) {
-            if let Some(axis) = x.iter().position(|x| !x.is_finite()) {
+        for &node in &self.used {
+            let node = node as usize;
+            if let Some(axis) = coords[node].iter().position(|x| !x.is_finite()) {
                 return Err(Error::NonFiniteCoordinate { node, axis });
             }
         }

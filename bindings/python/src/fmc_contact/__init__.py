@@ -5,7 +5,7 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 (2D: N/m).
 
     augmented  ->  newton  ->  contact_force, Contact  ->  linearised
-            ->  mesh, obstacles, options, pair_options, friction, result, fields, boundary, gaps, tangent
+            ->  mesh, obstacles, options, pair_options, friction, result, fields, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
 
@@ -20,6 +20,7 @@ from .augmented import Augmented, augmented
 from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options
 from .part import Part
+from .points import PointWeights
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
 from .stateless import contact_force, contact_force_step
@@ -49,6 +50,7 @@ __all__ = [
     "Options",
     "Pair",
     "Part",
+    "PointWeights",
     "Pose",
     "RankOne",
     "Result",

@@ -14,18 +14,21 @@ from ._structs import fmc_boundary_facet
 @dataclass(frozen=True, eq=False)
 class BoundaryFacets:
     """The m boundary facets, in the order of ``Contact.slip``: edges in 2D, triangles in 3D, body after body. A quadrilateral
-    face is four of them, one on each of its edges."""
+    face is four of them, one on each of its edges; a face of second order is divided first, an edge in two, a triangle or
+    quadrilateral in four parts."""
 
     cell: np.ndarray
     """Cell of every facet, counted over all blocks, (m,); -1 without cells."""
     local_face: np.ndarray
     """Number of its face among those of the cell, as VTK counts them, (m,); -1 without cells. Nodes of face 0, 1, ... by
     their place in the cell: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron 013, 123, 203, 021; hexahedron
-    0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014, 124, 234, 304."""
+    0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014, 124, 234, 304; of cells of
+    second order the same, by their corners."""
     nodes: np.ndarray
     """Nodes of the face, (m, 2) in 2D, (m, 4) in 3D, where the last of a triangle is -1. In 2D the body lies on the left, in
     3D they run counter-clockwise seen from outside. Of four, the facet is the triangle of the first two and the mean of
-    all."""
+    all. Of a face of second order they are those of the part in which the facet lies, points of the division: rows of
+    ``Contact.point_weights``."""
     body: np.ndarray
     """Index of its body in ``Result.bodies``, (m,)."""
     given: np.ndarray

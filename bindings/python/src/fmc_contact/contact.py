@@ -20,6 +20,8 @@ from .gaps import GapConstraints, gap_constraints
 from .linearised import Linearised
 from .options import changed, defaults, described
 from .pair_options import PairOptions
+from . import basis
+from .points import PointWeights, point_weights
 from .result import Result, gather
 
 if TYPE_CHECKING:
@@ -33,11 +35,11 @@ class Contact(PairOptions, Steps, Linearised):
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
     (dim, n), read in place. ``conn`` are node numbers, (m, nodes per cell), of cells of one ``cell_type``:
-    ``"triangle"``, ``"quad"``, ``"tetra"``, ``"hexahedron"``, ``"wedge"`` or ``"pyramid"``, in meshio's node order, or the
-    mirrored one, as VTK defines its wedge; or, without a cell type, a list of ``(cell type, node numbers)`` for a mixed
-    mesh. ``bodies``, one integer for every cell counted over the list, says which body a cell belongs to; ``None``:
-    bodies are the connected components by faces. ``stiffness`` is k > 0 of
-    the law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
+    ``"triangle"``, ``"quad"``, ``"tetra"``, ``"hexahedron"``, ``"wedge"`` or ``"pyramid"``, or of second order
+    ``"triangle6"``, ``"quad8"``, ``"quad9"``, ``"tetra10"``, ``"hexahedron20"``, ``"hexahedron27"``, ``"wedge15"`` or
+    ``"pyramid13"``, in meshio's node order, or the mirrored one, as VTK defines its wedge; or, without a cell type, a list of
+    ``(cell type, node numbers)`` for a mixed mesh. ``bodies``, one integer for every cell counted over the list, says which
+    body a cell belongs to; ``None``: bodies are the connected components by faces. ``stiffness`` is k > 0 of the law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
 
     Errors: those of ``fmc_contact.errors`` for the mesh and the options; ``TypeError`` and ``ValueError`` for arrays of
     another dtype or shape. After any error a contact is as it was before the call.
@@ -51,7 +53,8 @@ class Contact(PairOptions, Steps, Linearised):
     node_count: int
     """Number of nodes of ``coords``."""
     facet_count: int
-    """Number of boundary facets; a quadrilateral face in 3D counts as four triangles."""
+    """Number of boundary facets; a quadrilateral face in 3D counts as four triangles. Of second order an edge counts as two, a
+    triangle as four, a quadrilateral as sixteen."""
     body_count: int
     """Number of bodies."""
 
@@ -92,11 +95,32 @@ class Contact(PairOptions, Steps, Linearised):
         counts = [c_size_t() for _ in range(3)]
         self._handle.call(library.fmc_context_counts, *map(byref, counts))
         self.node_count, self.facet_count, self.body_count = (count.value for count in counts)
+        self.unknown_count = self.node_count
 
     def boundary_facets(self) -> BoundaryFacets:
         """The boundary facets that were found, in the order of ``slip``: cell, face of the cell, nodes and body of each."""
         with self._handle:
             return boundary_facets(self._handle, self.facet_count, self.dim)
+
+    def point_weights(self) -> PointWeights:
+        """The points of which ``boundary_facets``, ``contact_points`` and ``gap_constraints`` tell, as combinations of nodes:
+        with cells of second order more than the nodes, else the nodes themselves."""
+        with self._handle:
+            return point_weights(self._handle, self.unknown_count, self._options.index_base)
+
+    def set_basis(self, matrix: Any | None) -> None:
+        """Has the nodes of the mesh moved by unknowns of your own, such as control points of splines or coefficients of
+        hierarchical shape functions: nodes = ``matrix`` @ unknowns. ``matrix``, (nodes, unknowns), is a ``scipy.sparse`` matrix
+        or an array; ``None``: nodes move by themselves again.
+
+        Coordinates are from then on those of the unknowns, (unknowns, dim), and so are forces, tangents, masses and the columns
+        of gap constraints and ``point_weights``. The mesh and its coordinates without deformation stay, and so do the nodes of
+        ``nodal_contact`` and ``set_symmetry_nodes``. Errors: ``ValueError`` for another shape, ``OverflowError`` of
+        ``fmc_contact.errors`` for an entry that is not finite; nothing changes then."""
+        rows = basis.compressed(matrix, self.node_count, self._options.index_base)
+        with self._handle:
+            self._handle.call(library.fmc_context_set_basis, *rows)
+            self.unknown_count = self.node_count if matrix is None else rows[0]
 
     @property
     def options(self) -> dict[str, object]:
@@ -181,7 +205,8 @@ class Contact(PairOptions, Steps, Linearised):
 
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
         """Names the nodes that lie in planes of symmetry: for the law ``"depth"`` a face all of whose nodes are named is
-        no surface, since the body goes on behind it. Replaces what was named before; an empty list names none, and flush
+        no surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are
+        named too. Replaces what was named before; an empty list names none, and flush
         faces are not warned of."""
         numbers = np.ascontiguousarray(nodes if np.size(nodes) else [], dtype=np.int64).reshape(-1)
         with self._handle:

@@ -293,6 +293,13 @@ class NegativeRadiusError(FmcError, ValueError):
     status = 42
 
 
+class NonConformingError(FmcError, ValueError):
+    """Two cells do not fit: an edge or a face has a node in its middle in one of them, and in the other it has none, or another
+    one."""
+
+    status = 43
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

@@ -17,7 +17,9 @@ from ._structs import fmc_contact_point
 class NodalContact:
     """The contact at every node, n of them in the order of the coordinates; zero where nothing touches.
 
-    The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding.
+    The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding. With cells of second order
+    that is the force at the point of their division that stands for the node (see ``PointWeights``), and the shape function
+    is that point's: those of second order are negative in places, and have no mean at a corner.
     """
 
     pressure: np.ndarray
@@ -79,9 +81,10 @@ class ContactPoints:
     """Where the line meets the boundary of each side, (m, 2, dim); with ``"depth"`` the point, twice."""
     nodes: np.ndarray
     """Nodes of the boundary face of each side, with ``"depth"`` of the cell on the side that has no facet there,
-    (m, 2, 8); -1 where there is none."""
+    (m, 2, 8); -1 where there is none. With cells of second order points of their division: rows of
+    ``Contact.point_weights``."""
     weights: np.ndarray
-    """Values of their shape functions at the end, (m, 2, 8): a force there goes to the nodes by these parts."""
+    """Values of their shape functions at the end, (m, 2, 8): a force there goes to the nodes, or points, by these parts."""
 
     def __len__(self) -> int:
         return len(self.gap)

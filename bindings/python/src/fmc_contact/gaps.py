@@ -20,10 +20,13 @@ class GapConstraints:
     ``data``, ``indices``, ``indptr`` are the derivative of the gaps with respect to all coordinates in compressed rows:
     ``scipy.sparse.csr_array((c.data, c.indices, c.indptr), shape=(len(c), node_count * dim))``. Pressures p on the rows act
     with the nodal forces ``matrix.T @ p``. Both bodies of a pair have rows; for one side only take those of one body.
+
+    With cells of second order a row is that of a point of their division (see ``PointWeights``), whose shape function N is
+    straight and nowhere negative; columns are degrees of freedom of nodes.
     """
 
     node: np.ndarray
-    """Node of every row, (m,)."""
+    """Node of every row, (m,); with cells of second order the point."""
     body: np.ndarray
     """Its body, (m,)."""
     is_obstacle: np.ndarray

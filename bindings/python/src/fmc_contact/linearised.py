@@ -19,7 +19,7 @@ from .tangent import Tangent
 class Linearised(Obstacles):
     """The part of ``Contact`` that deals with the second derivative of its energy."""
 
-    node_count: int
+    unknown_count: int
 
     def tangent(
         self,
@@ -92,7 +92,7 @@ class Linearised(Obstacles):
             return out, FMC_ADD if add else 0
         if add:
             raise ValueError("add is for forces that are there already: give the array as out")
-        return np.empty((self.dim, self.node_count) if view.is_columns else (self.node_count, self.dim)), 0
+        return np.empty((self.dim, self.unknown_count) if view.is_columns else (self.unknown_count, self.dim)), 0
 
     def set_obstacle_rotations(self, on: bool) -> None:
         """Whether tangents with ``obstacles`` have their rotations, too, after the translations, from the next one on; they
@@ -126,7 +126,7 @@ class Linearised(Obstacles):
         Errors: those of ``tangent``; ``NotPositiveMassError``, which names the node.
         """
         view, step = coords_view(coords, self.dim), c_double()
-        masses = vector(masses, self.node_count, "masses")
+        masses = vector(masses, self.unknown_count, "masses")
         with self._handle:
             self._handle.call(library.fmc_context_stable_step, byref(view.struct), masses, byref(step))
         return step.value

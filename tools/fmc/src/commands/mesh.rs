@@ -111,6 +111,14 @@ fn name(cell_type: CellType) -> &'static str {
         CellType::Hex8 => "hexahedron",
         CellType::Wedge6 => "wedge",
         CellType::Pyramid5 => "pyramid",
+        CellType::Tri6 => "triangle6",
+        CellType::Quad8 => "quad8",
+        CellType::Quad9 => "quad9",
+        CellType::Tet10 => "tetra10",
+        CellType::Hex20 => "hexahedron20",
+        CellType::Hex27 => "hexahedron27",
+        CellType::Wedge15 => "wedge15",
+        CellType::Pyramid13 => "pyramid13",
         _ => "unknown",
     }
 }

@@ -1,6 +1,6 @@
 //! Several meshes as one.
 
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
 use fmc_contact::{Bodies, CellBlock, CellType, Error, Surface};
 use fmc_mesh_io::{Kind, Mesh};
 
@@ -25,6 +25,15 @@ impl<const D: usize> Assembly<D> {
         let mut assembly =
             Self { meshes: Vec::new(), kind, coords: Vec::new(), node_starts: Vec::new(), blocks: Vec::new() };
         for mesh in meshes {
+            if let Some((curved, ..)) = mesh.cells().find(|(of_type, ..)| of_type.straight() != *of_type)
+                && kind == Kind::Surface
+            {
+                bail!(
+                    "{}: surfaces in 3D are of straight triangles and quadrilaterals, not of {curved:?}; give the volume cells, \
+                     whose faces may be of second order",
+                    mesh.file
+                );
+            }
             let start = assembly.coords.len() as u32;
             assembly.node_starts.push(start);
             assembly.coords.extend(mesh.points.iter().map(|x| -> [f64; D] { std::array::from_fn(|axis| x[axis]) }));

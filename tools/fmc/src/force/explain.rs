@@ -49,6 +49,14 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
             cell(*facet).1,
             between(nodes)
         ),
+        Error::NonConforming { cells } => {
+            let [(file, a), (other, b)] = cells.map(cell);
+            let there = if other == file { String::new() } else { format!(" of {other}") };
+            format!(
+                "{file}: cell {a} and cell {b}{there} do not fit: an edge has a node in its middle in one of them and none, or \
+                 another, in the other"
+            )
+        }
         Error::InvertedSurface { body } => {
             let name = usize::try_from(*body).ok().and_then(|body| names.get(body));
             let name = name.unwrap_or(&assembly.meshes[0].file);

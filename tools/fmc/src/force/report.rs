@@ -34,7 +34,7 @@ struct BodyReport {
     force: Vec<f64>,
     /// Moment about the origin: 3 numbers in 3D, 1 in 2D.
     moment: Vec<f64>,
-    /// Nodes of its surface; 0 for an obstacle.
+    /// Nodes of its surface, and middles of its faces of second order that have none; 0 for an obstacle.
     nodes: usize,
 }
 
@@ -143,7 +143,7 @@ impl Report {
             writeln!(out, " {:>8}", body.nodes)?;
         }
         writeln!(out, "\nUnits: for lengths in m and, with exponent 1, K in Pa. Moments: about the origin.")?;
-        writeln!(out, "Nodes: those on the surface.")?;
+        writeln!(out, "Nodes: those on the surface, and middles of faces of second order that have none.")?;
         self.warnings.iter().try_for_each(|warning| writeln!(out, "\nwarning: {warning}"))
     }
 }

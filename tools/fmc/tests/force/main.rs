@@ -4,3 +4,4 @@ mod command;
 mod mixed;
 mod refusals;
 mod results;
+mod second_order;

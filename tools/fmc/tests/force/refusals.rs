@@ -62,7 +62,11 @@ fn gmsh_files_that_cannot_be_used() {
     assert_file_refused("bare.msh", square.split("$Elements").next().unwrap(), &["no $Elements"]);
     assert_file_refused("word.msh", &square.replace("1 1 0\n", "1 one 0\n"), &["line 13", "found 'one'"]);
     assert_file_refused("id.msh", &msh(2, &CORNERS, 3, &["11 12 13 99"]), &["cell 101", "node 99", "does not exist"]);
-    assert_file_refused("order.msh", &msh(2, &CORNERS, 9, &["11 12 13 14 11 12"]), &["Tri6", "first order"]);
+    assert_file_refused(
+        "order.msh",
+        &msh(2, &CORNERS, 21, &["11 12 13 14 11 12 13 14 11 12"]),
+        &["Tri10", "second order"],
+    );
     assert_file_refused("type.msh", &msh(2, &CORNERS, 777, &[]), &["element type 777"]);
     assert_file_refused("lines.msh", &msh(1, &CORNERS, 1, &["11 12", "12 13"]), &["no triangles, quadrilaterals"]);
     let (format, rest) = square.split_at(square.find("$Nodes").unwrap());
@@ -83,9 +87,9 @@ fn vtu_files_that_cannot_be_used() {
         "type.vtu",
         &text.replace(
             "UInt8\" Name=\"types\" NumberOfComponents=\"1\" format=\"ascii\">\n10",
-            "UInt8\" Name=\"types\">\n24",
+            "UInt8\" Name=\"types\">\n71",
         ),
-        &["Tet10", "first order"],
+        &["Lagrange tetrahedron", "second order"],
     );
     let lzma = text.replacen("format=\"ascii\"", "format=\"binary\"", 1);
     let lzma = lzma.replacen("byte_order", "compressor=\"vtkLZMADataCompressor\" byte_order", 1);
