@@ -30,10 +30,10 @@ fn inner(cell_type: CellType) -> &'static [(CellType, &'static [usize])] {
         // Below the pyramid at the apex one that stands on its head, and a tetrahedron at every side.
         CellType::Pyramid13 => &[
             (CellType::Pyramid5, &[9, 12, 11, 10, 13]),
-            (CellType::Tet4, &[5, 10, 9, 13]),
-            (CellType::Tet4, &[6, 11, 10, 13]),
-            (CellType::Tet4, &[7, 12, 11, 13]),
-            (CellType::Tet4, &[8, 9, 12, 13]),
+            (CellType::Tet4, &[10, 5, 9, 13]),
+            (CellType::Tet4, &[11, 6, 10, 13]),
+            (CellType::Tet4, &[12, 7, 11, 13]),
+            (CellType::Tet4, &[9, 8, 12, 13]),
         ],
         _ => &[],
     }
