@@ -929,22 +929,30 @@ impl Host {
             (status, bits, volume.to_bits())
         };
         assert_eq!(call(false), call(true));
-        let (forces, next) = (Guarded::new(&canaries), Guarded::new(&canaries));
-        // SAFETY: arrays as long as they are said to be; a slip of another length than `n` rows is refused.
-        let (status, volume) = unsafe {
-            let (mut step, mut volume) = (std::mem::zeroed(), -1.0);
-            assert_eq!(fmc_friction_step_init(&raw mut step), OK);
-            (step.start, step.slip_length) = (unless(hole, 3, coords.memory.ptr()), canaries.len());
-            step.next_slip = unless(hole, 4, next.ptr());
-            let (x, o, f) = (coords.memory.ptr(), &raw const self.options, forces.ptr());
-            let (m, v) = (narrow.ptr(), &raw mut volume);
-            let step = unless(hole, 5, &raw mut step);
-            (fmc_contact_force_step(dim, x, n, *cell_type, m, cells, null(), o, step, f, v), volume)
+        let stepped = |is_wide: bool| {
+            let (forces, next) = (Guarded::new(&canaries), Guarded::new(&canaries));
+            // SAFETY: arrays as long as they are said to be; a slip of another length than `n` rows is refused.
+            let (status, volume) = unsafe {
+                let (mut step, mut volume) = (std::mem::zeroed(), -1.0);
+                assert_eq!(fmc_friction_step_init(&raw mut step), OK);
+                (step.start, step.slip_length) = (unless(hole, 3, coords.memory.ptr()), canaries.len());
+                step.next_slip = unless(hole, 4, next.ptr());
+                let (x, o, f) = (coords.memory.ptr(), &raw const self.options, forces.ptr());
+                let (v, step) = (&raw mut volume, unless(hole, 5, &raw mut step));
+                let status = if is_wide {
+                    fmc_contact_force_step_i64(dim, x, n, *cell_type, wide.ptr(), cells, null(), o, step, f, v)
+                } else {
+                    fmc_contact_force_step(dim, x, n, *cell_type, narrow.ptr(), cells, null(), o, step, f, v)
+                };
+                (checked(status), volume)
+            };
+            let bits: Vec<u64> = forces.values().iter().chain(&next.values()).map(|x| x.to_bits()).collect();
+            if status != OK {
+                assert!(bits.iter().all(|x| *x == CANARY) && volume == -1.0, "an error writes outputs");
+            }
+            (status, bits, volume.to_bits())
         };
-        if checked(status) != OK {
-            let untouched = forces.values().iter().chain(&next.values()).all(|x| x.to_bits() == CANARY);
-            assert!(untouched && volume == -1.0, "an error writes outputs");
-        }
+        assert_eq!(stepped(false), stepped(true));
     }
 
     /// A context of its own, from facets of any kind on the nodes that are there.

@@ -293,6 +293,19 @@ unsafe extern "C" {
         forces: *mut f64,
         volume: *mut f64,
     ) -> fmc_status;
+    pub fn fmc_contact_force_step_i64(
+        dim: i32,
+        coords: *const f64,
+        node_count: usize,
+        cell_type: i32,
+        conn: *const i64,
+        cell_count: usize,
+        body_ids: *const i64,
+        options: *const fmc_options,
+        step: *mut fmc_friction_step,
+        forces: *mut f64,
+        volume: *mut f64,
+    ) -> fmc_status;
     pub fn fmc_contact_force_i64(
         dim: i32,
         coords: *const f64,

@@ -1,7 +1,6 @@
 //! Points as fixed linear combinations of the host's nodes.
 
 use crate::Error;
-use crate::geometry::PointWeights;
 use crate::geometry::hanging::HangingNode;
 use std::collections::BTreeMap;
 
@@ -98,11 +97,6 @@ impl Interpolation {
     pub(crate) fn row(&self, point: usize) -> impl Iterator<Item = (u32, f64)> {
         let range = self.starts[point]..self.starts[point + 1];
         self.nodes[range.clone()].iter().copied().zip(self.weights[range].iter().copied())
-    }
-
-    /// All rows, as hosts are told.
-    pub(crate) fn weights(&self) -> PointWeights {
-        PointWeights { starts: self.starts.clone(), nodes: self.nodes.clone(), weights: self.weights.clone() }
     }
 
     /// The points where the nodes are.

@@ -39,8 +39,10 @@ class PointWeights:
     def to_points(self, values: ArrayLike) -> np.ndarray:
         """P times values at nodes, (n,) or (n, k), such as coordinates or displacements: those at points."""
         at_nodes = np.asarray(values, float)
-        # Every row has an entry.
-        return np.add.reduceat(self._weights_as(at_nodes, self.node_count) * at_nodes[self.indices], self.indptr[:-1])
+        terms = self._weights_as(at_nodes, self.node_count) * at_nodes[self.indices]
+        sums = np.zeros((len(self), *at_nodes.shape[1:]))
+        np.add.at(sums, np.repeat(np.arange(len(self)), np.diff(self.indptr)), terms)
+        return sums
 
     def to_nodes(self, values: ArrayLike) -> np.ndarray:
         """The transpose of P times values at points, (m,) or (m, k), such as forces: those at nodes that do the same work."""
