@@ -449,6 +449,14 @@ unsafe extern "C" {
         facets: *mut fmc_boundary_facet,
         capacity: usize,
     ) -> fmc_status;
+    pub fn fmc_context_set_basis(
+        context: *mut fmc_context,
+        unknown_count: usize,
+        row_offsets: *const i64,
+        unknowns: *const i64,
+        weights: *const f64,
+        entry_count: usize,
+    ) -> fmc_status;
     pub fn fmc_context_point_weights_size(
         context: *const fmc_context,
         point_count: *mut usize,
