@@ -39,18 +39,16 @@ impl PointWeights {
 impl<const D: usize> Surface<D> {
     /// The points of which hosts are told, as combinations of nodes.
     pub fn point_weights(&self) -> PointWeights {
-        let mut all = PointWeights { starts: vec![0], ..PointWeights::default() };
-        let mut add = |row: &mut dyn Iterator<Item = (u32, f64)>| {
-            for (node, weight) in row {
-                all.nodes.push(node);
-                all.weights.push(weight);
+        match self.division() {
+            Some(division) => division.interpolation.weights(),
+            None => {
+                let count = self.node_count();
+                PointWeights {
+                    starts: (0..=count).collect(),
+                    nodes: (0..count as u32).collect(),
+                    weights: vec![1.0; count],
+                }
             }
-            all.starts.push(all.nodes.len());
-        };
-        match self.division().map(|division| &division.interpolation) {
-            Some(map) => (0..map.point_count()).for_each(|point| add(&mut map.row(point))),
-            None => (0..self.node_count() as u32).for_each(|node| add(&mut [(node, 1.0)].into_iter())),
         }
-        all
     }
 }

@@ -1,6 +1,7 @@
 //! Points as fixed linear combinations of the host's nodes.
 
 use crate::Error;
+use crate::geometry::PointWeights;
 
 /// X = P x: rows of nodes and weights, one for every point.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +44,11 @@ impl Interpolation {
     pub(crate) fn row(&self, point: usize) -> impl Iterator<Item = (u32, f64)> {
         let range = self.starts[point]..self.starts[point + 1];
         self.nodes[range.clone()].iter().copied().zip(self.weights[range].iter().copied())
+    }
+
+    /// All rows, as hosts are told.
+    pub(crate) fn weights(&self) -> PointWeights {
+        PointWeights { starts: self.starts.clone(), nodes: self.nodes.clone(), weights: self.weights.clone() }
     }
 
     /// The points where the nodes are.
