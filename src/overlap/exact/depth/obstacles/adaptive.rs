@@ -43,8 +43,10 @@ const PASSES: usize = 2;
 /// Distances of points at this part of their own distance are equal but for rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Simplices in hand from which on they are taken as they are, so that the work has an end for functions that have none.
-const MOST_PARTS: usize = 1 << 19;
+/// Simplices in hand from which on they are taken as they are, so that the work and its memory have an end where surfaces touch
+/// along a line, and for functions that have none: so many, or so many for each that was given.
+const MOST_PARTS: usize = 1 << 18;
+const MOST_OF_ROOT: usize = 16;
 
 /// What is integrated.
 pub(crate) trait Quantity: Copy + Default + AddAssign + Send + Sync {
@@ -120,7 +122,7 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
             let of_active: f64 =
                 active.iter().map(|part| part.value.size() * roots[part.bare.root as usize].measure).sum();
             let scale = of_sums + of_active;
-            let is_last = active.len() > MOST_PARTS;
+            let is_last = active.len() > MOST_PARTS.max(MOST_OF_ROOT * roots.len());
             let refine = |parts: &[Part<D, Q>]| self.refined(parts, roots, scale, whole, is_last, &rule);
             let refined = self.pair.in_chunks(&active, CHUNK, refine);
             active.clear();
