@@ -17,7 +17,7 @@ pub struct PointWeights {
     pub starts: Vec<usize>,
     /// Node of every entry, each node once in a row.
     pub nodes: Vec<u32>,
-    /// Its weight. The weights of a row add up to 1; some are negative.
+    /// Its weight. The weights of a row add up to 1 (with a basis to what its rows do); some are negative.
     pub weights: Vec<f64>,
 }
 

@@ -29,7 +29,7 @@ class PointWeights:
     indices: np.ndarray
     """Node of every entry, counted from 0; each node once in a row."""
     data: np.ndarray
-    """Its weight. The weights of a row add up to 1; some are negative."""
+    """Its weight. The weights of a row add up to 1 (with a basis to what its rows do); some are negative."""
     node_count: int
     """Number of nodes n."""
 

@@ -45,7 +45,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// Simplices in hand from which on they are taken as they are, so that the work and its memory have an end where surfaces touch
 /// along a line, and for functions that have none: so many, or so many for each that was given.
-const MOST_PARTS: usize = 1 << 18;
+const MOST_PARTS: usize = 1 << 17;
 const MOST_OF_ROOT: usize = 16;
 
 /// What is integrated.
