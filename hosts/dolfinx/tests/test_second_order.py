@@ -8,12 +8,16 @@ from fmc_contact import Contact
 from fmc_contact.second_order import MIDDLES
 from fmc_contact_dolfinx import DolfinxContact, LayoutError, by_input_number
 from fmc_contact_dolfinx.cells import CELL_TYPES, SECOND_ORDER
-from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
+from fmc_contact_dolfinx.versions import mesh_from_cells, vector_of, vector_space
 from mpi4py import MPI
-from scenes import NAMES, blocks, interpolate, space
+from scenes import NAMES, block, blocks, interpolate, space
 
 OURS = {CELL_TYPES[theirs]: ours for theirs, ours in SECOND_ORDER.items()}
-LAWS = {"default": {}, "fiber": {"law": "fiber", "estimator": "exact"}, "volume": {"law": "volume", "estimator": "exact"}}
+LAWS = {
+    "default": {},
+    "fiber": {"law": "fiber", "estimator": "exact"},
+    "volume": {"law": "volume", "estimator": "exact"},
+}
 
 
 def quadratic(kind, bend=0.0):
@@ -83,7 +87,7 @@ def test_forces_are_those_of_scikit_fem(kind, law, bend):
     basis = skfem.Basis(mesh, skfem.ElementVector(element()))
     contact = adapter.SkfemContact(basis, stiffness=1e4, **LAWS[law])
     at = contact._undeformed
-    # The displacement of ``scenes.interpolate`` at the nodes.
+    # The nodes of one among those of the other, by their places.
     match = np.array([np.abs(places - point).sum(axis=1).argmin() for point in at])
     assert len(set(match.tolist())) == len(places) == len(at)
     assert np.abs(places[match] - at).max() < 1e-12
@@ -98,7 +102,7 @@ def test_forces_are_those_of_scikit_fem(kind, law, bend):
 def test_uniform_pressure_is_the_load_of_the_shape_functions(kind):
     """On a rigid plane, as dolfinx integrates the load of its bottom."""
     from dolfinx import mesh as dmesh
-    from scenes import block
+    from dolfinx.fem import petsc
 
     dim = NAMES[kind]
     V = vector_space(mesh_from_cells(MPI.COMM_WORLD, *block(kind, 2, [0.0] * dim, [1.0] * dim), kind), 2)
@@ -109,7 +113,7 @@ def test_uniform_pressure_is_the_load_of_the_shape_functions(kind):
     tags = dmesh.meshtags(V.mesh, dim - 1, np.sort(facets), np.ones(len(facets), np.int32))
     ds = ufl.Measure("ds", V.mesh, subdomain_data=tags, metadata={"quadrature_degree": 4})
     load = fem.Function(V)
-    fem.petsc.assemble_vector(load.vector if hasattr(load, "vector") else load.x.petsc_vec, fem.form(100.0 * ufl.TestFunction(V)[dim - 1] * ds(1)))
+    petsc.assemble_vector(vector_of(load), fem.form(100.0 * ufl.TestFunction(V)[dim - 1] * ds(1)))
     expected = load.x.array
     assert np.abs(contact.force(fem.Function(V)) - expected).max() < 1e-9 * np.abs(expected).max()
 

@@ -6,6 +6,7 @@ import skfem
 from fmc_contact import newton
 from fmc_contact_skfem import SkfemContact
 from scenes import ELEMENTS, MESHES, by_axis, joined
+from scipy.sparse import block_diag
 from skfem import Basis, ElementVector, FacetBasis, LinearForm
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
@@ -78,8 +79,6 @@ def test_two_blocks_carry_one_stress(element):
     young, stiffness, down = 1e3, 1e4, 0.02
     bases = stacked(element)
     contact = SkfemContact(joined(bases), stiffness=stiffness, law="fiber", estimator="exact")
-    from scipy.sparse import block_diag
-
     elastic = block_diag([linear_elasticity(*lame_parameters(young, 0.0)).assemble(one) for one in bases], format="csr")
     x = np.concatenate([basis.doflocs for basis in bases], axis=1)
     up = np.concatenate([by_axis(basis)[-1] + offset for basis, offset in joined(bases)])
@@ -92,9 +91,8 @@ def test_two_blocks_carry_one_stress(element):
     prescribed = np.zeros(contact.size)
     prescribed[top] = -down
     free = np.setdiff1d(np.arange(contact.size), np.concatenate([bottom, top, *aside]))
-    step = newton(
-        lambda u: (elastic @ u, elastic), contact, np.zeros(contact.size), free, prescribed, young=young, tolerance=1e-12
-    )
+    start = np.zeros(contact.size)
+    step = newton(lambda u: (elastic @ u, elastic), contact, start, free, prescribed, young=young, tolerance=1e-12)
     pressure = down / (2.0 / young + 1.0 / stiffness)
     assert -step.reactions[top].sum() == pytest.approx(pressure, rel=1e-9)
     lower = np.arange(contact.size) < bases[0].N
@@ -104,8 +102,7 @@ def test_two_blocks_carry_one_stress(element):
 
 
 @pytest.mark.parametrize(
-    "mesh, element",
-    [(skfem.MeshTri2, skfem.ElementTriP2), (skfem.MeshQuad2, skfem.ElementQuad2)],
+    "mesh, element", [(skfem.MeshTri2, skfem.ElementTriP2), (skfem.MeshQuad2, skfem.ElementQuad2)]
 )
 def test_a_curved_disc_has_the_area_of_its_parabolas(mesh, element):
     """In the plane the core encloses the area under the shape functions, wherever the middles are."""
@@ -135,13 +132,10 @@ def test_a_curved_ball_comes_near_its_volume():
     for refinements in (1, 2):
         straight = skfem.MeshTet.init_ball(refinements)
         ball = skfem.MeshTet2.from_mesh(straight)
-        faces = straight.boundary_facets()
-        # Middles of edges of the surface go to the sphere.
-        edges = np.unique(np.sort(straight.facets[:, faces][[[0, 1], [1, 2], [0, 2]]].reshape(3, 2, -1), axis=1).transpose(0, 2, 1).reshape(-1, 2), axis=0)
+        # Middles of edges of the surface, and no other nodes, go to the sphere.
+        surface = Basis(ball, skfem.ElementTetP2()).get_dofs(straight.boundary_facets()).flatten()
         places = ball.doflocs.copy()
-        key = {tuple(edge): number for number, edge in enumerate(np.sort(straight.edges, axis=0).T.tolist())}
-        at = straight.nvertices + np.array([key[tuple(edge)] for edge in edges.tolist()])
-        places[:, at] /= np.linalg.norm(places[:, at], axis=0)
+        places[:, surface] /= np.linalg.norm(places[:, surface], axis=0)
         ball = skfem.MeshTet2(places, ball.t)
         basis = Basis(ball, ElementVector(skfem.ElementTetP2()))
         contact = SkfemContact(basis, stiffness=1.0, law="volume", estimator="exact")

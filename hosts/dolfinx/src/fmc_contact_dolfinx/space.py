@@ -55,13 +55,14 @@ class Displacement:
         """Blocks that this rank owns; they come first."""
 
     def _order(self) -> int:
-        """By the numbers of nodes on vertices, edges, ...; what is inside a simplex, or a straight cell, moves no face."""
-        counts = [{len(self.layout.entity_dofs(d, e)) for e in range(len(self.topology[d]))} for d in range(self.dim + 1)]
+        """By the numbers of nodes on vertices, edges, ...; those inside straight cells, or simplices, move no face."""
+        counts = [{len(self.layout.entity_dofs(d, e)) for e in range(len(of))} for d, of in enumerate(self.topology)]
         if counts[: self.dim] == [{1}, {0}, {0}][: self.dim]:
             return 1
-        quads = self.kind in ("quadrilateral", "hexahedron")
-        middles = [{1}, {1}, {1}, {1}] if quads else [{1}, {1}, {0}]
-        if self.kind in SECOND_ORDER and counts[: len(middles[: self.dim + quads])] == middles[: self.dim + quads]:
+        # A quadrilateral or a hexahedron has a node in its own middle too.
+        is_tensor = self.kind in ("quadrilateral", "hexahedron")
+        wanted = [{1}] * (self.dim + 1) if is_tensor else [{1}, {1}, {0}][: self.dim]
+        if self.kind in SECOND_ORDER and counts[: len(wanted)] == wanted:
             return 2
         raise LayoutError(
             f"the nodes of the space are not those of Lagrange elements of order 1 or 2 on cells of type {self.kind}"

@@ -48,7 +48,8 @@ class SkfemContact:
             raise ValueError("there is no basis")
         self._dofs = np.concatenate([one.dofs for one in fields])
         self._undeformed = np.concatenate([one.coords for one in fields])
-        self._vertices, blocks, first = [], [], 0
+        self._vertices: list[slice] = []
+        blocks, first = [], 0
         for one in fields:
             self._vertices.append(slice(first, first + one.basis.mesh.nvertices))
             blocks.append((one.cell_type, one.conn + first))
