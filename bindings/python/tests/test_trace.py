@@ -1,5 +1,5 @@
-"""Boundaries of finite element spaces as flat facets: closed, true to the shape functions, and forces back on the
-nodes."""
+"""Boundaries of finite element spaces of first order as flat facets: closed, true to the shape functions, and forces
+back on the nodes."""
 
 import numpy as np
 import pytest
@@ -25,49 +25,37 @@ def volume(x, facets):
 
 
 @pytest.mark.parametrize("name", BODIES)
-@pytest.mark.parametrize("order", [1, 2])
-@pytest.mark.parametrize("divisions", [1, 2, 3, None])
-def test_facets_are_closed_and_nodes_move_points_by_the_shape_functions(name, order, divisions):
+def test_facets_are_closed_and_nodes_move_points_by_the_shape_functions(name):
     coords, faces = BODIES[name]
     # Ids are any numbers.
-    trace = Trace(7 * faces + 3, order, divisions)
-    assert (trace.corner_ids == 7 * np.arange(len(coords)) + 3).all()
+    trace = Trace(7 * faces + 3)
+    assert (trace.corner_ids == 7 * np.arange(len(coords)) + 3).all() and trace.node_count == len(coords)
     skin = Skin([trace])
-    nodes = trace.straight(coords)
-    assert nodes.shape == (trace.node_count, coords.shape[1])
-    points = skin.points(nodes)
+    points = skin.points(coords)
     assert points.shape == (trace.point_count, coords.shape[1])
     assert volume(points, trace.facets) == pytest.approx(1.0, rel=1e-14)
     # The library refuses what is open, turned round or not connected.
     Contact.from_facets(points, trace.facets, stiffness=K, law="fiber")
-    # A polynomial of the order is met at every point.
-    polynomial = lambda x: (x @ np.arange(1.0, 1.0 + x.shape[1]) + 0.5) ** order  # noqa: E731
-    found = skin.points(polynomial(nodes)[:, None])[:, 0]
-    if name != "quadrilaterals" or order == 1:
-        assert found == pytest.approx(polynomial(points), rel=1e-13)
+    # Linear functions are met at every point; products of coordinates at the middles of squares too.
+    linear = lambda x: x @ np.arange(1.0, 1.0 + x.shape[1]) + 0.5 + x[:, 0] * x[:, 1]  # noqa: E731
+    assert skin.points(linear(coords)[:, None])[:, 0] == pytest.approx(linear(points), rel=1e-13)
+    assert (skin.at_nodes(points) == coords).all()
     # Work is the same on nodes and points.
     random = np.random.default_rng(1)
-    forces, moves = random.standard_normal(points.shape), random.standard_normal(nodes.shape)
+    forces, moves = random.standard_normal(points.shape), random.standard_normal(coords.shape)
     assert (skin.to_nodes(forces) * moves).sum() == pytest.approx((forces * skin.points(moves)).sum(), rel=1e-12)
 
 
-def test_second_order_of_quadrilaterals_meets_products_of_squares():
-    trace = Trace(QUADS, 2, 3)
-    skin = Skin([trace])
-    nodes = trace.straight(CUBE)
-    biquadratic = lambda x: (x[:, 0] ** 2 - x[:, 0]) * x[:, 1] ** 2 + x[:, 2] ** 2  # noqa: E731
-    assert skin.points(biquadratic(nodes)[:, None])[:, 0] == pytest.approx(biquadratic(skin.points(nodes)), abs=1e-14)
-
-
 def test_traces_are_numbered_one_after_another():
-    first, second = Trace(QUADS), Trace(TRIANGLES + 10, 2)
+    first, second = Trace(QUADS), Trace(TRIANGLES + 10)
     skin = Skin([first, second])
-    nodes = np.concatenate([first.straight(CUBE), second.straight(CUBE + [2.0, 0, 0])])
-    assert skin.first_node.tolist() == [0, 8, 8 + second.node_count]
+    nodes = np.concatenate([CUBE, CUBE + [2.0, 0, 0]])
+    assert skin.first_node.tolist() == [0, 8, 16]
     points = skin.points(nodes)
     assert volume(points, skin.facets) == pytest.approx(2.0, rel=1e-14)
     assert Contact.from_facets(points, skin.facets, stiffness=K, law="fiber").body_count == 2
     assert points == pytest.approx(skin.prolongation @ nodes, abs=1e-15)
+    assert (skin.at_nodes(points) == nodes).all()
     forces = np.random.default_rng(2).standard_normal(points.shape)
     assert skin.to_nodes(forces) == pytest.approx(skin.prolongation.T @ forces, abs=1e-13)
 
@@ -88,7 +76,22 @@ def test_a_matrix_of_points_becomes_one_of_nodes():
     assert found == pytest.approx(down.T @ dense @ down, abs=1e-13)
 
 
-@pytest.mark.parametrize("arguments", [(np.zeros((2, 5), int),), (SQUARE[1], 3), (SQUARE[1], 1, 0)])
-def test_other_faces_orders_and_divisions_are_refused(arguments):
+def test_facets_carry_the_forces_of_cells():
+    """A cube in a half-space, whole or by its faces: the library divides a face about its middle as well."""
+    cell = [[0, 1, 3, 2, 4, 5, 7, 6]]
+    trace = Trace(QUADS)
+    skin = Skin([trace])
+    bent = CUBE + 0.05 * np.sin(5.0 * CUBE[:, ::-1])
+    whole = Contact(CUBE, [("hexahedron", cell)], stiffness=K, law="fiber", estimator="exact")
+    faces = Contact.from_facets(skin.points(CUBE), skin.facets, stiffness=K, law="fiber", estimator="exact")
+    for contact in (whole, faces):
+        contact.add_half_space((0.1, 0.1, 0.1), (0.1, 0.2, 1.0))
+    expected = whole.evaluate(bent).forces
+    found = skin.to_nodes(faces.evaluate(skin.points(bent)).forces)
+    assert np.abs(expected).max() > 0.0 and np.abs(found - expected).max() < 1e-12 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("faces", [np.zeros((2, 5), int), np.zeros(4, int)])
+def test_other_faces_are_refused(faces):
     with pytest.raises(ValueError):
-        Trace(*arguments)
+        Trace(faces)

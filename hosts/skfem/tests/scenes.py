@@ -7,6 +7,7 @@ from skfem import Basis, ElementVector
 ELEMENTS = {
     "P1": skfem.ElementTriP1, "P2": skfem.ElementTriP2, "Q1": skfem.ElementQuad1, "Q2": skfem.ElementQuad2,
     "P1 3D": skfem.ElementTetP1, "P2 3D": skfem.ElementTetP2, "Q1 3D": skfem.ElementHex1, "Q2 3D": skfem.ElementHex2,
+    "Q S2": skfem.ElementQuadS2, "Q S2 3D": skfem.ElementHexS2,
 }  # fmt: skip
 MESHES = {
     "P": {2: skfem.MeshTri, 3: skfem.MeshTet},

@@ -77,43 +77,30 @@ def test_forces_on_unknowns_keep_their_sum(element):
         assert sums == pytest.approx(result.bodies[number].force, rel=1e-12, abs=1e-12 * np.abs(total).max())
 
 
-@pytest.mark.parametrize("element", ["P2", "Q2", "P2 3D", "Q2 3D"])
+@pytest.mark.parametrize("element", [e for e in ELEMENTS if "2" in e])
 def test_second_order_encloses_the_volume_of_its_cells(element):
-    """Cells bent by a displacement of second order: a finer division comes nearer, with the square of its size."""
+    """Cells bent by a displacement that is quadratic on the top, to which the volume is linear."""
     basis = blocks(element)[0]
     u = np.zeros(basis.N)
     x = basis.doflocs
     dofs = by_axis(basis)
     u[dofs[-1]] = 0.2 * x[0, dofs[-1]] * (1 - x[0, dofs[-1]]) * x[-1, dofs[-1]]
-    exact = 1.0 + 0.2 / 6.0
-    errors = []
-    for divisions in (1, 2, 4):
-        contact = SkfemContact(basis, stiffness=1.0, divisions=divisions)
-        points = contact.coords(u)
-        errors.append(abs(_enclosed(points, _facets(basis, divisions)) - exact))
-    assert errors[1] < 0.3 * errors[0] + 1e-12 and errors[2] < 0.3 * errors[1] + 1e-12
+    assert _enclosed(basis, u) == pytest.approx(1.0 + 0.2 / 6.0, rel=1e-12)
 
 
-def _facets(basis, divisions):
-    from fmc_contact_skfem.boundary import Boundary
-    from fmc_contact_skfem.field import field
-
-    return Boundary(field(basis), divisions).trace.facets
-
-
-def _enclosed(x, facets):
-    at = x[facets]
-    if x.shape[1] == 2:
-        return 0.5 * (at[:, 0, 0] * at[:, 1, 1] - at[:, 0, 1] * at[:, 1, 0]).sum()
-    return np.einsum("ij,ij->i", at[:, 0], np.cross(at[:, 1], at[:, 2])).sum() / 6.0
+def _enclosed(basis, u):
+    """What of a body lies in a half-space around it."""
+    contact = SkfemContact(basis, stiffness=1.0, law="volume", estimator="exact")
+    up = np.eye(basis.mesh.dim())[-1]
+    contact.contact.add_half_space(10.0 * up, up)
+    return contact.evaluate(u).volume
 
 
 @pytest.mark.parametrize("element", ELEMENTS)
 def test_boundary_is_closed_and_looks_outwards(element):
     for basis in blocks(element):
         volume = np.prod(np.ptp(basis.mesh.p, axis=1))
-        contact = SkfemContact(basis, stiffness=1.0, divisions=2)
-        assert _enclosed(contact.coords(np.zeros(contact.size)), _facets(basis, 2)) == pytest.approx(volume, rel=1e-13)
+        assert _enclosed(basis, np.zeros(basis.N)) == pytest.approx(volume, rel=1e-13)
 
 
 @pytest.mark.parametrize("element", [e for e in ELEMENTS if "1" in e])
@@ -127,15 +114,6 @@ def test_cells_come_back_in_the_order_they_went_in(element):
         x = mesh.p.T[conn[0]]
         assert np.allclose(x[4:] - x[:4], x[4] - x[0]) and np.allclose(x[1] - x[0], x[2] - x[3])
         assert np.allclose(np.linalg.norm(np.diff(x[[0, 1, 2, 3, 0]], axis=0), axis=1), np.linalg.norm(x[1] - x[0]))
-
-
-def test_divided_first_order_agrees_with_its_cells():
-    bases = blocks("Q1 3D")
-    u = displacement(bases)
-    by_cells = SkfemContact(joined(bases), stiffness=1e4, law="fiber", estimator="exact")
-    by_faces = SkfemContact(joined(bases), stiffness=1e4, law="fiber", estimator="exact", divisions=1)
-    # The same facets, clipped by other simplices: rounding only.
-    assert np.abs(by_cells.force(u) - by_faces.force(u)).max() < 1e-11 * np.abs(by_cells.force(u)).max()
 
 
 def test_one_basis_of_several_bodies():
@@ -173,15 +151,17 @@ def test_nodal_pressure_at_vertices(element):
     for basis, pressure, place, (_, offset) in zip(bases, pressures, places, joined(bases)):
         assert pressure.shape == (basis.mesh.nvertices,)
         moved = basis.mesh.p.T + u[basis.nodal_dofs + offset].T
-        pressed = pressure > 0
-        # Vertices inside are not shown where the boundary alone is.
-        np.testing.assert_allclose(place[pressed], moved[pressed], atol=1e-12)
-        seen += pressed.sum()
-    assert seen == (contact.at_vertices(field.pressure > 0)[0].sum() + contact.at_vertices(field.pressure > 0)[1].sum())
+        assert (place == moved).all()
+        seen += (pressure > 0).sum()
     assert seen >= 2
-    # The force on the upper block, from the pressure at all points.
     carried = -(field.pressure * field.area)[:, None] * field.normal
-    np.testing.assert_allclose(carried, contact.evaluate(u).forces, atol=1e-9)
+    result = contact.evaluate(u)
+    if "1" in element:
+        np.testing.assert_allclose(carried, result.forces, atol=1e-9)
+    elif "S" not in element or "3D" not in element:
+        # What points have is shared out among nodes; sums over a body stay. Middles of faces without nodes are not told.
+        upper = np.arange(len(coords)) >= len(coords) - bases[1].N // bases[1].mesh.dim()
+        np.testing.assert_allclose(carried[upper].sum(axis=0), result.bodies[1].force, atol=1e-9)
 
 
 def test_nodal_pressure_of_the_depth_law_carries_the_force():

@@ -64,3 +64,11 @@ def test_a_cell_turned_inside_out_is_told():
 def test_unknown_options_are_refused():
     with pytest.raises((TypeError, errors.FmcError)):
         SkfemContact(blocks("P1")[0], stiffness=1.0, stifness=2.0)
+    with pytest.raises(errors.UnknownOptionError, match="divisions"):
+        SkfemContact(blocks("P2")[0], stiffness=1.0, divisions=2)
+
+
+def test_curved_meshes_want_a_displacement_of_their_own_order():
+    for mesh, element in ((skfem.MeshTri2, ElementTriP1), (skfem.MeshQuad2, skfem.ElementQuadS2)):
+        with pytest.raises(LayoutError, match="curved"):
+            SkfemContact(Basis(mesh(), ElementVector(element())), stiffness=1.0)

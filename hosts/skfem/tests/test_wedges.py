@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import skfem
 from fmc_contact import Contact
-from fmc_contact_skfem import LayoutError, SkfemContact
+from fmc_contact_skfem import SkfemContact
 from fmc_contact_skfem.field import cells_of, mesh_from_cells
 from scenes import blocks, displacement, joined
 from skfem import Basis, ElementVector
@@ -52,9 +52,3 @@ def test_force_is_minus_the_slope_of_the_energy():
     step = 1e-6
     energies = [contact.evaluate(u + s * step * direction).energy for s in (-1, 1)]
     assert (energies[1] - energies[0]) / (2 * step) == pytest.approx(-contact.force(u) @ direction, rel=1e-6)
-
-
-def test_divisions_are_refused():
-    bases, _ = wedges()
-    with pytest.raises(LayoutError, match="two shapes"):
-        SkfemContact(joined(bases), stiffness=1e4, divisions=2)

@@ -5,7 +5,7 @@ MPI ranks.
     problem = ContactProblem(residual_form, u, bcs, contact)
     problem.solve()          # or, on one rank, newton(problem, young=E)
 
-    newton, ContactProblem, attach, with_contact  ->  DolfinxContact  ->  surface, replica, space  ->  versions, together
+    newton, ContactProblem, attach, with_contact  ->  DolfinxContact  ->  surface, replica, space  ->  versions, together  ->  cells
 """
 
 from .adapter import DolfinxContact

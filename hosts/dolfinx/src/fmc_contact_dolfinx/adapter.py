@@ -11,7 +11,7 @@ from fmc_contact.skin import Skin, Triplets
 from .space import Displacement, LayoutError
 from .surface import Shown, boundary, whole
 from .together import together
-from .versions import CELL_TYPES, held_dofs
+from .versions import held_dofs
 
 
 class DolfinxContact:
@@ -22,11 +22,10 @@ class DolfinxContact:
     this rank, ghosts included, or a list of such, one for every space; default: bodies are the connected components.
 
     ``whole_mesh``: whether all nodes are gathered and the cells handed over, so that the forces have the bits of any
-    other host, and inverted cells are reported; or the nodes of the boundary only, which is less to send.
-    Default: the whole for first order, but for the estimator ``"fibers"`` the boundary. Prisms and pyramids, whose faces
-    are of two shapes, are passed whole. ``divisions`` of every edge of a
-    boundary face into flat facets; default: the order of the space. Of second order the boundary alone is passed, and
-    the default law is ``"fiber"``: depth is that of cells.
+    other host, and inverted cells are reported; or, for first order, the nodes of the boundary only, which is less to
+    send, with the default law ``"fiber"``: depth is that of cells. Default: the whole, but for first order with the
+    estimator ``"fibers"`` the boundary. Prisms and pyramids, whose faces are of two shapes, are passed whole, and so are
+    cells of second order, with all their nodes; a mesh of second order may be curved.
 
     Every rank evaluates the whole contact and takes the forces on what it owns; what is gathered is numbered by input
     numbers, so that nothing depends on the number of ranks. All methods but ``coords`` are collective. An error on one
@@ -45,7 +44,6 @@ class DolfinxContact:
         stiffness: float,
         bodies: Any = None,
         whole_mesh: bool | None = None,
-        divisions: int | None = None,
         **options: Any,
     ) -> None:
         listed = list(spaces) if isinstance(spaces, (list, tuple)) else [spaces]
@@ -56,17 +54,16 @@ class DolfinxContact:
             raise ValueError(f"bodies has {len(given)} entries, one for each of the {len(listed)} spaces is wanted")
         self.comm = _comm(listed[0])
         fields = together(self.comm, lambda: [Displacement(space) for space in listed])
-        first_order = divisions is None and all(field.order == 1 for field in fields)
+        has_boundary = all(field.order == 1 and not field.has_faces_of_two_shapes for field in fields)
         if whole_mesh is None:
-            is_divisible = not any(field.has_faces_of_two_shapes for field in fields)
-            whole_mesh = first_order and (options.get("estimator") != "fibers" or not is_divisible)
-        if whole_mesh and not first_order:
-            raise ValueError("the cells of a displacement of second order are not flat: whole_mesh is for first order")
+            whole_mesh = options.get("estimator") != "fibers" or not has_boundary
+        if not whole_mesh and any(field.order == 2 for field in fields):
+            raise ValueError("the boundary alone is for first order: cells of second order are passed whole")
         numbers = [None if one is None else np.asarray(one, np.int64) for one in given]
         if whole_mesh:
             self._shown = [whole(field, number) for field, number in zip(fields, numbers)]
         else:
-            self._shown = [boundary(field, divisions, number) for field, number in zip(fields, numbers)]
+            self._shown = [boundary(field, number) for field, number in zip(fields, numbers)]
         self._first = np.cumsum([0] + [shown.replica.count for shown in self._shown])
         self._undeformed = np.concatenate([shown.undeformed for shown in self._shown])
         self._skin: Skin | None = None
@@ -79,7 +76,7 @@ class DolfinxContact:
         ids = None if bodies[0] is None else np.concatenate(bodies)
         if whole_mesh:
             blocks = [
-                (CELL_TYPES[shown.displacement.kind], shown.cells + first)
+                (shown.displacement.cell_type, shown.cells + first)
                 for shown, first in zip(self._shown, self._first)
             ]
             return Contact(self._undeformed, blocks, bodies=ids, **options)

@@ -11,10 +11,11 @@ from .surface import whole
 
 
 def by_input_number(function: Any) -> np.ndarray:
-    """Values of a displacement at the corners of the cells, (nodes, dim), on every rank, whatever the ranks are: row i
+    """Values of a displacement at the nodes of the mesh, (nodes, dim), on every rank, whatever the ranks are: row i
     belongs to row i of the coordinates that ``create_mesh`` was given. Collective."""
     displacement = Displacement(function.function_space)
-    return whole(displacement, None).replica.gather(displacement.owned_values(function))
+    shown = whole(displacement, None)
+    return shown.replica.gather(displacement.owned_values(function))[: shown.input_count]
 
 
 def set_by_input_number(function: Any, values: np.ndarray) -> None:

@@ -6,8 +6,10 @@ from typing import Any
 
 import basix
 import numpy as np
+from fmc_contact.second_order import MIDDLES
 
-from .versions import cell_dofs, cell_geometry, cell_name
+from .cells import CELL_TYPES, SECOND_ORDER, TENSOR_ORDER, places
+from .versions import cell_dofs, cell_geometry, cell_name, geometry_layout
 
 
 class LayoutError(TypeError):
@@ -36,29 +38,58 @@ class Displacement:
         self.topology, self.layout = basix.topology(cell), space.dofmap.dof_layout
         self.has_faces_of_two_shapes = self.kind in ("prism", "pyramid")
         self.order = self._order()
-        corners = cell_geometry(mesh).shape[1]
-        if corners != len(self.topology[0]):
+        straight = CELL_TYPES[self.kind]
+        self.cell_type = straight if self.order == 1 else SECOND_ORDER[self.kind]
+        """As ``fmc_contact`` calls it."""
+        self.places = places(self.kind, self.cell_type)
+        """Dimension and number of what every node of a cell stands on, in the order of ``fmc_contact``."""
+        self._geometry = geometry_layout(mesh)
+        self.is_curved = self._geometry.num_dofs != len(self.topology[0])
+        """Whether the middles of the cells' edges are given."""
+        if self.is_curved and (self.order == 1 or self._geometry.num_dofs != len(self.places)):
             raise LayoutError(
-                f"the cells have {corners} geometry nodes, straight ones are wanted: {len(self.topology[0])}"
+                f"the cells have {self._geometry.num_dofs} geometry nodes, the displacement has "
+                f"{len(self.places)}: straight cells, with {len(self.topology[0])}, or as many as those are wanted"
             )
         self.owned = space.dofmap.index_map.size_local
         """Blocks that this rank owns; they come first."""
 
     def _order(self) -> int:
-        counts = [{len(self.layout.entity_dofs(d, e)) for e in range(len(self.topology[d]))} for d in range(self.dim)]
-        quads = self.dim == 3 and self.kind == "hexahedron"
-        if counts == [{1}, {0}, {0}][: self.dim]:
+        """By the numbers of nodes on vertices, edges, ...; those inside straight cells, or simplices, move no face."""
+        counts = [{len(self.layout.entity_dofs(d, e)) for e in range(len(of))} for d, of in enumerate(self.topology)]
+        if counts[: self.dim] == [{1}, {0}, {0}][: self.dim]:
             return 1
-        if counts == [{1}, {1}, {1} if quads else {0}][: self.dim]:
+        # A quadrilateral or a hexahedron has a node in its own middle too.
+        is_tensor = self.kind in ("quadrilateral", "hexahedron")
+        wanted = [{1}] * (self.dim + 1) if is_tensor else [{1}, {1}, {0}][: self.dim]
+        if self.kind in SECOND_ORDER and counts[: len(wanted)] == wanted:
             return 2
         raise LayoutError(
             f"the nodes of the space are not those of Lagrange elements of order 1 or 2 on cells of type {self.kind}"
         )
 
-    def corner_blocks(self) -> np.ndarray:
-        """Blocks of the corners of all cells here, ghosts last, (cells, corners), as the geometry counts them."""
-        local = [self.layout.entity_dofs(0, corner)[0] for corner in range(len(self.topology[0]))]
-        return cell_dofs(self.space)[:, local]
+    def node_blocks(self) -> np.ndarray:
+        """Blocks of the nodes of all cells here, ghosts last, (cells, nodes), in the order of ``fmc_contact``."""
+        return cell_dofs(self.space)[:, [self.layout.entity_dofs(*place)[0] for place in self.places]]
+
+    def corner_geometry(self) -> np.ndarray:
+        """Geometry nodes of the corners of all cells here, ghosts last, (cells, corners), as dolfinx counts them."""
+        local = [self._geometry.entity_dofs(0, corner)[0] for corner in range(len(self.topology[0]))]
+        return cell_geometry(self.mesh)[:, local]
+
+    def given_geometry(self, count: int) -> np.ndarray:
+        """Geometry nodes of the first cells' nodes in the order of ``fmc_contact``: of corners, or, where they are
+        curved, of all."""
+        given = self.places if self.is_curved else self.places[: len(self.topology[0])]
+        return cell_geometry(self.mesh)[:count][:, [self._geometry.entity_dofs(*place)[0] for place in given]]
+
+    def node_coords(self, count: int) -> np.ndarray:
+        """Undeformed places of the nodes of the first cells, (count, nodes, dim), in the order of ``fmc_contact``."""
+        x = self.mesh.geometry.x[self.given_geometry(count)][:, :, : self.dim]
+        if self.is_curved:
+            return x
+        middles = [x[:, list(ends)].mean(axis=1) for ends in MIDDLES.get(self.cell_type, [])]
+        return np.concatenate([x, *(at[:, None] for at in middles)], axis=1)
 
     def global_blocks(self, blocks: np.ndarray) -> np.ndarray:
         """Numbers over all ranks, int64, of blocks of this rank, in their shape."""
@@ -80,20 +111,12 @@ class Displacement:
         return values[:count].reshape(-1, self.dim)
 
     def facet_nodes(self) -> list[tuple[list[int], list[int]]]:
-        """For every facet of a cell its corners, in order around it, and its nodes as ``fmc_contact.trace`` draws
-        them."""
+        """For every facet of a cell its corners, in order around it, and their nodes, both ways round: first order."""
         if self.has_faces_of_two_shapes:
             raise LayoutError(f"the faces of {self.kind}s are of two shapes and cannot be divided: pass the whole mesh")
-        edges = {frozenset(edge): number for number, edge in enumerate(self.topology[1])}
         found = []
-        for facet, corners in enumerate(self.topology[self.facet_dim]):
+        for corners in self.topology[self.facet_dim]:
             around = list(corners) if len(corners) < 4 else [corners[k] for k in (0, 1, 3, 2)]
             for turned in (around, around[::-1]):
-                nodes = [self.layout.entity_dofs(0, corner)[0] for corner in turned]
-                if self.order == 2:
-                    sides = [(turned[0], turned[1])] if self.dim == 2 else list(zip(turned, turned[1:] + turned[:1]))
-                    nodes += [self.layout.entity_dofs(1, edges[frozenset(side)])[0] for side in sides]
-                    if len(turned) == 4:
-                        nodes.append(self.layout.entity_dofs(2, facet)[0])
-                found.append((turned, nodes))
+                found.append((turned, [self.layout.entity_dofs(0, corner)[0] for corner in turned]))
         return found

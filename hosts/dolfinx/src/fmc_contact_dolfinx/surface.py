@@ -11,7 +11,7 @@ from fmc_contact.trace import Trace
 
 from .replica import Replica, gather_rows
 from .space import Displacement
-from .versions import CELL_TYPES, TENSOR_ORDER, cell_dofs, cell_geometry
+from .versions import cell_dofs
 
 
 class Shown(NamedTuple):
@@ -22,7 +22,9 @@ class Shown(NamedTuple):
     undeformed: np.ndarray
     """Coordinates of the nodes, (nodes, dim)."""
     cells: np.ndarray
-    """Corners of the cells in VTK's order; empty where the boundary is shown."""
+    """Nodes of the cells in VTK's order; empty where the boundary is shown."""
+    input_count: int
+    """Nodes with an input number; they come first, in its order. 0 where the boundary is shown."""
     trace: Trace | None
     body: np.ndarray | None
     """Number of every cell or flat facet."""
@@ -42,23 +44,41 @@ def whole(displacement: Displacement, bodies: np.ndarray | None) -> Shown:
     """All cells, in the order in which the mesh was made from them."""
     mesh, comm = displacement.mesh, displacement.mesh.comm
     count = mesh.topology.index_map(mesh.topology.dim).size_local
-    around = TENSOR_ORDER[CELL_TYPES[displacement.kind]]
-    corners = cell_geometry(mesh)[:count][:, around]
-    blocks = displacement.global_blocks(displacement.corner_blocks()[:count][:, around])
     number = np.asarray(mesh.topology.original_cell_index, np.int64)[:count]
     order = np.argsort(gather_rows(comm, number), kind="stable")
-    inputs = gather_rows(comm, _inputs(displacement)[corners])[order]
-    blocks = gather_rows(comm, blocks)[order]
-    x = gather_rows(comm, np.ascontiguousarray(mesh.geometry.x[corners][:, :, : displacement.dim]))[order]
-    ids, first, conn = np.unique(inputs, return_index=True, return_inverse=True)
+    inputs = _inputs(displacement)[displacement.given_geometry(count)]
+    inputs = gather_rows(comm, inputs)[order]
+    blocks = gather_rows(comm, displacement.global_blocks(displacement.node_blocks()[:count]))[order]
+    x = gather_rows(comm, np.ascontiguousarray(displacement.node_coords(count)))[order]
+    nodes, first = _numbered(inputs, blocks)
     body = None if bodies is None else gather_rows(comm, bodies[:count])[order]
     replica = _replica(displacement, blocks.ravel()[first])
     undeformed = x.reshape(-1, displacement.dim)[first]
-    return Shown(displacement, replica, undeformed, conn.reshape(inputs.shape), None, body)
+    return Shown(displacement, replica, undeformed, nodes, len(np.unique(inputs)), None, body)
 
 
-def boundary(displacement: Displacement, divisions: int | None, bodies: np.ndarray | None) -> Shown:
-    """The boundary, face after face in the order of their cells."""
+def _numbered(inputs: np.ndarray, blocks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes of the cells, (cells, nodes), and where each of them stands first in it: those with an input
+    number by that, then the others as the cells come to them; neither depends on the ranks."""
+    width = inputs.shape[1]
+    _, first, given = np.unique(inputs, return_index=True, return_inverse=True)
+    row, place = np.divmod(first, width)
+    first = row * blocks.shape[1] + place
+    given = given.reshape(inputs.shape)
+    if blocks.shape[1] == width:
+        return given, first
+    others = blocks[:, width:]
+    _, seen, inverse = np.unique(others, return_index=True, return_inverse=True)
+    by_cells = np.argsort(seen)
+    number = np.empty(len(seen), np.int64)
+    number[by_cells] = len(first) + np.arange(len(seen))
+    row, place = np.divmod(seen[by_cells], others.shape[1])
+    nodes = np.concatenate([given, number[inverse].reshape(others.shape)], axis=1)
+    return nodes, np.concatenate([first, row * blocks.shape[1] + width + place])
+
+
+def boundary(displacement: Displacement, bodies: np.ndarray | None) -> Shown:
+    """The boundary of a displacement of first order, face after face in the order of their cells."""
     comm = displacement.mesh.comm
     _, cells, corners, nodes = owned_faces(displacement)
     x = np.ascontiguousarray(displacement.mesh.geometry.x[corners][:, :, : displacement.dim])
@@ -69,16 +89,16 @@ def boundary(displacement: Displacement, divisions: int | None, bodies: np.ndarr
     inputs = gather_rows(comm, inputs)[order]
     blocks = gather_rows(comm, displacement.global_blocks(nodes))[order]
     x = gather_rows(comm, x)[order]
-    trace = Trace(inputs, displacement.order, divisions)
+    trace = Trace(inputs)
     of_nodes = np.empty(trace.node_count, np.int64)
     of_nodes[trace.nodes.ravel()] = blocks.ravel()
-    corner_coords = np.empty((len(trace.corner_ids), displacement.dim))
-    corner_coords[trace.nodes[:, : inputs.shape[1]].ravel()] = x.reshape(-1, displacement.dim)
+    coords = np.empty((trace.node_count, displacement.dim))
+    coords[trace.nodes.ravel()] = x.reshape(-1, displacement.dim)
     body = None
     if bodies is not None:
         body = gather_rows(comm, bodies[cells])[order][trace.face_of_facet]
     replica = _replica(displacement, of_nodes)
-    return Shown(displacement, replica, trace.straight(corner_coords), np.empty((0, 0), int), trace, body)
+    return Shown(displacement, replica, coords, np.empty((0, 0), int), 0, trace, body)
 
 
 class Faces(NamedTuple):
@@ -89,7 +109,7 @@ class Faces(NamedTuple):
     corners: np.ndarray
     """Geometry nodes of the corners, (faces, corners), seen from outside."""
     nodes: np.ndarray
-    """Blocks of the nodes, (faces, nodes), as ``fmc_contact.trace`` draws them."""
+    """Blocks of the corners, (faces, corners)."""
 
 
 def owned_faces(displacement: Displacement) -> Faces:
@@ -108,7 +128,7 @@ def owned_faces(displacement: Displacement) -> Faces:
     place = np.argmax(to_facets.array.reshape(-1, facet_count)[cells] == facets[:, None], axis=1)
     corner_table = np.array([corners for corners, _ in variants])
     node_table = np.array([nodes for _, nodes in variants])
-    geometry, x = cell_geometry(mesh)[cells], mesh.geometry.x[:, :dim]
+    geometry, x = displacement.corner_geometry()[cells], mesh.geometry.x[:, :dim]
 
     def pick(table: np.ndarray, of_cells: np.ndarray, variant: np.ndarray) -> np.ndarray:
         return np.take_along_axis(of_cells, table[variant], axis=1)

@@ -10,6 +10,8 @@ import ufl
 from dolfinx import fem
 from dolfinx import mesh as dmesh
 
+from .cells import CELL_TYPES, SECOND_ORDER, sorted_places
+
 
 def vector_space(mesh: Any, order: int = 1) -> Any:
     """Displacements of this order on a mesh."""
@@ -20,23 +22,26 @@ def vector_space(mesh: Any, order: int = 1) -> Any:
 
 
 def mesh_from_cells(comm: Any, coords: np.ndarray, conn: np.ndarray, cell_type: str) -> Any:
-    """A mesh of these nodes, (nodes, dim), and cells in VTK's order; all of them on rank 0, none on the others.
+    """A mesh of these nodes, (nodes, dim), and cells in VTK's order; all of them on rank 0, none on the others. Cells of
+    second order, ``triangle6``, ``quad9``, ``tetra10`` or ``hexahedron27``, may be curved.
 
     The row of a node is its input number, whatever the ranks are.
     """
-    name = {ours: theirs for theirs, ours in CELL_TYPES.items()}[cell_type]
+    degree = 2 if cell_type in SECOND_ORDER.values() else 1
+    name = {ours: theirs for theirs, ours in (SECOND_ORDER if degree == 2 else CELL_TYPES).items()}[cell_type]
     coords = np.asarray(coords, np.float64)
     dim = coords.shape[1]
-    cells = np.asarray(conn, np.int64)[:, TENSOR_ORDER[cell_type]]
+    # Lagrange elements have one node on every entity, in the order of the entities.
+    cells = np.asarray(conn, np.int64)[:, sorted_places(name, cell_type)]
     if comm.rank != 0:
         coords, cells = coords[:0], cells[:0]
     cells, coords = np.ascontiguousarray(cells), np.ascontiguousarray(coords)
     if hasattr(ufl, "VectorElement"):
-        element = ufl.Mesh(ufl.VectorElement("Lagrange", ufl.Cell(name, geometric_dimension=dim), 1))
+        element = ufl.Mesh(ufl.VectorElement("Lagrange", ufl.Cell(name, geometric_dimension=dim), degree))
     else:
         import basix.ufl
 
-        element = basix.ufl.element("Lagrange", name, 1, shape=(dim,))
+        element = basix.ufl.element("Lagrange", name, degree, shape=(dim,))
     # The element has moved from the last place to the one before.
     order = list(inspect.signature(dmesh.create_mesh).parameters)
     if order.index("x") > order.index("e" if "e" in order else "domain"):
@@ -72,7 +77,14 @@ def cell_geometry(mesh: Any) -> np.ndarray:
     """Geometry nodes of all cells here, ghosts last, (cells, nodes)."""
     geometry = mesh.geometry
     table = geometry.dofmaps[0] if hasattr(geometry, "dofmaps") else geometry.dofmap
-    return _rows(table, _cell_count(mesh), CORNER_COUNT[cell_name(mesh)])
+    return _rows(table, _cell_count(mesh), geometry_layout(mesh).num_dofs)
+
+
+def geometry_layout(mesh: Any) -> Any:
+    """Which geometry nodes of a cell stand on which of its entities."""
+    geometry = mesh.geometry
+    cmap = geometry.cmaps[0] if hasattr(geometry, "cmaps") else geometry.cmap
+    return cmap.create_dof_layout()
 
 
 def cell_dofs(space: Any) -> np.ndarray:
@@ -90,35 +102,3 @@ def held_dofs(bc: Any) -> np.ndarray:
     """Unknowns, not blocks, of this rank that a boundary condition holds, ghosts included."""
     found = bc.dof_indices() if hasattr(bc, "dof_indices") else bc._cpp_object.dof_indices()
     return np.asarray(found[0])
-
-
-# dolfinx counts the corners of quadrilaterals, hexahedra and the base of pyramids as a tensor product; VTK goes around.
-# Prisms are counted as meshio counts wedges.
-#
-#      2-----3          3-----2          6-----7            7-----6
-#      |     |          |     |         /|    /|           /|    /|
-#      |     |          |     |        4-----5 |          4-----5 |
-#      0-----1          0-----1        | 2---|-3          | 3---|-2
-#      dolfinx          VTK            |/    |/           |/    |/
-#                                      0-----1            0-----1
-#
-# Entry k is the corner of VTK that dolfinx counts as its k-th; both tables are their own inverse.
-TENSOR_ORDER = {
-    "triangle": [0, 1, 2],
-    "quad": [0, 1, 3, 2],
-    "tetra": [0, 1, 2, 3],
-    "hexahedron": [0, 1, 3, 2, 4, 5, 7, 6],
-    "wedge": [0, 1, 2, 3, 4, 5],
-    "pyramid": [0, 1, 3, 2, 4],
-}
-
-CELL_TYPES = {
-    "triangle": "triangle",
-    "quadrilateral": "quad",
-    "tetrahedron": "tetra",
-    "hexahedron": "hexahedron",
-    "prism": "wedge",
-    "pyramid": "pyramid",
-}
-
-CORNER_COUNT = {"triangle": 3, "quadrilateral": 4, "tetrahedron": 4, "hexahedron": 8, "prism": 6, "pyramid": 5}

@@ -6,28 +6,26 @@ from typing import Any, Sequence
 
 import numpy as np
 from fmc_contact import Contact, GapConstraints, NodalContact, Result
-from fmc_contact.skin import Skin, Triplets
 from numpy.typing import ArrayLike
 from scipy.sparse import csr_matrix
 from skfem import CellBasis
 
-from .boundary import Boundary
-from .field import Field, field
+from .field import field
 
 
 class SkfemContact:
     """Contact between all bodies of one basis or of several, with the obstacles that are added to ``contact``.
 
-    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1 or Q2 elements in 2D or 3D, or of
-    ``ElementWedge1``; or a list of ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the vectors of the whole problem.
-    ``size``: length of these vectors; default: as far as the bases reach. ``bodies``: one number for every cell, basis
-    after basis; default: bodies are the connected components. ``divisions`` of every edge of a boundary face into flat
-    facets, for second order; default 2. ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``.
+    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1, Q2 or serendipity elements in 2D or 3D, or of
+    ``ElementWedge1``; or a list of ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the
+    vectors of the whole problem. ``size``: length of these vectors; default: as far as the bases reach. ``bodies``: one
+    number for every cell, basis after basis; default: bodies are the connected components. ``stiffness`` and the other
+    keywords are those of ``fmc_contact.Contact``.
 
     Meshes need not match: there is no supermesh, no search for pairs, and no side is the master.
 
-    With first order the cells are passed, so that inverted cells are reported; with second order the boundary, and the
-    default law is ``"fiber"``: depth is that of cells.
+    Nodes of the contact are the vertices of a mesh, then the other places of unknowns; cells of second order are passed
+    with all their nodes, curved ones (``MeshTri2``, ...) as they are.
 
     Errors: ``LayoutError`` for a basis of another kind; those of ``fmc_contact.errors``.
     """
@@ -42,58 +40,35 @@ class SkfemContact:
         stiffness: float,
         size: int | None = None,
         bodies: ArrayLike | None = None,
-        divisions: int | None = None,
         **options: Any,
     ) -> None:
         pairs = bases if isinstance(bases, (list, tuple)) else [(bases, 0)]
         fields = [field(*pair) for pair in pairs]
         if not fields:
             raise ValueError("there is no basis")
-        self._skin: Skin | None = None
-        options = {"stiffness": stiffness, **options}
-        if divisions is None and all(one.order == 1 for one in fields):
-            self.contact = self._from_cells(fields, bodies, options)
-        else:
-            self.contact = self._from_faces(fields, divisions, bodies, {"law": "fiber", **options})
-        reach = max(one.offset + one.basis.N for one in fields)
+        self._dofs = np.concatenate([one.dofs for one in fields])
+        self._undeformed = np.concatenate([one.coords for one in fields])
+        self._vertices: list[slice] = []
+        blocks, first = [], 0
+        for one in fields:
+            self._vertices.append(slice(first, first + one.basis.mesh.nvertices))
+            blocks.append((one.cell_type, one.conn + first))
+            first += len(one.dofs)
+        self.contact = Contact(self._undeformed, blocks, bodies=bodies, stiffness=stiffness, **options)
+        reach = max(one.reach for one in fields)
         self.size = reach if size is None else size
         if self.size < reach:
             raise ValueError(f"vectors of {self.size} entries are too short, the bases reach to {reach}")
 
-    def _from_cells(self, fields: list[Field], bodies: ArrayLike | None, options: dict) -> Contact:
-        self._dofs = np.concatenate([one.dofs for one in fields])
-        self._undeformed = np.concatenate([one.basis.mesh.p.T for one in fields])
-        first = np.cumsum([0] + [len(one.dofs) for one in fields])
-        blocks = [(one.cell_type, one.conn + start) for one, start in zip(fields, first)]
-        self._vertices = [(len(f.dofs), start + np.arange(len(f.dofs)), slice(None)) for f, start in zip(fields, first)]
-        return Contact(self._undeformed, blocks, bodies=bodies, **options)
-
-    def _from_faces(
-        self, fields: list[Field], divisions: int | None, bodies: ArrayLike | None, options: dict
-    ) -> Contact:
-        boundaries = [Boundary(one, divisions) for one in fields]
-        self._dofs = np.concatenate([one.dofs for one in boundaries])
-        self._undeformed = np.concatenate([one.coords for one in boundaries])
-        self._skin = Skin([one.trace for one in boundaries])
-        corners = [(one.trace.corner_ids, start) for one, start in zip(boundaries, self._skin.first_node)]
-        self._vertices = [
-            (one.basis.mesh.p.shape[1], start + np.arange(len(ids)), ids) for one, (ids, start) in zip(fields, corners)
-        ]
-        if bodies is not None:
-            first = np.cumsum([0] + [len(one.conn) for one in fields])
-            bodies = np.asarray(bodies)[np.concatenate([b.cells + start for b, start in zip(boundaries, first)])]
-        return Contact.from_facets(self._skin.points(self._undeformed), self._skin.facets, bodies=bodies, **options)
-
     def coords(self, u: np.ndarray) -> np.ndarray:
-        """Coordinates that the contact is shown at the displacement ``u``, (size,): (points, dim)."""
+        """Coordinates that the contact is shown at the displacement ``u``, (size,): (nodes, dim)."""
         u = np.asarray(u)
         if u.shape != (self.size,):
             raise ValueError(f"the displacement has shape {u.shape}, ({self.size},) is wanted")
-        at_nodes = self._undeformed + u.take(self._dofs)
-        return at_nodes if self._skin is None else self._skin.points(at_nodes)
+        return self._undeformed + u.take(self._dofs)
 
     def evaluate(self, u: np.ndarray) -> Result:
-        """All that ``fmc_contact`` says at a displacement: energy, resultants, warnings; forces on the points of
+        """All that ``fmc_contact`` says at a displacement: energy, resultants, warnings; forces on the nodes of
         ``coords``. Errors: those of ``Contact.evaluate``."""
         return self.contact.evaluate(self.coords(u))
 
@@ -104,47 +79,35 @@ class SkfemContact:
     def on_dofs(self, forces: np.ndarray) -> np.ndarray:
         """Forces of ``evaluate`` brought to the degrees of freedom, (size,)."""
         total = np.zeros(self.size)
-        on_nodes = forces if self._skin is None else self._skin.to_nodes(forces)
-        total[self._dofs.ravel()] = on_nodes.ravel()
+        total[self._dofs.ravel()] = forces.ravel()
         return total
 
     def nodal_contact(self, u: np.ndarray) -> NodalContact:
-        """Pressure, gap, area and normal at a displacement, on the points of ``coords``. Errors: those of
+        """Pressure, gap, area and normal at a displacement, on the nodes of ``coords``. Errors: those of
         ``Contact.evaluate``."""
         return self.contact.nodal_contact(self.coords(u))
 
     def at_vertices(self, values: np.ndarray) -> list[np.ndarray]:
-        """An array of ``nodal_contact``, (points, ...), at the vertices of each basis' mesh, (vertices, ...) for every
-        basis, zero inside: for ``mesh.save(..., point_data=...)``."""
+        """An array of ``nodal_contact``, (nodes, ...), at the vertices of each basis' mesh, (vertices, ...) for every
+        basis: for ``mesh.save(..., point_data=...)``."""
         values = np.asarray(values)
-        on_nodes = values if self._skin is None else self._skin.at_nodes(values)
-        found = []
-        for count, nodes, vertices in self._vertices:
-            array = np.zeros((count, *values.shape[1:]), values.dtype)
-            array[vertices] = on_nodes[nodes]
-            found.append(array)
-        return found
+        return [values[vertices].copy() for vertices in self._vertices]
 
     def tangent(self, u: np.ndarray, semidefinite: bool = False, symmetric: bool = False) -> csr_matrix:
         """Minus the derivative of ``force``, (size, size): to be added to a stiffness matrix. UNSYMMETRIC with friction:
         solve with LU, or ask for ``symmetric``, which takes more iterations. ``semidefinite`` leaves out what can be
         negative, for use far from a solution."""
         parts = self.contact.tangent_parts(self.coords(u), semidefinite, symmetric=symmetric)
-        found = Triplets(*parts.triplets())
-        if self._skin is not None:
-            found = self._skin.tangent_to_nodes(found, self.contact.dim)
+        rows, cols, values = parts.triplets()
         dofs = self._dofs.ravel()
-        return csr_matrix((found.values, (dofs[found.rows], dofs[found.cols])), shape=(self.size, self.size))
+        return csr_matrix((values, (dofs[rows], dofs[cols])), shape=(self.size, self.size))
 
     def gap_constraints(self, u: np.ndarray, reach: float) -> tuple[GapConstraints, csr_matrix]:
         """Weighted gaps of the nodes near a partner, and their derivative by the degrees of freedom, (rows, size). See
         ``Contact.gap_constraints``."""
         coords = self.coords(u)
         found = self.contact.gap_constraints(coords, reach)
-        rows = csr_matrix((found.data, found.indices, found.indptr), shape=(len(found), coords.size))
-        if self._skin is not None:
-            rows = self._skin.rows_to_nodes(rows, self.contact.dim)
-        rows = rows.tocoo()
+        rows = csr_matrix((found.data, found.indices, found.indptr), shape=(len(found), coords.size)).tocoo()
         return found, csr_matrix((rows.data, (rows.row, self._dofs.ravel()[rows.col])), (len(found), self.size))
 
     def begin_step(self, u: np.ndarray) -> None:

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 import skfem
+from fmc_contact.second_order import MIDDLES, of_nodes
 from skfem import CellBasis, ElementVector
 
 # scikit-fem's cube counts its corners from the far end; VTK goes around the bottom, then around the top.
@@ -32,7 +33,10 @@ if hasattr(skfem, "MeshWedge1"):
 _FIRST_ORDER = (skfem.ElementTriP1, skfem.ElementQuad1, skfem.ElementTetP1, skfem.ElementHex1) + (
     (skfem.ElementWedge1,) if hasattr(skfem, "ElementWedge1") else ()
 )
-_SECOND_ORDER = (skfem.ElementTriP2, skfem.ElementQuad2, skfem.ElementTetP2, skfem.ElementHex2)
+_SECOND_ORDER = (
+    skfem.ElementTriP2, skfem.ElementQuad2, skfem.ElementQuadS2, skfem.ElementTetP2, skfem.ElementHex2,
+    skfem.ElementHexS2,
+)  # fmt: skip
 
 
 class LayoutError(TypeError):
@@ -40,24 +44,22 @@ class LayoutError(TypeError):
 
 
 class Field(NamedTuple):
-    """One basis, as contact sees it."""
+    """One basis, as contact sees it. Its nodes are the vertices of the mesh, then the other places with unknowns."""
 
     basis: CellBasis
-    offset: int
-    """First degree of freedom of the basis in the vectors of the whole problem."""
-    order: int
     cell_type: str
     conn: np.ndarray
-    """Corners of the cells, (cells, corners), in the order of ``fmc_contact``."""
-
-    @property
-    def dofs(self) -> np.ndarray:
-        """Degrees of freedom of the vertices, (vertices, dim)."""
-        return self.basis.nodal_dofs.T + self.offset
+    """Nodes of the cells, (cells, nodes), in the order of ``fmc_contact``."""
+    dofs: np.ndarray
+    """Degrees of freedom of the nodes, (nodes, dim), offset included."""
+    coords: np.ndarray
+    """Undeformed coordinates of the nodes, (nodes, dim)."""
+    reach: int
+    """One more than the last degree of freedom in the vectors of the whole problem."""
 
 
 def cells_of(mesh: skfem.Mesh) -> tuple[str, np.ndarray]:
-    """Type of the cells, as ``fmc_contact`` calls it, and their corners in VTK's order, (cells, corners)."""
+    """Type of the cells by their corners, as ``fmc_contact`` calls it, and the corners in VTK's order, (cells, corners)."""
     for kind, name, order in _CELLS:
         if isinstance(mesh, kind):
             return name, np.ascontiguousarray(mesh.t[order].T)
@@ -84,20 +86,48 @@ def field(basis: CellBasis, offset: int = 0) -> Field:
             f"the basis has the element {type(element).__name__}, a displacement is wanted: "
             "ElementVector(ElementTriP1()) or the like"
         )
-    if isinstance(element.elem, _FIRST_ORDER):
-        order = 1
-    elif isinstance(element.elem, _SECOND_ORDER):
-        order = 2
-    else:
+    if not isinstance(element.elem, _FIRST_ORDER + _SECOND_ORDER):
         raise LayoutError(
             f"the displacement is of {type(element.elem).__name__}, Lagrange elements of order 1 or 2 are wanted"
         )
-    dim = basis.mesh.dim()
+    mesh = basis.mesh
+    dim = mesh.dim()
     if element.dim != dim:
         raise LayoutError(f"the displacement has {element.dim} components in {dim}D")
-    cell_type, conn = cells_of(basis.mesh)
+    straight, corners = cells_of(mesh)
+    if mesh.elem not in _FIRST_ORDER and mesh.elem is not type(element.elem):
+        raise LayoutError(
+            f"the mesh has curved cells of {mesh.elem.__name__}, the displacement is of {type(element.elem).__name__}: "
+            "the same is wanted"
+        )
     if len(basis.nodal_dofs) != dim:
         raise LayoutError(f"the basis has {len(basis.nodal_dofs)} unknowns at a vertex, {dim} are wanted")
-    if basis.nelems != basis.mesh.nelements:
+    if basis.nelems != mesh.nelements:
         raise LayoutError("the basis is of a part of its mesh only: restrict the mesh, not the basis")
-    return Field(basis, int(offset), order, cell_type, conn)
+    if isinstance(element.elem, _FIRST_ORDER):
+        cell_type, conn, dofs = straight, corners, basis.nodal_dofs.T
+    else:
+        cell_type, conn, dofs = _second_order(basis, straight)
+    coords = basis.doflocs[:, dofs[:, 0]].T.copy()
+    coords[: mesh.nvertices] = mesh.p[:, : mesh.nvertices].T
+    return Field(basis, cell_type, conn, dofs + int(offset), coords, basis.N + int(offset))
+
+
+def _second_order(basis: CellBasis, straight: str) -> tuple[str, np.ndarray, np.ndarray]:
+    """Type, nodes of the cells and unknowns of the nodes."""
+    dim, element = basis.mesh.dim(), basis.elem.elem
+    places = element.doflocs
+    cell_type = of_nodes(straight, len(places))
+    assert cell_type is not None, "elements of second order have cells of second order"
+    order = next(order for _, name, order in _CELLS if name == straight)
+    corners = element.refdom.p.T[order]
+    nodes = np.concatenate([corners, [corners[list(ends)].mean(axis=0) for ends in MIDDLES[cell_type]]])
+    apart = np.abs(nodes[:, None] - places[None]).sum(axis=2)
+    local = apart.argmin(axis=1)
+    assert (apart.min(axis=1) == 0.0).all(), "the nodes of the element are corners and middles"
+    kinds = [basis.nodal_dofs, basis.edge_dofs, basis.facet_dofs, basis.interior_dofs]
+    dofs = np.concatenate([kind.T for kind in kinds if len(kind)])
+    number = np.empty(basis.N, np.int64)
+    number[dofs[:, 0]] = np.arange(len(dofs))
+    # Unknowns of a cell: all components of a node, node after node.
+    return cell_type, np.ascontiguousarray(number[basis.element_dofs[local * dim]].T), dofs
