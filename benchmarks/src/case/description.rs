@@ -175,9 +175,15 @@ impl FigureKind {
                 "steps_failed",
                 "penetration_max",
             ],
-            FigureKind::Hertz => {
-                &["force", "half_width", "peak_pressure", "profile_error", "profile_error_inner", "penetration_max", "nodes"]
-            }
+            FigureKind::Hertz => &[
+                "force",
+                "half_width",
+                "peak_pressure",
+                "profile_error",
+                "profile_error_inner",
+                "penetration_max",
+                "nodes",
+            ],
         }
     }
 }

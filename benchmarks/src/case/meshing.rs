@@ -59,7 +59,10 @@ impl Case {
         let (supports, load) = (self.constraints(&model, 0)?, self.load(&model)?);
         let obstacles = self.partners()?;
         let linearised = match self.contact.linearised {
-            true => Some(Linearised::new(&model, &obstacles).context("linearised contact needs polygons in 2D, and cells of first order")?),
+            true => Some(
+                Linearised::new(&model, &obstacles)
+                    .context("linearised contact needs polygons in 2D, and cells of first order")?,
+            ),
             false => None,
         };
         Ok(Problem { supports, load, obstacles, linearised, ..Problem::new(model, self.contact.options(threads)) })

@@ -56,7 +56,13 @@ impl HertzLine {
         let mut profile: Vec<(f64, f64)> =
             nodes.iter().map(|&n| (place(n), pressures.get(&(n as usize)).copied().unwrap_or(0.0))).collect();
         profile.sort_by(|p, q| p.0.total_cmp(&q.0));
-        Ok(Self { force, half_width, peak_pressure: 2.0 * force / (PI * half_width), profile, nodes: at.model().node_count() })
+        Ok(Self {
+            force,
+            half_width,
+            peak_pressure: 2.0 * force / (PI * half_width),
+            profile,
+            nodes: at.model().node_count(),
+        })
     }
 
     /// Hertz' pressure.

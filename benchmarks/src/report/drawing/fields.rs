@@ -33,7 +33,9 @@ fn drawn(cell_type: CellType, nodes: &[u32]) -> (CellType, Vec<u32>) {
     let straight = cell_type.straight();
     let (corners, middles) = nodes.split_at(straight.node_count());
     let outline = match cell_type.dimension() {
-        2 if straight != cell_type => corners.iter().zip(middles).flat_map(|(&corner, &middle)| [corner, middle]).collect(),
+        2 if straight != cell_type => {
+            corners.iter().zip(middles).flat_map(|(&corner, &middle)| [corner, middle]).collect()
+        }
         _ => corners.to_vec(),
     };
     (straight, outline)

@@ -149,10 +149,8 @@ fn inverse_transposed<const D: usize>(m: &Tensor<D>) -> (f64, Tensor<D>) {
 /// Whether arrays fit together and constants are in their range.
 fn check<const D: usize>(part: &Part<D>) -> Result<(), Error> {
     let (name, mesh, cell_type) = (|| part.name.clone(), &part.mesh, part.cell_type);
-    let has_elements = matches!(
-        cell_type.straight(),
-        CellType::Tri3 | CellType::Quad4 | CellType::Tet4 | CellType::Hex8
-    );
+    let has_elements =
+        matches!(cell_type.straight(), CellType::Tri3 | CellType::Quad4 | CellType::Tet4 | CellType::Hex8);
     if !has_elements {
         return Err(Error::NoElement { part: name(), cell_type });
     }

@@ -35,9 +35,7 @@ pub(super) fn face_points(dimension: usize, node_count: usize) -> Vec<FacePoint>
         (2, 2) => [at, 1.0 - at].map(|s| straight((vec![1.0 - s, s], 0.5))).into(),
         (2, _) => GAUSS.map(|(x, weight)| curved((second_order_edge(0.5 + 0.5 * x), 0.5 * weight))).into(),
         (_, 3) => [0, 1, 2]
-            .map(|node| {
-                straight(((0..3).map(|k| if k == node { 2.0 / 3.0 } else { 1.0 / 6.0 }).collect(), 1.0 / 6.0))
-            })
+            .map(|node| straight(((0..3).map(|k| if k == node { 2.0 / 3.0 } else { 1.0 / 6.0 }).collect(), 1.0 / 6.0)))
             .into(),
         (_, 4) => [[at, at], [1.0 - at, at], [1.0 - at, 1.0 - at], [at, 1.0 - at]]
             .map(|[s, t]| straight((vec![(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t], 0.25)))
@@ -77,7 +75,13 @@ mod tests {
             let corners = if count == 9 { 4 } else { count.div_ceil(2) };
             for node in 0..count {
                 let share = points.iter().map(|point| point.weight * point.shape[node]).sum::<f64>() / measure;
-                let expected = if node < corners { corner } else if node < 2 * corners { edge } else { middle };
+                let expected = if node < corners {
+                    corner
+                } else if node < 2 * corners {
+                    edge
+                } else {
+                    middle
+                };
                 assert!((share - expected).abs() < 1e-15, "{count} nodes: {share} at {node}");
             }
         }

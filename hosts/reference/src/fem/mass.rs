@@ -1,8 +1,13 @@
-//! Lumped mass.
+//! Volume and lumped mass.
 
 use super::Model;
 
 impl<const D: usize> Model<D> {
+    /// Volume (2D: area) of a part, by its Gauss points.
+    pub fn volume(&self, part: usize) -> f64 {
+        self.elements[part].volumes.iter().sum()
+    }
+
     /// Mass of every node, by row sum: m_a = ∫ ρ N_a dV; in cells of second order in proportion to ∫ ρ N_a² dV, with
     /// the mass of the cell in all. Positive for all cells of the model.
     pub fn lumped_mass(&self) -> Vec<f64> {

@@ -88,9 +88,8 @@ fn rule(cell_type: CellType) -> Vec<([f64; 3], f64)> {
             points.collect()
         }
         _ => {
-            let layer = |(z, u): (f64, f64)| {
-                GAUSS.iter().flat_map(move |&(y, w)| GAUSS.map(|(x, v)| ([x, y, z], u * v * w)))
-            };
+            let layer =
+                |(z, u): (f64, f64)| GAUSS.iter().flat_map(move |&(y, w)| GAUSS.map(|(x, v)| ([x, y, z], u * v * w)));
             GAUSS.into_iter().flat_map(layer).collect()
         }
     }

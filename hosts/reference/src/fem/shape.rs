@@ -142,8 +142,7 @@ mod tests {
             let conn = (0..corners.len() as u32).collect();
             let cell = fmc_shapes::Mesh { nodes_per_cell: corners.len(), coords: corners, conn };
             let mesh = fmc_shapes::second_order(&cell, count);
-            let place =
-                |node: &u32| std::array::from_fn(|axis| *mesh.coords[*node as usize].get(axis).unwrap_or(&0.0));
+            let place = |node: &u32| std::array::from_fn(|axis| *mesh.coords[*node as usize].get(axis).unwrap_or(&0.0));
             mesh.conn.iter().map(place).collect()
         }
         match cell_type.dimension() {

@@ -37,9 +37,7 @@ fn quadratic_displacement_is_met<const D: usize>(cell_type: CellType, mesh: Mesh
     let mut force = vec![[0.0; D]; model.node_count()];
     model.internal(&displacement, &mut force);
     let faces = model.faces_where(0, |_| true);
-    let load = model.surface_load(&faces, |x, n| {
-        std::array::from_fn(|i| (0..D).map(|j| stress(x, i, j) * n[j]).sum())
-    });
+    let load = model.surface_load(&faces, |x, n| std::array::from_fn(|i| (0..D).map(|j| stress(x, i, j) * n[j]).sum()));
     let weight = model.body_load(0, body);
     let size = largest(&force);
     assert!(size > 1.0);
@@ -61,8 +59,12 @@ fn quadratic_displacements_are_exact() {
     quadratic_displacement_is_met(CellType::Tet10, second_order(&tetrahedra, 10));
     // Without a node in their middle they have all quadratic functions as parallelograms only; the loads on warped faces are
     // not of so low a degree.
-    let (square, cube) = (rectangle_quad4([0.0; 2], [1.0, 2.0], [3, 2]), cuboid_hex8([0.0; 3], [1.0, 2.0, 1.0], [2; 3]));
-    quadratic_displacement_is_met(CellType::Quad8, second_order(&square, 8).mapped(|[x, y]| [x + 0.3 * y, y - 0.2 * x]));
+    let (square, cube) =
+        (rectangle_quad4([0.0; 2], [1.0, 2.0], [3, 2]), cuboid_hex8([0.0; 3], [1.0, 2.0, 1.0], [2; 3]));
+    quadratic_displacement_is_met(
+        CellType::Quad8,
+        second_order(&square, 8).mapped(|[x, y]| [x + 0.3 * y, y - 0.2 * x]),
+    );
     let leaning = |[x, y, z]: [f64; 3]| [x + 0.3 * y, y - 0.2 * z, z + 0.1 * x];
     quadratic_displacement_is_met(CellType::Hex20, second_order(&cube, 20).mapped(leaning));
     quadratic_displacement_is_met(CellType::Hex27, second_order(&cube, 27).mapped(leaning));
