@@ -1,6 +1,6 @@
 //! Bodies of second order.
 
-use super::{case, figure, solved};
+use crate::indentation::{case, figure, solved};
 
 #[test]
 fn blocks_of_second_order_pass_the_patch_test() {
@@ -15,7 +15,7 @@ fn blocks_of_second_order_pass_the_patch_test() {
 }
 
 /// Facets of a/8: the force is carried exactly, and the pressure is Hertz' within what a half-disc differs from a half-space, 0.18 %, and
-/// waves of the divided surface.
+/// what alternates between corners and middles inwards from the rim.
 #[test]
 fn discs_of_second_order_meet_hertz() {
     for variant in ["tri6", "quad9", "depth-tri6"] {
