@@ -1,5 +1,6 @@
 //! Elastic bodies.
 
+use fmc_contact::CellType;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -63,9 +64,52 @@ pub enum CellKind {
     Tet4,
     /// Hexahedra.
     Hex8,
+    /// Triangles of second order.
+    Tri6,
+    /// Quadrilaterals of second order, without a node in their middle.
+    Quad8,
+    /// Quadrilaterals of second order.
+    Quad9,
+    /// Tetrahedra of second order.
+    Tet10,
+    /// Hexahedra of second order, without nodes in their faces and their middle.
+    Hex20,
+    /// Hexahedra of second order.
+    Hex27,
+}
+
+impl CellKind {
+    /// As the contact module calls it.
+    pub fn cell_type(self) -> CellType {
+        match self {
+            CellKind::Tri3 => CellType::Tri3,
+            CellKind::Quad4 => CellType::Quad4,
+            CellKind::Tet4 => CellType::Tet4,
+            CellKind::Hex8 => CellType::Hex8,
+            CellKind::Tri6 => CellType::Tri6,
+            CellKind::Quad8 => CellType::Quad8,
+            CellKind::Quad9 => CellType::Quad9,
+            CellKind::Tet10 => CellType::Tet10,
+            CellKind::Hex20 => CellType::Hex20,
+            CellKind::Hex27 => CellType::Hex27,
+        }
+    }
+
+    /// The kind of first order with the same corners.
+    pub fn straight(self) -> Self {
+        match self {
+            CellKind::Tri3 | CellKind::Tri6 => CellKind::Tri3,
+            CellKind::Quad4 | CellKind::Quad8 | CellKind::Quad9 => CellKind::Quad4,
+            CellKind::Tet4 | CellKind::Tet10 => CellKind::Tet4,
+            CellKind::Hex8 | CellKind::Hex20 | CellKind::Hex27 => CellKind::Hex8,
+        }
+    }
 }
 
 /// `mesh`: a generator of `fmc-shapes` with its arguments, or a file. Lengths in m.
+///
+/// Where a shape has cells of first order it has those of second order too: the same, skewed if the body is, with nodes in the middle of
+/// their edges, straight but for the edges of discs and balls, whose middles are on the circle or sphere.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "shape", rename_all = "kebab-case", rename_all_fields = "snake_case", deny_unknown_fields)]
 pub enum MeshSource {
@@ -120,7 +164,7 @@ pub enum MeshSource {
         /// Edges on the circle.
         edges: usize,
     },
-    /// Lower half of a disc with its tip at the origin, fine there; `tri3`.
+    /// Lower half of a disc with its tip at the origin, fine there; `tri3`, or `quad4`: triangles twice as large cut into three.
     GradedHalfDisc {
         /// Kind of cell.
         cell: CellKind,
@@ -209,6 +253,28 @@ pub struct QuadrilateralPart {
 }
 
 impl MeshSource {
+    /// Kind of cell that a generator makes; a file says it itself.
+    pub fn cell(&self) -> Option<CellKind> {
+        self.clone().cell_mut().copied()
+    }
+
+    pub(super) fn cell_mut(&mut self) -> Option<&mut CellKind> {
+        match self {
+            MeshSource::Rectangle { cell, .. }
+            | MeshSource::Quadrilateral { cell, .. }
+            | MeshSource::Quadrilaterals { cell, .. }
+            | MeshSource::Star { cell, .. }
+            | MeshSource::Disc { cell, .. }
+            | MeshSource::GradedHalfDisc { cell, .. }
+            | MeshSource::Cuboid { cell, .. }
+            | MeshSource::Tetrahedron { cell, .. }
+            | MeshSource::Ball { cell, .. }
+            | MeshSource::GradedBlock { cell, .. }
+            | MeshSource::GradedHalfBall { cell, .. } => Some(cell),
+            MeshSource::File { .. } => None,
+        }
+    }
+
     /// Dimension of the mesh that a generator makes; a file says it itself.
     pub fn dimension(&self) -> Option<usize> {
         match self {

@@ -140,7 +140,7 @@ impl FigureKind {
                 "force_peak",
                 "balance_max",
             ],
-            FigureKind::Patch => &["stress_error_max", "penetration_max"],
+            FigureKind::Patch => &["stress_error_max", "penetration_max", "nodes"],
             FigureKind::Balls => &["force", "peak_pressure", "contact_radius", "penetration_max"],
             FigureKind::Wedge => &[
                 "force",
@@ -175,7 +175,15 @@ impl FigureKind {
                 "steps_failed",
                 "penetration_max",
             ],
-            FigureKind::Hertz => &["force", "half_width", "peak_pressure", "profile_error", "penetration_max"],
+            FigureKind::Hertz => &[
+                "force",
+                "half_width",
+                "peak_pressure",
+                "profile_error",
+                "profile_error_inner",
+                "penetration_max",
+                "nodes",
+            ],
         }
     }
 }

@@ -8,7 +8,7 @@ use fmc_mesh_io as mesh;
 use fmc_shapes::{
     Diagonals, Mesh, ball_tet4, cuboid_hex8, cuboid_tet4, disc_quad4, disc_tri3, graded_block_hex8, graded_block_quad4,
     graded_block_tet4, graded_block_tri3, graded_half_disc_tri3, graded_quarter_half_ball_tet4, quadrilateral_quad4,
-    quadrilaterals_quad4, rectangle_quad4, rectangle_tri3, star_quad4, star_tri3, tetrahedron_tet4,
+    quadrilaterals_quad4, rectangle_quad4, rectangle_tri3, second_order, star_quad4, star_tri3, tetrahedron_tet4,
 };
 use fmc_solid::dynamics::{Setup, Step};
 use fmc_solid::fem::{self, Constraints, Face, Model, Part};
@@ -59,7 +59,10 @@ impl Case {
         let (supports, load) = (self.constraints(&model, 0)?, self.load(&model)?);
         let obstacles = self.partners()?;
         let linearised = match self.contact.linearised {
-            true => Some(Linearised::new(&model, &obstacles).context("linearised contact needs polygons in 2D")?),
+            true => Some(
+                Linearised::new(&model, &obstacles)
+                    .context("linearised contact needs polygons in 2D, and cells of first order")?,
+            ),
             false => None,
         };
         Ok(Problem { supports, load, obstacles, linearised, ..Problem::new(model, self.contact.options(threads)) })
@@ -122,6 +125,7 @@ impl Body {
         let (cell_type, mesh) =
             self.mesh.generate::<D>(folder).with_context(|| format!("the mesh of body '{}'", self.name))?;
         let mesh = if self.skew == 0.0 { mesh } else { mesh.skewed(self.skew) };
+        let (cell_type, mesh) = self.mesh.raised(cell_type, mesh);
         let (sine, cosine) = self.rotation.to_radians().sin_cos();
         let offset: [f64; D] = vector(self.position.as_ref())?;
         let place = |x: [f64; D]| -> [f64; D] {
@@ -146,10 +150,10 @@ impl Body {
 }
 
 impl MeshSource {
-    /// Type of the cells and the mesh.
+    /// Type of the cells and the mesh, of first order but for files.
     fn generate<const D: usize>(&self, folder: &Path) -> Result<(CellType, Mesh<D>)> {
         use CellKind::{Hex8, Quad4, Tet4, Tri3};
-        let mesh = match self {
+        let mesh = match &self.of_first_order() {
             &MeshSource::Rectangle { cell: Quad4, min, max, cells } => Made::Flat(rectangle_quad4(min, max, cells)),
             &MeshSource::Rectangle { cell: Tri3, min, max, cells } => {
                 Made::Flat(rectangle_tri3(min, max, cells, Diagonals::Alternating))
@@ -171,6 +175,10 @@ impl MeshSource {
             &MeshSource::Disc { cell: Tri3, radius, edges } => Made::Flat(disc_tri3(radius, edges)),
             &MeshSource::GradedHalfDisc { cell: Tri3, radius, finest, fine_to, growth } => {
                 Made::Flat(graded_half_disc_tri3(radius, finest, fine_to, growth))
+            }
+            &MeshSource::GradedHalfDisc { cell: Quad4, radius, finest, fine_to, growth } => {
+                let triangles = graded_half_disc_tri3(radius, 2.0 * finest, fine_to, growth);
+                Made::Flat(second_order(&triangles, 6).rounded([0.0, radius], radius).quadrangulated())
             }
             &MeshSource::Cuboid { cell: Hex8, min, max, cells } => Made::Solid(cuboid_hex8(min, max, cells)),
             &MeshSource::Cuboid { cell: Tet4, min, max, cells } => Made::Solid(cuboid_tet4(min, max, cells)),
@@ -201,6 +209,32 @@ impl MeshSource {
             _ => CellType::Hex8,
         };
         Ok((cell_type, Mesh { coords, conn, nodes_per_cell }))
+    }
+}
+
+impl MeshSource {
+    /// The same with cells of first order.
+    fn of_first_order(&self) -> Self {
+        let mut of_first_order = self.clone();
+        if let Some(cell) = of_first_order.cell_mut() {
+            *cell = cell.straight();
+        }
+        of_first_order
+    }
+
+    /// A generated mesh with the nodes in the middle of its cells' edges that its kind of cells has.
+    fn raised<const D: usize>(&self, cell_type: CellType, mesh: Mesh<D>) -> (CellType, Mesh<D>) {
+        let Some(cell) = self.cell().filter(|cell| *cell != cell.straight()) else { return (cell_type, mesh) };
+        let raised = second_order(&mesh, cell.cell_type().node_count());
+        let on_axis = |height: f64| std::array::from_fn(|axis| if axis + 1 == D { height } else { 0.0 });
+        let mesh = match *self {
+            MeshSource::Disc { radius, .. } | MeshSource::Ball { radius, .. } => raised.rounded([0.0; D], radius),
+            MeshSource::GradedHalfDisc { radius, .. } | MeshSource::GradedHalfBall { radius, .. } => {
+                raised.rounded(on_axis(radius), radius)
+            }
+            _ => raised,
+        };
+        (cell.cell_type(), mesh)
     }
 }
 

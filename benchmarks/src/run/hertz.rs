@@ -18,10 +18,15 @@ pub struct HertzLine {
     pub peak_pressure: f64,
     /// Place across the contact and nodal pressure, ascending, as far as 1.3 a.
     pub profile: Vec<(f64, f64)>,
+    /// Nodes of all bodies.
+    pub nodes: usize,
 }
 
 /// Pressures above this part of the peak make the fit: at the rim a facet is partly in contact.
 const FITTED: f64 = 0.3;
+
+/// Within this many half widths the rim, where facets are partly in contact, is left out.
+const INNER: f64 = 0.9;
 
 /// The profile reaches to this many half widths.
 const REACH: f64 = 1.3;
@@ -51,7 +56,13 @@ impl HertzLine {
         let mut profile: Vec<(f64, f64)> =
             nodes.iter().map(|&n| (place(n), pressures.get(&(n as usize)).copied().unwrap_or(0.0))).collect();
         profile.sort_by(|p, q| p.0.total_cmp(&q.0));
-        Ok(Self { force, half_width, peak_pressure: 2.0 * force / (PI * half_width), profile })
+        Ok(Self {
+            force,
+            half_width,
+            peak_pressure: 2.0 * force / (PI * half_width),
+            profile,
+            nodes: at.model().node_count(),
+        })
     }
 
     /// Hertz' pressure.
@@ -82,10 +93,13 @@ impl HertzLine {
         (slope < 0.0).then_some((p - slope * x, slope))
     }
 
-    /// Distance of the profile from the closed form in L2, by the closed form's norm; trapezoidal rule over the nodes.
-    fn profile_error(&self) -> f64 {
+    /// Distance of the profile as far as so many half widths from the closed form in L2, by the closed form's norm; trapezoidal rule
+    /// over the nodes.
+    fn profile_error(&self, reach: f64) -> f64 {
         let squares = |x: f64, p: f64| ((p - self.closed_form(x)).powi(2), self.closed_form(x).powi(2));
-        let sums = self.profile.windows(2).fold((0.0, 0.0), |sum, ends| {
+        let inside: Vec<(f64, f64)> =
+            self.profile.iter().copied().filter(|(x, _)| x.abs() <= reach * self.half_width).collect();
+        let sums = inside.windows(2).fold((0.0, 0.0), |sum, ends| {
             let [p, q] = [ends[0], ends[1]].map(|(x, p)| squares(x, p));
             let width = 0.5 * (ends[1].0 - ends[0].0);
             (sum.0 + width * (p.0 + q.0), sum.1 + width * (p.1 + q.1))
@@ -100,8 +114,10 @@ impl HertzLine {
             Figure { name: "force", value: Some(self.force), unit: "N/m" },
             Figure { name: "half_width", value: fit.map(|(square, slope)| (-square / slope).sqrt()), unit: "m" },
             Figure { name: "peak_pressure", value: fit.map(|(square, _)| square.sqrt()), unit: "Pa" },
-            Figure { name: "profile_error", value: Some(self.profile_error()), unit: "" },
+            Figure { name: "profile_error", value: Some(self.profile_error(REACH)), unit: "" },
+            Figure { name: "profile_error_inner", value: Some(self.profile_error(INNER)), unit: "" },
             Figure { name: "penetration_max", value: Some(penetration), unit: "m" },
+            Figure { name: "nodes", value: Some(self.nodes as f64), unit: "" },
         ]
     }
 }

@@ -17,7 +17,7 @@ pub(crate) fn solved<const D: usize>(case: &Case) -> Solved<D> {
     solve(Path::new(""), case, 1, &mut |_: &Iteration| ControlFlow::Continue(())).unwrap()
 }
 
-fn figure<const D: usize>(solved: &Solved<D>, name: &str) -> f64 {
+pub(crate) fn figure<const D: usize>(solved: &Solved<D>, name: &str) -> f64 {
     solved.figures.iter().find(|figure| figure.name == name).and_then(|figure| figure.value).unwrap()
 }
 

@@ -2,3 +2,4 @@
 
 mod fibers;
 mod indentation;
+mod second_order;

@@ -1,6 +1,7 @@
 //! Boundary of a mesh of cells.
 
 use crate::Mesh;
+use crate::second_order::middles;
 use std::collections::HashMap;
 
 /// Faces of a cell as local node numbers, outward.
@@ -17,10 +18,32 @@ pub(crate) fn faces(dimension: usize, nodes_per_cell: usize) -> &'static [&'stat
     }
 }
 
+/// Faces with all their nodes: of cells of second order the corners, then the middles of the edges between them, then that
+/// of the face, as in `Tri6`, `Quad8` and `Quad9`.
+fn faces_with_middles(dimension: usize, nodes_per_cell: usize) -> Vec<Vec<usize>> {
+    let Some((corners, middles)) = middles(dimension, nodes_per_cell) else {
+        return faces(dimension, nodes_per_cell).iter().map(|face| face.to_vec()).collect();
+    };
+    let middle = |around: &[usize]| {
+        let is_it = |of: &Vec<usize>| of.len() == around.len() && around.iter().all(|corner| of.contains(corner));
+        middles.iter().position(is_it).map(|place| corners + place)
+    };
+    let with_middles = |face: &&[usize]| {
+        let mut all = face.to_vec();
+        // In the plane a face is itself an edge.
+        let edges = if dimension == 2 { 1 } else { face.len() };
+        all.extend((0..edges).filter_map(|k| middle(&[face[k], face[(k + 1) % face.len()]])));
+        all.extend(middle(face).filter(|_| face.len() > 3));
+        all
+    };
+    faces(dimension, corners).iter().map(with_middles).collect()
+}
+
 impl<const D: usize> Mesh<D> {
-    /// Faces that belong to one cell only, outward, in the order of the cells. Empty for a closed surface.
+    /// Faces that belong to one cell only, outward, in the order of the cells; corners first, then the nodes in the middle of
+    /// their edges and of themselves. Empty for a closed surface.
     pub fn boundary_faces(&self) -> Vec<Vec<u32>> {
-        let local = faces(D, self.nodes_per_cell);
+        let local = faces_with_middles(D, self.nodes_per_cell);
         let all = || self.cells().flat_map(|cell| local.iter().map(|face| face.iter().map(|&k| cell[k]).collect()));
         let sorted = |face: &Vec<u32>| {
             let mut key = face.clone();
@@ -58,7 +81,38 @@ impl<const D: usize> Mesh<D> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{cuboid_hex8, cuboid_tet4, rectangle_quad4};
+    use crate::{cuboid_hex8, cuboid_tet4, rectangle_quad4, second_order};
+
+    /// Every node but the corners is the mean of its neighbours in the face, whose corners are those of the straight mesh.
+    #[test]
+    fn faces_have_their_middles() {
+        let square = rectangle_quad4([0.0; 2], [1.0; 2], [2, 1]);
+        let block = cuboid_hex8([0.0; 3], [1.0; 3], [2, 1, 1]);
+        fn check<const D: usize>(straight: &crate::Mesh<D>, nodes: usize, in_face: usize) {
+            let mesh = second_order(straight, nodes);
+            let faces = mesh.boundary_faces();
+            let corners = straight.boundary_faces();
+            assert_eq!(faces.len(), corners.len());
+            for (face, corners) in faces.iter().zip(&corners) {
+                let count = corners.len();
+                assert_eq!((face.len(), &face[..count]), (in_face, &corners[..]));
+                let mean = |around: &[u32]| -> [f64; D] {
+                    let sum = |i: usize| around.iter().map(|&k| mesh.coords[k as usize][i]).sum::<f64>();
+                    std::array::from_fn(|i| sum(i) / around.len() as f64)
+                };
+                for (k, &node) in face[count..].iter().enumerate() {
+                    let around = if k < count { vec![face[k], face[(k + 1) % count]] } else { corners.clone() };
+                    assert_eq!(mesh.coords[node as usize], mean(&around));
+                }
+            }
+        }
+        check(&square.clone().triangulated(), 6, 3);
+        check(&square, 8, 3);
+        check(&square, 9, 3);
+        check(&cuboid_tet4([0.0; 3], [1.0; 3], [2, 1, 1]), 10, 6);
+        check(&block, 20, 8);
+        check(&block, 27, 9);
+    }
 
     #[test]
     fn boundary_encloses_the_cells() {

@@ -1,7 +1,8 @@
-//! Finite elements: bodies of first-order cells, their energy, forces, stiffness and stress.
+//! Finite elements: bodies of cells of first and second order, their energy, forces, stiffness and stress.
 //!
-//! Elements are `Tri3` and `Tet4` with one Gauss point, `Quad4` with 2 × 2 and `Hex8` with 2 × 2 × 2, all isoparametric
-//! and without any reduced integration or stabilisation. 2D is plane strain, per unit thickness. Everything is referred
+//! Elements are `Tri3` and `Tet4` with one Gauss point, `Quad4` with 2 × 2 and `Hex8` with 2 × 2 × 2; of second order `Tri6` with
+//! three, `Tet10` with four, `Quad8` and `Quad9` with 3 × 3, `Hex20` and `Hex27` with 3 × 3 × 3. All are isoparametric, with curved
+//! edges where the nodes in their middle say so, and without any reduced integration or stabilisation. 2D is plane strain, per unit thickness. Everything is referred
 //! to the undeformed configuration (total Lagrangian): gradients of the shape functions are computed once.
 //!
 //! With H = ∂u/∂X, the displacement gradient, W the energy density of the [`Material`] and P = ∂W/∂H:
@@ -10,7 +11,7 @@
 //! energy     E(u)  = ∫ W(H) dV                                  Model::internal
 //! force      f_a   = ∂E/∂u_a  = ∫ P ∇N_a dV                     Model::internal
 //! stiffness  K_ab  = ∂f_a/∂u_b = ∫ ∇N_a · ∂P/∂H · ∇N_b dV       Model::tangent
-//! mass       m_a   = ∫ ρ N_a dV   (row sum: diagonal)           Model::lumped_mass
+//! mass       m_a   = ∫ ρ N_a dV   (row sum: diagonal; second order: scaled ∫ ρ N_a² dV)   Model::lumped_mass
 //! ```
 //!
 //! so that a body in motion obeys m ü = external − internal. Sums run over fixed blocks in a fixed order: the number of
@@ -22,6 +23,7 @@ mod constraints;
 mod cube_root;
 mod elements;
 mod error;
+mod face_quadrature;
 mod faces;
 mod frequency;
 mod internal;
@@ -35,6 +37,7 @@ mod neo_hookean;
 mod part;
 mod quadrature;
 mod response;
+mod shape;
 mod stiffness;
 mod stress;
 mod tangent;

@@ -3,7 +3,7 @@
 //! ```text
 //! statics   dynamics      equilibrium by Newton's method; explicit leapfrog
 //!    |   \     |
-//! sparse    fem           factors of sparse symmetric matrices; bodies of first-order cells
+//! sparse    fem           factors of sparse symmetric matrices; bodies of cells
 //! ```
 //!
 //! [`fem::Part`] is one body: a [`Mesh`] of one cell type and its material. A [`fem::Model`] holds the bodies of a problem

@@ -10,7 +10,7 @@ impl Check<'_> {
             self.flaw(key, format!("it is a {own}D mesh in a {dimension}D case"));
         }
         let mut cell_is = |cell: CellKind, right: &[CellKind]| {
-            if !right.contains(&cell) {
+            if !right.contains(&cell.straight()) {
                 let names: Vec<String> = right.iter().map(|kind| format!("{kind:?}").to_lowercase()).collect();
                 self.flaw(&key.then("cell"), format!("it must be {} for this shape", names.join(" or ")));
             }
@@ -64,12 +64,12 @@ impl Check<'_> {
             MeshSource::Disc { cell, radius, edges } => {
                 cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
                 self.positive(&key.then("radius"), radius);
-                if edges < 3 || cell == CellKind::Quad4 && !edges.is_multiple_of(4) {
+                if edges < 3 || cell.straight() == CellKind::Quad4 && !edges.is_multiple_of(4) {
                     self.flaw(&key.then("edges"), "it must be at least 3, and a multiple of 4 for quad4".into());
                 }
             }
             MeshSource::GradedHalfDisc { cell, radius, finest, fine_to, growth } => {
-                cell_is(cell, &[CellKind::Tri3]);
+                cell_is(cell, &[CellKind::Tri3, CellKind::Quad4]);
                 let lengths = [("radius", radius), ("finest", finest), ("fine_to", fine_to), ("growth", growth)];
                 lengths.into_iter().for_each(|(name, length)| self.positive(&key.then(name), length));
                 for (name, length) in [("finest", finest), ("fine_to", fine_to)] {

@@ -28,6 +28,19 @@ pub(crate) struct Fields {
 /// Part of the largest nodal force below which a force is rounding.
 const LEAST_FORCE: f64 = 1e-6;
 
+/// A cell of second order as it is drawn: in the plane the polygon of its corners and the middles between them, in space its corners.
+fn drawn(cell_type: CellType, nodes: &[u32]) -> (CellType, Vec<u32>) {
+    let straight = cell_type.straight();
+    let (corners, middles) = nodes.split_at(straight.node_count());
+    let outline = match cell_type.dimension() {
+        2 if straight != cell_type => {
+            corners.iter().zip(middles).flat_map(|(&corner, &middle)| [corner, middle]).collect()
+        }
+        _ => corners.to_vec(),
+    };
+    (straight, outline)
+}
+
 impl Fields {
     /// Reads `displacement`, `von_mises` and `contact_force` of a VTU file.
     ///
@@ -44,7 +57,8 @@ impl Fields {
         let points = moved.map(|(x, u)| std::array::from_fn(|axis| x[axis] + u[axis])).collect();
         let cells = mesh.cells().map(|(cell_type, nodes, tag, _)| {
             let value = values[tag as usize]; // the number of a cell in a VTU file is its place there
-            Cell { cell_type, nodes: nodes.to_vec(), value }
+            let (cell_type, nodes) = drawn(cell_type, nodes);
+            Cell { cell_type, nodes, value }
         });
         let sizes: Vec<f64> = forces.chunks_exact(3).map(|f| f.iter().map(|x| x * x).sum::<f64>().sqrt()).collect();
         let largest = sizes.iter().copied().fold(0.0, f64::max);

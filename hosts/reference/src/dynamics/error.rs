@@ -63,6 +63,11 @@ pub enum DynamicsError {
         /// Node named.
         node: usize,
     },
+    /// A part has cells of second order: its masses are there, but no bound of the step in contact.
+    SecondOrder {
+        /// Name of the part.
+        part: String,
+    },
     /// The model's surface, the contact's options or an obstacle is refused.
     Setup(fmc_contact::Error),
     /// A checkpoint cannot be written or read.
@@ -117,6 +122,7 @@ impl fmt::Display for DynamicsError {
                 write!(f, "'{array}' has {found} entries, but there are {expected} nodes")
             }
             Self::Support { node } => write!(f, "a support names node {node}, which does not exist"),
+            Self::SecondOrder { part } => write!(f, "{part}: bodies of second order can be at rest, not in motion"),
             Self::Setup(error) => write!(f, "{error}"),
             Self::Checkpoint(error) => write!(f, "{error}"),
         }

@@ -1,7 +1,7 @@
 //! What a simulation is started from.
 
 use super::error::DynamicsError;
-use crate::fem::{Constraints, Model};
+use crate::fem::{Constraints, Model, Part};
 use fmc_contact::{Estimator, Obstacle, Options};
 
 /// The step of a simulation.
@@ -64,6 +64,10 @@ impl<const D: usize> Setup<D> {
 
     /// Checks values and lengths.
     pub(super) fn check(&self) -> Result<(), DynamicsError> {
+        let is_straight = |part: &&Part<D>| part.cell_type == part.cell_type.straight();
+        if let Some(part) = self.model.parts().iter().find(|part| !is_straight(part)) {
+            return Err(DynamicsError::SecondOrder { part: part.name.clone() });
+        }
         let expected = self.model.node_count();
         for (array, values) in [("load", &self.load), ("velocity", &self.velocity)] {
             if !values.is_empty() && values.len() != expected {

@@ -23,6 +23,8 @@ pub(super) struct Elements<const D: usize> {
     pub(super) volumes: Vec<f64>,
     /// ∫ N_a dV, `[cell_count, node_count]`.
     pub(super) shares: Vec<f64>,
+    /// Volume whose mass is lumped at each node, `[cell_count, node_count]`.
+    pub(super) lumps: Vec<f64>,
     /// Entries of `conn` by the node that they name, each node's ascending, and where each node's begin.
     slots: Vec<u32>,
     first_slots: Vec<u32>,
@@ -43,9 +45,11 @@ impl<const D: usize> Elements<D> {
         check(part)?;
         let points = gauss_points(part.cell_type);
         let coords = &part.mesh.coords;
-        let (mut gradients, mut volumes, mut shares) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut gradients, mut volumes) = (Vec::new(), Vec::new());
+        let (mut shares, mut lumps) = (Vec::new(), Vec::new());
         for (cell, nodes) in part.mesh.cells().enumerate() {
             let mut share = vec![0.0; nodes.len()];
+            let mut square = share.clone();
             for point in &points {
                 // J = ∂X/∂ξ; ∇N = J^(−T) ∂N/∂ξ.
                 let jacobian: Tensor<D> = from_fn(|i, j| {
@@ -61,7 +65,9 @@ impl<const D: usize> Elements<D> {
                 }));
                 volumes.push(volume);
                 share.iter_mut().zip(&point.shape).for_each(|(share, shape)| *share += shape * volume);
+                square.iter_mut().zip(&point.shape).for_each(|(square, shape)| *square += shape * shape * volume);
             }
+            lumps.extend(lumped(part.cell_type, &share, &square));
             shares.extend(share);
         }
         let conn = part.mesh.conn.iter().map(|node| node + first_node as u32).collect();
@@ -75,6 +81,7 @@ impl<const D: usize> Elements<D> {
             gradients,
             volumes,
             shares,
+            lumps,
             slots,
             first_slots,
         })
@@ -121,6 +128,17 @@ fn slots_by_node(conn: &[u32], node_count: usize) -> (Vec<u32>, Vec<u32>) {
     (slots, first)
 }
 
+/// Parts of a cell's volume at its nodes, from ∫ N_a dV and ∫ N_a² dV: the former on cells of first order; of second order, where
+/// those of corners vanish or are negative, the volume in proportion to the latter (Hinton, Rock and Zienkiewicz, "A note
+/// on mass lumping and related processes in the finite element method").
+fn lumped(cell_type: CellType, share: &[f64], square: &[f64]) -> Vec<f64> {
+    if cell_type == cell_type.straight() {
+        return share.to_vec();
+    }
+    let (volume, squares): (f64, f64) = (share.iter().sum(), square.iter().sum());
+    square.iter().map(|square| volume * square / squares).collect()
+}
+
 /// Determinant and transposed inverse; the inverse of a singular matrix is not finite.
 fn inverse_transposed<const D: usize>(m: &Tensor<D>) -> (f64, Tensor<D>) {
     let cofactor = cofactor(m);
@@ -131,7 +149,8 @@ fn inverse_transposed<const D: usize>(m: &Tensor<D>) -> (f64, Tensor<D>) {
 /// Whether arrays fit together and constants are in their range.
 fn check<const D: usize>(part: &Part<D>) -> Result<(), Error> {
     let (name, mesh, cell_type) = (|| part.name.clone(), &part.mesh, part.cell_type);
-    let has_elements = matches!(cell_type, CellType::Tri3 | CellType::Quad4 | CellType::Tet4 | CellType::Hex8);
+    let has_elements =
+        matches!(cell_type.straight(), CellType::Tri3 | CellType::Quad4 | CellType::Tet4 | CellType::Hex8);
     if !has_elements {
         return Err(Error::NoElement { part: name(), cell_type });
     }

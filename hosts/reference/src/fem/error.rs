@@ -85,7 +85,10 @@ impl fmt::Display for Error {
                 write!(f, "{part}: {cell_type:?} with {nodes_per_cell} nodes per cell in a {dimension}D model")
             }
             Error::NoElement { part, cell_type } => {
-                write!(f, "{part}: there are no elements of {cell_type:?}, only of Tri3, Quad4, Tet4 and Hex8")
+                write!(
+                    f,
+                    "{part}: there are no elements of {cell_type:?}, only of triangles, quadrilaterals, tetrahedra and hexahedra"
+                )
             }
             Error::NodeOutOfRange { part, cell, node, node_count } => {
                 write!(f, "{part}: cell {cell} names node {node}, but there are {node_count} nodes")

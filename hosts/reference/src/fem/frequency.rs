@@ -68,7 +68,7 @@ fn cell_eigenvalue<const D: usize>(
 ) -> f64 {
     let count = elements.cell_type.node_count();
     let nodes = &elements.conn[cell * count..][..count];
-    let shares = &elements.shares[cell * count..][..count];
+    let shares = &elements.lumps[cell * count..][..count];
     let scale: Vec<f64> = nodes
         .iter()
         .zip(shares)

@@ -22,7 +22,12 @@ impl<const D: usize> Model<D> {
         let energy = |elements: &Elements<D>| match elements.cell_type.node_count() {
             3 => internal::<D, 3>(elements, pool, displacement, force),
             4 => internal::<D, 4>(elements, pool, displacement, force),
-            _ => internal::<D, 8>(elements, pool, displacement, force),
+            6 => internal::<D, 6>(elements, pool, displacement, force),
+            8 => internal::<D, 8>(elements, pool, displacement, force),
+            9 => internal::<D, 9>(elements, pool, displacement, force),
+            10 => internal::<D, 10>(elements, pool, displacement, force),
+            20 => internal::<D, 20>(elements, pool, displacement, force),
+            _ => internal::<D, 27>(elements, pool, displacement, force),
         };
         self.elements.iter().map(energy).sum()
     }
@@ -39,7 +44,12 @@ impl<const D: usize> Model<D> {
             match elements.cell_type.node_count() {
                 3 => stiffness_product::<D, 3>(elements, self.pool.as_ref(), displacement, direction, product),
                 4 => stiffness_product::<D, 4>(elements, self.pool.as_ref(), displacement, direction, product),
-                _ => stiffness_product::<D, 8>(elements, self.pool.as_ref(), displacement, direction, product),
+                6 => stiffness_product::<D, 6>(elements, self.pool.as_ref(), displacement, direction, product),
+                8 => stiffness_product::<D, 8>(elements, self.pool.as_ref(), displacement, direction, product),
+                9 => stiffness_product::<D, 9>(elements, self.pool.as_ref(), displacement, direction, product),
+                10 => stiffness_product::<D, 10>(elements, self.pool.as_ref(), displacement, direction, product),
+                20 => stiffness_product::<D, 20>(elements, self.pool.as_ref(), displacement, direction, product),
+                _ => stiffness_product::<D, 27>(elements, self.pool.as_ref(), displacement, direction, product),
             }
         }
     }

@@ -1,34 +1,24 @@
 //! Loads that do not follow the deformation.
 
+use super::face_quadrature::{FacePoint, face_points};
 use super::{Face, Model};
-
-/// Gauss points of a face as shape functions of its nodes and weights: what they integrate is in `surface_load`.
-/// Edges: two points; triangles: three inside; quadrilaterals: two per axis.
-fn face_points(node_count: usize) -> Vec<(Vec<f64>, f64)> {
-    let at = 0.5 - 0.5 / 3f64.sqrt();
-    match node_count {
-        2 => [at, 1.0 - at].map(|s| (vec![1.0 - s, s], 0.5)).into(),
-        3 => [0, 1, 2]
-            .map(|node| ((0..3).map(|k| if k == node { 2.0 / 3.0 } else { 1.0 / 6.0 }).collect(), 1.0 / 6.0))
-            .into(),
-        _ => [[at, at], [1.0 - at, at], [1.0 - at, 1.0 - at], [at, 1.0 - at]]
-            .map(|[s, t]| (vec![(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t], 0.25))
-            .into(),
-    }
-}
 
 impl<const D: usize> Model<D> {
     /// Nodal forces ∫ N_a t dA of a traction on undeformed faces: `traction(x, n)` in Pa at place x, n the unit outward
     /// normal.
     ///
-    /// Exact for constant and linear tractions on edges, triangles and parallelograms.
+    /// Exact for constant and linear tractions on edges, triangles and parallelograms, and for uniform pressure on curved faces
+    /// of second order.
     pub fn surface_load(&self, faces: &[Face], traction: impl Fn(&[f64; D], &[f64; D]) -> [f64; D]) -> Vec<[f64; D]> {
         let mut load = vec![[0.0; D]; self.node_count()];
         for face in faces {
             let x: Vec<[f64; D]> = face.nodes.iter().map(|&node| self.coords()[node as usize]).collect();
-            for (shape, weight) in face_points(face.nodes.len()) {
+            for FacePoint { shape, slopes, weight } in face_points(D, face.nodes.len()) {
                 let place = std::array::from_fn(|i| x.iter().zip(&shape).map(|(x, s)| x[i] * s).sum());
-                let area = area_vector(&x, &shape);
+                let area = normal(match slopes {
+                    None => straight_tangents(&x, &shape),
+                    Some(slopes) => curved_tangents(&x, &slopes),
+                });
                 let size = area.iter().map(|a| a * a).sum::<f64>().sqrt();
                 let t = traction(&place, &area.map(|a| a / size));
                 for (&node, s) in face.nodes.iter().zip(&shape) {
@@ -50,9 +40,9 @@ impl<const D: usize> Model<D> {
     }
 }
 
-/// Outward normal times the change of area with the coordinates in which the weights add up to the reference measure:
-/// 1 for edges and quadrilaterals, ½ for triangles.
-fn area_vector<const D: usize>(x: &[[f64; D]], shape: &[f64]) -> [f64; D] {
+/// Change of the place with the coordinates in which the weights add up to the reference measure: 1 for edges and
+/// quadrilaterals, ½ for triangles.
+fn straight_tangents<const D: usize>(x: &[[f64; D]], shape: &[f64]) -> [[f64; D]; 2] {
     let mut tangents = [[0.0; D]; 2];
     for i in 0..D {
         (tangents[0][i], tangents[1][i]) = match x.len() {
@@ -66,7 +56,17 @@ fn area_vector<const D: usize>(x: &[[f64; D]], shape: &[f64]) -> [f64; D] {
             }
         };
     }
-    let [a, b] = tangents;
+    tangents
+}
+
+/// The same of a face of second order.
+fn curved_tangents<const D: usize>(x: &[[f64; D]], slopes: &[[f64; 3]]) -> [[f64; D]; 2] {
+    let along = |axis: usize, i: usize| x.iter().zip(slopes).map(|(x, slope)| x[i] * slope[axis]).sum();
+    [0, 1].map(|axis| std::array::from_fn(|i| along(axis, i)))
+}
+
+/// Outward normal of a face, as long as its tangents span area (2D: length).
+fn normal<const D: usize>([a, b]: [[f64; D]; 2]) -> [f64; D] {
     match D {
         // The body lies on the left: the normal points to the right.
         2 => std::array::from_fn(|i| if i == 0 { a[1] } else { -a[0] }),

@@ -1,5 +1,6 @@
 //! Gauss points of the cell types, with shape functions there.
 
+use super::shape::{CORNERS, second_order};
 use fmc_contact::CellType;
 
 /// A Gauss point of a reference cell.
@@ -12,22 +13,19 @@ pub(super) struct GaussPoint {
     pub(super) derivative: Vec<[f64; 3]>,
 }
 
-/// Places of the corners of the reference square and cube [−1, 1]ᴰ.
-const CORNERS: [[f64; 3]; 8] = [
-    [-1.0, -1.0, -1.0],
-    [1.0, -1.0, -1.0],
-    [1.0, 1.0, -1.0],
-    [-1.0, 1.0, -1.0],
-    [-1.0, -1.0, 1.0],
-    [1.0, -1.0, 1.0],
-    [1.0, 1.0, 1.0],
-    [-1.0, 1.0, 1.0],
-];
-
-/// Gauss points of a cell type: one for simplices, whose gradients are constant; two per axis for the others.
+/// Gauss points of a cell type: one for simplices, whose gradients are constant, two per axis for quadrilaterals and
+/// hexahedra; three in a triangle of second order, four in such a tetrahedron, three per axis in the others.
 pub(super) fn gauss_points(cell_type: CellType) -> Vec<GaussPoint> {
     let dimension = cell_type.dimension();
     let node_count = cell_type.node_count();
+    if cell_type != cell_type.straight() {
+        let of = |(xi, weight): ([f64; 3], f64)| {
+            let shapes = second_order(cell_type, xi)?;
+            let (shape, derivative) = shapes.into_iter().unzip();
+            Some(GaussPoint { weight, shape, derivative })
+        };
+        return rule(cell_type).into_iter().filter_map(of).collect();
+    }
     if node_count == dimension + 1 {
         // N_0 = 1 − Σ ξ_i, N_i = ξ_i on the simplex of measure 1/D!.
         let weight = if dimension == 2 { 0.5 } else { 1.0 / 6.0 };
@@ -65,21 +63,66 @@ pub(super) fn gauss_points(cell_type: CellType) -> Vec<GaussPoint> {
         .collect()
 }
 
+/// Points and weights in cells of second order. All weights are positive and no element has more motions without energy
+/// than those of a rigid body. Exact for the stiffness of a cell of straight, evenly divided edges (parallelograms), and, in 2D
+/// and for hexahedra, for uniform stress in any cell; in tetrahedra, for uniform stress where the edges are straight.
+fn rule(cell_type: CellType) -> Vec<([f64; 3], f64)> {
+    let barycentric = |count: usize, near: f64, far: f64, weight: f64| {
+        (0..count).map(move |node| {
+            let place = std::array::from_fn(|axis| match axis + 1 {
+                k if k >= count => 0.0,
+                k if k == node => near,
+                _ => far,
+            });
+            (place, weight)
+        })
+    };
+    match cell_type {
+        CellType::Tri6 => barycentric(3, 2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0).collect(),
+        CellType::Tet10 => {
+            let far = (5.0 - 5f64.sqrt()) / 20.0;
+            barycentric(4, 1.0 - 3.0 * far, far, 1.0 / 24.0).collect()
+        }
+        _ if cell_type.dimension() == 2 => {
+            let points = GAUSS.iter().flat_map(|&(y, w)| GAUSS.map(|(x, v)| ([x, y, 0.0], v * w)));
+            points.collect()
+        }
+        _ => {
+            let layer =
+                |(z, u): (f64, f64)| GAUSS.iter().flat_map(move |&(y, w)| GAUSS.map(|(x, v)| ([x, y, z], u * v * w)));
+            GAUSS.into_iter().flat_map(layer).collect()
+        }
+    }
+}
+
+/// Gauss' three points on [−1, 1], ±√(3/5), and their weights.
+pub(super) const GAUSS: [(f64, f64); 3] =
+    [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn shape_functions_add_up_to_one() {
-        for (cell_type, measure) in
-            [(CellType::Tri3, 0.5), (CellType::Quad4, 4.0), (CellType::Tet4, 1.0 / 6.0), (CellType::Hex8, 8.0)]
-        {
+        for (cell_type, measure) in [
+            (CellType::Tri3, 0.5),
+            (CellType::Quad4, 4.0),
+            (CellType::Tet4, 1.0 / 6.0),
+            (CellType::Hex8, 8.0),
+            (CellType::Tri6, 0.5),
+            (CellType::Quad8, 4.0),
+            (CellType::Quad9, 4.0),
+            (CellType::Tet10, 1.0 / 6.0),
+            (CellType::Hex20, 8.0),
+            (CellType::Hex27, 8.0),
+        ] {
             let points = gauss_points(cell_type);
-            assert!((points.iter().map(|p| p.weight).sum::<f64>() - measure).abs() < 1e-15);
+            assert!((points.iter().map(|p| p.weight).sum::<f64>() - measure).abs() < 1e-14);
             for point in points {
-                assert!((point.shape.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+                assert!((point.shape.iter().sum::<f64>() - 1.0).abs() < 1e-14);
                 for axis in 0..3 {
-                    assert!(point.derivative.iter().map(|d| d[axis]).sum::<f64>().abs() < 1e-15);
+                    assert!(point.derivative.iter().map(|d| d[axis]).sum::<f64>().abs() < 1e-14);
                 }
             }
         }

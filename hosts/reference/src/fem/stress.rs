@@ -1,6 +1,7 @@
 //! Cauchy stress.
 
 use super::Model;
+use super::elements::Elements;
 use super::response::Response;
 use super::tensor::{Tensor, from_fn};
 
@@ -32,24 +33,47 @@ impl<const D: usize> Model<D> {
     /// # Panics
     /// If `displacement` is not `[node_count, D]`.
     pub fn stresses(&self, displacement: &[[f64; D]]) -> Vec<Stress> {
-        assert_eq!(displacement.len(), self.node_count());
         let mut stresses = Vec::with_capacity(self.cell_count());
+        self.for_each_point(displacement, |elements, cell, points| {
+            let (mut sum, mut volume) = (Stress::default(), 0.0);
+            for (point, stress) in points.iter().enumerate() {
+                let weight = elements.volumes[cell * elements.points_per_cell + point];
+                sum.add(weight, stress);
+                volume += weight;
+            }
+            stresses.push(sum.divided(volume));
+        });
+        stresses
+    }
+
+    /// Stress at every Gauss point of every cell, cell after cell.
+    ///
+    /// # Panics
+    /// If `displacement` is not `[node_count, D]`.
+    pub fn point_stresses(&self, displacement: &[[f64; D]]) -> Vec<Stress> {
+        let mut stresses = Vec::new();
+        self.for_each_point(displacement, |_, _, points| stresses.extend_from_slice(points));
+        stresses
+    }
+
+    /// Calls `take` with every cell and the stresses of its Gauss points.
+    fn for_each_point(&self, displacement: &[[f64; D]], mut take: impl FnMut(&Elements<D>, usize, &[Stress])) {
+        assert_eq!(displacement.len(), self.node_count());
+        let mut stresses = Vec::new();
         for elements in &self.elements {
             let response = Response::new(&elements.material);
             for (cell, nodes) in elements.conn.chunks_exact(elements.cell_type.node_count()).enumerate() {
-                let (mut sum, mut volume) = (Stress::default(), 0.0);
+                stresses.clear();
                 for point in cell * elements.points_per_cell..(cell + 1) * elements.points_per_cell {
                     let h = elements.displacement_gradient(point, nodes, displacement);
                     // In plane strain nothing moves along z, nor with z.
                     let h: Tensor<3> = from_fn(|i, j| if i < D && j < D { h[i][j] } else { 0.0 });
                     let s = response.cauchy(&h);
-                    sum.add(elements.volumes[point], &Stress([s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[2][0]]));
-                    volume += elements.volumes[point];
+                    stresses.push(Stress([s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[2][0]]));
                 }
-                stresses.push(sum.divided(volume));
+                take(elements, cell, &stresses);
             }
         }
-        stresses
     }
 
     /// Stress at every node from those of the cells: the mean of the cells about it, weighted with their volumes.

@@ -1,6 +1,6 @@
 //! Contact as the theory of small displacements has it.
 
-use crate::fem::Model;
+use crate::fem::{Model, Part};
 use fmc_contact::{ContactForces, EnergyLaw, Obstacle, Shape};
 
 /// Contact in the plane whose gap is taken where the surface was, and whose force acts along y: u_y at x against the height of an
@@ -35,10 +35,11 @@ const GAUSS: [(f64, f64); 4] = [
 ];
 
 impl Linearised {
-    /// Faces of all bodies that look along +y, under the polygons among the obstacles. `None` in 3D, or if an obstacle is no
-    /// polygon.
+    /// Faces of all bodies that look along +y, under the polygons among the obstacles. `None` in 3D, if an obstacle is no
+    /// polygon, or for cells of second order.
     pub fn new<const D: usize>(model: &Model<D>, obstacles: &[Obstacle<D>]) -> Option<Self> {
-        if D != 2 {
+        let is_straight = |part: &Part<D>| part.cell_type == part.cell_type.straight();
+        if D != 2 || !model.parts().iter().all(is_straight) {
             return None;
         }
         let mut edges = Vec::new();

@@ -21,7 +21,7 @@ impl<const D: usize> Equilibrium<D> {
     /// volume is a difference of terms as large as Young's modulus.
     pub(super) fn noise(&self) -> Noise {
         let model = &self.problem.model;
-        let measured = model.parts().iter().map(|part| (part, part.mesh.measure()));
+        let measured = model.parts().iter().enumerate().map(|(number, part)| (part, model.volume(number)));
         let of = |(part, measure): (&Part<D>, f64)| {
             let cell = measure / part.mesh.cell_count() as f64;
             (part.material.young * cell.powf((D as f64 - 2.0) / D as f64), part.material.young * measure)

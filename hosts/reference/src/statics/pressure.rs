@@ -1,6 +1,7 @@
 //! Pressure on the contact surface.
 
-use crate::fem::Model;
+use crate::fem::{Face, Model};
+use std::collections::BTreeMap;
 
 /// Pressure at a node.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,7 +10,8 @@ pub struct NodalPressure<const D: usize> {
     pub node: usize,
     /// Where it was, undeformed.
     pub place: [f64; D],
-    /// Its part of the undeformed surface, seen along its force.
+    /// Its part of the undeformed surface, seen along its force; 0 where it has none of its own, at the corners of triangles and
+    /// of quadrilaterals of eight nodes of second order.
     pub area: f64,
     /// Force by area, Pa, positive where it presses.
     pub pressure: f64,
@@ -17,6 +19,9 @@ pub struct NodalPressure<const D: usize> {
 
 /// Pressures of the nodes of a part on which contact forces act: the force by the node's part of the surface, that is
 /// ∫ N_a p dA by ∫ N_a dA.
+///
+/// At the corners of triangles and of quadrilaterals of eight nodes of second order ∫ N_a dA vanishes or is negative: there is no such mean.
+/// They have that of the middles of the edges about them.
 ///
 /// A face counts as far as it looks against the force, so that the sides of a block add nothing to its edges. Everything is
 /// per undeformed area, as in linear theory.
@@ -33,14 +38,16 @@ pub fn nodal_pressures<const D: usize>(model: &Model<D>, part: usize, forces: &[
             areas[node] += (against / size.max(f64::MIN_POSITIVE)).max(0.0);
         }
     }
-    let touched = model.nodes_of(part).filter(|&node| size(node) > 0.0 && areas[node] > 0.0);
-    let pressure = |node| NodalPressure {
-        node,
-        place: model.coords()[node],
-        area: areas[node],
-        pressure: size(node) / areas[node],
+    let corners = corners_without_area::<D>(&faces, |node| (size(node), areas[node]));
+    let pressure = |node: usize| {
+        let (area, pressure) = match corners.get(&node) {
+            Some(&pressure) => (0.0, pressure?),
+            None if areas[node] > 0.0 => (areas[node], size(node) / areas[node]),
+            None => return None,
+        };
+        (pressure > 0.0).then_some(NodalPressure { node, place: model.coords()[node], area, pressure })
     };
-    touched.map(pressure).collect()
+    model.nodes_of(part).filter_map(pressure).collect()
 }
 
 /// Pressures along an axis on the side of a part that contact pushes against: force along the axis by ∫ N_a n dA along it, over
@@ -59,12 +66,37 @@ pub fn nodal_tractions<const D: usize>(
         let along = -normal[axis] * sense.signum();
         std::array::from_fn(|i| if i == axis && along > 0.5 { along } else { 0.0 })
     });
-    let touched = nodes.filter(|&node| areas[node][axis] > 0.0);
-    let pressure = |node: usize| NodalPressure {
-        node,
-        place: model.coords()[node],
-        area: areas[node][axis],
-        pressure: (forces[node][axis] * sense.signum() / areas[node][axis]).max(0.0),
+    let force = |node: usize| (forces[node][axis] * sense.signum()).max(0.0);
+    let corners = corners_without_area::<D>(&faces, |node| (force(node), areas[node][axis]));
+    let pressure = |node: usize| {
+        let (area, pressure) = match corners.get(&node) {
+            Some(&pressure) => (0.0, pressure?),
+            None if areas[node][axis] > 0.0 => (areas[node][axis], force(node) / areas[node][axis]),
+            None => return None,
+        };
+        Some(NodalPressure { node, place: model.coords()[node], area, pressure })
     };
-    touched.map(pressure).collect()
+    nodes.filter_map(pressure).collect()
+}
+
+/// Corners of the faces at which ∫ N_a dA is no area, with the pressure of the middles of the edges about them: force by area of
+/// `at`, summed; none where no such middle has any.
+fn corners_without_area<const D: usize>(
+    faces: &[Face],
+    at: impl Fn(usize) -> (f64, f64),
+) -> BTreeMap<usize, Option<f64>> {
+    let mut sums: BTreeMap<usize, (f64, f64)> = BTreeMap::new();
+    for face in faces.iter().filter(|face| D == 3 && matches!(face.nodes.len(), 6 | 8)) {
+        let (corners, middles) = face.nodes.split_at(face.nodes.len() / 2);
+        for (k, &corner) in corners.iter().enumerate() {
+            let sum = sums.entry(corner as usize).or_default();
+            for &middle in [&middles[k], &middles[(k + corners.len() - 1) % corners.len()]] {
+                let (force, area) = at(middle as usize);
+                if area > 0.0 {
+                    (sum.0, sum.1) = (sum.0 + force, sum.1 + area);
+                }
+            }
+        }
+    }
+    sums.into_iter().map(|(node, (force, area))| (node, (area > 0.0).then(|| force / area))).collect()
 }

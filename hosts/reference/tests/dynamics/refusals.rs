@@ -2,7 +2,7 @@
 
 use crate::scene::{exact, material, part, tip_on_block};
 use fmc_contact::CellType;
-use fmc_shapes::rectangle_quad4;
+use fmc_shapes::{rectangle_quad4, second_order};
 use fmc_solid::dynamics::{DynamicsError, Setup, Simulation, Step};
 use fmc_solid::fem::{Law, Model};
 
@@ -26,6 +26,14 @@ fn bad_values_are_refused() {
     let mut held = setup();
     held.supports.fix([found]);
     assert_eq!(refusal(held), DynamicsError::Support { node: found });
+    let curved = part(
+        "square",
+        CellType::Quad9,
+        second_order(&rectangle_quad4([0.0; 2], [1.0; 2], [2, 2]), 9),
+        material(Law::NeoHookean, 0.3),
+    );
+    let curved = Setup::new(Model::new(vec![curved]).unwrap(), exact(1.0, 1.0));
+    assert_eq!(refusal(curved), DynamicsError::SecondOrder { part: "square".into() });
 }
 
 #[test]

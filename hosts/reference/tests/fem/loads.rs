@@ -1,6 +1,6 @@
 //! Masses and loads.
 
-use crate::{distorted_2d, distorted_3d, models, part};
+use crate::{models, part, straight_2d, straight_3d};
 use fmc_contact::CellType;
 use fmc_shapes::{cuboid_hex8, cuboid_tet4, rectangle_quad4};
 use fmc_solid::fem::{Law, Model};
@@ -20,8 +20,8 @@ fn masses_add_up<const D: usize>(models: Vec<Model<D>>) {
 
 #[test]
 fn masses_and_weights_add_up() {
-    masses_add_up(models(distorted_2d()));
-    masses_add_up(models(distorted_3d()));
+    masses_add_up(models(straight_2d()));
+    masses_add_up(models(straight_3d()));
 }
 
 /// A regular mesh has a quarter, or an eighth, of a cell's mass at every corner of it.
