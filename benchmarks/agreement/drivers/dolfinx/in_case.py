@@ -11,7 +11,6 @@ from dolfinx.fem import petsc as fpetsc
 from fmc_agreement.problem import Problem
 from fmc_contact import Result
 from fmc_contact_dolfinx import DolfinxContact
-from fmc_contact_dolfinx.versions import cell_geometry
 from model import Model
 from scipy.sparse import csr_matrix
 
@@ -22,7 +21,8 @@ class Part:
     def __init__(self, model: Model) -> None:
         self.model = model
         block = np.empty(len(model.input_number), int)
-        block[model.input_number[cell_geometry(model.mesh).ravel()]] = model.displacement.corner_blocks().ravel()
+        of_cells = model.displacement.node_blocks()
+        block[model.input_number[model.displacement.given_geometry(len(of_cells)).ravel()]] = of_cells.ravel()
         self.dofs = (block[:, None] * model.dim + np.arange(model.dim)).ravel()
         """Unknown of every ``node * dim + axis``."""
         derivative = ufl.derivative(model.internal, model.u, ufl.TrialFunction(model.space))

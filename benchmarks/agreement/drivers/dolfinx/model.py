@@ -11,7 +11,7 @@ from fmc_agreement.faces import loads
 from fmc_agreement.problem import Problem
 from fmc_contact_dolfinx.space import Displacement
 from fmc_contact_dolfinx.surface import owned_faces
-from fmc_contact_dolfinx.versions import cell_geometry, mesh_from_cells, vector_space
+from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
 from mpi4py import MPI
 from petsc4py import PETSc
 
@@ -86,7 +86,8 @@ class Model:
     def _held(self) -> list[Any]:
         """A boundary condition for every component and value that is prescribed."""
         blocks = np.empty(len(self.input_number), np.int32)
-        blocks[cell_geometry(self.mesh).ravel()] = self.displacement.corner_blocks().ravel()
+        of_cells = self.displacement.node_blocks()
+        blocks[self.displacement.given_geometry(len(of_cells)).ravel()] = of_cells.ravel()
         held, values = self.problem.held[self.input_number], self.problem.prescribed[self.input_number]
         conditions = []
         for axis in range(self.dim):

@@ -13,6 +13,9 @@ from .leapfrog import History
 from .problem import Problem
 from .solved import Solved
 
+INNER = 0.9
+"""Within this many half widths of a line contact the rim, where facets are partly in contact, is left out."""
+
 CUT = 0.03
 """Time cut off at both ends of a contact before its pressure is taken, s: the front is spread over some cells."""
 
@@ -52,12 +55,18 @@ def hertz(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.nd
     fitted = p > 0.3 * peak
     slope, square = np.polyfit(x[fitted] ** 2, p[fitted] ** 2, 1)
     exact = peak * np.sqrt(np.maximum(1.0 - (x / half_width) ** 2, 0.0))
-    error = np.sqrt(_integral((p - exact) ** 2, x) / _integral(exact**2, x))
+
+    def profile_error(inside: np.ndarray) -> float:
+        squares = _integral((p - exact)[inside] ** 2, x[inside]), _integral(exact[inside] ** 2, x[inside])
+        return float(np.sqrt(squares[0] / squares[1]))
+
     found = {
         "force": force,
         "half_width": float(np.sqrt(-square / slope)),
         "peak_pressure": float(np.sqrt(square)),
-        "profile_error": float(error),
+        "profile_error": profile_error(np.full(len(x), True)),
+        "profile_error_inner": profile_error(np.abs(x) <= INNER * half_width),
+        "nodes": len(problem.coords),
     }
     return found, np.column_stack([x, p])
 
@@ -85,7 +94,7 @@ def at_rest(problem: Problem, solved: Solved) -> tuple[dict[str, float], np.ndar
     place and pressure, (places, 2), of a patch test the residual over the iterations."""
     kind, last = problem.raw["figures"]["kind"], solved.steps[-1]
     if kind == "patch":
-        found, curve = {}, np.column_stack([np.arange(len(solved.residuals)), solved.residuals])
+        found, curve = {"nodes": len(problem.coords)}, np.column_stack([np.arange(len(solved.residuals)), solved.residuals])
     elif kind == "sliding":
         return sliding(problem, solved)
     elif kind in ("hertz", "balls"):
