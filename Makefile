@@ -11,8 +11,8 @@
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make fuzz      arbitrary input for 60 s
 # make bench     benchmarks
-# make header    include/fmc_contact.h from src/capi
-# make install   PREFIX=/usr/local: shared and static library, header, pkg-config and CMake files (Linux)
+# make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
+# make install   PREFIX=/usr/local: shared and static library, header, Fortran modules, pkg-config and CMake files (Linux)
 # make clean
 #
 # demo and install need Rust (https://rustup.rs) and nothing else; check and test fetch what they lack through apt.
@@ -81,7 +81,7 @@ mutants:
 	$(CARGO) mutants --package fmc-contact --output $(TARGET) --profile release $(MUTANTS)
 
 # Programs that the tests call, with the Debian package that has each.
-CHECK_TOOLS = cc:gcc c++:g++ nm:binutils valgrind:valgrind pkg-config:pkg-config cmake:cmake
+CHECK_TOOLS = cc:gcc c++:g++ nm:binutils gfortran:gfortran valgrind:valgrind pkg-config:pkg-config cmake:cmake
 TOOLS = $(CHECK_TOOLS) chromium:chromium
 
 check-tools: TOOLS = $(CHECK_TOOLS)
@@ -173,6 +173,7 @@ bench:
 
 header:
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header
+	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi fortran::the_committed
 
 # A folder that holds the built libraries may be given as BUILT; otherwise they are built.
 ifdef BUILT
@@ -192,7 +193,8 @@ install: build
 	ln -sf libfmc_contact.so.$(VERSION) $(LIB)/libfmc_contact.so.$(SOVERSION)
 	ln -sf libfmc_contact.so.$(SOVERSION) $(LIB)/libfmc_contact.so
 	install -m 644 $(BUILT)/libfmc_contact.a $(LIB)
-	install -m 644 include/fmc_contact.h $(DESTDIR)$(PREFIX)/include
+	install -m 644 include/fmc_contact.h bindings/fortran/fmc_contact_c.f90 bindings/fortran/fmc_contact.f90 \
+	  $(DESTDIR)$(PREFIX)/include
 	$(FILL) hosts/c/package/fmc_contact.pc.in > $(LIB)/pkgconfig/fmc_contact.pc
 	for file in fmc_contactConfig fmc_contactConfigVersion; do \
 	  $(FILL) hosts/c/package/$$file.cmake.in > $(LIB)/cmake/fmc_contact/$$file.cmake || exit 1; \

@@ -51,4 +51,12 @@ fn programs_find_the_installed_library() {
     cc.arg(&host).args(pkg_config(&prefix, "--cflags")).arg(prefix.join("lib/libfmc_contact.a"));
     succeed(cc.args(["-lpthread", "-ldl", "-lm", "-o"]).arg(&program));
     assert_eq!(succeed(&mut Command::new(&program)), by_pkg_config);
+
+    let program = prefix.join("in_fortran");
+    let mut fortran = compiler("FC", "gfortran");
+    fortran.current_dir(&prefix);
+    fortran.args(["include/fmc_contact_c.f90", "include/fmc_contact.f90"]);
+    fortran.arg(root().join("hosts/fortran/two_squares.f90")).args(pkg_config(&prefix, "--libs"));
+    succeed(fortran.arg(format!("-Wl,-rpath,{}/lib", prefix.display())).arg("-o").arg(&program));
+    assert!(succeed(&mut Command::new(&program)).starts_with("overlap 0.008\n"));
 }

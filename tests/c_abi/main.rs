@@ -1,7 +1,8 @@
-//! The C ABI from outside: the header, the exported symbols, C and C++ hosts, and what `make install` leaves behind.
+//! The C ABI from outside: the header, the exported symbols, C, C++ and Fortran hosts, and what `make install` leaves behind.
 //!
-//! These tests call cc, c++, nm, readelf, valgrind, make, pkg-config and cmake; `make test` installs what is missing.
+//! These tests call cc, c++, gfortran, nm, readelf, valgrind, make, pkg-config and cmake; `make test` installs what is missing.
 
+mod fortran;
 mod header;
 mod hosts;
 mod install;

@@ -1,0 +1,648 @@
+! Contact forces from overlap volume, for finite element codes in Fortran.
+!
+!   use fmc_contact
+!   type(contact) :: bodies
+!   type(fmc_options) :: options
+!   type(fmc_result) :: found
+!   options = contact_options(stiffness=1d8)
+!   call bodies%from_cells(x, FMC_TET4, conn, options)      ! x(3, nodes), conn(4, cells) counted from 1
+!   call bodies%evaluate(x, forces, found)                  ! forces(3, nodes), pushing bodies apart
+!
+! Arrays are by columns, a column for every node, cell or contact point; nodes, bodies, obstacles, pairs and facets count
+! from 1, and so do the rows and columns of tangents: degree of freedom (node - 1) * dim + axis. Units are those of the
+! host. What a function does, its errors and its options are told in include/fmc_contact.h, under the name that stands
+! beside it. Whatever is not here is called through module fmc_contact_c with the component `handle`.
+!
+! Errors: every procedure has an optional last argument `stat`, 0 or a value FMC_ERROR_...; contact_error() is the text.
+! Without `stat` an error stops the program with that text, as for `allocate`. After an error nothing has changed.
+!
+! Requires Fortran 2018 (optional arguments of bind(c)): gfortran 9, ifx 2022 and later. To be compiled with the host:
+! fmc_contact_c.f90, then this file.
+module fmc_contact
+  use fmc_contact_c
+  implicit none
+  public
+  ! Procedures of the type: their names remain the host's.
+  private :: from_cells, from_blocks, from_facets, free, set_options, set_pair_options, set_reference, &
+             set_symmetry_nodes, set_basis, evaluate, tangent, evaluate_tangent, stable_step, body, &
+             obstacle, pair, warning, add_half_space, add_ball, add_cuboid, add_cylinder, add_cone, &
+             add_capsule, add_polytope, add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
+             keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
+             contact_points, gap_constraints, boundary_facets, placed, unplaced, view, onto, checked, &
+             copy_text, copied, finished
+
+  ! Bodies in contact with one another and with obstacles. Given back when it goes out of scope; it cannot be copied.
+  type :: contact
+    type(c_ptr) :: handle = c_null_ptr
+    integer :: dim = 0
+  contains
+    procedure :: from_cells, from_blocks, from_facets, free
+    procedure :: set_options, set_pair_options, set_reference, set_symmetry_nodes, set_basis
+    procedure :: evaluate, tangent, evaluate_tangent, stable_step
+    procedure :: body, obstacle, pair, warning
+    procedure :: add_half_space, add_ball, add_cuboid, add_cylinder, add_cone, add_capsule, add_polytope, add_convex_hull
+    procedure :: add_signed_distance, set_pose, remove_obstacle
+    procedure :: keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip
+    procedure :: nodal_contact, contact_points, gap_constraints, boundary_facets
+    procedure, private :: copied
+    generic :: assignment(=) => copied
+    final :: finished
+  end type
+
+contains
+
+  ! Options with their defaults, and nodes that count from 1 (fmc_options_init).
+  function contact_options(stiffness, law, estimator) result(options)
+    real(c_double), intent(in) :: stiffness
+    integer(c_int32_t), intent(in), optional :: law, estimator
+    type(fmc_options) :: options
+    call checked(fmc_options_init(options))
+    options%stiffness = stiffness
+    options%index_base = 1
+    if (present(law)) options%law = law
+    if (present(estimator)) options%estimator = estimator
+  end function
+
+  ! Text of the last error of this thread (fmc_last_error).
+  function contact_error() result(text)
+    character(:), allocatable :: text
+    type(c_ptr) :: found
+    found = fmc_last_error()
+    call copy_text(found, text)
+  end function
+
+  ! Cells of one type for from_blocks: conn(nodes of a cell, cells), which must live until that call.
+  function cells(cell_type, conn) result(block)
+    integer(c_int32_t), intent(in) :: cell_type
+    integer(c_int32_t), intent(in), contiguous, target :: conn(:, :)
+    type(fmc_cell_block) :: block
+    block%cell_type = cell_type
+    block%conn = c_loc(conn)
+    block%cell_count = size(conn, 2, c_size_t)
+  end function
+
+  ! Bodies of cells of one type: x(dim, nodes), conn(nodes of a cell, cells); body_ids(cells), else bodies are what hangs
+  ! together (fmc_context_new_from_cells).
+  subroutine from_cells(self, x, cell_type, conn, options, body_ids, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    integer(c_int32_t), intent(in) :: cell_type
+    integer(c_int32_t), intent(in), contiguous, target :: conn(:, :)
+    type(fmc_options), intent(in) :: options
+    integer(c_int32_t), intent(in), optional :: body_ids(:)
+    integer, intent(out), optional :: stat
+    call self%from_blocks(x, [cells(cell_type, conn)], options, body_ids, stat)
+  end subroutine
+
+  ! The same of a mixed mesh: blocks = [cells(FMC_HEX8, hexes), cells(FMC_TET4, tets)]; body_ids through all of them.
+  subroutine from_blocks(self, x, blocks, options, body_ids, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    type(fmc_cell_block), intent(in) :: blocks(:)
+    type(fmc_options), intent(in) :: options
+    integer(c_int32_t), intent(in), optional :: body_ids(:)
+    integer, intent(out), optional :: stat
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    made = c_null_ptr
+    status = fmc_context_new_from_cells(size(x, 1), view(x), blocks, size(blocks, kind=c_size_t), body_ids, options, made)
+    if (status == FMC_OK) then
+      call self%free()
+      self%handle = made
+      self%dim = size(x, 1)
+    end if
+    call checked(status, stat)
+  end subroutine
+
+  ! Bodies of closed surfaces: facets(dim, facets), outwards as fmc_context_new_from_facets says.
+  subroutine from_facets(self, x, facets, options, body_ids, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    integer(c_int32_t), intent(in), contiguous :: facets(:, :)
+    type(fmc_options), intent(in) :: options
+    integer(c_int32_t), intent(in), optional :: body_ids(:)
+    integer, intent(out), optional :: stat
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    made = c_null_ptr
+    status = fmc_context_new_from_facets(size(x, 1), view(x), facets, size(facets, 2, c_size_t), body_ids, options, made)
+    if (status == FMC_OK) then
+      call self%free()
+      self%handle = made
+      self%dim = size(x, 1)
+    end if
+    call checked(status, stat)
+  end subroutine
+
+  ! Gives the bodies back; also done at the end of the scope.
+  subroutine free(self)
+    class(contact), intent(inout) :: self
+    if (c_associated(self%handle)) call checked(fmc_context_free(self%handle))
+    self%handle = c_null_ptr
+  end subroutine
+
+  subroutine set_options(self, options, stat)
+    class(contact), intent(inout) :: self
+    type(fmc_options), intent(in) :: options
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_options(self%handle, options), stat)
+  end subroutine
+
+  ! Options of one pair, from fmc_pair_options_init; kinds FMC_PARTNER_BODY and FMC_PARTNER_OBSTACLE.
+  subroutine set_pair_options(self, a_kind, a, b_kind, b, options, stat)
+    class(contact), intent(inout) :: self
+    integer(c_int32_t), intent(in) :: a_kind, b_kind
+    integer, intent(in) :: a, b
+    type(fmc_pair_options), intent(in) :: options
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_pair_options(self%handle, a_kind, int(a - 1, c_size_t), b_kind, &
+                                              int(b - 1, c_size_t), options), stat)
+  end subroutine
+
+  ! Coordinates without deformation, from which the law `depth` has its depths (fmc_context_set_reference).
+  subroutine set_reference(self, x, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_reference(self%handle, view(x)), stat)
+  end subroutine
+
+  ! Nodes in planes of symmetry, none if there are none (fmc_context_set_symmetry_nodes).
+  subroutine set_symmetry_nodes(self, nodes, stat)
+    class(contact), intent(inout) :: self
+    integer, intent(in) :: nodes(:)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_symmetry_nodes(self%handle, int(nodes, c_int64_t), size(nodes, kind=c_size_t)), stat)
+  end subroutine
+
+  ! Nodes as combinations of the host's own unknowns, in compressed rows that count from 1 (fmc_context_set_basis).
+  subroutine set_basis(self, unknown_count, row_offsets, unknowns, weights, stat)
+    class(contact), intent(inout) :: self
+    integer, intent(in) :: unknown_count, row_offsets(:), unknowns(:)
+    real(c_double), intent(in) :: weights(:)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_basis(self%handle, int(unknown_count, c_size_t), int(row_offsets - 1, c_int64_t), &
+                                       int(unknowns, c_int64_t), weights, size(weights, kind=c_size_t)), stat)
+  end subroutine
+
+  ! Forces at x, into forces(dim, nodes) or, with add, onto what stands there (fmc_context_evaluate).
+  subroutine evaluate(self, x, forces, found, add, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    real(c_double), intent(inout), contiguous, target :: forces(:, :)
+    type(fmc_result), intent(out), optional :: found
+    logical, intent(in), optional :: add
+    integer, intent(out), optional :: stat
+    type(fmc_result) :: all
+    integer(c_int32_t) :: flags
+    flags = 0
+    if (present(add)) flags = merge(FMC_ADD, 0, add)
+    call checked(fmc_context_evaluate(self%handle, view(x), onto(forces), flags, all), stat)
+    if (present(found)) found = all
+  end subroutine
+
+  ! Second derivative of the energy, - d force / d x, in compressed rows that count from 1: what a host adds to its
+  ! stiffness. flags: FMC_SEMIDEFINITE, FMC_SYMMETRIC (fmc_context_tangent, fmc_context_tangent_csr).
+  subroutine tangent(self, x, row_offsets, cols, values, flags, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    integer(c_int64_t), intent(out), allocatable :: row_offsets(:), cols(:)
+    real(c_double), intent(out), allocatable :: values(:)
+    integer(c_int32_t), intent(in), optional :: flags
+    integer, intent(out), optional :: stat
+    integer(c_int32_t) :: asked, status
+    asked = 0
+    if (present(flags)) asked = flags
+    status = fmc_context_tangent(self%handle, view(x), asked)
+    if (status == FMC_OK) status = rows_of(self, row_offsets, cols, values)
+    call checked(status, stat)
+  end subroutine
+
+  ! Both at once, for less than both (fmc_context_evaluate_tangent).
+  subroutine evaluate_tangent(self, x, forces, found, row_offsets, cols, values, flags, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    real(c_double), intent(inout), contiguous, target :: forces(:, :)
+    type(fmc_result), intent(out) :: found
+    integer(c_int64_t), intent(out), allocatable :: row_offsets(:), cols(:)
+    real(c_double), intent(out), allocatable :: values(:)
+    integer(c_int32_t), intent(in), optional :: flags
+    integer, intent(out), optional :: stat
+    integer(c_int32_t) :: asked, status
+    asked = 0
+    if (present(flags)) asked = flags
+    status = fmc_context_evaluate_tangent(self%handle, view(x), asked, onto(forces), found)
+    if (status == FMC_OK) status = rows_of(self, row_offsets, cols, values)
+    call checked(status, stat)
+  end subroutine
+
+  integer(c_int32_t) function rows_of(self, row_offsets, cols, values) result(status)
+    class(contact), intent(in) :: self
+    integer(c_int64_t), intent(out), allocatable :: row_offsets(:), cols(:)
+    real(c_double), intent(out), allocatable :: values(:)
+    integer(c_size_t) :: rows, entries
+    status = fmc_context_tangent_csr_size(self%handle, FMC_FROM_ONE, rows, entries)
+    if (status /= FMC_OK) return
+    allocate (row_offsets(rows + 1), cols(entries), values(entries))
+    status = fmc_context_tangent_csr_i64(self%handle, FMC_FROM_ONE, row_offsets, cols, values, entries)
+  end function
+
+  ! Largest time step that the contact allows an explicit host, with masses(nodes) (fmc_context_stable_step).
+  real(c_double) function stable_step(self, x, masses, stat) result(step)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    real(c_double), intent(in), contiguous :: masses(:)
+    integer, intent(out), optional :: stat
+    step = 0
+    call checked(fmc_context_stable_step(self%handle, view(x), masses, step), stat)
+  end function
+
+  ! Force and moment on a body, on an obstacle, what a pair does, of the last evaluation.
+  type(fmc_resultant) function body(self, index, stat)
+    class(contact), intent(in) :: self
+    integer, intent(in) :: index
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_body(self%handle, int(index - 1, c_size_t), body), stat)
+  end function
+
+  type(fmc_resultant) function obstacle(self, index, stat)
+    class(contact), intent(in) :: self
+    integer, intent(in) :: index
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_obstacle(self%handle, int(index - 1, c_size_t), obstacle), stat)
+  end function
+
+  type(fmc_pair) function pair(self, index, stat)
+    class(contact), intent(in) :: self
+    integer, intent(in) :: index
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_pair(self%handle, int(index - 1, c_size_t), pair), stat)
+    pair%a = pair%a + 1
+    pair%b = pair%b + 1
+  end function
+
+  ! Text of a warning of the last evaluation, of which there are found%warning_count.
+  function warning(self, index, code, stat) result(text)
+    class(contact), intent(in) :: self
+    integer, intent(in) :: index
+    integer(c_int32_t), intent(out), optional :: code
+    integer, intent(out), optional :: stat
+    character(:), allocatable :: text
+    type(c_ptr) :: found
+    integer(c_int32_t) :: kind
+    found = c_null_ptr
+    call checked(fmc_context_warning(self%handle, int(index - 1, c_size_t), kind, found), stat)
+    if (present(code)) code = kind
+    call copy_text(found, text)
+  end function
+
+  ! Where an obstacle stands: position(dim), and its last axis along axis(dim) (fmc_pose_along).
+  function pose_along(position, axis, stat) result(pose)
+    real(c_double), intent(in) :: position(:), axis(:)
+    integer, intent(out), optional :: stat
+    type(fmc_pose) :: pose
+    call checked(fmc_pose_init(pose))
+    call checked(fmc_pose_along(size(position), position, axis, pose), stat)
+  end function
+
+  ! Where an obstacle stands that is not turned.
+  function pose_at(position) result(pose)
+    real(c_double), intent(in) :: position(:)
+    type(fmc_pose) :: pose
+    call checked(fmc_pose_init(pose))
+    pose%position(:size(position)) = position
+  end function
+
+  ! Obstacles; index receives their number. All of the half-space behind point, whose outward normal is given.
+  subroutine add_half_space(self, point, normal, index, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in) :: point(:), normal(:)
+    integer, intent(out), optional :: index, stat
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: number
+    type(fmc_pose) :: pose
+    call checked(fmc_pose_init(pose))
+    status = fmc_pose_along(size(point), point, normal, pose)
+    if (status == FMC_OK) status = fmc_context_add_half_space(self%handle, pose, number)
+    call placed(status, number, index, stat)
+  end subroutine
+
+  subroutine add_ball(self, radius, pose, index, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in) :: radius
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: index, stat
+    integer(c_size_t) :: number
+    call placed(fmc_context_add_ball(self%handle, radius, pose, number), number, index, stat)
+  end subroutine
+
+  subroutine add_cuboid(self, half_extents, pose, index, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in) :: half_extents(:)
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: index, stat
+    integer(c_size_t) :: number
+    if (size(half_extents) /= self%dim) then
+      call unplaced(index, stat)
+      return
+    end if
+    call placed(fmc_context_add_cuboid(self%handle, half_extents, pose, number), number, index, stat)
+  end subroutine
+
+  subroutine add_cylinder(self, radius, half_height, pose, index, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in) :: radius, half_height
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: index, stat
+    integer(c_size_t) :: number
+    call placed(fmc_context_add_cylinder(self%handle, radius, half_height, pose, number), number, index, stat)
+  end subroutine
+
+  subroutine add_cone(self, radius, half_height, pose, index, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in) :: radius, half_height
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: index, stat
+    integer(c_size_t) :: number
+    call placed(fmc_context_add_cone(self%handle, radius, half_height, pose, number), number, index, stat)
+  end subroutine
+
+  subroutine add_capsule(self, radius, half_height, pose, index, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in) :: radius, half_height
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: index, stat
+    integer(c_size_t) :: number
+    call placed(fmc_context_add_capsule(self%handle, radius, half_height, pose, number), number, index, stat)
+  end subroutine
+
+  ! points(dim, corners), facets(dim, facets).
+  subroutine add_polytope(self, points, facets, pose, index, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: points(:, :)
+    integer(c_int32_t), intent(in), contiguous :: facets(:, :)
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: index, stat
+    integer(c_size_t) :: number
+    if (size(facets, 1) /= self%dim .or. size(points, 1) /= self%dim) then
+      call unplaced(index, stat)
+      return
+    end if
+    call placed(fmc_context_add_polytope(self%handle, view(points), facets, size(facets, 2, c_size_t), pose, number), &
+                number, index, stat)
+  end subroutine
+
+  ! points(dim, points).
+  subroutine add_convex_hull(self, points, pose, index, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: points(:, :)
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: index, stat
+    integer(c_size_t) :: number
+    if (size(points, 1) /= self%dim) then
+      call unplaced(index, stat)
+      return
+    end if
+    call placed(fmc_context_add_convex_hull(self%handle, view(points), pose, number), number, index, stat)
+  end subroutine
+
+  ! A function bind(c) of interface fmc_signed_distance; x is (dim, n) there, and user is handed to it.
+  subroutine add_signed_distance(self, distance, pose, index, user, stat)
+    class(contact), intent(inout) :: self
+    procedure(fmc_signed_distance) :: distance
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: index
+    type(c_ptr), intent(in), optional :: user
+    integer, intent(out), optional :: stat
+    type(c_ptr) :: handed
+    integer(c_size_t) :: number
+    handed = c_null_ptr
+    if (present(user)) handed = user
+    call placed(fmc_context_add_signed_distance(self%handle, c_funloc(distance), handed, pose, number), &
+                number, index, stat)
+  end subroutine
+
+  subroutine set_pose(self, index, pose, stat)
+    class(contact), intent(inout) :: self
+    integer, intent(in) :: index
+    type(fmc_pose), intent(in) :: pose
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_pose(self%handle, int(index - 1, c_size_t), pose), stat)
+  end subroutine
+
+  subroutine remove_obstacle(self, index, stat)
+    class(contact), intent(inout) :: self
+    integer, intent(in) :: index
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_remove_obstacle(self%handle, int(index - 1, c_size_t)), stat)
+  end subroutine
+
+  ! Keeps the patches of the law `fiber` as they are at x, for a load step (fmc_context_keep_patches).
+  subroutine keep_patches(self, x, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_keep_patches(self%handle, view(x)), stat)
+  end subroutine
+
+  ! Steps of friction: begun at x, committed where they are accepted, with its pressure frozen if asked for.
+  subroutine begin_step(self, x, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_begin_step(self%handle, view(x)), stat)
+  end subroutine
+
+  subroutine commit_step(self, x, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_commit_step(self%handle, view(x)), stat)
+  end subroutine
+
+  ! Without x friction is released.
+  subroutine freeze_friction(self, x, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target, optional :: x(:, :)
+    integer, intent(out), optional :: stat
+    if (present(x)) then
+      call checked(fmc_context_freeze_friction(self%handle, view(x)), stat)
+    else
+      call checked(fmc_context_freeze_friction(self%handle), stat)
+    end if
+  end subroutine
+
+  ! Elastic slip of every facet, (dim, facets), for a restart.
+  subroutine slip(self, values, stat)
+    class(contact), intent(in) :: self
+    real(c_double), intent(out), allocatable :: values(:, :)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: facets
+    integer(c_int32_t) :: status
+    facets = 0
+    status = fmc_context_counts(self%handle, facet_count=facets)
+    allocate (values(self%dim, facets))
+    if (status == FMC_OK) status = fmc_context_slip(self%handle, values, size(values, kind=c_size_t))
+    call checked(status, stat)
+  end subroutine
+
+  subroutine set_slip(self, values, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous :: values(:, :)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_slip(self%handle, values, size(values, kind=c_size_t)), stat)
+  end subroutine
+
+  ! Contact at every node of x: any of pressure(nodes), gap, area, sliding, status(nodes), normal(dim, nodes), friction.
+  subroutine nodal_contact(self, x, pressure, gap, area, normal, friction, sliding, status, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    real(c_double), intent(out), contiguous, optional :: pressure(:), gap(:), area(:), sliding(:)
+    real(c_double), intent(out), contiguous, optional :: normal(:, :), friction(:, :)
+    integer(c_int32_t), intent(out), contiguous, optional :: status(:)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_nodal_contact(self%handle, view(x), pressure, gap, area, normal, friction, sliding, &
+                                           status, size(x, 2, c_size_t)), stat)
+  end subroutine
+
+  ! Where the laws `fiber` and `depth` press at x.
+  subroutine contact_points(self, x, points, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    type(fmc_contact_point), intent(out), allocatable :: points(:)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: count
+    integer(c_int32_t) :: status
+    integer :: k
+    count = 0
+    status = fmc_context_find_contact_points(self%handle, view(x), count)
+    allocate (points(count))
+    if (status == FMC_OK) status = fmc_context_contact_points(self%handle, points, count)
+    do k = 1, size(points)
+      points(k)%patch = points(k)%patch + 1
+      points(k)%sides%index = points(k)%sides%index + 1
+      where (points(k)%sides%cell >= 0) points(k)%sides%cell = points(k)%sides%cell + 1
+    end do
+    call checked(status, stat)
+  end subroutine
+
+  ! Weighted gaps of the nodes within reach of a partner, and d gap / d x in compressed rows that count from 1
+  ! (fmc_context_find_gap_constraints).
+  subroutine gap_constraints(self, x, reach, rows, row_offsets, cols, values, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    real(c_double), intent(in) :: reach
+    type(fmc_gap_constraint), intent(out), allocatable :: rows(:)
+    integer(c_int64_t), intent(out), allocatable :: row_offsets(:), cols(:)
+    real(c_double), intent(out), allocatable :: values(:)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: count, entries
+    integer(c_int32_t) :: status
+    count = 0
+    entries = 0
+    status = fmc_context_find_gap_constraints(self%handle, view(x), reach, count, entries)
+    allocate (rows(count), row_offsets(count + 1), cols(entries), values(entries))
+    if (status == FMC_OK) status = fmc_context_gap_constraints(self%handle, rows, count)
+    if (status == FMC_OK) status = fmc_context_gap_gradient(self%handle, row_offsets, cols, values, entries)
+    if (status == FMC_OK) then
+      row_offsets = row_offsets + 1
+      cols = cols + 1
+      rows%body = rows%body + 1
+      rows%partner = rows%partner + 1
+    end if
+    call checked(status, stat)
+  end subroutine
+
+  ! The facets of all bodies; local_face is VTK's number and counts from 0.
+  subroutine boundary_facets(self, facets, stat)
+    class(contact), intent(in) :: self
+    type(fmc_boundary_facet), intent(out), allocatable :: facets(:)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: count
+    integer(c_int32_t) :: status
+    count = 0
+    status = fmc_context_counts(self%handle, facet_count=count)
+    allocate (facets(count))
+    if (status == FMC_OK) status = fmc_context_boundary_facets(self%handle, facets, count)
+    facets%body = facets%body + 1
+    where (facets%cell >= 0) facets%cell = facets%cell + 1
+    where (facets%given >= 0) facets%given = facets%given + 1
+    call checked(status, stat)
+  end subroutine
+
+  subroutine placed(status, number, index, stat)
+    integer(c_int32_t), intent(in) :: status
+    integer(c_size_t), intent(in) :: number
+    integer, intent(out), optional :: index, stat
+    call checked(status, stat)
+    if (present(index)) index = merge(int(number) + 1, 0, status == FMC_OK)
+  end subroutine
+
+  ! An obstacle whose arrays are not of the contact's dimension: the library is not told their lengths.
+  subroutine unplaced(index, stat)
+    integer, intent(out), optional :: index, stat
+    if (present(index)) index = 0
+    if (.not. present(stat)) error stop "fmc_contact: an array of an obstacle is not of the contact's dimension"
+    stat = FMC_ERROR_DIMENSION
+  end subroutine
+
+  type(fmc_coords) function view(x)
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    view%data = c_loc(x)
+    view%node_count = size(x, 2, c_size_t)
+    view%node_stride = size(x, 1, c_ptrdiff_t)
+    view%axis_stride = 1
+  end function
+
+  type(fmc_forces) function onto(forces)
+    real(c_double), intent(inout), contiguous, target :: forces(:, :)
+    onto%data = c_loc(forces)
+    onto%node_count = size(forces, 2, c_size_t)
+    onto%node_stride = size(forces, 1, c_ptrdiff_t)
+    onto%axis_stride = 1
+  end function
+
+  subroutine checked(status, stat)
+    integer(c_int32_t), intent(in) :: status
+    integer, intent(out), optional :: stat
+    character(:), allocatable :: text
+    if (present(stat)) then
+      stat = status
+    else if (status /= FMC_OK) then
+      text = contact_error()
+      error stop text
+    end if
+  end subroutine
+
+  subroutine copy_text(c, text)
+    type(c_ptr), intent(in) :: c
+    character(:), allocatable, intent(out) :: text
+    character(kind=c_char), pointer :: letters(:)
+    integer :: length, k
+    if (.not. c_associated(c)) then
+      text = ""
+      return
+    end if
+    call c_f_pointer(c, letters, [huge(length)])
+    length = 0
+    do while (letters(length + 1) /= c_null_char)
+      length = length + 1
+    end do
+    allocate (character(length) :: text)
+    do k = 1, length
+      text(k:k) = letters(k)
+    end do
+  end subroutine
+
+  subroutine copied(self, other)
+    class(contact), intent(inout) :: self
+    class(contact), intent(in) :: other
+    if (.not. (c_associated(self%handle) .eqv. c_associated(other%handle))) continue
+    error stop "fmc_contact: a contact cannot be copied; pass it on, or make another one"
+  end subroutine
+
+  subroutine finished(self)
+    type(contact), intent(inout) :: self
+    call self%free()
+  end subroutine
+end module

@@ -1,0 +1,982 @@
+! The C interface of fmc-contact, name by name, as include/fmc_contact.h documents it. Module fmc_contact stands on it.
+!
+! Pointers are optional arguments: one that is left out is NULL. Numbers of nodes count from the option index_base; all
+! other indices count from 0 here. Structs begin as the header says: with their init functions.
+!
+! Generated from the header; do not edit.
+module fmc_contact_c
+  use, intrinsic :: iso_c_binding
+  implicit none
+  public
+
+  integer(c_int32_t), parameter :: FMC_ABI_VERSION_OF_HEADER = 2
+  integer(c_int32_t), parameter :: FMC_ADD = 1
+  integer(c_int32_t), parameter :: FMC_LOG_WARNING = 1
+  integer(c_int32_t), parameter :: FMC_SEMIDEFINITE = 2
+  integer(c_int32_t), parameter :: FMC_SYMMETRIC = 32
+  integer(c_int32_t), parameter :: FMC_BLOCKS = 4
+  integer(c_int32_t), parameter :: FMC_OBSTACLES = 8
+  integer(c_int32_t), parameter :: FMC_FROM_ONE = 16
+  integer(c_int32_t), parameter :: FMC_LAW_OF_CONTEXT = -1
+  integer(c_int32_t), parameter :: FMC_FRICTION_OF_CONTEXT = -1
+  integer(c_int32_t), parameter :: FMC_OK = 0
+  integer(c_int32_t), parameter :: FMC_ERROR_NULL_POINTER = 1
+  integer(c_int32_t), parameter :: FMC_ERROR_MISALIGNED_POINTER = 2
+  integer(c_int32_t), parameter :: FMC_ERROR_LENGTH = 3
+  integer(c_int32_t), parameter :: FMC_ERROR_BUFFER_TOO_SMALL = 4
+  integer(c_int32_t), parameter :: FMC_ERROR_STRIDE = 5
+  integer(c_int32_t), parameter :: FMC_ERROR_DIMENSION = 6
+  integer(c_int32_t), parameter :: FMC_ERROR_UNKNOWN_CELL_TYPE = 7
+  integer(c_int32_t), parameter :: FMC_ERROR_NODE_OUT_OF_RANGE = 8
+  integer(c_int32_t), parameter :: FMC_ERROR_NON_FINITE_COORDINATE = 9
+  integer(c_int32_t), parameter :: FMC_ERROR_REPEATED_NODE = 10
+  integer(c_int32_t), parameter :: FMC_ERROR_INVERTED_CELL = 11
+  integer(c_int32_t), parameter :: FMC_ERROR_ZERO_MEASURE = 12
+  integer(c_int32_t), parameter :: FMC_ERROR_OPEN_SURFACE = 13
+  integer(c_int32_t), parameter :: FMC_ERROR_NON_MANIFOLD = 14
+  integer(c_int32_t), parameter :: FMC_ERROR_INCONSISTENT_ORIENTATION = 15
+  integer(c_int32_t), parameter :: FMC_ERROR_INVERTED_SURFACE = 16
+  integer(c_int32_t), parameter :: FMC_ERROR_EMPTY = 17
+  integer(c_int32_t), parameter :: FMC_ERROR_NOT_POSITIVE = 18
+  integer(c_int32_t), parameter :: FMC_ERROR_UNKNOWN_OPTION = 19
+  integer(c_int32_t), parameter :: FMC_ERROR_STRUCT_SIZE = 20
+  integer(c_int32_t), parameter :: FMC_ERROR_BAD_POSE = 21
+  integer(c_int32_t), parameter :: FMC_ERROR_OBSTACLE_OUT_OF_RANGE = 22
+  integer(c_int32_t), parameter :: FMC_ERROR_INDEX_OUT_OF_RANGE = 23
+  integer(c_int32_t), parameter :: FMC_ERROR_UNSUPPORTED = 24
+  integer(c_int32_t), parameter :: FMC_ERROR_SIGNED_DISTANCE = 25
+  integer(c_int32_t), parameter :: FMC_ERROR_TOO_MANY_FIBERS = 26
+  integer(c_int32_t), parameter :: FMC_ERROR_THREADS = 27
+  integer(c_int32_t), parameter :: FMC_ERROR_BUSY = 28
+  integer(c_int32_t), parameter :: FMC_ERROR_OVERFLOW = 29
+  integer(c_int32_t), parameter :: FMC_ERROR_PANIC = 30
+  integer(c_int32_t), parameter :: FMC_ERROR_DEGENERATE_HULL = 31
+  integer(c_int32_t), parameter :: FMC_ERROR_TOO_FEW_HEIGHTS = 32
+  integer(c_int32_t), parameter :: FMC_ERROR_NON_FINITE_HEIGHT = 33
+  integer(c_int32_t), parameter :: FMC_ERROR_EMPTY_COMPOUND = 34
+  integer(c_int32_t), parameter :: FMC_ERROR_NOT_POSITIVE_MASS = 35
+  integer(c_int32_t), parameter :: FMC_ERROR_BODY_OUT_OF_RANGE = 36
+  integer(c_int32_t), parameter :: FMC_ERROR_OBSTACLE_REMOVED = 37
+  integer(c_int32_t), parameter :: FMC_ERROR_TOO_MANY_PIECES = 38
+  integer(c_int32_t), parameter :: FMC_ERROR_UNFINISHED_LINES = 39
+  integer(c_int32_t), parameter :: FMC_ERROR_NO_STEP = 40
+  integer(c_int32_t), parameter :: FMC_ERROR_NON_FINITE_SLIP = 41
+  integer(c_int32_t), parameter :: FMC_ERROR_NEGATIVE_RADIUS = 42
+  integer(c_int32_t), parameter :: FMC_ERROR_NON_CONFORMING = 43
+  integer(c_int32_t), parameter :: FMC_LAW_VOLUME = 0
+  integer(c_int32_t), parameter :: FMC_LAW_FIBER = 1
+  integer(c_int32_t), parameter :: FMC_LAW_DEPTH = 2
+  integer(c_int32_t), parameter :: FMC_ESTIMATOR_FIBERS = 0
+  integer(c_int32_t), parameter :: FMC_ESTIMATOR_EXACT = 1
+  integer(c_int32_t), parameter :: FMC_ESTIMATOR_AUTO = 2
+  integer(c_int32_t), parameter :: FMC_PATTERN_LINES = 0
+  integer(c_int32_t), parameter :: FMC_PATTERN_ISOTROPIC = 1
+  integer(c_int32_t), parameter :: FMC_WEIGHTS_BALANCE = 0
+  integer(c_int32_t), parameter :: FMC_WEIGHTS_CONSISTENT = 1
+  integer(c_int32_t), parameter :: FMC_TRI3 = 5
+  integer(c_int32_t), parameter :: FMC_QUAD4 = 9
+  integer(c_int32_t), parameter :: FMC_TET4 = 10
+  integer(c_int32_t), parameter :: FMC_HEX8 = 12
+  integer(c_int32_t), parameter :: FMC_WEDGE6 = 13
+  integer(c_int32_t), parameter :: FMC_PYRAMID5 = 14
+  integer(c_int32_t), parameter :: FMC_TRI6 = 22
+  integer(c_int32_t), parameter :: FMC_QUAD8 = 23
+  integer(c_int32_t), parameter :: FMC_TET10 = 24
+  integer(c_int32_t), parameter :: FMC_HEX20 = 25
+  integer(c_int32_t), parameter :: FMC_WEDGE15 = 26
+  integer(c_int32_t), parameter :: FMC_PYRAMID13 = 27
+  integer(c_int32_t), parameter :: FMC_QUAD9 = 28
+  integer(c_int32_t), parameter :: FMC_HEX27 = 29
+  integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0
+  integer(c_int32_t), parameter :: FMC_PARTNER_OBSTACLE = 1
+  integer(c_int32_t), parameter :: FMC_SHAPE_HALF_SPACE = 0
+  integer(c_int32_t), parameter :: FMC_SHAPE_BALL = 1
+  integer(c_int32_t), parameter :: FMC_SHAPE_CUBOID = 2
+  integer(c_int32_t), parameter :: FMC_SHAPE_CYLINDER = 3
+  integer(c_int32_t), parameter :: FMC_SHAPE_CONE = 4
+  integer(c_int32_t), parameter :: FMC_SHAPE_CAPSULE = 5
+  integer(c_int32_t), parameter :: FMC_SHAPE_POLYTOPE = 6
+  integer(c_int32_t), parameter :: FMC_SHAPE_CONVEX_HULL = 7
+  integer(c_int32_t), parameter :: FMC_SHAPE_HEIGHT_FIELD = 8
+  integer(c_int32_t), parameter :: FMC_SHAPE_COMPOUND = 9
+  integer(c_int32_t), parameter :: FMC_SHAPE_SIGNED_DISTANCE = 10
+  integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FIBERS = 1
+  integer(c_int32_t), parameter :: FMC_WARNING_UNRESOLVED_OVERLAP = 2
+  integer(c_int32_t), parameter :: FMC_WARNING_SWALLOWED_BODY = 3
+  integer(c_int32_t), parameter :: FMC_WARNING_PATCH_LEFT_OUT = 4
+  integer(c_int32_t), parameter :: FMC_WARNING_UNBALANCED = 5
+  integer(c_int32_t), parameter :: FMC_WARNING_FLUSH_FACES = 6
+  integer(c_int32_t), parameter :: FMC_NODE_APART = 0
+  integer(c_int32_t), parameter :: FMC_NODE_TOUCHING = 1
+  integer(c_int32_t), parameter :: FMC_NODE_STICKING = 2
+  integer(c_int32_t), parameter :: FMC_NODE_SLIDING = 3
+
+  type, bind(c) :: fmc_options
+    integer(c_size_t) :: struct_size
+    real(c_double) :: stiffness
+    real(c_double) :: exponent
+    real(c_double) :: spacing
+    real(c_double) :: fiber_length
+    integer(c_int64_t) :: fiber_count
+    integer(c_int64_t) :: seed
+    integer(c_int32_t) :: law
+    integer(c_int32_t) :: estimator
+    integer(c_int32_t) :: pattern
+    integer(c_int32_t) :: weights
+    integer(c_int32_t) :: momentum_correction
+    integer(c_int32_t) :: self_contact
+    integer(c_int32_t) :: check_cells
+    integer(c_int32_t) :: threads
+    integer(c_int32_t) :: index_base
+    integer(c_int32_t) :: axisymmetric
+    real(c_double) :: smoothing_length
+    real(c_double) :: friction_coefficient
+    real(c_double) :: friction_stiffness
+    real(c_double) :: cohesion
+    real(c_double) :: shear_limit
+    real(c_double) :: memoryless_slip
+    integer(c_int64_t) :: reserved(10)
+  end type
+
+  type, bind(c) :: fmc_friction_step
+    integer(c_size_t) :: struct_size
+    type(c_ptr) :: start
+    type(c_ptr) :: reference
+    type(c_ptr) :: slip
+    type(c_ptr) :: next_slip
+    integer(c_size_t) :: slip_length
+    integer(c_size_t) :: facet_count
+    integer(c_int64_t) :: reserved(8)
+  end type
+
+  type, bind(c) :: fmc_coords
+    type(c_ptr) :: data
+    integer(c_size_t) :: node_count
+    integer(c_ptrdiff_t) :: node_stride
+    integer(c_ptrdiff_t) :: axis_stride
+  end type
+
+  type, bind(c) :: fmc_cell_block
+    integer(c_int32_t) :: cell_type
+    type(c_ptr) :: conn
+    integer(c_size_t) :: cell_count
+  end type
+
+  type, bind(c) :: fmc_cell_block_i64
+    integer(c_int32_t) :: cell_type
+    type(c_ptr) :: conn
+    integer(c_size_t) :: cell_count
+  end type
+
+  type, bind(c) :: fmc_forces
+    type(c_ptr) :: data
+    integer(c_size_t) :: node_count
+    integer(c_ptrdiff_t) :: node_stride
+    integer(c_ptrdiff_t) :: axis_stride
+  end type
+
+  type, bind(c) :: fmc_result
+    integer(c_size_t) :: struct_size
+    real(c_double) :: volume
+    real(c_double) :: volume_standard_error
+    real(c_double) :: energy
+    real(c_double) :: contact_area
+    real(c_double) :: penetration
+    integer(c_size_t) :: fiber_count
+    integer(c_size_t) :: crossing_count
+    integer(c_size_t) :: facet_count
+    integer(c_size_t) :: pair_count
+    integer(c_size_t) :: body_count
+    integer(c_size_t) :: obstacle_count
+    integer(c_size_t) :: warning_count
+    real(c_double) :: friction_energy
+    real(c_double) :: friction_dissipation
+    real(c_double) :: stick_area
+    real(c_double) :: slip_area
+    real(c_double) :: largest_slip
+    integer(c_int64_t) :: reserved(3)
+  end type
+
+  type, bind(c) :: fmc_boundary_facet
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: body
+    integer(c_int64_t) :: cell
+    integer(c_int64_t) :: given
+    integer(c_int32_t) :: local_face
+    integer(c_int32_t) :: node_count
+    integer(c_int64_t) :: nodes(4)
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_resultant
+    integer(c_int64_t) :: id
+    real(c_double) :: force(3)
+    real(c_double) :: moment(3)
+    integer(c_size_t) :: node_count
+    real(c_double) :: friction(3)
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_pair
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: a_kind
+    integer(c_int32_t) :: b_kind
+    integer(c_size_t) :: a
+    integer(c_size_t) :: b
+    real(c_double) :: volume
+    real(c_double) :: volume_standard_error
+    real(c_double) :: energy
+    real(c_double) :: pressure
+    real(c_double) :: contact_area
+    real(c_double) :: penetration
+    real(c_double) :: spacing
+    real(c_double) :: friction_energy
+    real(c_double) :: friction_dissipation
+    real(c_double) :: stick_area
+    real(c_double) :: slip_area
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_pair_options
+    integer(c_size_t) :: struct_size
+    real(c_double) :: stiffness
+    real(c_double) :: exponent
+    real(c_double) :: smoothing_length
+    real(c_double) :: gap_offset
+    real(c_double) :: friction_coefficient
+    integer(c_int32_t) :: law
+    integer(c_int32_t) :: excluded
+    integer(c_int64_t) :: reserved(10)
+  end type
+
+  type, bind(c) :: fmc_contact_side
+    integer(c_int32_t) :: kind
+    integer(c_int32_t) :: node_count
+    integer(c_size_t) :: index
+    integer(c_int64_t) :: cell
+    integer(c_int64_t) :: nodes(8)
+    real(c_double) :: weights(8)
+    real(c_double) :: position(3)
+  end type
+
+  type, bind(c) :: fmc_contact_point
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: patch
+    real(c_double) :: position(3)
+    real(c_double) :: normal(3)
+    real(c_double) :: gap
+    real(c_double) :: pressure
+    real(c_double) :: area
+    real(c_double) :: friction(3)
+    real(c_double) :: slip(3)
+    real(c_double) :: sliding
+    type(fmc_contact_side) :: sides(2)
+    integer(c_int64_t) :: reserved(8)
+  end type
+
+  type, bind(c) :: fmc_gap_constraint
+    integer(c_size_t) :: struct_size
+    integer(c_int64_t) :: node
+    integer(c_size_t) :: body
+    integer(c_int32_t) :: partner_kind
+    integer(c_int32_t) :: reserved_flags
+    integer(c_size_t) :: partner
+    real(c_double) :: gap
+    real(c_double) :: area
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_pose
+    real(c_double) :: position(3)
+    real(c_double) :: rotation(9)
+    real(c_double) :: scale
+  end type
+
+  type, bind(c) :: fmc_part
+    integer(c_int32_t) :: shape
+    integer(c_size_t) :: facet_count
+    real(c_double) :: radius
+    real(c_double) :: half_height
+    real(c_double) :: half_extents(3)
+    type(c_ptr) :: points
+    type(c_ptr) :: facets
+    type(fmc_pose) :: pose
+  end type
+
+  abstract interface
+    subroutine fmc_log_callback(user, level, text) bind(c)
+      import
+      type(c_ptr), value :: user
+      integer(c_int32_t), value :: level
+      character(kind=c_char), intent(in) :: text(*)
+    end subroutine
+    function fmc_signed_distance(user, n, x, phi, grad) bind(c)
+      import
+      type(c_ptr), value :: user
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: x(*)
+      real(c_double), intent(inout) :: phi(*)
+      real(c_double), intent(inout) :: grad(*)
+      integer(c_int32_t) :: fmc_signed_distance
+    end function
+  end interface
+
+  interface
+    function fmc_version() bind(c)
+      import
+      type(c_ptr) :: fmc_version
+    end function
+    function fmc_abi_version() bind(c)
+      import
+      integer(c_int32_t) :: fmc_abi_version
+    end function
+    function fmc_has_feature(name) bind(c)
+      import
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int32_t) :: fmc_has_feature
+    end function
+    function fmc_status_name(status) bind(c)
+      import
+      integer(c_int32_t), value :: status
+      type(c_ptr) :: fmc_status_name
+    end function
+    function fmc_last_error() bind(c)
+      import
+      type(c_ptr) :: fmc_last_error
+    end function
+    function fmc_options_init(options) bind(c)
+      import
+      type(fmc_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_options_init
+    end function
+    function fmc_options_set(options, key, value) bind(c)
+      import
+      type(fmc_options), intent(inout), optional :: options
+      character(kind=c_char), intent(in) :: key(*)
+      character(kind=c_char), intent(in) :: value(*)
+      integer(c_int32_t) :: fmc_options_set
+    end function
+    function fmc_contact_force(dim, coords, node_count, cell_type, conn, cell_count, body_ids, &
+        options, forces, volume) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      real(c_double), intent(in), optional :: coords(*)
+      integer(c_size_t), value :: node_count
+      integer(c_int32_t), value :: cell_type
+      integer(c_int32_t), intent(in), optional :: conn(*)
+      integer(c_size_t), value :: cell_count
+      integer(c_int32_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      real(c_double), intent(inout), optional :: forces(*)
+      real(c_double), intent(inout), optional :: volume
+      integer(c_int32_t) :: fmc_contact_force
+    end function
+    function fmc_contact_force_i64(dim, coords, node_count, cell_type, conn, cell_count, &
+        body_ids, options, forces, volume) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      real(c_double), intent(in), optional :: coords(*)
+      integer(c_size_t), value :: node_count
+      integer(c_int32_t), value :: cell_type
+      integer(c_int64_t), intent(in), optional :: conn(*)
+      integer(c_size_t), value :: cell_count
+      integer(c_int64_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      real(c_double), intent(inout), optional :: forces(*)
+      real(c_double), intent(inout), optional :: volume
+      integer(c_int32_t) :: fmc_contact_force_i64
+    end function
+    function fmc_friction_step_init(step) bind(c)
+      import
+      type(fmc_friction_step), intent(inout), optional :: step
+      integer(c_int32_t) :: fmc_friction_step_init
+    end function
+    function fmc_contact_force_step(dim, coords, node_count, cell_type, conn, cell_count, &
+        body_ids, options, step, forces, volume) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      real(c_double), intent(in), optional :: coords(*)
+      integer(c_size_t), value :: node_count
+      integer(c_int32_t), value :: cell_type
+      integer(c_int32_t), intent(in), optional :: conn(*)
+      integer(c_size_t), value :: cell_count
+      integer(c_int32_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(fmc_friction_step), intent(inout), optional :: step
+      real(c_double), intent(inout), optional :: forces(*)
+      real(c_double), intent(inout), optional :: volume
+      integer(c_int32_t) :: fmc_contact_force_step
+    end function
+    function fmc_contact_force_step_i64(dim, coords, node_count, cell_type, conn, cell_count, &
+        body_ids, options, step, forces, volume) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      real(c_double), intent(in), optional :: coords(*)
+      integer(c_size_t), value :: node_count
+      integer(c_int32_t), value :: cell_type
+      integer(c_int64_t), intent(in), optional :: conn(*)
+      integer(c_size_t), value :: cell_count
+      integer(c_int64_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(fmc_friction_step), intent(inout), optional :: step
+      real(c_double), intent(inout), optional :: forces(*)
+      real(c_double), intent(inout), optional :: volume
+      integer(c_int32_t) :: fmc_contact_force_step_i64
+    end function
+    function fmc_context_new_from_cells(dim, coords, blocks, block_count, body_ids, options, &
+        context) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_cell_block), intent(in), optional :: blocks(*)
+      integer(c_size_t), value :: block_count
+      integer(c_int32_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_new_from_cells
+    end function
+    function fmc_context_new_from_cells_i64(dim, coords, blocks, block_count, body_ids, options, &
+        context) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_cell_block_i64), intent(in), optional :: blocks(*)
+      integer(c_size_t), value :: block_count
+      integer(c_int64_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_new_from_cells_i64
+    end function
+    function fmc_context_new_from_facets(dim, coords, facets, facet_count, body_ids, options, &
+        context) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t), intent(in), optional :: facets(*)
+      integer(c_size_t), value :: facet_count
+      integer(c_int32_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_new_from_facets
+    end function
+    function fmc_context_new_from_facets_i64(dim, coords, facets, facet_count, body_ids, options, &
+        context) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int64_t), intent(in), optional :: facets(*)
+      integer(c_size_t), value :: facet_count
+      integer(c_int64_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_new_from_facets_i64
+    end function
+    function fmc_context_free(context) bind(c)
+      import
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_free
+    end function
+    function fmc_context_set_options(context, options) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_options), intent(in), optional :: options
+      integer(c_int32_t) :: fmc_context_set_options
+    end function
+    function fmc_context_set_log(context, callback, user) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(c_funptr), value :: callback
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: fmc_context_set_log
+    end function
+    function fmc_context_counts(context, node_count, facet_count, body_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), intent(inout), optional :: node_count
+      integer(c_size_t), intent(inout), optional :: facet_count
+      integer(c_size_t), intent(inout), optional :: body_count
+      integer(c_int32_t) :: fmc_context_counts
+    end function
+    function fmc_context_evaluate(context, coords, forces, flags, result) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_forces), intent(in), optional :: forces
+      integer(c_int32_t), value :: flags
+      type(fmc_result), intent(inout), optional :: result
+      integer(c_int32_t) :: fmc_context_evaluate
+    end function
+    function fmc_context_error(context) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(c_ptr) :: fmc_context_error
+    end function
+    function fmc_context_boundary_facets(context, facets, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_boundary_facet), intent(inout), optional :: facets(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_boundary_facets
+    end function
+    function fmc_context_point_weights_size(context, point_count, entry_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), intent(inout), optional :: point_count
+      integer(c_size_t), intent(inout), optional :: entry_count
+      integer(c_int32_t) :: fmc_context_point_weights_size
+    end function
+    function fmc_context_point_weights(context, row_offsets, point_capacity, nodes, weights, &
+        capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int64_t), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: point_capacity
+      integer(c_int64_t), intent(inout), optional :: nodes(*)
+      real(c_double), intent(inout), optional :: weights(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_point_weights
+    end function
+    function fmc_context_set_basis(context, unknown_count, row_offsets, unknowns, weights, &
+        entry_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: unknown_count
+      integer(c_int64_t), intent(in), optional :: row_offsets(*)
+      integer(c_int64_t), intent(in), optional :: unknowns(*)
+      real(c_double), intent(in), optional :: weights(*)
+      integer(c_size_t), value :: entry_count
+      integer(c_int32_t) :: fmc_context_set_basis
+    end function
+    function fmc_context_keep_patches(context, coords, direction_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_size_t), intent(inout), optional :: direction_count
+      integer(c_int32_t) :: fmc_context_keep_patches
+    end function
+    function fmc_context_begin_step(context, coords) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t) :: fmc_context_begin_step
+    end function
+    function fmc_context_commit_step(context, coords) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t) :: fmc_context_commit_step
+    end function
+    function fmc_context_freeze_friction(context, coords) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t) :: fmc_context_freeze_friction
+    end function
+    function fmc_context_slip(context, slip, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: slip(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_slip
+    end function
+    function fmc_context_set_slip(context, slip, length) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: slip(*)
+      integer(c_size_t), value :: length
+      integer(c_int32_t) :: fmc_context_set_slip
+    end function
+    function fmc_context_set_reference(context, coords) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t) :: fmc_context_set_reference
+    end function
+    function fmc_context_set_symmetry_nodes(context, nodes, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int64_t), intent(in), optional :: nodes(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_symmetry_nodes
+    end function
+    function fmc_context_tangent(context, coords, flags, entry_count, rank_one_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t), value :: flags
+      integer(c_size_t), intent(inout), optional :: entry_count
+      integer(c_size_t), intent(inout), optional :: rank_one_count
+      integer(c_int32_t) :: fmc_context_tangent
+    end function
+    function fmc_context_tangent_entries(context, rows, cols, values, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), intent(inout), optional :: rows(*)
+      integer(c_int32_t), intent(inout), optional :: cols(*)
+      real(c_double), intent(inout), optional :: values(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_tangent_entries
+    end function
+    function fmc_context_tangent_product(context, x, y, length) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: x(*)
+      real(c_double), intent(inout), optional :: y(*)
+      integer(c_size_t), value :: length
+      integer(c_int32_t) :: fmc_context_tangent_product
+    end function
+    function fmc_context_tangent_rank_one(context, index, factor, vector, length) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      real(c_double), intent(inout), optional :: factor
+      real(c_double), intent(inout), optional :: vector(*)
+      integer(c_size_t), value :: length
+      integer(c_int32_t) :: fmc_context_tangent_rank_one
+    end function
+    function fmc_context_tangent_csr_size(context, flags, row_count, entry_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: flags
+      integer(c_size_t), intent(inout), optional :: row_count
+      integer(c_size_t), intent(inout), optional :: entry_count
+      integer(c_int32_t) :: fmc_context_tangent_csr_size
+    end function
+    function fmc_context_tangent_csr(context, flags, row_offsets, cols, values, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: flags
+      integer(c_int32_t), intent(inout), optional :: row_offsets(*)
+      integer(c_int32_t), intent(inout), optional :: cols(*)
+      real(c_double), intent(inout), optional :: values(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_tangent_csr
+    end function
+    function fmc_context_tangent_csr_i64(context, flags, row_offsets, cols, values, &
+        capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: flags
+      integer(c_int64_t), intent(inout), optional :: row_offsets(*)
+      integer(c_int64_t), intent(inout), optional :: cols(*)
+      real(c_double), intent(inout), optional :: values(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_tangent_csr_i64
+    end function
+    function fmc_context_keep_pattern(context, keep) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: keep
+      integer(c_int32_t) :: fmc_context_keep_pattern
+    end function
+    function fmc_context_set_obstacle_rotations(context, on) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: on
+      integer(c_int32_t) :: fmc_context_set_obstacle_rotations
+    end function
+    function fmc_context_evaluate_tangent(context, coords, flags, forces, result, entry_count, &
+        rank_one_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t), value :: flags
+      type(fmc_forces), intent(in), optional :: forces
+      type(fmc_result), intent(inout), optional :: result
+      integer(c_size_t), intent(inout), optional :: entry_count
+      integer(c_size_t), intent(inout), optional :: rank_one_count
+      integer(c_int32_t) :: fmc_context_evaluate_tangent
+    end function
+    function fmc_context_stable_step(context, coords, masses, step) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), intent(in), optional :: masses(*)
+      real(c_double), intent(inout), optional :: step
+      integer(c_int32_t) :: fmc_context_stable_step
+    end function
+    function fmc_context_body(context, index, body) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      type(fmc_resultant), intent(inout), optional :: body
+      integer(c_int32_t) :: fmc_context_body
+    end function
+    function fmc_context_obstacle(context, index, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      type(fmc_resultant), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_obstacle
+    end function
+    function fmc_context_pair(context, index, pair) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      type(fmc_pair), intent(inout), optional :: pair
+      integer(c_int32_t) :: fmc_context_pair
+    end function
+    function fmc_context_warning(context, index, code, text) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      integer(c_int32_t), intent(inout), optional :: code
+      type(c_ptr), intent(inout), optional :: text
+      integer(c_int32_t) :: fmc_context_warning
+    end function
+    function fmc_pair_options_init(options) bind(c)
+      import
+      type(fmc_pair_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_pair_options_init
+    end function
+    function fmc_context_set_pair_options(context, a_kind, a, b_kind, b, options) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_pair_options), intent(in), optional :: options
+      integer(c_int32_t) :: fmc_context_set_pair_options
+    end function
+    function fmc_context_pair_options(context, a_kind, a, b_kind, b, options) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_pair_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_context_pair_options
+    end function
+    function fmc_context_nodal_contact(context, coords, pressure, gap, area, normal, friction, &
+        sliding, status, node_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), intent(inout), optional :: pressure(*)
+      real(c_double), intent(inout), optional :: gap(*)
+      real(c_double), intent(inout), optional :: area(*)
+      real(c_double), intent(inout), optional :: normal(*)
+      real(c_double), intent(inout), optional :: friction(*)
+      real(c_double), intent(inout), optional :: sliding(*)
+      integer(c_int32_t), intent(inout), optional :: status(*)
+      integer(c_size_t), value :: node_count
+      integer(c_int32_t) :: fmc_context_nodal_contact
+    end function
+    function fmc_context_find_contact_points(context, coords, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_find_contact_points
+    end function
+    function fmc_context_contact_points(context, points, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_contact_point), intent(inout), optional :: points(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_contact_points
+    end function
+    function fmc_context_find_gap_constraints(context, coords, reach, count, entry_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), value :: reach
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_size_t), intent(inout), optional :: entry_count
+      integer(c_int32_t) :: fmc_context_find_gap_constraints
+    end function
+    function fmc_context_gap_constraints(context, rows, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_gap_constraint), intent(inout), optional :: rows(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_gap_constraints
+    end function
+    function fmc_context_gap_gradient(context, row_offsets, cols, values, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int64_t), intent(inout), optional :: row_offsets(*)
+      integer(c_int64_t), intent(inout), optional :: cols(*)
+      real(c_double), intent(inout), optional :: values(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_gap_gradient
+    end function
+    function fmc_pose_init(pose) bind(c)
+      import
+      type(fmc_pose), intent(inout), optional :: pose
+      integer(c_int32_t) :: fmc_pose_init
+    end function
+    function fmc_pose_along(dim, position, axis, pose) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      real(c_double), intent(in), optional :: position(*)
+      real(c_double), intent(in), optional :: axis(*)
+      type(fmc_pose), intent(inout), optional :: pose
+      integer(c_int32_t) :: fmc_pose_along
+    end function
+    function fmc_part_init(part) bind(c)
+      import
+      type(fmc_part), intent(inout), optional :: part(*)
+      integer(c_int32_t) :: fmc_part_init
+    end function
+    function fmc_context_add_half_space(context, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_half_space
+    end function
+    function fmc_context_add_ball(context, radius, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: radius
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_ball
+    end function
+    function fmc_context_add_cuboid(context, half_extents, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: half_extents(*)
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_cuboid
+    end function
+    function fmc_context_add_cylinder(context, radius, half_height, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: radius
+      real(c_double), value :: half_height
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_cylinder
+    end function
+    function fmc_context_add_cone(context, radius, half_height, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: radius
+      real(c_double), value :: half_height
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_cone
+    end function
+    function fmc_context_add_capsule(context, radius, half_height, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: radius
+      real(c_double), value :: half_height
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_capsule
+    end function
+    function fmc_context_add_polytope(context, points, facets, facet_count, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: points
+      integer(c_int32_t), intent(in), optional :: facets(*)
+      integer(c_size_t), value :: facet_count
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_polytope
+    end function
+    function fmc_context_add_polytope_i64(context, points, facets, facet_count, pose, &
+        obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: points
+      integer(c_int64_t), intent(in), optional :: facets(*)
+      integer(c_size_t), value :: facet_count
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_polytope_i64
+    end function
+    function fmc_context_add_convex_hull(context, points, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: points
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_convex_hull
+    end function
+    function fmc_context_add_height_field(context, counts, lengths, heights, thickness, pose, &
+        obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), intent(in), optional :: counts(*)
+      real(c_double), intent(in), optional :: lengths(*)
+      real(c_double), intent(in), optional :: heights(*)
+      real(c_double), value :: thickness
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_height_field
+    end function
+    function fmc_context_add_compound(context, parts, part_count, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_part), intent(in), optional :: parts(*)
+      integer(c_size_t), value :: part_count
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_compound
+    end function
+    function fmc_context_add_signed_distance(context, callback, user, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(c_funptr), value :: callback
+      type(c_ptr), value :: user
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_signed_distance
+    end function
+    function fmc_context_obstacle_shape(context, obstacle, shape, pose) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: obstacle
+      integer(c_int32_t), intent(inout), optional :: shape
+      type(fmc_pose), intent(inout), optional :: pose
+      integer(c_int32_t) :: fmc_context_obstacle_shape
+    end function
+    function fmc_context_set_pose(context, obstacle, pose) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: obstacle
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_int32_t) :: fmc_context_set_pose
+    end function
+    function fmc_context_remove_obstacle(context, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: obstacle
+      integer(c_int32_t) :: fmc_context_remove_obstacle
+    end function
+    function fmc_suggest_fiber_stiffness(pressure, penetration, stiffness) bind(c)
+      import
+      real(c_double), value :: pressure
+      real(c_double), value :: penetration
+      real(c_double), intent(inout), optional :: stiffness
+      integer(c_int32_t) :: fmc_suggest_fiber_stiffness
+    end function
+    function fmc_suggest_stiffness_from_modulus(dim, exponent, modulus, facet_size, &
+        stiffness) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      real(c_double), value :: exponent
+      real(c_double), value :: modulus
+      real(c_double), value :: facet_size
+      real(c_double), intent(inout), optional :: stiffness
+      integer(c_int32_t) :: fmc_suggest_stiffness_from_modulus
+    end function
+    function fmc_suggest_stiffness_from_pressure(dim, exponent, pressure, overlap, &
+        stiffness) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      real(c_double), value :: exponent
+      real(c_double), value :: pressure
+      real(c_double), value :: overlap
+      real(c_double), intent(inout), optional :: stiffness
+      integer(c_int32_t) :: fmc_suggest_stiffness_from_pressure
+    end function
+  end interface
+end module

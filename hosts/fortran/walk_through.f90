@@ -1,0 +1,166 @@
+! What a Fortran host gets, a section each, and checked against what it must be.
+!
+!   gfortran fmc_contact_c.f90 fmc_contact.f90 walk_through.f90 $(pkg-config --libs fmc_contact)
+module slope
+  use fmc_contact
+  implicit none
+contains
+  ! Signed distance from a plane through the origin that rises by 3 in 4: negative below.
+  integer(c_int32_t) function distance(user, n, x, phi, grad) bind(c)
+    type(c_ptr), value :: user
+    integer(c_size_t), value :: n
+    real(c_double), intent(in) :: x(*)
+    real(c_double), intent(inout) :: phi(*), grad(*)
+    real(c_double), pointer :: height
+    integer(c_size_t) :: k
+    call c_f_pointer(user, height)
+    do k = 1, n
+      phi(k) = 0.8d0*(x(2*k) - height) - 0.6d0*x(2*k - 1)
+      grad(2*k - 1) = -0.6d0
+      grad(2*k) = 0.8d0
+    end do
+    distance = 0
+  end function
+end module
+
+program walk_through
+  use fmc_contact
+  use slope
+  implicit none
+  integer :: failures = 0
+  call walk
+  print '(i0, a)', failures, " failures"
+
+contains
+
+  ! Variables of a procedure are given back at its end, those of a program are not.
+  subroutine walk
+    real(c_double), parameter :: k = 1d5, depth = 0.01d0
+    real(c_double) :: x(2, 8), y(2, 8), forces(2, 8), there(2, 8), kept(2, 8), pressure(8), normal(2, 8), masses(8), change(2, 8)
+    real(c_double), allocatable :: values(:), carried(:, :)
+    real(c_double), target :: height = 0
+    real(c_double) :: all_of(16), by(16)
+    integer :: conn(4, 2) = reshape([1, 2, 3, 4, 5, 6, 7, 8], [4, 2]), index, stat, row
+    integer(c_int32_t) :: status(8)
+    integer(c_int64_t), allocatable :: row_offsets(:), cols(:)
+    type(contact) :: squares, block
+    type(fmc_options) :: options
+    type(fmc_result) :: found
+    type(fmc_resultant) :: body
+    type(fmc_pair) :: pair
+    type(fmc_contact_point), allocatable :: points(:)
+    type(fmc_gap_constraint), allocatable :: gaps(:)
+    type(fmc_boundary_facet), allocatable :: facets(:)
+
+    x(:, 1:4) = reshape([0d0, 0d0, 1d0, 0d0, 1d0, 1d0, 0d0, 1d0], [2, 4])
+    x(:, 5:8) = x(:, 1:4) + spread([1 - depth, 0.2d0], 2, 4)
+    options = contact_options(k, FMC_LAW_FIBER)
+    call squares%from_cells(x, FMC_QUAD4, conn, options)
+
+    ! Forces, added to what is there, and resultants.
+    forces = 1
+    call squares%evaluate(x, forces, found, add=.true.)
+    body = squares%body(2)
+    pair = squares%pair(1)
+    call expect("force", body%force(1), k*depth*0.8d0, 1d-9)
+    call expect("sum of nodal forces", sum(forces(1, 5:8)) - 4, body%force(1), 1d-9)
+    call expect("partners", real(10*pair%a + pair%b, c_double), 12d0, 1d-15)
+
+    ! The tangent of the law `depth`, which has no directions, times a change of the coordinates, against differences.
+    call squares%set_options(contact_options(k))
+    call squares%evaluate_tangent(x, forces, found, row_offsets, cols, values)
+    call random(change)
+    y = x + 1d-6*change
+    call squares%evaluate(y, there)
+    y = x - 1d-6*change
+    call squares%evaluate(y, forces)
+    all_of = reshape((forces - there)/2d-6, [16])
+    by = reshape(change, [16])
+    do row = 1, 16
+      associate (first => row_offsets(row), last => row_offsets(row + 1) - 1)
+        call expect("tangent", sum(values(first:last)*by(cols(first:last))), all_of(row), 1d-5*k)
+      end associate
+    end do
+
+    call squares%set_options(options)
+
+    ! Fields at nodes and contact points: both add up to the resultant.
+    call squares%nodal_contact(x, pressure=pressure, normal=normal, status=status)
+    call expect("pressure", maxval(pressure), k*depth, 1d-9)
+    call expect("status", real(count(status == FMC_NODE_TOUCHING), c_double), 4d0, 1d-15)
+    call squares%contact_points(x, points)
+    call expect("points", sum(points%pressure*points%area), k*depth*0.8d0, 1d-9)
+    call expect("nodes of points", real(maxval(points(1)%sides(2)%nodes), c_double), 8d0, 1d-15)
+    call squares%gap_constraints(x, 0.1d0, gaps, row_offsets, cols, values)
+    ! The structs are those of the library, which writes their size.
+    call expect("size of fmc_options", real(c_sizeof(options), c_double), real(options%struct_size, c_double), 0d0)
+    call expect("size of fmc_result", real(c_sizeof(found), c_double), real(found%struct_size, c_double), 0d0)
+    call expect("size of fmc_pair", real(c_sizeof(pair), c_double), real(pair%struct_size, c_double), 0d0)
+    call expect("size of a point", real(c_sizeof(points(1)), c_double), real(points(1)%struct_size, c_double), 0d0)
+    call expect("size of a gap", real(c_sizeof(gaps(1)), c_double), real(gaps(1)%struct_size, c_double), 0d0)
+    call expect("gaps", minval(gaps%gap/gaps%area), -depth, 1d-9)
+    call squares%boundary_facets(facets)
+    call expect("facets", real(10*size(facets) + maxval(facets%cell), c_double), 82d0, 1d-15)
+    masses = 1
+    if (squares%stable_step(x, masses) <= 0) call expect("stable step", 0d0, 1d0, 0d0)
+
+    ! Friction: a step of 1 mm up, stick by the stiffness k, then slip by what the pressure bears.
+    options = contact_options(k)
+    options%friction_coefficient = 0.3d0
+    call squares%set_options(options)
+    call squares%begin_step(x)
+    y = x
+    y(2, 5:8) = y(2, 5:8) + 0.05d0
+    call squares%evaluate(y, forces)
+    body = squares%body(2)
+    call expect("friction", body%friction(2), -0.3d0*(body%force(1) - body%friction(1)), 1d-9*k)
+    call squares%commit_step(y)
+    call squares%slip(carried)
+    call squares%begin_step(y)
+    call squares%set_slip(carried)
+    call squares%evaluate(y, there)
+    call expect("friction after a restart", maxval(abs(there - forces)), 0d0, 1d-9*k)
+    kept = there
+
+    ! Obstacles: a plane, and the same by a signed distance of the host's.
+    call block%from_cells(x(:, 1:4), FMC_QUAD4, conn(:, 1:1), contact_options(k))
+    call block%add_half_space([0d0, depth], [0d0, 1d0], index)
+    call block%evaluate(x(:, 1:4), forces(:, 1:4))
+    body = block%obstacle(index)
+    call expect("force on the plane", body%force(2), -k*depth, 1d-9*k)
+    call block%remove_obstacle(index)
+    call block%add_half_space([0d0, 0.1d0], [-0.6d0, 0.8d0], index)
+    call block%evaluate(x(:, 1:4), forces(:, 1:4))
+    body = block%obstacle(index)
+    call block%remove_obstacle(index)
+    height = 0.1d0
+    call block%add_signed_distance(distance, pose_at([0d0, 0d0]), index, c_loc(height))
+    call block%evaluate(x(:, 1:4), there(:, 1:4))
+    call expect("signed distance", maxval(abs(there(:, 1:4) - forces(:, 1:4))), 0d0, 1d-3*body%force(1))
+
+    ! Errors: what is wrong is named, and nothing has changed.
+    conn(3, 2) = 9
+    call squares%from_cells(x, FMC_QUAD4, conn, options, stat=stat)
+    call expect("status of a node that is not there", real(stat, c_double), real(FMC_ERROR_NODE_OUT_OF_RANGE, c_double), 0d0)
+    print '(a)', contact_error()
+    call squares%evaluate(y, there)
+    call expect("forces after an error", maxval(abs(there - kept)), 0d0, 0d0)
+    call squares%add_cuboid([1d0, 1d0, 1d0], pose_at([0d0, 0d0]), stat=stat)
+    call expect("three sides in two dimensions", real(stat, c_double), real(FMC_ERROR_DIMENSION, c_double), 0d0)
+  end subroutine
+
+  subroutine expect(what, value, expected, error)
+    character(*), intent(in) :: what
+    real(c_double), intent(in) :: value, expected, error
+    if (abs(value - expected) <= error) return
+    print '(2a, es12.4, a, es12.4)', what, ":", value, " is not", expected
+    failures = failures + 1
+  end subroutine
+
+  ! Numbers that are the same with every compiler.
+  subroutine random(numbers)
+    real(c_double), intent(out) :: numbers(2, 8)
+    integer :: i, j
+    numbers = reshape([((sin(7d0*i + 3d0*j), i = 1, 2), j = 1, 8)], [2, 8])
+  end subroutine
+end program

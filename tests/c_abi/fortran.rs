@@ -1,0 +1,65 @@
+//! Fortran: `bindings/fortran/fmc_contact_c.f90` is what `include/fmc_contact.h` says, and the hosts in hosts/fortran run.
+
+mod declarations;
+mod interface;
+
+use super::program::{built, compiler, root, run, scratch, succeed};
+use declarations::Declarations;
+use std::process::Command;
+use std::{env, fs};
+
+/// A difference is a change of the header: run `make header`.
+#[test]
+fn the_committed_module_is_the_generated_one() {
+    let header = fs::read_to_string(root().join("include/fmc_contact.h")).expect("the header");
+    let module = interface::module(&Declarations::of(&header));
+    let path = root().join("bindings/fortran/fmc_contact_c.f90");
+    if env::var_os("UPDATE_HEADER").is_some() {
+        fs::write(&path, &module).expect("fmc_contact_c.f90 can be written");
+    }
+    let committed = fs::read_to_string(&path).unwrap_or_default();
+    let differs = committed.lines().zip(module.lines()).position(|(old, new)| old != new);
+    assert!(committed == module, "fmc_contact_c.f90 is not what the header says (line {differs:?}): make header");
+}
+
+/// What a host prints, plainly and under valgrind, with every check that the compiler offers.
+pub(crate) fn output(host: &str) -> String {
+    let folder = scratch(host);
+    let mut fortran = compiler("FC", "gfortran");
+    fortran.current_dir(&folder).args(["-std=f2018", "-Wall", "-Wextra", "-Werror", "-g", "-fcheck=all"]);
+    fortran.args(["-ffp-contract=off", "-o", "host"]);
+    fortran.args(["fmc_contact_c.f90", "fmc_contact.f90"].map(|name| root().join("bindings/fortran").join(name)));
+    fortran.arg(root().join("hosts/fortran").join(host)).arg(built().join("libfmc_contact.a"));
+    succeed(fortran.args(["-lpthread", "-ldl", "-lm"]));
+    let plain = run(&mut Command::new(folder.join("host")));
+    let printed = String::from_utf8_lossy(&plain.stdout).into_owned();
+    let complaints = String::from_utf8_lossy(&plain.stderr).into_owned();
+    assert!(plain.status.success() && complaints.is_empty(), "{host}: {}\n{printed}{complaints}", plain.status);
+    let mut valgrind = Command::new("valgrind");
+    valgrind.args(["-q", "--error-exitcode=9", "--leak-check=full", "--errors-for-leak-kinds=definite,indirect"]);
+    assert_eq!(succeed(valgrind.arg(folder.join("host"))), printed, "{host} under valgrind");
+    printed
+}
+
+#[test]
+fn two_squares_in_fifteen_lines_of_fortran() {
+    let source = fs::read_to_string(root().join("hosts/fortran/two_squares.f90")).expect("the smallest host");
+    let code = source.lines().filter(|line| !line.starts_with('!')).count();
+    assert!(code <= 15, "{code} lines");
+    let printed = output("two_squares.f90");
+    assert!(printed.starts_with("overlap 0.008\nnode 1"), "{printed}");
+    let forces: Vec<f64> = printed
+        .lines()
+        .skip(1)
+        .map(|line| line.split_whitespace().nth(2).and_then(|word| word.parse().ok()).expect("a number"))
+        .collect();
+    // k times the depth times the height of the overlap, less at its corners, over 0.01 of 0.8.
+    assert!((forces[..4].iter().sum::<f64>() + 800.0).abs() < 10.0, "{printed}");
+    assert!((forces[4..].iter().sum::<f64>() - 800.0).abs() < 10.0, "{printed}");
+}
+
+#[test]
+fn what_a_fortran_host_gets_is_right() {
+    let printed = output("walk_through.f90");
+    assert_eq!(printed, "cell or facet 2 names node 9, but there are 8 nodes, counted from 1\n0 failures\n");
+}
