@@ -254,11 +254,7 @@ impl Points {
     }
 
     /// All of them, of which these are used.
-    pub(super) fn interpolation<'a>(
-        &self,
-        node_count: usize,
-        named: impl Iterator<Item = &'a u32>,
-    ) -> Interpolation {
+    pub(super) fn interpolation<'a>(&self, node_count: usize, named: impl Iterator<Item = &'a u32>) -> Interpolation {
         let mut used = vec![false; self.rows.len()];
         named.for_each(|&point| used[point as usize] = true);
         Interpolation::new(node_count, &self.rows, |point| used[point])
