@@ -64,16 +64,17 @@ pub enum Error {
         /// How many there are.
         count: usize,
     },
-    /// Two cells do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
+    /// Two cells, or two facets of a surface given by facets, do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
     NonConforming {
-        /// Both cells, counted over all blocks.
+        /// Both cells (or facets), counted over all blocks.
         cells: [usize; 2],
     },
     /// A cell is inverted: its orientation is opposite to that of the cells it is connected to, or,
     /// for cells that are no simplices, the Jacobian is negative at a corner while it is positive at another. (A `Hex8` or
-    /// `Wedge6` may be positive at all corners and yet twisted inside; corners are what is looked at.)
+    /// `Wedge6` may be positive at all corners and yet twisted inside; corners are what is looked at.) Or a part of a facet of
+    /// second order, in a surface given by facets, faces away from the whole.
     InvertedCell {
-        /// Cell.
+        /// Cell, or facet.
         cell: usize,
     },
     /// A cell or facet has no length, area or volume.
@@ -256,12 +257,13 @@ impl fmt::Display for Error {
             }
             Error::NonConforming { cells: [one, other] } => write!(
                 f,
-                "cells {one} and {other} do not fit: an edge or a face has a node in its middle in one of them, and in the \
+                "cells or facets {one} and {other} do not fit: an edge or a face has a node in its middle in one of them, and in the \
                  other it has none, or another one, or one that hangs beside the middle"
             ),
             Error::InvertedCell { cell } => write!(
                 f,
-                "cell {cell} is inverted: its nodes are numbered against the others, or a step of the host was too large"
+                "cell or facet {cell} is inverted: its nodes are numbered against the others, a node in its middle is too near to \
+                 a corner, or a step of the host was too large"
             ),
             Error::ZeroMeasure { cell } => write!(f, "cell or facet {cell} has zero measure"),
             Error::OpenSurface { facet, nodes } => {

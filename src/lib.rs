@@ -27,8 +27,8 @@ mod capi;
 pub use contact::{Contact, ContactForces, EnergyLaw, FiberProfile, Options, contact_force};
 pub use error::Error;
 pub use geometry::{
-    Basis, Bodies, BoundaryFacet, CellBlock, CellType, HeightField, Obstacle, PointWeights, Pose, Shape,
-    SignedDistance, Surface,
+    Basis, Bodies, BoundaryFacet, CellBlock, CellType, FacetBlock, FacetType, HeightField, Obstacle, PointWeights,
+    Pose, Shape, SignedDistance, Surface,
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
 pub use sampling::FiberPattern;

@@ -41,7 +41,8 @@ impl<const D: usize> Surface<D> {
             (Some(whole), cell_type.zip(face).map(|(cell_type, face)| cell_type.vtk_face(face)))
         };
         let (cell, local_face) = cell.map_or((None, None), of_whole);
-        let given = cell.is_none().then_some(source);
+        let of_given = || self.division.as_ref().map_or(source, |division| division.cell(source));
+        let given = cell.is_none().then(of_given);
         BoundaryFacet { body, cell, local_face, given, nodes: self.nodes_of_facet(facet) }
     }
 

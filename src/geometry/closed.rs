@@ -12,11 +12,11 @@ struct SilhouettePoint {
 }
 
 /// Checks that every edge (3D) or node (2D) of each body belongs to two facets that pass it in opposite directions.
-pub(crate) fn check_closed<const D: usize>(facets: &[[u32; D]], bodies: &[i64]) -> Result<(), Error> {
+pub(crate) fn check_closed<const D: usize>(facets: &[&[u32]], bodies: &[i64]) -> Result<(), Error> {
     let mut silhouettes: Vec<SilhouettePoint> = Vec::with_capacity(D * facets.len());
     for (facet, nodes) in facets.iter().enumerate() {
-        for k in 0..D {
-            let (p, q) = (nodes[k], nodes[(k + 1) % D]);
+        for k in 0..nodes.len() {
+            let (p, q) = (nodes[k], nodes[(k + 1) % nodes.len()]);
             let (nodes, forward) = if D == 2 { ([p, p], k == 0) } else { ([p.min(q), p.max(q)], p < q) };
             silhouettes.push(SilhouettePoint { body: bodies[facet], nodes, forward, facet });
         }

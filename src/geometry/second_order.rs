@@ -23,6 +23,7 @@ mod basis;
 mod children;
 mod division;
 mod entities;
+mod facets;
 mod interpolation;
 mod refined;
 

@@ -1,10 +1,9 @@
 //! Boundary facets of bodies.
 
-use super::cells::{Cells, check_nodes};
-use super::closed::check_closed;
-use super::components::{Components, connected_labels, enclosed_volume, sorted_ids};
+use super::cells::Cells;
+use super::components::Components;
 use super::second_order::Division;
-use super::{Bodies, CellBlock, Vector, facet::area_vector};
+use super::{Bodies, CellBlock, Vector};
 use crate::Error;
 use crate::dimension::{recast, rows};
 use std::ops::Range;
@@ -17,7 +16,7 @@ use std::ops::Range;
 #[derive(Clone, Debug)]
 pub struct Surface<const D: usize> {
     pub(super) node_count: usize,
-    body_ids: Vec<i64>,
+    pub(super) body_ids: Vec<i64>,
     /// Node of every vertex that is a node, ascending.
     pub(crate) nodes: Vec<u32>,
     /// The four vertices whose mean is vertex `nodes.len() + i`.
@@ -98,17 +97,7 @@ impl<const D: usize> Surface<D> {
         faces.sort_by_key(|(body, _, _)| *body);
         let mut surface = Self::empty(coords.len(), body_ids, faces.iter().flat_map(|f| f.2.iter().copied()));
         for (body, source, nodes) in &faces {
-            let vertices: Vec<u32> = nodes.iter().map(|&n| surface.vertex_of(n)).collect();
-            if let Ok(facet) = <[u32; D]>::try_from(vertices.as_slice()) {
-                surface.push(*body, *source, facet);
-            } else {
-                let centroid = (surface.nodes.len() + surface.centroids.len()) as u32;
-                surface.centroids.push(std::array::from_fn(|k| vertices[k]));
-                for k in 0..4 {
-                    let corners = [vertices[k], vertices[(k + 1) % 4], centroid];
-                    surface.push(*body, *source, std::array::from_fn(|c| corners[c]));
-                }
-            }
+            surface.push_face(*body, *source, nodes);
         }
         surface.collect_vertices();
         surface.cells = Some(cells);
@@ -116,58 +105,7 @@ impl<const D: usize> Surface<D> {
         Ok(surface)
     }
 
-    /// Surface given directly: edges with the body on their left (2D), triangles counter-clockwise seen from outside
-    /// (3D), closed. With [`Bodies::Connected`], a cavity (a component with negative volume) belongs to the smallest
-    /// body around it.
-    ///
-    /// # Errors
-    /// [`Error::Empty`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
-    /// [`Error::NonFiniteCoordinate`], [`Error::ZeroMeasure`], [`Error::OpenSurface`], [`Error::NonManifold`],
-    /// [`Error::InconsistentOrientation`], [`Error::InvertedSurface`].
-    pub fn from_facets(coords: &[[f64; D]], facets: &[[u32; D]], bodies: Bodies) -> Result<Self, Error> {
-        if facets.is_empty() {
-            return Err(Error::Empty);
-        }
-        for (facet, nodes) in facets.iter().enumerate() {
-            check_nodes(facet, nodes, coords.len())?;
-        }
-        check_finite(coords, facets.iter().flatten().copied())?;
-        for (facet, nodes) in facets.iter().enumerate() {
-            let x: [Vector<D>; D] = nodes.map(|n| coords[n as usize].into());
-            let size = super::aabb::Aabb::of(&x).extent().amax();
-            if area_vector(&x).norm() <= 1e-14 * size.powi(D as i32 - 1) {
-                return Err(Error::ZeroMeasure { cell: facet });
-            }
-        }
-        let labels: Vec<i64> = match bodies {
-            Bodies::Connected => connected_labels(coords, facets),
-            Bodies::Ids(ids) if ids.len() == facets.len() => ids.to_vec(),
-            Bodies::Ids(ids) => {
-                return Err(Error::Length { array: "body_ids", expected: facets.len(), found: ids.len() });
-            }
-        };
-        check_closed(facets, &labels)?;
-        let body_ids = sorted_ids(&labels);
-        let mut order: Vec<usize> = (0..facets.len()).collect();
-        order.sort_by_key(|&f| labels[f]);
-        let mut surface = Self::empty(coords.len(), body_ids, facets.iter().flatten().copied());
-        for facet in order {
-            let body = surface.body_ids.partition_point(|&id| id < labels[facet]) as u32;
-            let vertices = facets[facet].map(|n| surface.vertex_of(n));
-            surface.push(body, [0, facet as u32], vertices);
-        }
-        surface.facet_cell.clear();
-        surface.collect_vertices();
-        let points = surface.points(coords);
-        for (body, range) in surface.ranges.iter().enumerate() {
-            if enclosed_volume(&surface.facets[range.clone()], &points) < 0.0 {
-                return Err(Error::InvertedSurface { body: surface.body_ids[body] });
-            }
-        }
-        Ok(surface)
-    }
-
-    fn empty(node_count: usize, body_ids: Vec<i64>, nodes: impl Iterator<Item = u32>) -> Self {
+    pub(super) fn empty(node_count: usize, body_ids: Vec<i64>, nodes: impl Iterator<Item = u32>) -> Self {
         let mut nodes: Vec<u32> = nodes.collect();
         nodes.sort_unstable();
         nodes.dedup();
@@ -188,7 +126,7 @@ impl<const D: usize> Surface<D> {
         }
     }
 
-    fn collect_vertices(&mut self) {
+    pub(super) fn collect_vertices(&mut self) {
         let of = |range: &Range<usize>| {
             let mut vertices: Vec<u32> = self.facets[range.clone()].iter().flatten().copied().collect();
             vertices.sort_unstable();
@@ -216,6 +154,20 @@ impl<const D: usize> Surface<D> {
     /// Vertex of a node that is known to lie on the surface.
     fn vertex_of(&self, node: u32) -> u32 {
         self.nodes.partition_point(|&n| n < node) as u32
+    }
+
+    /// Adds an edge, a triangle or the four triangles of a quadrilateral.
+    pub(super) fn push_face(&mut self, body: u32, source: [u32; 2], nodes: &[u32]) {
+        let vertices: Vec<u32> = nodes.iter().map(|&n| self.vertex_of(n)).collect();
+        if let Ok(facet) = <[u32; D]>::try_from(vertices.as_slice()) {
+            return self.push(body, source, facet);
+        }
+        let centroid = (self.nodes.len() + self.centroids.len()) as u32;
+        self.centroids.push(std::array::from_fn(|k| vertices[k]));
+        for k in 0..4 {
+            let corners = [vertices[k], vertices[(k + 1) % 4], centroid];
+            self.push(body, source, std::array::from_fn(|c| corners[c]));
+        }
     }
 
     fn push(&mut self, body: u32, [cell, source]: [u32; 2], facet: [u32; D]) {
@@ -329,8 +281,11 @@ impl<const D: usize> Surface<D> {
 
     /// Faces of the surface as corner nodes, with the index of their body; a quadrilateral face appears once, with four.
     pub fn faces(&self) -> Vec<(usize, Vec<u32>)> {
-        match (&self.division, &self.cells) {
-            (Some(division), Some(cells)) if division.is_divided() => self.whole_faces(division, cells),
+        match &self.division {
+            Some(division) if division.is_divided() => match &self.cells {
+                Some(cells) => self.whole_faces(division, cells),
+                None => self.whole_facets(division),
+            },
             _ => self.straight_faces(),
         }
     }
@@ -367,7 +322,7 @@ fn from_cells_in_space(coords: &[[f64; 3]], blocks: &[CellBlock], bodies: Bodies
     Surface::of_cells(coords, blocks, bodies)
 }
 
-fn check_finite<const D: usize>(coords: &[[f64; D]], nodes: impl Iterator<Item = u32>) -> Result<(), Error> {
+pub(super) fn check_finite<const D: usize>(coords: &[[f64; D]], nodes: impl Iterator<Item = u32>) -> Result<(), Error> {
     for node in nodes {
         if let Some(axis) = coords[node as usize].iter().position(|x| !x.is_finite()) {
             return Err(Error::NonFiniteCoordinate { node: node as usize, axis });

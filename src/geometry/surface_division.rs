@@ -83,4 +83,17 @@ impl<const D: usize> Surface<D> {
         }
         faces
     }
+
+    /// The same of facets that were given.
+    pub(super) fn whole_facets(&self, division: &Division) -> Vec<(usize, Vec<u32>)> {
+        let (mut faces, mut seen) = (Vec::new(), BTreeSet::new());
+        for (body, range) in self.ranges.iter().enumerate() {
+            for straight in range.clone().map(|facet| self.facet_source[facet] as usize) {
+                if seen.insert(division.cell(straight)) {
+                    faces.push((body, division.corners_of_facet(straight).to_vec()));
+                }
+            }
+        }
+        faces
+    }
 }

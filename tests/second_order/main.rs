@@ -4,6 +4,7 @@
 mod scene;
 
 mod basis;
+mod by_facets;
 mod derivatives;
 mod flat;
 mod friction;

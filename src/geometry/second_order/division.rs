@@ -24,7 +24,9 @@ pub(crate) struct Division {
     pub(crate) blocks: Vec<(CellType, Vec<u32>)>,
     /// Where every straight cell comes from; empty where the cells are those given.
     pub(super) origins: Vec<Origin>,
-    /// Corners of the given cells, one after the other, and where they begin.
+    /// The given facet of every straight one, where a surface was given by facets.
+    pub(super) facets: Vec<u32>,
+    /// Corners of the given cells (or facets), one after the other, and where they begin.
     pub(super) corners: Vec<u32>,
     pub(super) starts: Vec<usize>,
     /// Children of a cell, by its type.
@@ -59,13 +61,16 @@ enum Role {
 }
 
 /// Points while they are collected.
-struct Points {
+pub(super) struct Points {
     rows: Vec<Vec<(u32, f64)>>,
     roles: Vec<Role>,
     /// The cell that gave a node its role.
     given_by: Vec<u32>,
     /// Point in the middle of an edge, quadrilateral or cell, by its corners; with the cell that made it, and whether it is a node.
     middles: BTreeMap<[u32; 8], (u32, u32, bool)>,
+    /// Whether what is collected are facets, whose own middle is no other's: two that have all corners in common may bulge to
+    /// either side.
+    is_of_facets: bool,
 }
 
 impl Division {
@@ -78,22 +83,9 @@ impl Division {
         if blocks.iter().all(|block| block.cell_type.straight() == block.cell_type) {
             return Ok(None);
         }
-        let row = |node| vec![(node as u32, 1.0)];
-        let mut points = Points {
-            rows: (0..node_count).map(row).collect(),
-            roles: vec![Role::Unused; node_count],
-            given_by: vec![0; node_count],
-            middles: BTreeMap::new(),
-        };
-        let mut all = Self {
-            interpolation: Interpolation::new(0, &[], |_| false),
-            of_unknowns: None,
-            blocks: Vec::new(),
-            origins: Vec::new(),
-            corners: Vec::new(),
-            starts: vec![0],
-            types: Vec::new(),
-        };
+        let mut points = Points::new(node_count, false);
+        let mut all = Self::none(0);
+        all.starts.push(0);
         let mut cell = 0;
         for (block, CellBlock { cell_type, conn }) in blocks.iter().enumerate() {
             if cell_type.dimension() != D {
@@ -112,10 +104,8 @@ impl Division {
             all.divide(*cell_type, cells.map(|(nodes, cell)| (cell as u32, nodes)), &mut points)?;
             cell += conn.len() / size;
         }
-        points.check_straight(blocks)?;
-        let mut used = vec![false; points.rows.len()];
-        all.blocks.iter().flat_map(|(_, conn)| conn).for_each(|&point| used[point as usize] = true);
-        all.interpolation = Interpolation::new(node_count, &points.rows, |point| used[point]);
+        points.check_straight_cells(blocks)?;
+        all.interpolation = points.interpolation(node_count, all.blocks.iter().flat_map(|(_, conn)| conn));
         Ok(Some(all))
     }
 
@@ -136,9 +126,7 @@ impl Division {
             let local = match &entities {
                 Some(entities) => points.of_cell(cell, nodes, entities)?,
                 None => {
-                    for &node in nodes {
-                        points.set_role(cell, node, Role::Corner)?;
-                    }
+                    points.all_corners(cell, nodes)?;
                     nodes.to_vec()
                 }
             };
@@ -166,6 +154,7 @@ impl Division {
             of_unknowns: None,
             blocks: Vec::new(),
             origins: Vec::new(),
+            facets: Vec::new(),
             corners: Vec::new(),
             starts: Vec::new(),
             types: Vec::new(),
@@ -191,24 +180,32 @@ impl Division {
         self.origins.get(straight).map(|origin| origin.cell_type)
     }
 
-    /// Whether cells are divided.
+    /// Whether cells, or facets, are divided.
     pub(crate) fn is_divided(&self) -> bool {
-        !self.origins.is_empty()
+        !self.origins.is_empty() || !self.facets.is_empty()
     }
 
-    /// Body ids of the straight cells, given those of the cells.
+    /// Body ids of the straight cells (or facets), given those of the cells.
     pub(crate) fn body_ids(&self, bodies: Bodies) -> Result<Option<Vec<i64>>, Error> {
         let Bodies::Ids(ids) = bodies else { return Ok(None) };
         let count = self.starts.len() - 1;
         if ids.len() != count {
             return Err(Error::Length { array: "body_ids", expected: count, found: ids.len() });
         }
-        Ok(Some(self.origins.iter().map(|origin| ids[origin.cell as usize]).collect()))
+        let straight = self.origins.len() + self.facets.len();
+        Ok(Some((0..straight).map(|straight| ids[self.cell(straight)]).collect()))
     }
 
-    /// The cell as given to which a straight one belongs.
+    /// The cell (or facet) as given to which a straight one belongs.
     pub(crate) fn cell(&self, straight: usize) -> usize {
-        self.origins.get(straight).map_or(straight, |origin| origin.cell as usize)
+        let cell = self.origins.get(straight).map(|origin| origin.cell);
+        cell.or_else(|| self.facets.get(straight).copied()).map_or(straight, |given| given as usize)
+    }
+
+    /// Corners of the facet as given to which a straight one belongs.
+    pub(crate) fn corners_of_facet(&self, straight: usize) -> &[u32] {
+        let given = self.cell(straight);
+        &self.corners[self.starts[given]..self.starts[given + 1]]
     }
 
     /// The face of that cell in which a face of the straight one lies, where it is part of its boundary.
@@ -232,9 +229,9 @@ impl Division {
     pub(crate) fn told(&self, mut error: Error) -> Error {
         match &mut error {
             Error::InvertedCell { cell } | Error::ZeroMeasure { cell } => *cell = self.cell(*cell),
-            Error::NonManifold { facet, .. } | Error::InconsistentOrientation { facet, .. } => {
-                *facet = self.cell(*facet);
-            }
+            Error::NonManifold { facet, .. }
+            | Error::InconsistentOrientation { facet, .. }
+            | Error::OpenSurface { facet, .. } => *facet = self.cell(*facet),
             _ => {}
         }
         error
@@ -242,8 +239,34 @@ impl Division {
 }
 
 impl Points {
+    fn new(node_count: usize, is_of_facets: bool) -> Self {
+        Self {
+            rows: (0..node_count as u32).map(|node| vec![(node, 1.0)]).collect(),
+            roles: vec![Role::Unused; node_count],
+            given_by: vec![0; node_count],
+            middles: BTreeMap::new(),
+            is_of_facets,
+        }
+    }
+
+    pub(super) fn of_facets(node_count: usize) -> Self {
+        Self::new(node_count, true)
+    }
+
+    /// All of them, of which these are used.
+    pub(super) fn interpolation<'a>(&self, node_count: usize, named: impl Iterator<Item = &'a u32>) -> Interpolation {
+        let mut used = vec![false; self.rows.len()];
+        named.for_each(|&point| used[point as usize] = true);
+        Interpolation::new(node_count, &self.rows, |point| used[point])
+    }
+
+    /// Takes the nodes of a straight cell.
+    pub(super) fn all_corners(&mut self, cell: u32, nodes: &[u32]) -> Result<(), Error> {
+        nodes.iter().try_for_each(|&node| self.set_role(cell, node, Role::Corner))
+    }
+
     /// Numbers of all points of a cell, which are added where they are new.
-    fn of_cell(&mut self, cell: u32, nodes: &[u32], entities: &Entities) -> Result<Vec<u32>, Error> {
+    pub(super) fn of_cell(&mut self, cell: u32, nodes: &[u32], entities: &Entities) -> Result<Vec<u32>, Error> {
         let mut local: Vec<u32> = nodes.to_vec();
         for &node in &nodes[..entities.corners] {
             self.set_role(cell, node, Role::Corner)?;
@@ -259,6 +282,11 @@ impl Points {
                 self.set_role(cell, node, Role::Middle(key))?;
             }
             let next = given.unwrap_or(self.rows.len() as u32);
+            let is_own = self.is_of_facets && entities.around(point).len() == entities.corners;
+            if let Some(node) = given.filter(|_| is_own) {
+                self.rows[node as usize] = row(entities, point, &local, given);
+                continue;
+            }
             let &mut (number, other, is_node) = self.middles.entry(key).or_insert((next, cell, given.is_some()));
             if is_node != given.is_some() || given.is_some_and(|node| node != number) {
                 return Err(Error::NonConforming { cells: [other as usize, cell as usize] });
@@ -290,25 +318,32 @@ impl Points {
     }
 
     /// Refuses straight cells with an edge in whose middle a cell of second order has a node.
-    fn check_straight(&self, blocks: &[CellBlock]) -> Result<(), Error> {
+    fn check_straight_cells(&self, blocks: &[CellBlock]) -> Result<(), Error> {
         let mut first = 0;
         for CellBlock { cell_type, conn } in blocks {
             let size = cell_type.node_count();
             if *cell_type == cell_type.straight() {
                 for (cell, nodes) in conn.chunks_exact(size).enumerate() {
                     for face in cell_type.faces() {
-                        for (k, &p) in face.iter().enumerate() {
-                            let mut key = [u32::MAX; 8];
-                            (key[0], key[1]) = (nodes[p], nodes[face[(k + 1) % face.len()]]);
-                            key.sort_unstable();
-                            if let Some((_, other, _)) = self.middles.get(&key) {
-                                return Err(Error::NonConforming { cells: [*other as usize, first + cell] });
-                            }
-                        }
+                        let ends = |k: usize| [nodes[face[k]], nodes[face[(k + 1) % face.len()]]];
+                        self.check_straight(first + cell, (0..face.len()).map(ends))?;
                     }
                 }
             }
             first += conn.len() / size;
+        }
+        Ok(())
+    }
+
+    /// Refuses a straight cell, or facet, with one of these edges if another has a node in its middle.
+    pub(super) fn check_straight(&self, cell: usize, edges: impl Iterator<Item = [u32; 2]>) -> Result<(), Error> {
+        for ends in edges {
+            let mut key = [u32::MAX; 8];
+            key[..2].copy_from_slice(&ends);
+            key.sort_unstable();
+            if let Some((_, other, _)) = self.middles.get(&key) {
+                return Err(Error::NonConforming { cells: [*other as usize, cell] });
+            }
         }
         Ok(())
     }
