@@ -102,35 +102,13 @@ fn what_does_not_fit_is_refused_in_the_numbers_of_the_file() {
     let mixed = refused("second_order_surface_mixed", &|writer| {
         let block = second_order(&cuboid_hex8([0.0; 3], [1.0; 3], [1; 3]), 20);
         let points: Vec<u64> = block.coords.iter().map(|x| writer.point(*x)).collect();
-        for (number, facet) in skin(&block).into_iter().enumerate() {
+        for (number, facet) in block.boundary_faces().into_iter().enumerate() {
             let (cell_type, nodes) =
                 if number == 5 { (CellType::Quad4, &facet[..4]) } else { (CellType::Quad8, &facet[..]) };
             writer.cell(VtkCell::Mesh(cell_type), nodes.iter().map(|&node| points[node as usize]));
         }
     });
     assert!(mixed.contains("do not fit") && mixed.contains("cell 5"), "{mixed}");
-}
-
-/// Faces of hexahedra of second order, the nodes in their middles last.
-fn skin(mesh: &Mesh<3>) -> Vec<Vec<u32>> {
-    let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
-    let middles = [[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]];
-    let mut faces = std::collections::BTreeMap::<Vec<u32>, Vec<Vec<u32>>>::new();
-    for cell in mesh.cells() {
-        for (number, face) in middles.iter().enumerate() {
-            let mut nodes: Vec<u32> = face.iter().map(|&k| cell[k]).collect();
-            let mut key = nodes.clone();
-            key.sort_unstable();
-            for k in 0..4 {
-                let ends = [face[k], face[(k + 1) % 4]];
-                let edge = edges.iter().position(|edge| ends.iter().all(|end| edge.contains(end))).unwrap();
-                nodes.push(cell[8 + edge]);
-            }
-            nodes.extend(cell.get(20 + number));
-            faces.entry(key).or_default().push(nodes);
-        }
-    }
-    faces.into_values().filter(|same| same.len() == 1).flatten().collect()
 }
 
 /// Bodies given by their skins, in a VTU file, have the volume, forces and pressures that their cells have.
@@ -143,7 +121,7 @@ fn surfaces_of_second_order() {
         let mut count = 0;
         for mesh in &bodies {
             let points: Vec<u64> = mesh.coords.iter().map(|x| writer.point(*x)).collect();
-            for face in skin(mesh) {
+            for face in mesh.boundary_faces() {
                 writer.cell(VtkCell::Mesh(facet), face.iter().map(|&node| points[node as usize]));
                 count += 1;
             }
