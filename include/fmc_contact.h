@@ -77,7 +77,7 @@ typedef enum {
   FMC_ERROR_STRIDE = 5,
   // A dimension other than 2 and 3, or a cell type of another dimension than the coordinates.
   FMC_ERROR_DIMENSION = 6,
-  // Not a value of `fmc_cell_type`.
+  // Not a value of `fmc_cell_type`, or of `fmc_facet_type`.
   FMC_ERROR_UNKNOWN_CELL_TYPE = 7,
   // A cell or facet names a node that does not exist.
   FMC_ERROR_NODE_OUT_OF_RANGE = 8,
@@ -85,7 +85,7 @@ typedef enum {
   FMC_ERROR_NON_FINITE_COORDINATE = 9,
   // A cell or facet names one node twice.
   FMC_ERROR_REPEATED_NODE = 10,
-  // A cell is inverted.
+  // A cell is inverted, or a facet of second order is folded.
   FMC_ERROR_INVERTED_CELL = 11,
   // A cell or facet has no length, area or volume.
   FMC_ERROR_ZERO_MEASURE = 12,
@@ -149,7 +149,8 @@ typedef enum {
   FMC_ERROR_NON_FINITE_SLIP = 41,
   // A node lies beyond the axis, with axisymmetry: its first coordinate is negative.
   FMC_ERROR_NEGATIVE_RADIUS = 42,
-  // Two cells do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
+  // Two cells, or two facets of a surface, do not fit: an edge, a face or a node is divided, or stands in a middle, in one
+  // of them only.
   FMC_ERROR_NON_CONFORMING = 43,
 } fmc_status;
 
@@ -233,6 +234,25 @@ typedef enum {
   // `FMC_HEX20` with nodes in the middles of the faces 0473, 1265, 0154, 3762, 0321, 4567 and of the cell: 27.
   FMC_HEX27 = 29,
 } fmc_cell_type;
+
+// Type of a facet of a surface. The numbers are those of VTK, and so is the node order. An edge has the body on its left; the
+// corners of a triangle or quadrilateral run counter-clockwise seen from outside.
+typedef enum {
+  // Edge, 2D, 2 nodes.
+  FMC_FACET_LINE2 = 3,
+  // Triangle, 3D, 3 nodes.
+  FMC_FACET_TRI3 = 5,
+  // Quadrilateral, 3D, 4 nodes: four triangles about its middle, as a face of `FMC_HEX8`.
+  FMC_FACET_QUAD4 = 9,
+  // Edge of second order, 2D, 3 nodes: its ends, then its middle.
+  FMC_FACET_LINE3 = 21,
+  // Triangle of second order, 3D, 6 nodes: the corners, then the middles of the edges 01, 12, 20.
+  FMC_FACET_TRI6 = 22,
+  // Quadrilateral of second order, 3D, 8 nodes: the corners, then the middles of 01, 12, 23, 30. A face of `FMC_HEX20`.
+  FMC_FACET_QUAD8 = 23,
+  // `FMC_FACET_QUAD8` with a ninth node in its middle. A face of `FMC_HEX27`.
+  FMC_FACET_QUAD9 = 28,
+} fmc_facet_type;
 
 // Kind of a partner.
 typedef enum {
@@ -436,6 +456,26 @@ typedef struct {
   // Number of cells; if 0, `conn` may be NULL.
   size_t cell_count;
 } fmc_cell_block_i64;
+
+// Facets of one type; a mixed surface has a block for each.
+typedef struct {
+  // A value of `fmc_facet_type`.
+  int32_t facet_type;
+  // Node numbers, (facet_count, nodes per facet), counted from the option `index_base`.
+  const int32_t *conn;
+  // Number of facets; if 0, `conn` may be NULL.
+  size_t facet_count;
+} fmc_facet_block;
+
+// `fmc_facet_block` with 64-bit node numbers.
+typedef struct {
+  // A value of `fmc_facet_type`.
+  int32_t facet_type;
+  // Node numbers, (facet_count, nodes per facet), counted from the option `index_base`.
+  const int64_t *conn;
+  // Number of facets; if 0, `conn` may be NULL.
+  size_t facet_count;
+} fmc_facet_block_i64;
 
 // Receives messages: a level, and a sentence that is valid during the call. `user` is the pointer given with it.
 //
@@ -922,6 +962,31 @@ fmc_status fmc_context_new_from_facets_i64(int32_t dim,
 //
 // Errors: none. Threads: no other call on the context may be running or follow.
 fmc_status fmc_context_free(fmc_context **context);
+
+// Makes a context from a surface whose facets are of any type of `fmc_facet_type`, also of second order and mixed, in one
+// block for each type: the boundary facets of closed bodies.
+//
+// Facets of second order are measured as the faces of cells of second order are, and give the same forces. In space
+// a straight edge and one with a node in its middle do not fit. `body_ids`, one for every facet counted over the blocks, may be
+// NULL: bodies are the connected components by nodes. Otherwise as `fmc_context_new_from_facets`; also
+// `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a facet a part of which faces away
+// from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it, along the edge.
+fmc_status fmc_context_new_from_facet_blocks(int32_t dim,
+                                             const fmc_coords *coords,
+                                             const fmc_facet_block *blocks,
+                                             size_t block_count,
+                                             const int32_t *body_ids,
+                                             const fmc_options *options,
+                                             fmc_context **context);
+
+// `fmc_context_new_from_facet_blocks` with 64-bit node numbers and body ids.
+fmc_status fmc_context_new_from_facet_blocks_i64(int32_t dim,
+                                                 const fmc_coords *coords,
+                                                 const fmc_facet_block_i64 *blocks,
+                                                 size_t block_count,
+                                                 const int64_t *body_ids,
+                                                 const fmc_options *options,
+                                                 fmc_context **context);
 
 // Replaces the options. They apply from the next evaluation on; results of the last one are kept.
 //

@@ -26,6 +26,7 @@ mod creation;
 mod dimension;
 mod evaluate_tangent;
 mod evaluation;
+mod facet_block;
 mod failure;
 mod friction;
 mod gap_constraint;

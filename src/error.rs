@@ -64,7 +64,8 @@ pub enum Error {
         /// How many there are.
         count: usize,
     },
-    /// Two cells, or two facets of a surface given by facets, do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
+    /// Two cells, or two facets of a surface that is given by facets, do not fit: an edge, a face or a node is divided, or stands
+    /// in a middle, in one of them only.
     NonConforming {
         /// Both cells (or facets), counted over all blocks.
         cells: [usize; 2],
@@ -241,7 +242,8 @@ impl fmt::Display for Error {
             Error::Dimension { block, expected, found } => {
                 write!(
                     f,
-                    "cell block {block} has cells of dimension {found}, but the coordinates have dimension {expected}"
+                    "block {block} has cells of dimension {found}, or facets of such, but the coordinates have \
+                     dimension {expected}"
                 )
             }
             Error::NodeOutOfRange { cell, node, node_count } => {
@@ -257,13 +259,13 @@ impl fmt::Display for Error {
             }
             Error::NonConforming { cells: [one, other] } => write!(
                 f,
-                "cells or facets {one} and {other} do not fit: an edge or a face has a node in its middle in one of them, and in the \
-                 other it has none, or another one, or one that hangs beside the middle"
+                "cells {one} and {other} do not fit (facets, where there are no cells): an edge or a face has a node in its \
+                 middle in one of them, and in the other it has none, or another one, or one that hangs beside the middle"
             ),
             Error::InvertedCell { cell } => write!(
                 f,
-                "cell or facet {cell} is inverted: its nodes are numbered against the others, a node in its middle is too near to \
-                 a corner, or a step of the host was too large"
+                "cell {cell} is inverted (a facet, where there are no cells): its nodes are numbered against the others, one in \
+                 the middle of an edge is too near to a corner, or a step of the host was too large"
             ),
             Error::ZeroMeasure { cell } => write!(f, "cell or facet {cell} has zero measure"),
             Error::OpenSurface { facet, nodes } => {

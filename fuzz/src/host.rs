@@ -337,7 +337,10 @@ impl Host {
                 checked(unsafe { fmc_context_set_log(self.context, callback, self.context.cast()) });
             }
             Call::Stateless { hole } => self.stateless(*hole),
-            Call::FromFacets { facets, is_wide } => self.from_facets(facets, *is_wide),
+            Call::FromFacets { facets, types: [one, other], is_wide } if one % 2 == 1 => {
+                self.from_facet_blocks(facets, [one / 2, *other], *is_wide);
+            }
+            Call::FromFacets { facets, is_wide, .. } => self.from_facets(facets, *is_wide),
             Call::Suggest { dim, values } => suggest(i32::from(*dim % 5), values.map(|x| x.0)),
             Call::Texts { status, feature } => texts(*status, feature),
             Call::SetReference { read, factor, hole } => self.set_reference(*read, factor.0, *hole),
@@ -992,6 +995,44 @@ impl Host {
             (status, bits, volume.to_bits())
         };
         assert_eq!(stepped(false), stepped(true));
+    }
+
+    /// The same from two blocks of facets of these types, known or not.
+    fn from_facet_blocks(&self, facets: &[u8], types: [u8; 2], is_wide: bool) {
+        const TYPES: [(i32, usize); 8] = [(3, 2), (5, 3), (9, 4), (21, 3), (22, 6), (23, 8), (28, 9), (7, 5)];
+        let n = self.mesh.node_count() as i64 + 1;
+        let all: Vec<i64> = facets.iter().take(72).map(|f| i64::from(*f) % n).collect();
+        let halves = all.split_at(all.len() / 2);
+        let blocks = [(halves.0, types[0]), (halves.1, types[1])].map(|(nodes, of)| {
+            let (number, width) = TYPES[usize::from(of) % TYPES.len()];
+            (number, &nodes[..nodes.len() / width * width], nodes.len() / width)
+        });
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let (dim, mut context) = (self.mesh.dim as i32, null_mut());
+        let (o, to) = (&raw const self.options, &raw mut context);
+        // SAFETY: arrays as long as they are said to be; the context is given back.
+        unsafe {
+            let status = checked(if is_wide {
+                let conn = blocks.map(|(_, nodes, _)| Guarded::new(nodes));
+                let block = |k: usize| fmc_facet_block_i64 {
+                    facet_type: blocks[k].0,
+                    conn: conn[k].ptr(),
+                    facet_count: blocks[k].2,
+                };
+                fmc_context_new_from_facet_blocks_i64(dim, &coords.view, [block(0), block(1)].as_ptr(), 2, null(), o, to)
+            } else {
+                let conn =
+                    blocks.map(|(_, nodes, _)| Guarded::new(&nodes.iter().map(|&f| f as i32).collect::<Vec<_>>()));
+                let block = |k: usize| fmc_facet_block {
+                    facet_type: blocks[k].0,
+                    conn: conn[k].ptr(),
+                    facet_count: blocks[k].2,
+                };
+                fmc_context_new_from_facet_blocks(dim, &coords.view, [block(0), block(1)].as_ptr(), 2, null(), o, to)
+            });
+            assert_eq!(status == OK, !context.is_null());
+            assert_eq!(fmc_context_free(to), OK);
+        }
     }
 
     /// A context of its own, from facets of any kind on the nodes that are there.

@@ -85,6 +85,24 @@ pub struct fmc_view {
 /// As in the header.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
+pub struct fmc_facet_block {
+    pub facet_type: i32,
+    pub conn: *const i32,
+    pub facet_count: usize,
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_facet_block_i64 {
+    pub facet_type: i32,
+    pub conn: *const i64,
+    pub facet_count: usize,
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
 pub struct fmc_cell_block {
     pub cell_type: i32,
     pub conn: *const i32,
@@ -350,6 +368,24 @@ unsafe extern "C" {
         coords: *const fmc_view,
         facets: *const i64,
         facet_count: usize,
+        body_ids: *const i64,
+        options: *const fmc_options,
+        context: *mut *mut fmc_context,
+    ) -> fmc_status;
+    pub fn fmc_context_new_from_facet_blocks(
+        dim: i32,
+        coords: *const fmc_view,
+        blocks: *const fmc_facet_block,
+        block_count: usize,
+        body_ids: *const i32,
+        options: *const fmc_options,
+        context: *mut *mut fmc_context,
+    ) -> fmc_status;
+    pub fn fmc_context_new_from_facet_blocks_i64(
+        dim: i32,
+        coords: *const fmc_view,
+        blocks: *const fmc_facet_block_i64,
+        block_count: usize,
         body_ids: *const i64,
         options: *const fmc_options,
         context: *mut *mut fmc_context,

@@ -208,6 +208,8 @@ pub enum Call {
     },
     FromFacets {
         facets: Vec<u8>,
+        /// Types of two blocks of facets; edges or triangles in one array where the first is even.
+        types: [u8; 2],
         is_wide: bool,
     },
     Suggest {

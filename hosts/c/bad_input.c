@@ -195,6 +195,25 @@ static void surfaces(void) {
   EXPECT(FMC_ERROR_NULL_POINTER, "'coords'", fmc_context_new_from_facets(3, NULL, shell, 4, NULL, &o, &context));
   EXPECT(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_new_from_facets(3, &x, shell, 4, NULL, &o, NULL));
   EXPECT(FMC_ERROR_NULL_POINTER, "'blocks'", fmc_context_new_from_cells(3, &x, NULL, 1, NULL, &o, &context));
+  const int64_t wide[12] = {0};
+  const int32_t nine[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  const fmc_facet_block_i64 wide_block = {FMC_FACET_TRI3, wide, 4};
+  EXPECT(FMC_ERROR_REPEATED_NODE, "0 names node 0 twice",
+         fmc_context_new_from_facet_blocks_i64(3, &x, &wide_block, 1, NULL, &o, &context));
+  fmc_facet_block block;
+#define BLOCK(t, c, n)                                                         \
+  (block.facet_type = t, block.conn = c, block.facet_count = n,                \
+   fmc_context_new_from_facet_blocks(3, &x, &block, 1, NULL, &o, &context))
+  EXPECT(FMC_ERROR_UNKNOWN_CELL_TYPE, "facet block 0 has the unknown facet type 7", BLOCK(7, shell, 4));
+  EXPECT(FMC_ERROR_DIMENSION, "block 0 has cells of dimension 2, or facets of such", BLOCK(FMC_FACET_LINE3, shell, 4));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'conn'", BLOCK(FMC_FACET_TRI3, NULL, 4));
+  EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "but there are 4", BLOCK(FMC_FACET_QUAD9, nine, 1));
+  EXPECT(FMC_ERROR_OPEN_SURFACE, "nodes", BLOCK(FMC_FACET_TRI3, shell, 3));
+  EXPECT(FMC_ERROR_EMPTY, "no cells and no facets", BLOCK(FMC_FACET_TRI6, NULL, 0));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'blocks'", fmc_context_new_from_facet_blocks(3, &x, NULL, 1, NULL, &o, &context));
+  EXPECT_TRUE(context == NULL);
+  EXPECT_OK(BLOCK(FMC_FACET_TRI3, shell, 4));
+  EXPECT_OK(fmc_context_free(&context));
   EXPECT_TRUE(context == NULL);
   EXPECT_OK(FACETS(shell, 4));
   EXPECT_TRUE(context != NULL);

@@ -104,6 +104,24 @@ int main(void) {
   }
   for (size_t e = 0; e < slopes; e++) EXPECT(cols[e] >= 0 && cols[e] < 2 * NODES);
 
+  /* The same bodies by their edges, the middles last, without cells: the same forces. */
+  int32_t edges[8][3];
+  for (int s = 0; s < 2; s++)
+    for (int e = 0; e < 4; e++) {
+      edges[4 * s + e][0] = 8 * s + e + 1;
+      edges[4 * s + e][1] = 8 * s + (e + 1) % 4 + 1;
+      edges[4 * s + e][2] = 8 * s + e + 5;
+    }
+  const fmc_facet_block skin = {FMC_FACET_LINE3, edges[0], 8};
+  fmc_context *by_edges = NULL;
+  double g[NODES][2];
+  const fmc_forces same = {g[0], NODES, 2, 1};
+  CHECK(fmc_context_new_from_facet_blocks(2, &coords, &skin, 1, NULL, &options, &by_edges));
+  CHECK(fmc_context_evaluate(by_edges, &coords, &same, 0, NULL));
+  for (int n = 0; n < NODES; n++)
+    for (int axis = 0; axis < 2; axis++) EXPECT(fabs(g[n][axis] - f[n][axis]) < 1e-9);
+  CHECK(fmc_context_free(&by_edges));
+
   /* A straight cell whose side is an edge with a node in its middle does not fit. */
   const int32_t beside[4] = {2, 10, 11, 3};
   const fmc_cell_block mixed[2] = {{FMC_QUAD8, conn, 1}, {FMC_QUAD4, beside, 1}};

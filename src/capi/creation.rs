@@ -15,7 +15,7 @@ use super::view::fmc_coords;
 ///
 /// # Safety
 /// The host guarantees the options, and that `context` may be written.
-unsafe fn create(
+pub(super) unsafe fn create(
     options: *const fmc_options,
     context: *mut *mut fmc_context,
     session: impl FnOnce(&fmc_options) -> Result<Box<dyn Session>, Failure>,

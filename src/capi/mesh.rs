@@ -66,11 +66,11 @@ pub struct fmc_cell_block_i64 {
     pub cell_count: usize,
 }
 
-/// A block of cells with ids of either width.
+/// A block of cells, or of facets, with ids of either width.
 pub(super) trait Block: Copy {
     /// Type of its node numbers and body ids.
     type Id: Copy + Into<i64>;
-    /// Cell type, ids and cell count.
+    /// Type, ids and count.
     fn parts(&self) -> (i32, *const Self::Id, usize);
 }
 
@@ -148,7 +148,7 @@ impl Numbering {
 ///
 /// # Safety
 /// The host guarantees `count` ids at `body_ids` if it is not NULL.
-unsafe fn ids<Id: Copy + Into<i64>>(body_ids: *const Id, count: usize) -> Result<Option<Vec<i64>>, Failure> {
+pub(super) unsafe fn ids<Id: Copy + Into<i64>>(body_ids: *const Id, count: usize) -> Result<Option<Vec<i64>>, Failure> {
     if body_ids.is_null() {
         return Ok(None);
     }
@@ -157,7 +157,7 @@ unsafe fn ids<Id: Copy + Into<i64>>(body_ids: *const Id, count: usize) -> Result
     Ok(Some(ids.iter().map(|id| (*id).into()).collect()))
 }
 
-fn bodies(ids: &Option<Vec<i64>>) -> Bodies<'_> {
+pub(super) fn bodies(ids: &Option<Vec<i64>>) -> Bodies<'_> {
     ids.as_deref().map_or(Bodies::Connected, Bodies::Ids)
 }
 

@@ -24,7 +24,7 @@ pub enum fmc_status {
     FMC_ERROR_STRIDE = 5,
     /// A dimension other than 2 and 3, or a cell type of another dimension than the coordinates.
     FMC_ERROR_DIMENSION = 6,
-    /// Not a value of `fmc_cell_type`.
+    /// Not a value of `fmc_cell_type`, or of `fmc_facet_type`.
     FMC_ERROR_UNKNOWN_CELL_TYPE = 7,
     /// A cell or facet names a node that does not exist.
     FMC_ERROR_NODE_OUT_OF_RANGE = 8,
@@ -32,7 +32,7 @@ pub enum fmc_status {
     FMC_ERROR_NON_FINITE_COORDINATE = 9,
     /// A cell or facet names one node twice.
     FMC_ERROR_REPEATED_NODE = 10,
-    /// A cell is inverted.
+    /// A cell is inverted, or a facet of second order is folded.
     FMC_ERROR_INVERTED_CELL = 11,
     /// A cell or facet has no length, area or volume.
     FMC_ERROR_ZERO_MEASURE = 12,
@@ -96,7 +96,8 @@ pub enum fmc_status {
     FMC_ERROR_NON_FINITE_SLIP = 41,
     /// A node lies beyond the axis, with axisymmetry: its first coordinate is negative.
     FMC_ERROR_NEGATIVE_RADIUS = 42,
-    /// Two cells do not fit: an edge, a face or a node is divided, or stands in a middle, in one of them only.
+    /// Two cells, or two facets of a surface, do not fit: an edge, a face or a node is divided, or stands in a middle, in one
+    /// of them only.
     FMC_ERROR_NON_CONFORMING = 43,
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 39] = [
+const SOURCES: [&str; 40] = [
     "version",
     "status",
     "failure",
@@ -16,6 +16,7 @@ const SOURCES: [&str; 39] = [
     "stateless",
     "stateless_step",
     "creation",
+    "facet_block",
     "context",
     "boundary_facet",
     "boundary_facets",

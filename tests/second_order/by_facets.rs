@@ -6,59 +6,31 @@ use fmc_contact::contact::{Friction, TangentPart};
 use fmc_contact::{
     Bodies, Contact, EnergyLaw, Error, Estimator, FacetBlock, FacetType, FiberOptions, Options, Resolution, Surface,
 };
-use std::collections::BTreeMap;
+use fmc_shapes::Mesh;
 
-/// The faces that bound straight cells of second order, with the nodes in their middles, one after the other.
-pub(crate) fn skin<const D: usize>(scene: &Scene<D>) -> (Vec<(FacetType, Vec<u32>)>, Vec<i64>) {
-    let mut count: BTreeMap<Vec<u32>, usize> = BTreeMap::new();
-    let mut faces: Vec<(i64, Vec<u32>, Vec<u32>)> = Vec::new();
-    let mut ids = scene.ids.iter();
-    for (cell_type, conn) in &scene.blocks {
-        for cell in conn.chunks_exact(cell_type.node_count()) {
-            let id = *ids.next().expect("an id per cell");
-            for face in cell_type.faces() {
-                let corners: Vec<u32> = face.iter().map(|&k| cell[k]).collect();
-                let mut key = corners.clone();
-                key.sort_unstable();
-                *count.entry(key).or_default() += 1;
-                faces.push((id, corners, cell.to_vec()));
-            }
-        }
-    }
-    let mut blocks: Vec<(FacetType, Vec<u32>)> = Vec::new();
-    let mut of_facets: Vec<Vec<i64>> = Vec::new();
-    for (id, corners, cell) in faces {
-        let mut key = corners.clone();
-        key.sort_unstable();
-        if count[&key] > 1 {
-            continue;
-        }
-        let middle = |around: &[u32]| {
-            let mean: [f64; D] = std::array::from_fn(|axis| {
-                around.iter().map(|&n| scene.coords[n as usize][axis]).sum::<f64>() / around.len() as f64
+/// The facets of all bodies by type, and the body of each.
+fn skin<const D: usize>(meshes: &[&Mesh<D>]) -> (Vec<(FacetType, Vec<u32>)>, Vec<i64>) {
+    let (mut blocks, mut ids, mut first) = (Vec::<(FacetType, Vec<u32>)>::new(), Vec::<Vec<i64>>::new(), 0);
+    for (body, mesh) in meshes.iter().enumerate() {
+        for face in mesh.boundary_faces() {
+            let facet_type = match (D, face.len()) {
+                (2, 3) => FacetType::Line3,
+                (3, 6) => FacetType::Tri6,
+                (3, 8) => FacetType::Quad8,
+                (3, 9) => FacetType::Quad9,
+                other => panic!("no facet of second order: {other:?}"),
+            };
+            let place = blocks.iter().position(|(of_type, _)| *of_type == facet_type).unwrap_or_else(|| {
+                blocks.push((facet_type, Vec::new()));
+                ids.push(Vec::new());
+                blocks.len() - 1
             });
-            cell.iter().copied().find(|&n| distance(&[scene.coords[n as usize]], &[mean]) < 1e-9)
-        };
-        let mut nodes = corners.clone();
-        let edges = if D == 2 { 1 } else { corners.len() };
-        nodes.extend((0..edges).filter_map(|k| middle(&[corners[k], corners[(k + 1) % corners.len()]])));
-        nodes.extend(middle(&corners).filter(|_| corners.len() == 4));
-        let facet_type = match (D, nodes.len()) {
-            (2, 3) => FacetType::Line3,
-            (3, 6) => FacetType::Tri6,
-            (3, 8) => FacetType::Quad8,
-            (3, 9) => FacetType::Quad9,
-            other => panic!("no facet of second order: {other:?}"),
-        };
-        let place = blocks.iter().position(|(of_type, _)| *of_type == facet_type).unwrap_or_else(|| {
-            blocks.push((facet_type, Vec::new()));
-            of_facets.push(Vec::new());
-            blocks.len() - 1
-        });
-        blocks[place].1.extend(nodes);
-        of_facets[place].push(id);
+            blocks[place].1.extend(face.into_iter().map(|node| node + first));
+            ids[place].push(body as i64);
+        }
+        first += mesh.coords.len() as u32;
     }
-    (blocks, of_facets.concat())
+    (blocks, ids.concat())
 }
 
 fn by_facets<const D: usize>(
@@ -70,9 +42,10 @@ fn by_facets<const D: usize>(
     Surface::from_facet_blocks(coords, &blocks, bodies)
 }
 
-fn same<const D: usize>(scene: &Scene<D>, options: Options, seed: u64) {
+fn same<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>, options: Options, seed: u64) {
+    let scene = pair(lower, upper);
     let coords = shaken(&scene.coords, 0.02, seed);
-    let (blocks, ids) = skin(scene);
+    let (blocks, ids) = skin(&[lower, upper]);
     let facets = by_facets(&coords, &blocks, Bodies::Ids(&ids)).expect("a closed surface");
     let (cells, facets) = (scene.contact(options), Contact::new(facets, options).expect("options"));
     assert_eq!(cells.surface().facet_count(), facets.surface().facet_count());
@@ -103,8 +76,8 @@ fn forces_are_those_of_cells_in_the_plane() {
     let lower = rectangles([0.0, -1.0], [1.5, 0.0], [3, 3]);
     let upper = rectangles([0.3, -0.2], [1.3, 0.6], [2, 3]);
     for k in 0..lower.len() {
-        let scene = pair(&lower[k], &upper[(k + 1) % upper.len()]);
-        all_options().into_iter().for_each(|options| same(&scene, options, k as u64));
+        let above = &upper[(k + 1) % upper.len()];
+        all_options().into_iter().for_each(|options| same(&lower[k], above, options, k as u64));
     }
 }
 
@@ -113,8 +86,8 @@ fn forces_are_those_of_cells_in_space() {
     let lower = boxes([0.0, 0.0, -1.0], [1.5, 1.2, 0.0], [2, 2, 2]);
     let upper = boxes([0.3, 0.1, -0.2], [1.3, 1.0, 0.6], [1, 2, 1]);
     for k in 0..lower.len() {
-        let scene = pair(&lower[k], &upper[(k + 2) % upper.len()]);
-        all_options().into_iter().for_each(|options| same(&scene, options, k as u64));
+        let above = &upper[(k + 2) % upper.len()];
+        all_options().into_iter().for_each(|options| same(&lower[k], above, options, k as u64));
     }
 }
 
@@ -126,7 +99,7 @@ fn friction_is_that_of_cells() {
     for k in 0..lower.len() {
         let scene = pair(&lower[k], &upper[k]);
         let start = shaken(&scene.coords, 1e-3, k as u64);
-        let (blocks, ids) = skin(&scene);
+        let (blocks, ids) = skin(&[&lower[k], &upper[k]]);
         let facets = by_facets(&start, &blocks, Bodies::Ids(&ids)).expect("a closed surface");
         let friction = Friction { stiffness: Some(1e4), ..Friction::coulomb(0.3) };
         let options = Options { friction, ..exactly(EnergyLaw::fiber(10.0)) };
@@ -152,7 +125,7 @@ fn facets_are_told_as_given() {
     let upper = boxes([0.0, 0.0, -1e-2], [1.0, 1.0, 1.0], [2; 3]);
     for k in 0..lower.len() {
         let scene = pair(&lower[k], &upper[k]);
-        let (blocks, ids) = skin(&scene);
+        let (blocks, ids) = skin(&[&lower[k], &upper[k]]);
         let surface = by_facets(&scene.coords, &blocks, Bodies::Ids(&ids)).expect("a closed surface");
         let given: Vec<&[u32]> =
             blocks.iter().flat_map(|(of_type, conn)| conn.chunks_exact(of_type.node_count())).collect();
@@ -201,8 +174,10 @@ fn facets_are_told_as_given() {
 
 #[test]
 fn bodies_are_connected_by_nodes() {
-    let scene = pair(&rectangles([0.0, -1.0], [1.5, 0.0], [3, 3])[0], &rectangles([0.3, -0.2], [1.3, 0.6], [2, 3])[2]);
-    let (blocks, ids) = skin(&scene);
+    let (lower, upper) =
+        (&rectangles([0.0, -1.0], [1.5, 0.0], [3, 3])[0], &rectangles([0.3, -0.2], [1.3, 0.6], [2, 3])[2]);
+    let scene = pair(lower, upper);
+    let (blocks, ids) = skin(&[lower, upper]);
     let connected = by_facets(&scene.coords, &blocks, Bodies::Connected).expect("a surface");
     assert_eq!(connected.body_ids(), [0, 1]);
     assert_eq!(connected.faces().len(), ids.len());
@@ -282,8 +257,9 @@ fn what_does_not_fit_is_refused() {
 /// A straight facet on an edge with a node in its middle, and facets that have different nodes there.
 #[test]
 fn edges_in_space_are_straight_or_curved_for_both() {
-    let scene = Scene::of(&[&boxes([0.0; 3], [1.0; 3], [1; 3])[0]]);
-    let (blocks, _) = skin(&scene);
+    let mesh = &boxes([0.0; 3], [1.0; 3], [1; 3])[0];
+    let scene = Scene::of(&[mesh]);
+    let (blocks, _) = skin(&[mesh]);
     let conn = &blocks[0].1;
     let mixed = |last: (FacetType, Vec<u32>), coords: &[[f64; 3]]| {
         let first = (FacetType::Tri6, conn[..conn.len() - 6].to_vec());

@@ -27,6 +27,7 @@ CALLBACKS = {"fmc_signed_distance": _signatures.SIGNED_DISTANCE, "fmc_log_callba
 STRUCTS = {
     name: getattr(_structs, name)
     for name in ("fmc_options", "fmc_coords", "fmc_forces", "fmc_cell_block", "fmc_cell_block_i64", "fmc_result")
+    + ("fmc_facet_block", "fmc_facet_block_i64")
     + ("fmc_resultant", "fmc_pair", "fmc_pair_options", "fmc_contact_side", "fmc_contact_point", "fmc_boundary_facet")
     + ("fmc_gap_constraint", "fmc_pose", "fmc_part", "fmc_friction_step")
 }

@@ -217,3 +217,74 @@ def test_straight_cells_are_their_own_points(cubes):
     np.testing.assert_array_equal(weights.indptr, np.arange(17))
     np.testing.assert_array_equal(weights.indices, np.arange(16))
     np.testing.assert_array_equal(weights.data, 1.0)
+
+
+EDGES = ((0, 1), (1, 2), (2, 3), (3, 0))
+NAMES = {(2, 3): "line3", (3, 6): "triangle6", (3, 8): "quad8", (3, 9): "quad9"}
+
+
+def skin(name):
+    """Facets of a block, by their nodes' places, and the bodies' nodes."""
+    coords, cells = block(name)
+    dim, places = coords.shape[1], {tuple(x): node for node, x in enumerate(coords)}
+    facets = {}
+    for corners in FACES if dim == 3 else EDGES:
+        # Six faces of two triangles each, or of a quadrilateral; edges of a square.
+        pieces = [corners] if dim == 2 or name.startswith("hexa") else [corners[:3], [corners[0], *corners[2:]]]
+        for piece in pieces:
+            edges = [piece] if dim == 2 else [(piece[k], piece[(k + 1) % len(piece)]) for k in range(len(piece))]
+            middles = [tuple(np.mean(coords[list(ends)], axis=0)) for ends in edges]
+            middles += [tuple(np.mean(coords[list(piece)], axis=0))] if name == "hexahedron27" else []
+            row = [*piece, *(places[x] for x in middles)]
+            facets.setdefault(NAMES[dim, len(row)], []).append(row)
+    return coords, list(facets.items())
+
+
+@pytest.mark.parametrize("dtype", [np.int32, np.int64])
+@pytest.mark.parametrize("name", ["triangle6", "quad8", "quad9", "hexahedron20", "hexahedron27"])
+def test_facets_have_the_forces_of_cells(name, dtype):
+    coords, facets = skin(name)
+    _, cells = block(name)
+    dim, rng = coords.shape[1], np.random.default_rng(3)
+    shift = np.full(dim, 0.2)
+    shift[-1] = 0.9
+    both = np.vstack([coords, coords + shift]) + rng.uniform(-0.02, 0.02, (2 * len(coords), dim))
+    twice = lambda blocks: [(of, np.array(conn, dtype) + start) for start in (0, len(coords)) for of, conn in blocks]
+    options = {"stiffness": K, "law": "fiber", "estimator": "exact"}
+    expected = Contact(both, twice(cells), **options).evaluate(both)
+    contact = Contact.from_facets(both, twice(facets), **options)
+    found = contact.evaluate(both)
+    assert found.volume == pytest.approx(expected.volume, rel=1e-12) and contact.body_count == 2
+    assert found.forces == pytest.approx(expected.forces, abs=1e-12 * np.abs(expected.forces).max())
+    given = contact.boundary_facets().given
+    assert set(given) == set(range(sum(len(conn) for _, conn in twice(facets))))
+    # One type by name, with bodies.
+    (of, conn), *others = facets
+    assert not others
+    conn = np.vstack([np.array(conn), np.array(conn) + len(coords)]).astype(dtype)
+    ids = np.repeat([4, 2], len(conn) // 2).astype(dtype)
+    named = Contact.from_facets(both, conn, of, bodies=ids, **options).evaluate(both)
+    assert [body.id for body in named.bodies] == [2, 4]
+    assert named.forces == pytest.approx(expected.forces, abs=1e-12 * np.abs(expected.forces).max())
+
+
+def test_facets_that_cannot_be_taken():
+    coords, ((name, conn),) = skin("quad8")
+    with pytest.raises(errors.UnknownCellTypeError, match="line4.*triangle6"):
+        Contact.from_facets(coords, conn, "line4", stiffness=K)
+    with pytest.raises(ValueError, match="facets"):
+        Contact.from_facets(coords, [row[:2] for row in conn], name, stiffness=K)
+    with pytest.raises(ValueError, match="of other types"):
+        Contact.from_facets(coords, [row * 2 for row in conn], stiffness=K)
+    with pytest.raises(errors.OpenSurfaceError, match="facet"):
+        Contact.from_facets(coords, conn[:3], name, stiffness=K)
+    with pytest.raises(errors.DimensionError):
+        Contact.from_facets(coords, [(name, conn), ("triangle6", [[0, 1, 2, 3, 4, 5]])], stiffness=K)
+    coords[conn[0][2]] = coords[conn[0][0]] + [0.1, 0.01]
+    with pytest.raises(errors.InvertedCellError, match="cell 0 is inverted .a facet"):
+        Contact.from_facets(coords, conn, name, stiffness=K)
+    coords, ((name, conn),) = skin("hexahedron20")
+    mixed = [(name, conn[1:]), ("quad", [conn[0][:4]])]
+    with pytest.raises(errors.NonConformingError, match="facets, where there are no cells") as caught:
+        Contact.from_facets(coords, mixed, stiffness=K)
+    assert caught.value.indices["cell"][1] == 5

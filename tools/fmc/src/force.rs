@@ -49,8 +49,9 @@ Examples:
 #[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct ForceArgs {
     /// Meshes: Gmsh 4.1 (.msh, text or binary) or VTK unstructured grids (.vtu) with Tri3, Quad4, Tet4, Hex8, Wedge6,
-    /// Pyramid5 cells, or of second order Tri6, Quad8, Quad9, Tet10, Hex20, Hex27, Wedge15, Pyramid13. 2D: triangles and quadrilaterals at constant z; 3D: tetrahedra, hexahedra, wedges and pyramids, or
-    /// a closed surface of triangles
+    /// Pyramid5 cells, or of second order Tri6, Quad8, Quad9, Tet10, Hex20, Hex27, Wedge15, Pyramid13. 2D: triangles and
+    /// quadrilaterals at constant z; 3D: tetrahedra, hexahedra, wedges and pyramids, or a closed surface of triangles and
+    /// quadrilaterals, also of second order
     #[arg(value_name = "MESH", required = true)]
     meshes: Vec<PathBuf>,
 

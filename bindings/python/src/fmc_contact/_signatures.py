@@ -12,6 +12,8 @@ from ._structs import (
     fmc_cell_block_i64,
     fmc_contact_point,
     fmc_coords,
+    fmc_facet_block,
+    fmc_facet_block_i64,
     fmc_forces,
     fmc_friction_step,
     fmc_gap_constraint,
@@ -113,6 +115,14 @@ FUNCTIONS = {
     "fmc_context_new_from_facets_i64": (
         STATUS,
         [c_int32, _COORDS, Int64Array, c_size_t, Int64Array, _OPTIONS, _HANDLE],
+    ),
+    "fmc_context_new_from_facet_blocks": (
+        STATUS,
+        [c_int32, _COORDS, POINTER(fmc_facet_block), c_size_t, Int32Array, _OPTIONS, _HANDLE],
+    ),
+    "fmc_context_new_from_facet_blocks_i64": (
+        STATUS,
+        [c_int32, _COORDS, POINTER(fmc_facet_block_i64), c_size_t, Int64Array, _OPTIONS, _HANDLE],
     ),
     "fmc_context_free": (STATUS, [_HANDLE]),
     "fmc_context_set_options": (STATUS, [Context, _OPTIONS]),

@@ -52,6 +52,12 @@ CELL_NODES = {
 }
 CELL_DIMENSION = {name: 2 if name.startswith(("triangle", "quad")) else 3 for name in CELL_TYPES}
 
+FACET_TYPES = {"line": 3, "triangle": 5, "quad": 9, "line3": 21, "triangle6": 22, "quad8": 23, "quad9": 28}
+"""Values of ``fmc_facet_type`` by the names of meshio."""
+
+FACET_NODES = {"line": 2, "triangle": 3, "quad": 4, "line3": 3, "triangle6": 6, "quad8": 8, "quad9": 9}
+FACET_DIMENSION = {name: 2 if name.startswith("line") else 3 for name in FACET_TYPES}
+
 CHOICES = {
     "law": {0: "volume", 1: "fiber", 2: "depth"},
     "estimator": {0: "fibers", 1: "exact", 2: "auto"},
@@ -141,6 +147,18 @@ class fmc_cell_block(_CellBlock):
 
 
 class fmc_cell_block_i64(_CellBlock):
+    pass
+
+
+class _FacetBlock(Structure):
+    _fields_ = [("facet_type", c_int32), ("conn", c_void_p), ("facet_count", c_size_t)]
+
+
+class fmc_facet_block(_FacetBlock):
+    pass
+
+
+class fmc_facet_block_i64(_FacetBlock):
     pass
 
 

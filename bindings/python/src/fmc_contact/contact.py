@@ -75,19 +75,22 @@ class Contact(PairOptions, Steps, Linearised):
     def from_facets(
         cls,
         coords: ArrayLike,
-        facets: ArrayLike,
+        facets: mesh.Cells,
+        facet_type: str | None = None,
         *,
         stiffness: float,
         bodies: ArrayLike | None = None,
         **options: Unpack[Options],
     ) -> Contact:
         """From the boundary of closed bodies: edges (m, 2) in 2D, the body on their left; triangles (m, 3) in 3D,
-        counter-clockwise seen from outside. ``bodies``, one integer for every facet; ``None``: bodies are the connected
-        components by nodes. Errors: also ``OpenSurfaceError``, ``InconsistentOrientationError``,
+        counter-clockwise seen from outside. With a ``facet_type`` of ``"line"``, ``"triangle"``, ``"quad"``, or of second
+        order ``"line3"`` (2D), ``"triangle6"``, ``"quad8"``, ``"quad9"``, facets of that type in meshio's node order; or,
+        without one, a list of ``(facet type, node numbers)`` for a mixed surface. ``bodies``, one integer for every facet
+        counted over the list; ``None``: bodies are the connected components by nodes. Errors: also ``OpenSurfaceError``, ``InconsistentOrientationError``,
         ``InvertedSurfaceError``."""
         contact = cls.__new__(cls)
         contact._options = changed(defaults(), {"stiffness": stiffness, **options})
-        contact._begin(mesh.from_facets(coords, facets, bodies, contact._options))
+        contact._begin(mesh.from_facets(coords, facets, facet_type, bodies, contact._options))
         return contact
 
     def _begin(self, start: mesh.Start) -> None:

@@ -8,11 +8,20 @@ from __future__ import annotations
 
 import re
 
-# "facet or cell 2", "node 8", "nodes 0 and 1", "cell block 1", "coordinate 1", "point 0"
+# "facet or cell 2", "node 8", "nodes 0 and 1", "cells 0 and 1", "block 1", "coordinate 1", "point 0"
 _NUMBERED = re.compile(
-    r"\b(cell or facet|facet or cell|cell block|cell|facet|nodes|node|body|obstacle|coordinate|point)"
+    r"\b(cells|cell or facet|facet or cell|cell block|facet block|block|cell|facet|nodes|node|body|obstacle|coordinate|point)"
     r" (-?\d+)(?: and (-?\d+))?"
 )
+
+_KEYS = {
+    "facet or cell": "cell",
+    "cell or facet": "cell",
+    "cells": "cell",
+    "cell block": "block",
+    "facet block": "block",
+    "nodes": "node",
+}
 
 
 class FmcError(Exception):
@@ -29,10 +38,7 @@ class FmcError(Exception):
         a facet is a ``"cell"``; ``"coordinate"`` is an axis."""
         found: dict[str, tuple[int, ...]] = {}
         for name, *numbers in _NUMBERED.findall(str(self)):
-            key = {"facet or cell": "cell", "cell or facet": "cell", "cell block": "block", "nodes": "node"}.get(
-                name, name
-            )
-            found.setdefault(key, tuple(int(number) for number in numbers if number))
+            found.setdefault(_KEYS.get(name, name), tuple(int(number) for number in numbers if number))
         return found
 
 
@@ -294,8 +300,8 @@ class NegativeRadiusError(FmcError, ValueError):
 
 
 class NonConformingError(FmcError, ValueError):
-    """Two cells do not fit: an edge or a face has a node in its middle in one of them, and in the other it has none, or another
-    one."""
+    """Two cells, or facets of a surface without cells, do not fit: an edge or a face has a node in its middle in one of
+    them, and in the other it has none, or another one."""
 
     status = 43
 

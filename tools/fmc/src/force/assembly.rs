@@ -1,7 +1,7 @@
 //! Several meshes as one.
 
-use anyhow::{Result, bail, ensure};
-use fmc_contact::{Bodies, CellBlock, CellType, Error, Surface};
+use anyhow::{Result, ensure};
+use fmc_contact::{Bodies, CellBlock, CellType, Error, FacetBlock, FacetType, Surface};
 use fmc_mesh_io::{Kind, Mesh};
 
 /// The meshes of all files, one behind the other: nodes, and cells, are numbered through from 0.
@@ -25,15 +25,6 @@ impl<const D: usize> Assembly<D> {
         let mut assembly =
             Self { meshes: Vec::new(), kind, coords: Vec::new(), node_starts: Vec::new(), blocks: Vec::new() };
         for mesh in meshes {
-            if let Some((curved, ..)) = mesh.cells().find(|(of_type, ..)| of_type.straight() != *of_type)
-                && kind == Kind::Surface
-            {
-                bail!(
-                    "{}: surfaces in 3D are of straight triangles and quadrilaterals, not of {curved:?}; give the volume cells, \
-                     whose faces may be of second order",
-                    mesh.file
-                );
-            }
             let start = assembly.coords.len() as u32;
             assembly.node_starts.push(start);
             assembly.coords.extend(mesh.points.iter().map(|x| -> [f64; D] { std::array::from_fn(|axis| x[axis]) }));
@@ -59,6 +50,15 @@ impl<const D: usize> Assembly<D> {
 
     /// Boundary of bodies given by an id per cell, or of connected ones.
     pub(super) fn surface(&self, ids: Option<&[i64]>) -> Result<Surface<D>, Error> {
+        let bodies = ids.map_or(Bodies::Connected, Bodies::Ids);
+        if self.is_curved_surface() {
+            let blocks: Vec<FacetBlock> = self
+                .blocks
+                .iter()
+                .map(|(of_type, conn)| FacetBlock { facet_type: facet_type(*of_type), conn })
+                .collect();
+            return Surface::from_facet_blocks(&self.coords, &blocks, bodies);
+        }
         if self.kind == Kind::Surface {
             let facets: Vec<([u32; D], usize)> = self.facets().collect();
             let ids: Option<Vec<i64>> = ids.map(|ids| facets.iter().map(|(_, cell)| ids[*cell]).collect());
@@ -67,11 +67,24 @@ impl<const D: usize> Assembly<D> {
         }
         let blocks: Vec<CellBlock> =
             self.blocks.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
-        Surface::from_cells(&self.coords, &blocks, ids.map_or(Bodies::Connected, Bodies::Ids))
+        Surface::from_cells(&self.coords, &blocks, bodies)
+    }
+
+    /// Whether the cells are facets in space some of which are of second order: facets are then numbered as the cells are.
+    fn is_curved_surface(&self) -> bool {
+        self.kind == Kind::Surface && self.blocks.iter().any(|(of_type, _)| of_type.straight() != *of_type)
+    }
+
+    /// The cell that an error of the module names.
+    pub(super) fn cell_of_error(&self, number: usize) -> usize {
+        if self.kind != Kind::Surface || self.is_curved_surface() {
+            return number;
+        }
+        self.facets().nth(number).map_or(0, |(_, cell)| cell)
     }
 
     /// Cells of a surface as triangles, each with the cell that it belongs to.
-    pub(super) fn facets(&self) -> impl Iterator<Item = ([u32; D], usize)> {
+    fn facets(&self) -> impl Iterator<Item = ([u32; D], usize)> {
         self.cells().enumerate().flat_map(|(cell, (cell_type, nodes))| {
             let pieces = if cell_type == CellType::Quad4 { &HALVES[..] } else { &HALVES[..1] };
             pieces.iter().map(move |piece| (std::array::from_fn(|k| nodes[piece[k]]), cell))
@@ -93,5 +106,17 @@ impl<const D: usize> Assembly<D> {
     pub(super) fn node_origin(&self, node: usize) -> (usize, u64) {
         let mesh = self.node_starts.partition_point(|&start| start as usize <= node) - 1;
         (mesh, self.meshes[mesh].node_tags[node - self.node_starts[mesh] as usize])
+    }
+}
+
+/// What a cell of a plane is as a facet in space.
+fn facet_type(cell_type: CellType) -> FacetType {
+    match cell_type {
+        CellType::Tri3 => FacetType::Tri3,
+        CellType::Tri6 => FacetType::Tri6,
+        CellType::Quad4 => FacetType::Quad4,
+        CellType::Quad8 => FacetType::Quad8,
+        CellType::Quad9 => FacetType::Quad9,
+        other => unreachable!("{other:?} in a surface"),
     }
 }

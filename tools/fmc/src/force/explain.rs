@@ -2,16 +2,13 @@
 
 use super::assembly::Assembly;
 use fmc_contact::Error;
-use fmc_mesh_io::Kind;
 
 /// The sentence for an error about the assembled mesh, with its files and the numbers that they give nodes and cells.
 /// `names` are those of the bodies, as far as known.
 pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, names: &[String]) -> anyhow::Error {
     // Facets of a surface that was given directly are pieces of cells; all other numbers are those of cells.
     let cell = |number: usize| {
-        let facet = || assembly.facets().nth(number).map(|(_, cell)| cell);
-        let cell = if assembly.kind == Kind::Surface { facet().unwrap_or(0) } else { number };
-        let (mesh, tag) = assembly.cell_origin(cell);
+        let (mesh, tag) = assembly.cell_origin(assembly.cell_of_error(number));
         (assembly.meshes[mesh].file.as_str(), tag)
     };
     let node = |number: usize| assembly.node_origin(number).1;

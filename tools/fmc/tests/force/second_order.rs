@@ -94,9 +94,58 @@ fn what_does_not_fit_is_refused_in_the_numbers_of_the_file() {
         writer.cell(VtkCell::Mesh(CellType::Quad4), [right(0.0), p, q, right(1.0)]);
     });
     assert!(beside.contains("cell 0 and cell 1 do not fit"), "{beside}");
-    let in_space = refused("second_order_in_space", &|writer| {
+    let open = refused("second_order_in_space", &|writer| {
         let points: Vec<u64> = square.coords.iter().map(|[x, y]| writer.point([*x, *y, x * y])).collect();
         writer.cell(VtkCell::Mesh(CellType::Quad8), points);
     });
-    assert!(in_space.contains("not of Quad8"), "{in_space}");
+    assert!(open.contains("cell 0 has no neighbour at the edge of nodes"), "{open}");
+    let mixed = refused("second_order_surface_mixed", &|writer| {
+        let block = second_order(&cuboid_hex8([0.0; 3], [1.0; 3], [1; 3]), 20);
+        let points: Vec<u64> = block.coords.iter().map(|x| writer.point(*x)).collect();
+        for (number, facet) in block.boundary_faces().into_iter().enumerate() {
+            let (cell_type, nodes) =
+                if number == 5 { (CellType::Quad4, &facet[..4]) } else { (CellType::Quad8, &facet[..]) };
+            writer.cell(VtkCell::Mesh(cell_type), nodes.iter().map(|&node| points[node as usize]));
+        }
+    });
+    assert!(mixed.contains("do not fit") && mixed.contains("cell 5"), "{mixed}");
+}
+
+/// Bodies given by their skins, in a VTU file, have the volume, forces and pressures that their cells have.
+#[test]
+fn surfaces_of_second_order() {
+    for (name, nodes, facet) in [("quad8", 20, CellType::Quad8), ("quad9", 27, CellType::Quad9)] {
+        let bodies = [([0.0; 3], [1.0; 3], 2), ([0.2, 0.3, 0.98], [0.7, 0.8, 1.98], 1)]
+            .map(|(low, high, parts)| second_order(&cuboid_hex8(low, high, [parts; 3]), nodes));
+        let mut writer = VtuWriter::default();
+        let mut count = 0;
+        for mesh in &bodies {
+            let points: Vec<u64> = mesh.coords.iter().map(|x| writer.point(*x)).collect();
+            for face in mesh.boundary_faces() {
+                writer.cell(VtkCell::Mesh(facet), face.iter().map(|&node| points[node as usize]));
+                count += 1;
+            }
+        }
+        assert_eq!(count, 24 + 6);
+        let folder_name = format!("second_order_surface_{name}");
+        let path = folder(&folder_name).join("bodies.vtu");
+        writer.write(&path).unwrap();
+        let found = json(&folder_name, &format!("{} --stiffness 1e6 --law volume", path.display()));
+        let cells = pressed(
+            &format!("{folder_name}_cells"),
+            &bodies,
+            if nodes == 20 { CellType::Hex20 } else { CellType::Hex27 },
+        );
+        let up = found["bodies"][1]["force"][2].as_f64().unwrap();
+        assert!(
+            (found["volume"].as_f64().unwrap() / cells.0 - 1.0).abs() < 1e-12 && (up / cells.1 - 1.0).abs() < 1e-12
+        );
+        let forces = read_floats(&folder(&folder_name).join("out/forces.vtu"), "contact_force").unwrap();
+        let along = forces.chunks_exact(3).skip(bodies[0].coords.len()).map(|force| force[2]);
+        for (one, other) in along.zip(&cells.2) {
+            assert!((one - other).abs() < 1e-12 * cells.1, "{name}: {one} {other}");
+        }
+        let points = (0..bodies.len()).map(|body| found["bodies"][body]["nodes"].as_u64().unwrap()).sum::<u64>();
+        assert!(points > 0, "{found}");
+    }
 }
