@@ -253,7 +253,8 @@ struct ContactForces {
   double volume = 0;
 };
 
-// A step with friction for `contact_force_step`. The host accepts it by slip = next_slip, start = its end.
+// A step with friction for `contact_force_step`. The host accepts it by slip = next_slip and start = its end; the coordinates are
+// not owned, as everywhere.
 struct FrictionStep {
   Coords start;                   // coordinates at which it began
   Coords reference = {};          // those without deformation; empty: `start`

@@ -77,7 +77,11 @@ using pointer_of = decltype(std::data(std::declval<C &>()));
 template <class C>
 using element_of = std::remove_cv_t<std::remove_pointer_t<pointer_of<C>>>;
 
-// Whether a container C, as it was passed, has T to view; a temporary or constant one only for reading.
+// A container as it was passed: what is temporary is taken for constant, so that nothing is written into it and lost.
+template <class C>
+using passed = std::conditional_t<std::is_lvalue_reference_v<C>, std::remove_reference_t<C>, const C>;
+
+// Whether a container has T to view.
 template <class C, class T, class = void>
 struct IsViewable : std::false_type {};
 template <class C, class T>
@@ -112,8 +116,7 @@ class View {
  public:
   View() = default;
   View(T *data, std::size_t size) : data_(data), size_(size) {}
-  template <class C, class = std::enable_if_t<!std::is_same_v<std::decay_t<C>, View> &&
-                                              detail::IsViewable<std::remove_reference_t<C>, T>::value>>
+  template <class C, class = std::enable_if_t<!std::is_same_v<std::decay_t<C>, View> && detail::IsViewable<detail::passed<C>, T>::value>>
   View(C &&container) {
     using Row = detail::Row<detail::element_of<std::remove_reference_t<C>>, Value>;
     using Container = std::decay_t<C>;
@@ -163,6 +166,7 @@ template <class T>
 class Nodal {
  public:
   Nodal() = default;
+  Nodal(T *data, std::size_t size) : data_(data), rows_(size) {}
   template <class C, class = std::enable_if_t<!std::is_same_v<std::decay_t<C>, Nodal> && std::is_convertible_v<C, View<T>>>>
   Nodal(C &&container) {
     using Container = std::decay_t<C>;
@@ -184,8 +188,8 @@ class Nodal {
 
   // Component `axis` of node `node` is `data[node * node_stride + axis * axis_stride]`.
   static Nodal strided(T *data, std::size_t node_count, std::ptrdiff_t node_stride, std::ptrdiff_t axis_stride) {
-    Nodal nodal{View<T>(data, 0)};
-    nodal.rows_ = node_count, nodal.row_stride_ = node_stride, nodal.col_stride_ = axis_stride, nodal.kind_ = Kind::strided;
+    Nodal nodal(data, node_count);
+    nodal.row_stride_ = node_stride, nodal.col_stride_ = axis_stride, nodal.kind_ = Kind::strided;
     return nodal;
   }
 

@@ -3,6 +3,7 @@
 //! These tests call cc, c++, nm, readelf, valgrind, make, pkg-config and cmake; `make test` installs what is missing.
 
 mod header;
+mod histories;
 mod hosts;
 mod install;
 mod program;
