@@ -12,7 +12,7 @@
 # make fuzz      arbitrary input for 60 s
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
-# make install   PREFIX=/usr/local: shared and static library, header, Fortran modules, pkg-config and CMake files (Linux)
+# make install   PREFIX=/usr/local: shared and static library, headers, Fortran modules, pkg-config and CMake files (Linux)
 # make clean
 #
 # demo and install need Rust (https://rustup.rs) and nothing else; check and test fetch what they lack through apt.
@@ -185,16 +185,18 @@ build:
 endif
 
 LIB = $(DESTDIR)$(PREFIX)/lib
+INCLUDE = $(DESTDIR)$(PREFIX)/include
 FILL = sed -e 's/@VERSION@/$(VERSION)/; s/@SOVERSION@/$(SOVERSION)/; s/@SOVERSION_PATTERN@/$(subst .,\\\\.,$(SOVERSION))/'
 
 install: build
-	install -d $(LIB)/pkgconfig $(LIB)/cmake/fmc_contact $(DESTDIR)$(PREFIX)/include
+	install -d $(LIB)/pkgconfig $(LIB)/cmake/fmc_contact $(INCLUDE)/fmc_contact
 	install -m 755 $(BUILT)/libfmc_contact.so $(LIB)/libfmc_contact.so.$(VERSION)
 	ln -sf libfmc_contact.so.$(VERSION) $(LIB)/libfmc_contact.so.$(SOVERSION)
 	ln -sf libfmc_contact.so.$(SOVERSION) $(LIB)/libfmc_contact.so
 	install -m 644 $(BUILT)/libfmc_contact.a $(LIB)
-	install -m 644 include/fmc_contact.h bindings/fortran/fmc_contact_c.f90 bindings/fortran/fmc_contact.f90 \
-	  $(DESTDIR)$(PREFIX)/include
+	install -m 644 include/fmc_contact.h include/fmc_contact.hpp $(INCLUDE)
+	install -m 644 bindings/fortran/fmc_contact_c.f90 bindings/fortran/fmc_contact.f90 $(INCLUDE)
+	install -m 644 include/fmc_contact/*.hpp $(INCLUDE)/fmc_contact
 	$(FILL) hosts/c/package/fmc_contact.pc.in > $(LIB)/pkgconfig/fmc_contact.pc
 	for file in fmc_contactConfig fmc_contactConfigVersion; do \
 	  $(FILL) hosts/c/package/$$file.cmake.in > $(LIB)/cmake/fmc_contact/$$file.cmake || exit 1; \

@@ -87,6 +87,13 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_PYRAMID13 = 27
   integer(c_int32_t), parameter :: FMC_QUAD9 = 28
   integer(c_int32_t), parameter :: FMC_HEX27 = 29
+  integer(c_int32_t), parameter :: FMC_FACET_LINE2 = 3
+  integer(c_int32_t), parameter :: FMC_FACET_TRI3 = 5
+  integer(c_int32_t), parameter :: FMC_FACET_QUAD4 = 9
+  integer(c_int32_t), parameter :: FMC_FACET_LINE3 = 21
+  integer(c_int32_t), parameter :: FMC_FACET_TRI6 = 22
+  integer(c_int32_t), parameter :: FMC_FACET_QUAD8 = 23
+  integer(c_int32_t), parameter :: FMC_FACET_QUAD9 = 28
   integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0
   integer(c_int32_t), parameter :: FMC_PARTNER_OBSTACLE = 1
   integer(c_int32_t), parameter :: FMC_SHAPE_HALF_SPACE = 0
@@ -166,6 +173,18 @@ module fmc_contact_c
     integer(c_int32_t) :: cell_type
     type(c_ptr) :: conn
     integer(c_size_t) :: cell_count
+  end type
+
+  type, bind(c) :: fmc_facet_block
+    integer(c_int32_t) :: facet_type
+    type(c_ptr) :: conn
+    integer(c_size_t) :: facet_count
+  end type
+
+  type, bind(c) :: fmc_facet_block_i64
+    integer(c_int32_t) :: facet_type
+    type(c_ptr) :: conn
+    integer(c_size_t) :: facet_count
   end type
 
   type, bind(c) :: fmc_forces
@@ -475,6 +494,30 @@ module fmc_contact_c
       import
       type(c_ptr), intent(inout), optional :: context
       integer(c_int32_t) :: fmc_context_free
+    end function
+    function fmc_context_new_from_facet_blocks(dim, coords, blocks, block_count, body_ids, &
+        options, context) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_facet_block), intent(in), optional :: blocks
+      integer(c_size_t), value :: block_count
+      integer(c_int32_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_new_from_facet_blocks
+    end function
+    function fmc_context_new_from_facet_blocks_i64(dim, coords, blocks, block_count, body_ids, &
+        options, context) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_facet_block_i64), intent(in), optional :: blocks
+      integer(c_size_t), value :: block_count
+      integer(c_int64_t), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_new_from_facet_blocks_i64
     end function
     function fmc_context_set_options(context, options) bind(c)
       import

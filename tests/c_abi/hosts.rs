@@ -1,6 +1,8 @@
-//! The hosts in hosts/c: compiled without a warning, run, and run again under valgrind.
+//! The hosts in hosts/c and hosts/cpp: compiled without a warning, run, and run again under valgrind.
 
 use super::program::{built, compiler, root, run, scratch, succeed};
+use super::symbols::declared;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, os::unix::fs::symlink};
@@ -9,21 +11,22 @@ use std::{fs, os::unix::fs::symlink};
 const NATIVE: [&str; 3] = ["-lpthread", "-ldl", "-lm"];
 
 #[derive(Clone, Copy, PartialEq)]
-enum Link {
+pub(crate) enum Link {
     Shared,
     Static,
 }
 
 /// Compiles a host into `folder`, against the library of this build.
 fn compile(source: &str, folder: &Path, link: Link) -> PathBuf {
-    let mut command = match source.ends_with(".cpp") {
-        true => compiler("CXX", "c++"),
-        false => compiler("CC", "cc"),
+    let (mut command, language) = match source.ends_with(".cpp") {
+        true => (compiler("CXX", "c++"), "cpp"),
+        false => (compiler("CC", "cc"), "c"),
     };
-    command.arg(if source.ends_with(".cpp") { "-std=c++17" } else { "-std=c99" });
-    command.args(["-g", "-O1", "-pedantic", "-Wall", "-Wextra", "-Werror", "-I"]).arg(root().join("include"));
+    command.args(if language == "cpp" { ["-std=c++17", "-Wconversion"] } else { ["-std=c99", "-Wstrict-prototypes"] });
+    command.args(["-g", "-O1", "-ffp-contract=off", "-pedantic", "-Wall", "-Wextra", "-Werror", "-I"]);
+    command.arg(root().join("include"));
     let program = folder.join(source.replace('.', "_"));
-    command.arg("-o").arg(&program).arg(root().join("hosts/c").join(source));
+    command.arg("-o").arg(&program).arg(root().join("hosts").join(language).join(source));
     match link {
         Link::Shared => {
             // The program asks for the library by its soname, so that is the name it must be found under.
@@ -41,7 +44,7 @@ fn compile(source: &str, folder: &Path, link: Link) -> PathBuf {
 }
 
 /// Runs a host, plainly and under valgrind: it must succeed, print the same, and leave standard error empty.
-fn output(source: &str, link: Link) -> String {
+pub(crate) fn output(source: &str, link: Link) -> String {
     let name = format!("{source}-{}", if link == Link::Shared { "shared" } else { "static" });
     let program = compile(source, &scratch(&name), link);
     let plain = run(&mut Command::new(&program));
@@ -85,6 +88,21 @@ fn approach_of_a_tetrahedron_in_cpp() {
     let printed = output("approach.cpp", Link::Shared);
     assert_eq!(printed.lines().count(), 5);
     assert!(printed.starts_with("tip at  1.05  volume 0.000000  area 0.0000  force     0.00\n"));
+}
+
+#[test]
+fn arrays_of_cpp_hosts_in_any_container() {
+    assert_eq!(output("arrays.cpp", Link::Shared), "0 failures\n");
+}
+
+#[test]
+fn callbacks_that_throw_in_cpp() {
+    assert_eq!(output("callbacks.cpp", Link::Shared), "0 failures\n");
+}
+
+#[test]
+fn every_function_from_cpp() {
+    assert_eq!(output("everything.cpp", Link::Static), "0 failures\n");
 }
 
 #[test]
@@ -162,4 +180,37 @@ fn the_header_is_clean() {
     for dialect in ["-std=c++11", "-std=c++17", "-std=c++20"] {
         succeed(compiler("CXX", "c++").arg(dialect).args(strict).args(["-x", "c++"]).arg(&header));
     }
+}
+
+/// The C++ headers, each alone, with every warning that hosts turn on.
+#[test]
+fn the_cpp_headers_are_clean() {
+    let strict = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wold-style-cast"];
+    for header in cpp_headers() {
+        for dialect in ["-std=c++17", "-std=c++20"] {
+            let mut check = compiler("CXX", "c++");
+            check.args([dialect, "-Werror", "-fsyntax-only"]).args(strict);
+            // As an include, since a header that is compiled as a program warns of its own guard.
+            succeed(check.arg("-include").arg(&header).args(["-x", "c++", "/dev/null"]));
+        }
+    }
+}
+
+fn cpp_headers() -> Vec<PathBuf> {
+    let parts = fs::read_dir(root().join("include/fmc_contact")).expect("the parts of the header");
+    let parts = parts.map(|entry| entry.expect("an entry").path());
+    std::iter::once(root().join("include/fmc_contact.hpp")).chain(parts).collect()
+}
+
+/// A function of the C interface that the C++ headers leave out is one that their users look for in vain.
+#[test]
+fn cpp_reaches_every_function() {
+    let code: String = cpp_headers().iter().map(|file| fs::read_to_string(file).expect("a header")).collect();
+    let words: BTreeSet<&str> = code
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"))
+        .flat_map(|line| line.split(|c: char| !(c.is_alphanumeric() || c == '_')))
+        .collect();
+    let missing: Vec<String> = declared().into_iter().filter(|name| !words.contains(name.as_str())).collect();
+    assert!(missing.is_empty(), "not in the C++ headers: {missing:?}");
 }

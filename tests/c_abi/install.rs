@@ -1,6 +1,7 @@
 //! What `make install` leaves behind: usable through pkg-config and CMake, also after the folder has been moved.
 
 use super::program::{built, compiler, root, scratch, succeed};
+use super::readme::{first_force, pushes_two_squares_apart};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -23,6 +24,16 @@ fn pkg_config(prefix: &Path, argument: &str) -> Vec<String> {
     words.split_whitespace().map(str::to_owned).collect()
 }
 
+/// What a host prints that is built as the CMake project of its folder.
+fn by_cmake(prefix: &Path, language: &str, host: &str) -> String {
+    let build = prefix.join(format!("cmake-build-{language}"));
+    let mut configure = Command::new("cmake");
+    configure.arg("-S").arg(root().join("hosts").join(language)).arg("-B").arg(&build);
+    succeed(configure.arg(format!("-DCMAKE_PREFIX_PATH={}", prefix.display())));
+    succeed(Command::new("cmake").arg("--build").arg(&build));
+    succeed(&mut Command::new(build.join(host)))
+}
+
 #[test]
 fn programs_find_the_installed_library() {
     let prefix = installed();
@@ -39,12 +50,15 @@ fn programs_find_the_installed_library() {
     let name = concat!("libfmc_contact.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
     assert!(needed.contains(&format!("[{name}]")), "{needed}");
 
-    let build = prefix.join("cmake-build");
-    let mut configure = Command::new("cmake");
-    configure.arg("-S").arg(root().join("hosts/c")).arg("-B").arg(&build);
-    succeed(configure.arg(format!("-DCMAKE_PREFIX_PATH={}", prefix.display())));
-    succeed(Command::new("cmake").arg("--build").arg(&build));
-    assert_eq!(succeed(&mut Command::new(build.join("two_squares"))), by_pkg_config);
+    let (source, by_cpp) = (prefix.join("squares.cpp"), prefix.join("squares_cpp"));
+    fs::write(&source, first_force("cpp")).expect("a writable folder");
+    let mut cxx = compiler("CXX", "c++");
+    cxx.arg(&source).args(pkg_config(&prefix, "--cflags")).args(pkg_config(&prefix, "--libs"));
+    succeed(cxx.arg(format!("-Wl,-rpath,{}/lib", prefix.display())).arg("-o").arg(&by_cpp));
+    assert!(pushes_two_squares_apart(&succeed(&mut Command::new(&by_cpp))));
+
+    assert_eq!(by_cmake(&prefix, "c", "two_squares"), by_pkg_config);
+    assert_eq!(by_cmake(&prefix, "cpp", "approach").lines().count(), 5);
 
     let program = prefix.join("static");
     let mut cc = compiler("CC", "cc");

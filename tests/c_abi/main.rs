@@ -4,6 +4,7 @@
 
 mod fortran;
 mod header;
+mod histories;
 mod hosts;
 mod install;
 mod program;

@@ -6,7 +6,7 @@ use std::fs;
 use std::process::Command;
 
 /// Names that stand before a parenthesis outside comments.
-fn declared() -> BTreeSet<String> {
+pub(crate) fn declared() -> BTreeSet<String> {
     let header = fs::read_to_string(root().join("include/fmc_contact.h")).expect("the header");
     header
         .lines()

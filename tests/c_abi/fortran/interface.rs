@@ -36,15 +36,8 @@ const SCALARS: [&str; 16] = [
     "volume",
 ];
 
-/// Pointers to structs that are arrays.
-const ARRAYS: [&str; 6] = [
-    "fmc_boundary_facet",
-    "fmc_cell_block",
-    "fmc_cell_block_i64",
-    "fmc_contact_point",
-    "fmc_gap_constraint",
-    "fmc_part",
-];
+/// Pointers to structs that are arrays, but for coordinates.
+const ARRAYS: [&str; 5] = ["blocks", "facets", "parts", "points", "rows"];
 
 pub(super) fn module(found: &Declarations) -> String {
     let mut text = TITLE.to_owned();
@@ -105,9 +98,10 @@ fn argument_of(argument: &Variable, of_callback: bool) -> String {
         (_, 2) => format!("type(c_ptr), intent(inout){may_lack} :: {name}"),
         (_, 0) => format!("{}, value :: {name}", type_of(of_type)),
         _ => {
-            let is_struct = of_type.starts_with("fmc_");
-            let is_array =
-                if is_struct { ARRAYS.contains(&of_type.as_str()) } else { !SCALARS.contains(&name.as_str()) };
+            let is_array = match of_type.starts_with("fmc_") {
+                true => of_type != "fmc_coords" && ARRAYS.contains(&name.as_str()),
+                false => !SCALARS.contains(&name.as_str()),
+            };
             let shape = if is_array { "(*)" } else { "" };
             format!("{}, intent({intent}){may_lack} :: {name}{shape}", type_of(of_type))
         }

@@ -2,27 +2,10 @@
 // evaluates the forces at every position.
 //
 //   c++ -std=c++17 approach.cpp $(pkg-config --cflags --libs fmc_contact)
-#include <fmc_contact.h>
+#include <fmc_contact.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <memory>
-#include <stdexcept>
-#include <vector>
-
-namespace {
-
-void check(fmc_status status) {
-  if (status != FMC_OK) throw std::runtime_error(fmc_last_error());
-}
-
-struct Free {
-  void operator()(fmc_context *context) const { fmc_context_free(&context); }
-};
-using Context = std::unique_ptr<fmc_context, Free>;
-
-}  // namespace
 
 int main() try {
   // 1. Two bodies: a unit cube with its top at z = 1, and a tetrahedron whose tip hangs above the middle of it.
@@ -30,28 +13,18 @@ int main() try {
                                                {1, 1, 1}, {0, 1, 1}, {0.5, 0.5, 1.05}, {0.2, 0.3, 2}, {0.9, 0.3, 2},
                                                {0.5, 0.9, 2}};
   const std::vector<int32_t> hexes = {0, 1, 2, 3, 4, 5, 6, 7}, tets = {8, 9, 11, 10};
-  const std::array<fmc_cell_block, 2> blocks = {{{FMC_HEX8, hexes.data(), 1}, {FMC_TET4, tets.data(), 1}}};
 
   // 2. The context, which gives itself back.
-  fmc_options options;
-  check(fmc_options_init(&options));
+  fmc::Options options(1e6);
   options.law = FMC_LAW_VOLUME;
-  options.stiffness = 1e6;
   options.estimator = FMC_ESTIMATOR_EXACT;
-  const fmc_coords x = {coords[0].data(), coords.size(), 3, 1};
-  fmc_context *made = nullptr;
-  check(fmc_context_new_from_cells(3, &x, blocks.data(), blocks.size(), nullptr, &options, &made));
-  const Context context(made);
+  fmc::Context contact(3, coords, {{FMC_HEX8, hexes}, {FMC_TET4, tets}}, options);
 
   // 3. Lower the tetrahedron and look at the force on it.
   std::vector<std::array<double, 3>> forces(coords.size());
-  const fmc_forces f = {forces[0].data(), forces.size(), 3, 1};
   for (int step = 0; step < 5; step++) {
-    fmc_result result;
-    check(fmc_context_evaluate(context.get(), &x, &f, 0, &result));
-    fmc_resultant cube, tetrahedron;
-    check(fmc_context_body(context.get(), 0, &cube));
-    check(fmc_context_body(context.get(), 1, &tetrahedron));
+    const fmc_result result = contact.evaluate(coords, forces);
+    const fmc_resultant cube = contact.body(0), tetrahedron = contact.body(1);
     std::printf("tip at %5.2f  volume %.6f  area %.4f  force %8.2f\n", coords[8][2], result.volume, result.contact_area,
                 tetrahedron.force[2] + 0.0);
 

@@ -1,0 +1,301 @@
+// Every function of the wrapper, each beside something else that must say the same.
+//
+//   c++ -std=c++17 everything.cpp $(pkg-config --cflags --libs fmc_contact)
+#include "expect.hpp"
+
+#include <cmath>
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+// Two squares, the second 0.01 deep in the first.
+const Numbers coords = {0, 0, 1, 0, 1, 1, 0, 1, 0.99, 0.1, 1.99, 0.1, 1.99, 0.9, 0.99, 0.9};
+const std::vector<int32_t> quads = {0, 1, 2, 3, 4, 5, 6, 7};
+const std::vector<double> cube = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
+const std::vector<int32_t> hex = {0, 1, 2, 3, 4, 5, 6, 7};
+
+bool close(double a, double b, double tolerance) { return std::fabs(a - b) <= tolerance * std::fmax(1.0, std::fabs(b)); }
+
+void of_the_library() {
+  EXPECT(fmc::version() == fmc_version() && fmc::abi_version() == FMC_ABI_VERSION);
+  EXPECT(fmc::has_feature("tangent") && !fmc::has_feature("colour"));
+  EXPECT(fmc::suggest_fiber_stiffness(1e6, 1e-3) == 1e9);
+  EXPECT(fmc::suggest_stiffness_from_modulus(2, 1, 1e6, 0.1) > 0);
+  EXPECT(fmc::suggest_stiffness_from_pressure(3, 2, 1e6, 0.1) > 0);
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "", [] { fmc::suggest_fiber_stiffness(-1, 1); }));
+}
+
+void forces_and_getters() {
+  fmc::Options options(1e5);
+  fmc::Context contact(2, coords, {{FMC_QUAD4, quads}}, options);
+  Numbers forces(16), twice(16);
+  const auto result = contact.evaluate(coords, forces);
+  contact.evaluate(coords, twice);
+  contact.evaluate(coords, twice, FMC_ADD);
+  for (std::size_t k = 0; k < 16; ++k) EXPECT(twice[k] == 2 * forces[k]);
+  EXPECT(contact.evaluate(coords).energy == result.energy && contact.get() != nullptr && contact.dim() == 2);
+  const auto counts = contact.counts();
+  EXPECT(counts.nodes == 8 && counts.facets == 8 && counts.bodies == 2);
+  EXPECT(contact.bodies().size() == 2 && contact.pairs().size() == 1 && contact.obstacles().empty() && contact.warnings().empty());
+  EXPECT(contact.bodies()[1].force[0] == contact.body(1).force[0] && contact.pair(0).volume == result.volume);
+  EXPECT(refused(FMC_ERROR_INDEX_OUT_OF_RANGE, "", [&] { contact.pair(1); }));
+  EXPECT(refused(FMC_ERROR_INDEX_OUT_OF_RANGE, "", [&] { contact.warning(0); }));
+  options.stiffness = 2e5;
+  contact.set_options(options);
+  EXPECT(close(contact.evaluate(coords).energy, 2 * result.energy, 1e-14));
+
+  // The pair with a law of its own, left out, and as before.
+  const auto a = fmc::Partner::body(0), b = fmc::Partner::body(1);
+  fmc::PairOptions own;
+  own.law = FMC_LAW_DEPTH;
+  own.stiffness = 1e5;
+  contact.set_pair_options(a, b, own);
+  EXPECT(contact.evaluate(coords).energy == result.energy && contact.pair_options(b, a).stiffness == 1e5);
+  own = fmc::PairOptions();
+  own.excluded = 1;
+  contact.set_pair_options(a, b, own);
+  EXPECT(contact.evaluate(coords).pair_count == 0);
+  contact.clear_pair_options(a, b);
+  EXPECT(contact.pair_options(a, b).excluded == 0 && contact.evaluate(coords).pair_count == 1);
+  EXPECT(refused(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "", [&] { contact.pair_options(a, fmc::Partner::obstacle(0)); }));
+
+  // Fields: the nodal forces from pressures, the resultant from the points, the derivative of the gaps by differences.
+  const auto at = contact.nodal_contact(coords);
+  contact.evaluate(coords, forces);
+  for (std::size_t k = 0; k < 16; ++k)
+    EXPECT(close(-at.pressure[k / 2] * at.area[k / 2] * at.normal[k], forces[k], 1e-9));
+  EXPECT(at.status[4] == FMC_NODE_TOUCHING && at.status[0] == FMC_NODE_APART && at.gap[4] < 0);
+  double sum = 0;
+  for (const auto &point : contact.contact_points(coords)) sum += point.pressure * point.area * point.normal[0];
+  EXPECT(close(std::fabs(sum), contact.body(1).force[0], 1e-9));
+  const auto gaps = contact.gap_constraints(coords, 0.1);
+  EXPECT(!gaps.rows.empty() && gaps.gradient.rows() == gaps.rows.size());
+  const double step = 1e-6;
+  auto moved = coords;
+  for (std::size_t n = 4; n < 8; ++n) moved[2 * n] += step;
+  const auto after = contact.gap_constraints(moved, 0.1);
+  for (std::size_t r = 0; r < gaps.rows.size(); ++r) {
+    double slope = 0;
+    for (auto e = static_cast<std::size_t>(gaps.gradient.row_offsets[r]);
+         e < static_cast<std::size_t>(gaps.gradient.row_offsets[r + 1]); ++e)
+      if (gaps.gradient.cols[e] >= 8 && gaps.gradient.cols[e] % 2 == 0) slope += gaps.gradient.values[e];
+    EXPECT(close((after.rows[r].gap - gaps.rows[r].gap) / step, slope, 1e-5));
+  }
+
+  // Facets; points, which are the nodes here; and a basis whose unknowns are the nodes in the opposite order.
+  EXPECT(contact.boundary_facets().size() == 8 && contact.boundary_facets()[0].cell == 0);
+  const auto points = contact.point_weights();
+  EXPECT(points.rows() == 8 && points.cols[3] == 3 && points.values[3] == 1);
+  const std::vector<int64_t> offsets = {0, 1, 2, 3, 4, 5, 6, 7, 8}, unknowns = {7, 6, 5, 4, 3, 2, 1, 0};
+  const Numbers ones(8, 1);
+  Numbers reversed(16), reversed_forces(16);
+  for (std::size_t k = 0; k < 16; ++k) reversed[k] = coords[(7 - k / 2) * 2 + k % 2];
+  contact.set_basis(8, offsets, unknowns, ones);
+  contact.evaluate(reversed, reversed_forces);
+  for (std::size_t k = 0; k < 16; ++k) EXPECT(reversed_forces[k] == forces[(7 - k / 2) * 2 + k % 2]);
+  EXPECT(refused(FMC_ERROR_LENGTH, "row_offsets", [&] { contact.set_basis(8, unknowns, unknowns, ones); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "weights", [&] { contact.set_basis(8, offsets, unknowns, {1.0}); }));
+  contact.clear_basis();
+  contact.evaluate(coords, twice);
+  EXPECT(twice == forces);
+
+  // Coordinates without deformation twice as large: depths are those there. A side that is named as one of symmetry is no surface.
+  const double energy = contact.evaluate(coords).energy;
+  auto large = coords;
+  for (auto &x : large) x *= 2;
+  contact.set_reference(large);
+  EXPECT(contact.evaluate(coords).energy > 1.5 * energy);
+  contact.set_reference(coords);
+  EXPECT(contact.evaluate(coords).energy == energy);
+  contact.set_symmetry_nodes({0, 1});
+  EXPECT(contact.evaluate(coords).energy >= energy);
+  contact.set_symmetry_nodes({});
+  EXPECT(contact.evaluate(coords).energy == energy);
+  EXPECT(refused(FMC_ERROR_NODE_OUT_OF_RANGE, "", [&] { contact.set_symmetry_nodes({8}); }));
+}
+
+void tangents() {
+  fmc::Options options(1e5);
+  fmc::Context contact(2, coords, {{FMC_QUAD4, quads}}, options);
+  contact.add_half_space(fmc::Pose::along({0, 0.005}, {0, 1}));
+  const auto csr = contact.tangent(coords, FMC_OBSTACLES);
+  const auto wide = contact.tangent<int64_t>(coords, FMC_OBSTACLES | FMC_FROM_ONE);
+  EXPECT(csr.rows() == 18 && wide.row_offsets[0] == 1 && wide.values == csr.values);
+  const auto size = contact.tangent_csr_size(FMC_OBSTACLES);
+  EXPECT(size.rows == 18 && size.entries == csr.values.size());
+
+  // Dense, from rows, from blocks, from entries, by products, and by differences of the forces.
+  const std::size_t n = 18;
+  Numbers dense(n * n), other(n * n), column(n);
+  for (std::size_t r = 0; r < n; ++r)
+    for (auto e = static_cast<std::size_t>(csr.row_offsets[r]); e < static_cast<std::size_t>(csr.row_offsets[r + 1]); ++e)
+      dense[r * n + static_cast<std::size_t>(csr.cols[e])] = csr.values[e];
+  const auto found = contact.find_tangent(coords);
+  const auto entries = contact.tangent_entries();
+  EXPECT(found.entries == entries.values.size() && found.rank_one == 0);
+  for (std::size_t e = 0; e < found.entries; ++e)
+    other[static_cast<std::size_t>(entries.rows[e]) * n + static_cast<std::size_t>(entries.cols[e])] = entries.values[e];
+  EXPECT(other == dense);
+  const auto blocks = contact.tangent_csr(FMC_OBSTACLES | FMC_BLOCKS);
+  std::fill(other.begin(), other.end(), 0);
+  for (std::size_t r = 0; r < blocks.rows(); ++r)
+    for (auto e = static_cast<std::size_t>(blocks.row_offsets[r]); e < static_cast<std::size_t>(blocks.row_offsets[r + 1]); ++e)
+      for (std::size_t k = 0; k < 4; ++k)
+        other[(2 * r + k / 2) * n + 2 * static_cast<std::size_t>(blocks.cols[e]) + k % 2] = blocks.values[4 * e + k];
+  EXPECT(other == dense);
+  std::vector<int32_t> offsets(blocks.row_offsets.size()), cols(blocks.cols.size());
+  Numbers values(blocks.values.size());
+  contact.tangent_csr<int32_t>(FMC_OBSTACLES | FMC_BLOCKS, offsets, cols, values);
+  EXPECT(offsets == blocks.row_offsets && cols == blocks.cols && values == blocks.values);
+  EXPECT(refused(FMC_ERROR_LENGTH, "row_offsets", [&] { contact.tangent_csr<int32_t>(0, {}, cols, values); }));
+  for (std::size_t c = 0; c < n; ++c) {
+    Numbers unit(n), product(n);
+    unit[c] = 1;
+    contact.tangent_product(unit, product);
+    for (std::size_t r = 0; r < n; ++r) EXPECT(close(product[r], dense[r * n + c], 1e-12));
+  }
+  const double step = 1e-6;
+  Numbers plus(16), minus(16);
+  auto moved = coords;
+  moved[8] += step, contact.evaluate(moved, plus), moved[8] -= 2 * step, contact.evaluate(moved, minus);
+  for (std::size_t r = 0; r < 16; ++r) EXPECT(close((minus[r] - plus[r]) / (2 * step), dense[r * n + 8], 1e-6));
+
+  // Both at once, and kept patterns.
+  Numbers forces(16), alone(16);
+  const auto both = contact.evaluate_tangent(coords, forces, FMC_SEMIDEFINITE);
+  EXPECT(contact.evaluate(coords, alone).energy == both.result.energy && alone == forces && both.tangent.entries > 0);
+  contact.keep_pattern(true);
+  contact.find_tangent(coords);
+  const auto before = contact.tangent_csr_size();
+  auto apart = coords;
+  for (std::size_t k = 8; k < 16; k += 2) apart[k] += 1;
+  contact.find_tangent(apart);
+  EXPECT(contact.tangent_csr_size().entries >= before.entries);
+  contact.keep_pattern(false);
+  contact.set_obstacle_rotations(true);
+  EXPECT(contact.tangent(coords, FMC_OBSTACLES).rows() == 20);
+
+  // The step that the contact allows grows with the root of the masses.
+  const double limit = contact.stable_step(coords, Numbers(8, 1.0));
+  EXPECT(limit > 0 && limit < 1 && close(contact.stable_step(coords, Numbers(8, 4.0)), 2 * limit, 1e-12));
+  EXPECT(refused(FMC_ERROR_LENGTH, "masses", [&] { contact.stable_step(coords, Numbers(7, 1.0)); }));
+
+  // A term of rank one: the law "volume" with m = 2.
+  options.law = FMC_LAW_VOLUME;
+  options.exponent = 2;
+  fmc::Context squared(2, coords, {{FMC_QUAD4, quads}}, options);
+  EXPECT(squared.find_tangent(coords).rank_one == 1);
+  const auto term = squared.tangent_rank_one(0);
+  EXPECT(term.factor == 2 * options.stiffness && close(term.vector[0] + term.vector[2] + term.vector[4] + term.vector[6], 0.8, 1e-9));
+}
+
+void friction_and_patches() {
+  fmc::Options options(1e3);
+  options.friction_coefficient = 0.3;
+  const auto placed = [](double by) {
+    return Numbers{-0.5, -2, 1.5, -2, 1.5, 0, -0.5, 0, by, -1e-3, 1 + by, -1e-3, 1 + by, 0.999, by, 0.999};
+  };
+  const auto reference = placed(0);
+  auto start = reference;
+  fmc::Context contact(2, start, {{FMC_QUAD4, quads}}, options);
+  EXPECT(refused(FMC_ERROR_NO_STEP, "", [&] { contact.evaluate(start); }));
+  contact.begin_step(start);
+  fmc::FrictionStep step{start, reference};
+  for (const double by : {1e-4, 1e-3, 9e-4, -1e-3}) {
+    const auto end = placed(by);
+    Numbers forces(16);
+    contact.evaluate(end, forces);
+    step.start = start;
+    EXPECT(fmc::contact_force_step(2, end, FMC_QUAD4, quads, options, step).forces == forces);
+    const auto rejected = step.next_slip;
+    const std::vector<int64_t> wide(quads.begin(), quads.end());
+    EXPECT(fmc::contact_force_step(2, end, FMC_QUAD4, wide, options, step).forces == forces && step.next_slip == rejected);
+    contact.commit_step(end);
+    EXPECT(contact.slip() == step.next_slip);
+    step.slip = step.next_slip;
+    start = end;
+  }
+  const auto kept = contact.slip();
+  contact.set_slip(Numbers(kept.size()));
+  EXPECT(contact.slip() != kept);
+  contact.set_slip(kept);
+  EXPECT(contact.slip() == kept);
+  EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { contact.set_slip({1.0}); }));
+  step.start = fmc::Coords(start.data(), 14);
+  EXPECT(refused(FMC_ERROR_LENGTH, "start", [&] { fmc::contact_force_step(2, start, FMC_QUAD4, quads, options, step); }));
+  contact.freeze_friction(start);
+  const auto frozen = contact.tangent(start, FMC_SYMMETRIC);
+  contact.release_friction();
+  EXPECT(frozen.rows() == 16);
+
+  fmc::Options fiber(1e5);
+  fiber.law = FMC_LAW_FIBER;
+  fmc::Context patches(2, coords, {{FMC_QUAD4, quads}}, fiber);
+  EXPECT(patches.keep_patches(coords) == 1);
+  patches.release_patches();
+  EXPECT(close(patches.evaluate(coords).energy, 0.5 * 1e5 * 1e-4 * 0.8, 1e-9));
+}
+
+void obstacles() {
+  fmc::Options options(1e5);
+  options.law = FMC_LAW_VOLUME;
+  options.spacing = 0.02;
+  fmc::Context contact(3, cube, {{FMC_HEX8, hex}}, options);
+  // Shapes whose top is 0.1 above the cube's bottom: box, cylinder, polygon, hull and compound are the same box.
+  const Numbers box = {-0.2, -0.3, -0.1, 0.2, -0.3, -0.1, 0.2, 0.3, -0.1, -0.2, 0.3, -0.1,
+                       -0.2, -0.3, 0.1,  0.2, -0.3, 0.1,  0.2, 0.3, 0.1,  -0.2, 0.3, 0.1};
+  const std::vector<int32_t> sides = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                      1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+  const std::vector<int64_t> wide(sides.begin(), sides.end());
+  const auto pose = fmc::Pose::at({0.5, 0.5, 0});
+  const double volume = 0.4 * 0.6 * 0.1;
+  const auto measured = [&](std::size_t obstacle) {
+    const double found = contact.evaluate(cube).volume;
+    EXPECT(contact.obstacle_shape(obstacle).pose.position[0] == 0.5);
+    contact.remove_obstacle(obstacle);
+    return found;
+  };
+  EXPECT(close(measured(contact.add_cuboid({0.2, 0.3, 0.1}, pose)), volume, 1e-3 * volume));
+  EXPECT(close(measured(contact.add_polytope(box, sides, pose)), volume, 1e-3 * volume));
+  EXPECT(close(measured(contact.add_polytope(box, wide, pose)), volume, 1e-3 * volume));
+  if (fmc::has_feature("shapes")) {
+    EXPECT(close(measured(contact.add_convex_hull(box, pose)), volume, 1e-3 * volume));
+    const std::vector<fmc::Part> parts = {fmc::Part::cuboid({0.2, 0.3, 0.1}), fmc::Part::polytope(box, sides),
+                                          fmc::Part::convex_hull(box), fmc::Part::ball(0.05), fmc::Part::cone(0.01, 0.02),
+                                          fmc::Part::cylinder(0.01, 0.02), fmc::Part::capsule(0.01, 0.02)};
+    EXPECT(close(measured(contact.add_compound(parts, pose)), volume, 1e-3 * volume));
+    EXPECT(refused(FMC_ERROR_EMPTY_COMPOUND, "", [&] { contact.add_compound({}); }));
+    EXPECT(close(measured(contact.add_compound({fmc::Part::half_space(fmc::Pose::along({0, 0, 0.1}, {0, 0, 1}))}, pose)), 0.1, 1e-3));
+  }
+  const std::vector<std::size_t> grid = {2, 2};
+  EXPECT(close(measured(contact.add_height_field(grid, {0.4, 0.6}, Numbers(4, 0.1), 0.2, pose)), volume, 1e-3 * volume));
+  EXPECT(refused(FMC_ERROR_LENGTH, "heights", [&] { contact.add_height_field(grid, {1, 1}, {1, 2, 3}, 1); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "half_extents", [&] { contact.add_cuboid({1, 1}); }));
+  const double pi = 3.14159265358979323846;
+  EXPECT(close(measured(contact.add_cylinder(0.2, 0.1, pose)), pi * 0.04 * 0.1, 1e-4));
+  EXPECT(close(measured(contact.add_cone(0.2, 0.1, pose)), pi * 0.01 * 0.1 / 3, 1e-4));
+  EXPECT(close(measured(contact.add_capsule(0.1, 0.2, pose)), pi * 0.01 * 0.2 + 2 * pi * 0.001 / 3, 1e-4));
+  EXPECT(close(measured(contact.add_ball(0.2, pose)), 2 * pi * 0.008 / 3, 1e-4));
+  const auto floor = contact.add_half_space(fmc::Pose::along({0.5, 0, 0.1}, {0, 0, 1}));
+  EXPECT(contact.obstacle_shape(floor).shape == FMC_SHAPE_HALF_SPACE && close(contact.evaluate(cube).volume, 0.1, 1e-4));
+  contact.set_pose(floor, fmc::Pose::along({0, 0, 0.2}, {0, 0, 1}));
+  EXPECT(close(contact.evaluate(cube).volume, 0.2, 1e-4) && contact.obstacles().size() == floor + 1);
+  EXPECT(refused(FMC_ERROR_BAD_POSE, "", [] { fmc::Pose::along({0, 0}, {0, 0}); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "position", [] { fmc::Pose::along({0, 0}, {0, 0, 1}); }));
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "", [&] { contact.add_ball(-1); }));
+}
+
+}  // namespace
+
+int main() try {
+  of_the_library();
+  forces_and_getters();
+  tangents();
+  friction_and_patches();
+  obstacles();
+  return report();
+} catch (const std::exception &error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,79 @@
+// Functions of the host that the library calls, and which may throw. Part of fmc_contact.hpp.
+#ifndef FMC_CONTACT_CALLBACKS_HPP
+#define FMC_CONTACT_CALLBACKS_HPP
+
+#include "view.hpp"
+
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+
+namespace fmc {
+
+// Receives messages: `FMC_LOG_WARNING`, and a sentence.
+using Log = std::function<void(int32_t level, const char *text)>;
+
+// Signed distance at a point x of dim numbers: returns it, negative inside, positive outside, with slope of at most 1, and
+// writes its gradient, of any length; where it is 0 that is the outward normal.
+using SignedDistance = std::function<double(View<const double> x, View<double> gradient)>;
+
+// The same for n points at once: x and gradients (n, dim), distances (n).
+using SignedDistances = std::function<void(View<const double> x, View<double> distances, View<double> gradients)>;
+
+namespace detail {
+
+struct DistanceCall;
+struct LogCall;
+
+// The functions of one context, and what one of them has thrown in the call that is running.
+struct Callbacks {
+  std::exception_ptr thrown;
+  std::unique_ptr<LogCall> log;
+  std::map<std::size_t, std::unique_ptr<DistanceCall>> distances;
+
+  void rethrow() {
+    if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
+  }
+};
+
+struct LogCall {
+  Log function;
+  Callbacks *callbacks;
+
+  static void run(void *user, int32_t level, const char *text) noexcept {
+    auto &self = *static_cast<LogCall *>(user);
+    if (self.callbacks->thrown) return;
+    try {
+      self.function(level, text);
+    } catch (...) {
+      self.callbacks->thrown = std::current_exception();
+    }
+  }
+};
+
+// One of the two functions is empty.
+struct DistanceCall {
+  SignedDistance one;
+  SignedDistances many;
+  std::size_t dim;
+  Callbacks *callbacks;
+
+  static int32_t run(void *user, std::size_t n, const double *x, double *phi, double *grad) noexcept {
+    auto &self = *static_cast<DistanceCall *>(user);
+    const auto dim = self.dim;
+    try {
+      if (self.many) self.many({x, n * dim}, {phi, n}, {grad, n * dim});
+      else for (std::size_t i = 0; i < n; ++i) phi[i] = self.one({x + i * dim, dim}, {grad + i * dim, dim});
+      return 0;
+    } catch (...) {
+      self.callbacks->thrown = std::current_exception();
+      return 1;
+    }
+  }
+};
+
+}  // namespace detail
+}  // namespace fmc
+
+#endif  // FMC_CONTACT_CALLBACKS_HPP

@@ -1,0 +1,430 @@
+// A mesh in contact, for many evaluations. Part of fmc_contact.hpp.
+#ifndef FMC_CONTACT_CONTEXT_HPP
+#define FMC_CONTACT_CONTEXT_HPP
+
+#include "callbacks.hpp"
+#include "data.hpp"
+
+#include <memory>
+
+namespace fmc {
+
+// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. It owns an `fmc_context`, and can
+// be moved but not copied. Every method is the function `fmc_context_...` of its name, where shapes, signs, units and causes of
+// failure stand; a failure is thrown as `Error`. What a callback throws comes out of the call that called it.
+//
+// Threads: as in C. Const methods at once on one context, as long as no other runs; different contexts at once.
+class Context {
+ public:
+  // Context from cells, in a block for each type, {{FMC_HEX8, hexes}, {FMC_TET4, tets}}, with 32-bit node numbers. `dim` is 2
+  // or 3; `body_ids`, one for every cell over all blocks, may be left out: bodies are what hangs together.
+  Context(int dim, Coords coords, View<const Cells<int32_t>> cells, const Options &options, View<const int32_t> body_ids = {})
+      : Context(dim, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
+  // The same with 64-bit numbers.
+  Context(int dim, Coords coords, View<const Cells<int64_t>> cells, const Options &options, View<const int64_t> body_ids = {})
+      : Context(dim, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
+
+  // Context from the closed surface of bodies, (facets, dim): edges with the body to their left, triangles counter-clockwise
+  // seen from outside. `body_ids`: one for every facet.
+  static Context from_facets(int dim, Coords coords, View<const int32_t> facets, const Options &options,
+                             View<const int32_t> body_ids = {}) {
+    return of_facets(dim, coords, facets, options, body_ids);
+  }
+  static Context from_facets(int dim, Coords coords, View<const int64_t> facets, const Options &options,
+                             View<const int64_t> body_ids = {}) {
+    return of_facets(dim, coords, facets, options, body_ids);
+  }
+
+  int dim() const noexcept { return dim_; }
+  // For calls of the C interface. The context stays owned; callbacks that throw are for the methods here.
+  fmc_context *get() const noexcept { return context_.get(); }
+  // Text of the last call that failed on this context.
+  std::string error() const { return fmc_context_error(get()); }
+
+  void set_options(const Options &options) { call(fmc_context_set_options(get(), &options)); }
+  Counts counts() const {
+    Counts counts;
+    check(fmc_context_counts(get(), &counts.nodes, &counts.facets, &counts.bodies));
+    return counts;
+  }
+
+  // Messages to the host, called at the end of an evaluation; empty: none. What it throws comes out of the evaluation, whose
+  // results stand.
+  void set_log(Log log) {
+    auto next = log ? std::make_unique<detail::LogCall>(detail::LogCall{std::move(log), callbacks_.get()}) : nullptr;
+    call(fmc_context_set_log(get(), next ? detail::LogCall::run : nullptr, next.get()));
+    callbacks_->log = std::move(next);
+  }
+
+  // Forces at the current coordinates of all nodes, into the host's array or, with the flag `FMC_ADD`, onto what it holds.
+  fmc_result evaluate(Coords coords, Forces forces, uint32_t flags = 0) {
+    fmc_result result;
+    const auto x = coords.as_c(dim_);
+    const auto f = forces.as_c(dim_);
+    call(fmc_context_evaluate(get(), &x, &f, flags, &result));
+    return result;
+  }
+  // Without forces at nodes: overlap, energy, resultants.
+  fmc_result evaluate(Coords coords) {
+    fmc_result result;
+    const auto x = coords.as_c(dim_);
+    call(fmc_context_evaluate(get(), &x, nullptr, 0, &result));
+    return result;
+  }
+
+  // Of the last evaluation: force and moment on bodies and obstacles, the pairs that overlap, warnings.
+  fmc_resultant body(std::size_t index) const { return get_one<fmc_resultant>(fmc_context_body, index); }
+  fmc_resultant obstacle(std::size_t index) const { return get_one<fmc_resultant>(fmc_context_obstacle, index); }
+  fmc_pair pair(std::size_t index) const { return get_one<fmc_pair>(fmc_context_pair, index); }
+  Warning warning(std::size_t index) const {
+    int32_t code = 0;
+    const char *text = nullptr;
+    check(fmc_context_warning(get(), index, &code, &text));
+    return {code, text};
+  }
+  std::vector<fmc_resultant> bodies() const { return get_all<fmc_resultant>(fmc_context_body); }
+  std::vector<fmc_resultant> obstacles() const { return get_all<fmc_resultant>(fmc_context_obstacle); }
+  std::vector<fmc_pair> pairs() const { return get_all<fmc_pair>(fmc_context_pair); }
+  std::vector<Warning> warnings() const {
+    std::vector<Warning> all;
+    int32_t code = 0;
+    const char *text = nullptr;
+    while (more(fmc_context_warning(get(), all.size(), &code, &text))) all.push_back({code, text});
+    return all;
+  }
+
+  // The tangent at `coords` in compressed rows, with flags of `fmc_context_tangent` (`FMC_SEMIDEFINITE`, `FMC_SYMMETRIC`) and of
+  // `fmc_context_tangent_csr` (`FMC_BLOCKS`, `FMC_OBSTACLES`, `FMC_FROM_ONE`). Unsymmetric with friction. Terms of rank one,
+  // which the law "volume" has, are not in it.
+  template <class Int = int32_t>
+  Csr<Int> tangent(Coords coords, uint32_t flags = 0) {
+    find_tangent(coords, flags & ~layout);
+    return tangent_csr<Int>(flags & layout);
+  }
+  // Finds the tangent and keeps it for the functions below; so does `evaluate_tangent`, together with the forces.
+  TangentCounts find_tangent(Coords coords, uint32_t flags = 0) {
+    TangentCounts counts;
+    const auto x = coords.as_c(dim_);
+    call(fmc_context_tangent(get(), &x, flags, &counts.entries, &counts.rank_one));
+    return counts;
+  }
+  Evaluation evaluate_tangent(Coords coords, Forces forces, uint32_t flags = 0) {
+    Evaluation found;
+    const auto x = coords.as_c(dim_);
+    const auto f = forces.as_c(dim_);
+    call(fmc_context_evaluate_tangent(get(), &x, flags, &f, &found.result, &found.tangent.entries, &found.tangent.rank_one));
+    return found;
+  }
+  CsrSize tangent_csr_size(uint32_t flags = 0) const {
+    CsrSize size;
+    check(fmc_context_tangent_csr_size(get(), flags, &size.rows, &size.entries));
+    return size;
+  }
+  template <class Int = int32_t>
+  Csr<Int> tangent_csr(uint32_t flags = 0) const {
+    const auto size = tangent_csr_size(flags);
+    const auto block = (flags & FMC_BLOCKS) != 0 ? axes() * axes() : 1;
+    Csr<Int> csr;
+    csr.row_offsets.resize(size.rows + 1), csr.cols.resize(size.entries), csr.values.resize(size.entries * block);
+    tangent_csr<Int>(flags, csr.row_offsets, csr.cols, csr.values);
+    return csr;
+  }
+  // Into arrays of the host, of the lengths that `tangent_csr_size` says.
+  template <class Int>
+  void tangent_csr(uint32_t flags, View<Int> row_offsets, View<Int> cols, View<double> values) const {
+    const auto block = (flags & FMC_BLOCKS) != 0 ? axes() * axes() : 1;
+    need(row_offsets.size(), tangent_csr_size(flags).rows + 1, "row_offsets");
+    need(values.size(), cols.size() * block, "values");
+    check(detail::Calls<Int>::tangent_csr(get(), flags, row_offsets.data(), cols.data(), values.data(), cols.size()));
+  }
+  Entries tangent_entries() const {
+    // As many as in compressed rows: both have each place once, obstacles included.
+    const auto count = tangent_csr_size(FMC_OBSTACLES).entries;
+    Entries entries{std::vector<int32_t>(count), std::vector<int32_t>(count), std::vector<double>(count)};
+    check(fmc_context_tangent_entries(get(), entries.rows.data(), entries.cols.data(), entries.values.data(), count));
+    return entries;
+  }
+  // y = tangent * x, terms of rank one included: dim numbers for every node and, if the length includes them, every obstacle.
+  void tangent_product(View<const double> x, View<double> y) const {
+    need(y.size(), x.size(), "y");
+    check(fmc_context_tangent_product(get(), x.data(), y.data(), x.size()));
+  }
+  RankOne tangent_rank_one(std::size_t index) const {
+    RankOne term;
+    term.vector.resize(tangent_csr_size(FMC_OBSTACLES).rows);
+    check(fmc_context_tangent_rank_one(get(), index, &term.factor, term.vector.data(), term.vector.size()));
+    return term;
+  }
+  void keep_pattern(bool keep) { call(fmc_context_keep_pattern(get(), keep ? 1 : 0)); }
+  void set_obstacle_rotations(bool on) { call(fmc_context_set_obstacle_rotations(get(), on ? 1 : 0)); }
+
+  // Largest step of central differences for the contact alone; `masses`: one for every node.
+  double stable_step(Coords coords, View<const double> masses) {
+    double step = 0;
+    const auto x = coords.as_c(dim_);
+    call(fmc_context_stable_step(get(), &x, detail::one_for_each(masses, x.node_count, "masses"), &step));
+    return step;
+  }
+
+  // The law "fiber": keeps the patches found at `coords`, and returns the number of directions; or releases them.
+  std::size_t keep_patches(Coords coords) {
+    std::size_t directions = 0;
+    const auto x = coords.as_c(dim_);
+    call(fmc_context_keep_patches(get(), &x, &directions));
+    return directions;
+  }
+  void release_patches() { call(fmc_context_keep_patches(get(), nullptr, nullptr)); }
+
+  // Friction: steps begun and accepted, friction frozen for outer iterations, the elastic slip for a restart, (facets, dim).
+  void begin_step(Coords coords) { at(fmc_context_begin_step, coords); }
+  void commit_step(Coords coords) { at(fmc_context_commit_step, coords); }
+  void freeze_friction(Coords coords) { at(fmc_context_freeze_friction, coords); }
+  void release_friction() { call(fmc_context_freeze_friction(get(), nullptr)); }
+  std::vector<double> slip() const {
+    std::vector<double> slip(counts().facets * axes());
+    check(fmc_context_slip(get(), slip.data(), slip.size()));
+    return slip;
+  }
+  void set_slip(View<const double> slip) { call(fmc_context_set_slip(get(), slip.data(), slip.size())); }
+
+  // The law "depth": coordinates without deformation; nodes in planes of symmetry, none for none.
+  void set_reference(Coords coords) { at(fmc_context_set_reference, coords); }
+  void set_symmetry_nodes(View<const int64_t> nodes) {
+    call(fmc_context_set_symmetry_nodes(get(), nodes.data(), nodes.size()));
+  }
+
+  // Unknowns of the host by which the nodes of the mesh move: a matrix in compressed rows, one row for every node.
+  void set_basis(std::size_t unknown_count, View<const int64_t> row_offsets, View<const int64_t> unknowns,
+                 View<const double> weights) {
+    need(row_offsets.size(), counts().nodes + 1, "row_offsets");
+    need(weights.size(), unknowns.size(), "weights");
+    call(fmc_context_set_basis(get(), unknown_count, row_offsets.data(), unknowns.data(), weights.data(), weights.size()));
+  }
+  void clear_basis() { call(fmc_context_set_basis(get(), 0, nullptr, nullptr, nullptr, 0)); }
+
+  // The surface: its facets, and the matrix from nodes to the points of which facets, contact points and gaps tell.
+  std::vector<fmc_boundary_facet> boundary_facets() const {
+    std::vector<fmc_boundary_facet> facets(counts().facets);
+    check(fmc_context_boundary_facets(get(), facets.data(), facets.size()));
+    return facets;
+  }
+  Csr<int64_t> point_weights() const {
+    std::size_t points = 0, entries = 0;
+    check(fmc_context_point_weights_size(get(), &points, &entries));
+    Csr<int64_t> csr{std::vector<int64_t>(points + 1), std::vector<int64_t>(entries), std::vector<double>(entries)};
+    check(fmc_context_point_weights(get(), csr.row_offsets.data(), points, csr.cols.data(), csr.values.data(), entries));
+    return csr;
+  }
+
+  // The contact at `coords`: at nodes, at points, and as constraints of nodes within `reach` of a partner.
+  NodalContact nodal_contact(Coords coords) {
+    const auto x = coords.as_c(dim_);
+    const auto nodes = counts().nodes;
+    NodalContact at;
+    for (auto *field : {&at.pressure, &at.gap, &at.area, &at.sliding}) field->resize(nodes);
+    at.normal.resize(nodes * axes()), at.friction.resize(nodes * axes()), at.status.resize(nodes);
+    call(fmc_context_nodal_contact(get(), &x, at.pressure.data(), at.gap.data(), at.area.data(), at.normal.data(),
+                                   at.friction.data(), at.sliding.data(), at.status.data(), nodes));
+    return at;
+  }
+  std::vector<fmc_contact_point> contact_points(Coords coords) {
+    const auto x = coords.as_c(dim_);
+    std::size_t count = 0;
+    call(fmc_context_find_contact_points(get(), &x, &count));
+    std::vector<fmc_contact_point> points(count);
+    check(fmc_context_contact_points(get(), points.data(), count));
+    return points;
+  }
+  GapConstraints gap_constraints(Coords coords, double reach) {
+    const auto x = coords.as_c(dim_);
+    std::size_t count = 0, entries = 0;
+    call(fmc_context_find_gap_constraints(get(), &x, reach, &count, &entries));
+    GapConstraints gaps{std::vector<fmc_gap_constraint>(count),
+                        {std::vector<int64_t>(count + 1), std::vector<int64_t>(entries), std::vector<double>(entries)}};
+    auto &gradient = gaps.gradient;
+    check(fmc_context_gap_constraints(get(), gaps.rows.data(), count));
+    check(fmc_context_gap_gradient(get(), gradient.row_offsets.data(), gradient.cols.data(), gradient.values.data(), entries));
+    return gaps;
+  }
+
+  void set_pair_options(Partner a, Partner b, const PairOptions &options) {
+    call(fmc_context_set_pair_options(get(), a.kind, a.index, b.kind, b.index, &options));
+  }
+  // The pair follows the options of the context again.
+  void clear_pair_options(Partner a, Partner b) {
+    call(fmc_context_set_pair_options(get(), a.kind, a.index, b.kind, b.index, nullptr));
+  }
+  PairOptions pair_options(Partner a, Partner b) const {
+    PairOptions options;
+    check(fmc_context_pair_options(get(), a.kind, a.index, b.kind, b.index, &options));
+    return options;
+  }
+
+  // Rigid obstacles, each with a pose; returned is the index, which an obstacle keeps when others are removed.
+  std::size_t add_half_space(const Pose &pose = {}) { return add(fmc_context_add_half_space, pose); }
+  std::size_t add_ball(double radius, const Pose &pose = {}) { return add(fmc_context_add_ball, pose, radius); }
+  std::size_t add_cylinder(double radius, double half_height, const Pose &pose = {}) {
+    return add(fmc_context_add_cylinder, pose, radius, half_height);
+  }
+  std::size_t add_cone(double radius, double half_height, const Pose &pose = {}) {
+    return add(fmc_context_add_cone, pose, radius, half_height);
+  }
+  std::size_t add_capsule(double radius, double half_height, const Pose &pose = {}) {
+    return add(fmc_context_add_capsule, pose, radius, half_height);
+  }
+  std::size_t add_cuboid(View<const double> half_extents, const Pose &pose = {}) {
+    need(half_extents.size(), axes(), "half_extents");
+    return add(fmc_context_add_cuboid, pose, half_extents.data());
+  }
+  std::size_t add_polytope(Coords points, View<const int32_t> facets, const Pose &pose = {}) {
+    return add_facets(points, facets, pose);
+  }
+  std::size_t add_polytope(Coords points, View<const int64_t> facets, const Pose &pose = {}) {
+    return add_facets(points, facets, pose);
+  }
+  std::size_t add_convex_hull(Coords points, const Pose &pose = {}) {
+    const auto x = points.as_c(dim_);
+    return add(fmc_context_add_convex_hull, pose, &x);
+  }
+  // `counts` and `lengths` of the dim - 1 axes of the grid, whose last one runs fastest in `heights`.
+  std::size_t add_height_field(View<const std::size_t> counts, View<const double> lengths, View<const double> heights,
+                               double thickness, const Pose &pose = {}) {
+    need(counts.size(), axes() - 1, "counts"), need(lengths.size(), axes() - 1, "lengths");
+    std::size_t points = 1;
+    for (const auto count : counts) {
+      if (count != 0 && points > heights.size() / count) points = heights.size() + 1;  // too many, and no overflow
+      else points *= count;
+    }
+    need(heights.size(), points, "heights");
+    return add(fmc_context_add_height_field, pose, counts.data(), lengths.data(), heights.data(), thickness);
+  }
+  std::size_t add_compound(View<const Part> parts, const Pose &pose = {}) {
+    std::vector<fmc_coords> points(parts.size());
+    std::vector<fmc_part> list;
+    for (std::size_t i = 0; i < parts.size(); ++i) list.push_back(parts[i].as_c(dim_, points[i]));
+    return add(fmc_context_add_compound, pose, list.data(), list.size());
+  }
+  // A body given by its signed distance in its own frame; see `SignedDistance`. What it throws comes out of the call that
+  // evaluated it, and nothing else has happened then.
+  std::size_t add_signed_distance(SignedDistance distance, const Pose &pose = {}) {
+    auto next = std::make_unique<detail::DistanceCall>(detail::DistanceCall{std::move(distance), {}, axes(), callbacks_.get()});
+    return add_distance(std::move(next), pose);
+  }
+  // The same for many points at once.
+  std::size_t add_signed_distances(SignedDistances distances, const Pose &pose = {}) {
+    auto next = std::make_unique<detail::DistanceCall>(detail::DistanceCall{{}, std::move(distances), axes(), callbacks_.get()});
+    return add_distance(std::move(next), pose);
+  }
+  Obstacle obstacle_shape(std::size_t obstacle) const {
+    Obstacle found{};
+    check(fmc_context_obstacle_shape(get(), obstacle, &found.shape, &found.pose));
+    return found;
+  }
+  void set_pose(std::size_t obstacle, const Pose &pose) { call(fmc_context_set_pose(get(), obstacle, &pose)); }
+  void remove_obstacle(std::size_t obstacle) {
+    call(fmc_context_remove_obstacle(get(), obstacle));
+    callbacks_->distances.erase(obstacle);
+  }
+
+ private:
+  static constexpr uint32_t layout = FMC_BLOCKS | FMC_OBSTACLES | FMC_FROM_ONE;
+  struct Free {
+    void operator()(fmc_context *context) const noexcept { fmc_context_free(&context); }
+  };
+
+  template <class Make, class = std::enable_if_t<std::is_invocable_v<Make, fmc_context **>>>
+  Context(int dim, const Make &make) : dim_(dim) {
+    fmc_context *made = nullptr;
+    check(make(&made));
+    context_.reset(made);
+  }
+  template <class Int>
+  static fmc_status from_cells(int dim, const Coords &coords, View<const Cells<Int>> cells, const Options &options,
+                               View<const Int> body_ids, fmc_context **made) {
+    std::vector<typename detail::Calls<Int>::Block> blocks;
+    std::size_t count = 0;
+    for (const auto &block : cells) {
+      blocks.push_back({block.type, block.conn.data(), detail::rows_of(block.conn, detail::nodes_of(block.type), "cells")});
+      count += blocks.back().cell_count;
+    }
+    const auto x = coords.as_c(dim);
+    const auto *ids = detail::one_for_each(body_ids, count, "body_ids");
+    return detail::Calls<Int>::from_cells(dim, &x, blocks.data(), blocks.size(), ids, &options, made);
+  }
+  template <class Int>
+  static Context of_facets(int dim, const Coords &coords, View<const Int> facets, const Options &options,
+                           View<const Int> body_ids) {
+    return Context(dim, [&](fmc_context **made) {
+      const auto x = coords.as_c(dim);
+      const auto count = detail::rows_of(facets, static_cast<std::size_t>(dim), "facets");
+      const auto *ids = detail::one_for_each(body_ids, count, "body_ids");
+      return detail::Calls<Int>::from_facets(dim, &x, facets.data(), count, ids, &options, made);
+    });
+  }
+
+  std::size_t axes() const noexcept { return static_cast<std::size_t>(dim_); }
+  // The end of every call that may have called a callback: what that threw goes on here.
+  void call(fmc_status status) {
+    if (callbacks_) callbacks_->rethrow();
+    check(status);
+  }
+  void at(fmc_status (*function)(fmc_context *, const fmc_coords *), const Coords &coords) {
+    const auto x = coords.as_c(dim_);
+    call(function(get(), &x));
+  }
+  static void need(std::size_t length, std::size_t expected, const char *what) {
+    if (length != expected)
+      detail::refuse(FMC_ERROR_LENGTH,
+                     std::string(what) + " has " + std::to_string(length) + " entries, not " + std::to_string(expected));
+  }
+  template <class T>
+  T get_one(fmc_status (*getter)(const fmc_context *, std::size_t, T *), std::size_t index) const {
+    T one;
+    check(getter(get(), index, &one));
+    return one;
+  }
+  // Whether a getter has found one more; there are none before the first evaluation.
+  static bool more(fmc_status status) {
+    if (status != FMC_ERROR_INDEX_OUT_OF_RANGE) check(status);
+    return status == FMC_OK;
+  }
+  template <class T>
+  std::vector<T> get_all(fmc_status (*getter)(const fmc_context *, std::size_t, T *)) const {
+    std::vector<T> all;
+    T one;
+    while (more(getter(get(), all.size(), &one))) all.push_back(one);
+    return all;
+  }
+  template <class Function, class... Arguments>
+  std::size_t add(Function function, const Pose &pose, Arguments... arguments) {
+    std::size_t index = 0;
+    call(function(get(), arguments..., &pose, &index));
+    return index;
+  }
+  template <class Int>
+  std::size_t add_facets(const Coords &points, View<const Int> facets, const Pose &pose) {
+    const auto x = points.as_c(dim_);
+    const auto count = detail::rows_of(facets, axes(), "facets");
+    return add(detail::Calls<Int>::add_polytope, pose, &x, facets.data(), count);
+  }
+  std::size_t add_distance(std::unique_ptr<detail::DistanceCall> next, const Pose &pose) {
+    // The place for it first: once the library has the pointer, nothing may fail.
+    std::map<std::size_t, std::unique_ptr<detail::DistanceCall>> place;
+    auto *const distance = place.emplace(0, std::move(next)).first->second.get();
+    const auto index =
+        add(fmc_context_add_signed_distance, pose, detail::DistanceCall::run, static_cast<void *>(distance));
+    auto node = place.extract(place.begin());
+    node.key() = index;
+    callbacks_->distances.insert(std::move(node));
+    return index;
+  }
+
+  int dim_ = 0;
+  // Ends after the context, which has pointers to it.
+  std::unique_ptr<detail::Callbacks> callbacks_ = std::make_unique<detail::Callbacks>();
+  std::unique_ptr<fmc_context, Free> context_;
+};
+
+}  // namespace fmc
+
+#endif  // FMC_CONTACT_CONTEXT_HPP

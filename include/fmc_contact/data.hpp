@@ -1,0 +1,267 @@
+// What goes into a context and what comes out of it. Part of fmc_contact.hpp. The structs of results themselves, with their
+// units, are those of fmc_contact.h: fmc_result, fmc_resultant, fmc_pair, fmc_contact_point, fmc_gap_constraint,
+// fmc_boundary_facet.
+#ifndef FMC_CONTACT_DATA_HPP
+#define FMC_CONTACT_DATA_HPP
+
+#include "view.hpp"
+
+namespace fmc {
+
+// Options of an evaluation: the fields of `fmc_options`, which has their units and defaults. Only the stiffness k has none;
+// with the law "depth", the default, it is a pressure per length.
+struct Options : fmc_options {
+  explicit Options(double k) : fmc_options() {
+    check(fmc_options_init(this));
+    stiffness = k;
+  }
+  // Sets an option by the name of its field, both as text: set("estimator", "exact").
+  Options &set(const std::string &key, const std::string &value) {
+    check(fmc_options_set(this, key.c_str(), value.c_str()));
+    return *this;
+  }
+};
+
+// Options of one pair: the fields of `fmc_pair_options`; at first what a pair has without options of its own.
+struct PairOptions : fmc_pair_options {
+  PairOptions() : fmc_pair_options() { check(fmc_pair_options_init(this)); }
+};
+
+// One side of a pair.
+struct Partner {
+  fmc_partner kind;
+  std::size_t index;
+
+  static Partner body(std::size_t index) { return {FMC_PARTNER_BODY, index}; }
+  static Partner obstacle(std::size_t index) { return {FMC_PARTNER_OBSTACLE, index}; }
+};
+
+// Position, rotation and scale of an obstacle: the fields of `fmc_pose`, at first the origin.
+struct Pose : fmc_pose {
+  Pose() : fmc_pose() { check(fmc_pose_init(this)); }
+  Pose(const fmc_pose &pose) : fmc_pose(pose) {}
+
+  // At a position of 2 or 3 numbers.
+  static Pose at(View<const double> where) {
+    Pose pose;
+    if (where.size() != 2 && where.size() != 3) detail::refuse(FMC_ERROR_LENGTH, "a position has 2 or 3 numbers");
+    for (std::size_t axis = 0; axis < where.size(); ++axis) pose.position[axis] = where[axis];
+    return pose;
+  }
+  // With the shape's last axis along `axis`: the outward normal of a half-space, the axis of a cylinder, cone or capsule.
+  static Pose along(View<const double> where, View<const double> axis) {
+    Pose pose;
+    if (where.size() != axis.size()) detail::refuse(FMC_ERROR_LENGTH, "position and axis have different lengths");
+    check(fmc_pose_along(static_cast<int32_t>(where.size()), where.data(), axis.data(), &pose));
+    return pose;
+  }
+};
+
+// Cells of one type; Int is int32_t or int64_t. `conn` are node numbers, (cells, nodes per cell), counted from the option
+// `index_base`; a matrix has the nodes of a cell one after the other.
+template <class Int>
+struct Cells {
+  fmc_cell_type type;
+  View<const Int> conn;
+};
+
+namespace detail {
+
+inline std::size_t nodes_of(int32_t cell_type) {
+  switch (cell_type) {
+    case FMC_TRI3: return 3;
+    case FMC_QUAD4: case FMC_TET4: return 4;
+    case FMC_HEX8: case FMC_QUAD8: return 8;
+    case FMC_WEDGE6: case FMC_TRI6: return 6;
+    case FMC_PYRAMID5: return 5;
+    case FMC_QUAD9: return 9;
+    case FMC_TET10: return 10;
+    case FMC_PYRAMID13: return 13;
+    case FMC_WEDGE15: return 15;
+    case FMC_HEX20: return 20;
+    case FMC_HEX27: return 27;
+    default: refuse(FMC_ERROR_UNKNOWN_CELL_TYPE, "no cell type has the number " + std::to_string(cell_type));
+  }
+}
+
+// How many rows of `nodes` numbers a list of node numbers has.
+template <class Int>
+std::size_t rows_of(View<const Int> conn, std::size_t nodes, const char *what) {
+  if (conn.size() % nodes == 0 && (conn.row() == 0 || conn.row() == nodes)) return conn.size() / nodes;
+  refuse(FMC_ERROR_LENGTH, std::string(what) + ": " + std::to_string(conn.size()) + " node numbers" +
+                               (conn.row() > 0 ? " in rows of " + std::to_string(conn.row()) : std::string()) + ", not rows of " +
+                               std::to_string(nodes));
+}
+
+// A list with one entry for each of `count`, or an empty one, which is NULL.
+template <class T>
+const T *one_for_each(View<const T> list, std::size_t count, const char *what) {
+  if (list.empty()) return nullptr;
+  if (list.size() != count)
+    refuse(FMC_ERROR_LENGTH, std::string(what) + ": " + std::to_string(list.size()) + " entries, not " + std::to_string(count));
+  return list.data();
+}
+
+// The functions of the C interface, by the type of the node numbers.
+template <class Int>
+struct Calls;
+template <>
+struct Calls<int32_t> {
+  using Block = fmc_cell_block;
+  static constexpr auto force = fmc_contact_force;
+  static constexpr auto force_step = fmc_contact_force_step;
+  static constexpr auto from_cells = fmc_context_new_from_cells;
+  static constexpr auto from_facets = fmc_context_new_from_facets;
+  static constexpr auto tangent_csr = fmc_context_tangent_csr;
+  static constexpr auto add_polytope = fmc_context_add_polytope;
+};
+template <>
+struct Calls<int64_t> {
+  using Block = fmc_cell_block_i64;
+  static constexpr auto force = fmc_contact_force_i64;
+  static constexpr auto force_step = fmc_contact_force_step_i64;
+  static constexpr auto from_cells = fmc_context_new_from_cells_i64;
+  static constexpr auto from_facets = fmc_context_new_from_facets_i64;
+  static constexpr auto tangent_csr = fmc_context_tangent_csr_i64;
+  static constexpr auto add_polytope = fmc_context_add_polytope_i64;
+};
+
+}  // namespace detail
+
+// A part of a compound, made by the functions below, with its pose in the frame of the compound. Points and facets are read
+// when the compound is added.
+class Part {
+ public:
+  static Part half_space(const Pose &pose) { return Part(FMC_SHAPE_HALF_SPACE, pose); }
+  static Part ball(double radius, const Pose &pose = {}) { return Part(FMC_SHAPE_BALL, pose, radius); }
+  static Part cylinder(double radius, double half_height, const Pose &pose = {}) {
+    return Part(FMC_SHAPE_CYLINDER, pose, radius, half_height);
+  }
+  static Part cone(double radius, double half_height, const Pose &pose = {}) {
+    return Part(FMC_SHAPE_CONE, pose, radius, half_height);
+  }
+  static Part capsule(double radius, double half_height, const Pose &pose = {}) {
+    return Part(FMC_SHAPE_CAPSULE, pose, radius, half_height);
+  }
+  static Part cuboid(View<const double> half_extents, const Pose &pose = {}) {
+    Part part(FMC_SHAPE_CUBOID, pose);
+    if (half_extents.size() > 3) detail::refuse(FMC_ERROR_LENGTH, "a cuboid has 2 or 3 half extents");
+    for (std::size_t axis = 0; axis < half_extents.size(); ++axis) part.part_.half_extents[axis] = half_extents[axis];
+    return part;
+  }
+  static Part polytope(Coords points, View<const int32_t> facets, const Pose &pose = {}) {
+    Part part(FMC_SHAPE_POLYTOPE, pose);
+    part.points_ = points, part.facets_ = facets;
+    return part;
+  }
+  static Part convex_hull(Coords points, const Pose &pose = {}) {
+    Part part(FMC_SHAPE_CONVEX_HULL, pose);
+    part.points_ = points;
+    return part;
+  }
+
+  // As the C interface takes it; `points` receives the points, and must outlive the result.
+  fmc_part as_c(int dim, fmc_coords &points) const {
+    fmc_part part = part_;
+    points = points_.as_c(dim);
+    part.points = &points;
+    part.facets = facets_.data();
+    part.facet_count = detail::rows_of(facets_, static_cast<std::size_t>(dim), "facets");
+    return part;
+  }
+
+ private:
+  Part(fmc_shape shape, const Pose &pose, double radius = 0, double half_height = 0) : part_() {
+    check(fmc_part_init(&part_));
+    part_.shape = shape;
+    part_.pose = pose;
+    part_.radius = radius;
+    part_.half_height = half_height;
+  }
+  fmc_part part_;
+  Coords points_;
+  View<const int32_t> facets_;
+};
+
+// A sparse matrix in compressed rows: the entries of row r are those from row_offsets[r] to row_offsets[r + 1].
+template <class Int>
+struct Csr {
+  std::vector<Int> row_offsets, cols;
+  std::vector<double> values;
+
+  std::size_t rows() const noexcept { return row_offsets.empty() ? 0 : row_offsets.size() - 1; }
+};
+
+// The tangent as entries, each with another row or column.
+struct Entries {
+  std::vector<int32_t> rows, cols;
+  std::vector<double> values;
+};
+
+// A term of rank one of the tangent, factor * vector * vector^T.
+struct RankOne {
+  double factor = 0;
+  std::vector<double> vector;
+};
+
+// How much the last tangent has: entries, or rows and entries of its compressed rows; and terms of rank one.
+struct TangentCounts {
+  std::size_t entries = 0, rank_one = 0;
+};
+struct CsrSize {
+  std::size_t rows = 0, entries = 0;
+};
+
+// What `Context::evaluate_tangent` has found beside the forces.
+struct Evaluation {
+  fmc_result result;
+  TangentCounts tangent;
+};
+
+// Nodes and boundary facets of the mesh, and its bodies.
+struct Counts {
+  std::size_t nodes = 0, facets = 0, bodies = 0;
+};
+
+// One warning: a value of `fmc_warning`, and a sentence.
+struct Warning {
+  int32_t code;
+  std::string text;
+};
+
+// Shape, a value of `fmc_shape`, and pose of an obstacle.
+struct Obstacle {
+  int32_t shape;
+  Pose pose;
+};
+
+// The contact at every node, see `fmc_context_nodal_contact`: one entry for each, of `normal` and `friction` dim.
+struct NodalContact {
+  std::vector<double> pressure, gap, area, normal, friction, sliding;
+  std::vector<int32_t> status;
+};
+
+// Weighted gaps, see `fmc_gap_constraint`, and their derivative by the degrees of freedom.
+struct GapConstraints {
+  std::vector<fmc_gap_constraint> rows;
+  Csr<int64_t> gradient;
+};
+
+// What `contact_force` returns: the force on every node, (nodes, dim), and the overlap volume (2D: area).
+struct ContactForces {
+  std::vector<double> forces;
+  double volume = 0;
+};
+
+// A step with friction for `contact_force_step`. The host accepts it by slip = next_slip and start = its end; the coordinates are
+// not owned, as everywhere.
+struct FrictionStep {
+  Coords start;                   // coordinates at which it began
+  Coords reference = {};          // those without deformation; empty: `start`
+  std::vector<double> slip = {};  // elastic slip that was carried into it, (facets, dim); empty: none
+  std::vector<double> next_slip = {};  // receives what is carried into the next one
+};
+
+}  // namespace fmc
+
+#endif  // FMC_CONTACT_DATA_HPP
