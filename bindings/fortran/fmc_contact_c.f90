@@ -500,7 +500,7 @@ module fmc_contact_c
       import
       integer(c_int32_t), value :: dim
       type(fmc_coords), intent(in), optional :: coords
-      type(fmc_facet_block), intent(in), optional :: blocks
+      type(fmc_facet_block), intent(in), optional :: blocks(*)
       integer(c_size_t), value :: block_count
       integer(c_int32_t), intent(in), optional :: body_ids(*)
       type(fmc_options), intent(in), optional :: options
@@ -512,7 +512,7 @@ module fmc_contact_c
       import
       integer(c_int32_t), value :: dim
       type(fmc_coords), intent(in), optional :: coords
-      type(fmc_facet_block_i64), intent(in), optional :: blocks
+      type(fmc_facet_block_i64), intent(in), optional :: blocks(*)
       integer(c_size_t), value :: block_count
       integer(c_int64_t), intent(in), optional :: body_ids(*)
       type(fmc_options), intent(in), optional :: options
@@ -861,7 +861,7 @@ module fmc_contact_c
     end function
     function fmc_part_init(part) bind(c)
       import
-      type(fmc_part), intent(inout), optional :: part(*)
+      type(fmc_part), intent(inout), optional :: part
       integer(c_int32_t) :: fmc_part_init
     end function
     function fmc_context_add_half_space(context, pose, obstacle) bind(c)

@@ -7,12 +7,13 @@
 #include <fmc_contact.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { NODES = 25 + 16, TRIANGLES = 32 + 18, STEPS = 400 };
 
 static const double YOUNG = 1e6, POISSON = 0.3, DENSITY = 1000, STIFFNESS = 1e8, DT = 1e-4;
 
-static double start[NODES][2], x[NODES][2], v[NODES][2], mass[NODES], force[NODES][2];
+static double start[NODES][2], x[NODES][2], v[NODES][2], mass[NODES], force[NODES][2], internal[NODES][2];
 static int32_t triangles[TRIANGLES][3];
 static int node_count = 0, triangle_count = 0;
 
@@ -55,9 +56,10 @@ static void lump_masses(void) {
   }
 }
 
-/* Adds the elastic forces of all triangles: constant strain, small displacements. */
-static void add_internal_forces(void) {
+/* The elastic forces of all triangles: constant strain, small displacements. */
+static void find_internal_forces(void) {
   const double lambda = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), mu = YOUNG / (2 * (1 + POISSON));
+  memset(internal, 0, sizeof internal);
   for (int t = 0; t < TRIANGLES; t++) {
     const int32_t *node = triangles[t];
     const double area2 = twice_area(node);
@@ -75,8 +77,8 @@ static void add_internal_forces(void) {
     const double syy = lambda * exx + (lambda + 2 * mu) * eyy;
     const double sxy = mu * gxy;
     for (int k = 0; k < 3; k++) {
-      force[node[k]][0] -= area2 / 2 * (sxx * bx[k] + sxy * by[k]);
-      force[node[k]][1] -= area2 / 2 * (sxy * bx[k] + syy * by[k]);
+      internal[node[k]][0] -= area2 / 2 * (sxx * bx[k] + sxy * by[k]);
+      internal[node[k]][1] -= area2 / 2 * (sxy * bx[k] + syy * by[k]);
     }
   }
 }
@@ -119,10 +121,10 @@ int main(void) {
       }
       printf("%6d %23.15e %23.15e %23.15e\n", step, block.force[1], momentum / total, result.energy);
     }
-    add_internal_forces();
+    find_internal_forces();
     for (int n = held; n < NODES; n++) {
       for (int axis = 0; axis < 2; axis++) {
-        v[n][axis] += DT * force[n][axis] / mass[n];
+        v[n][axis] += DT * (force[n][axis] + internal[n][axis]) / mass[n];
         x[n][axis] += DT * v[n][axis];
       }
     }

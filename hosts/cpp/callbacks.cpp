@@ -123,8 +123,27 @@ int main() try {
   gone.set_log({});
   EXPECT(gone.evaluate(square).warning_count == 1 && heard.size() == 1);
 
-  // 6. Ten thousand times: nothing is kept. (Run under a watcher of memory.)
-  for (int turn = 0; turn < 10000; ++turn) one.set_pose(0, pose);
+  // 6. Functions end with their obstacle, when they are replaced, where they were refused, and with the context.
+  const auto held = std::make_shared<int>(0);
+  {
+    fmc::Context last(2, square, {{FMC_QUAD4, quad}}, options);
+    const auto distance = [held](auto, auto) { return 1.0 + *held; };
+    const auto logged = [held](int32_t, const char *) { ++*held; };
+    const auto copies = held.use_count();
+    for (int turn = 0; turn < 100; ++turn) last.remove_obstacle(last.add_signed_distance(distance));
+    EXPECT(held.use_count() == copies);
+    auto broken = pose;
+    broken.scale = -1;
+    EXPECT(refused(FMC_ERROR_BAD_POSE, "", [&] { last.add_signed_distance(distance, broken); }));
+    EXPECT(held.use_count() == copies);
+    for (int turn = 0; turn < 100; ++turn) last.set_log(logged);
+    last.add_signed_distance(distance);
+    EXPECT(held.use_count() == copies + 2);
+    last = fmc::Context(2, square, {{FMC_QUAD4, quad}}, options);
+    EXPECT(held.use_count() == copies);
+    last.set_log(logged);
+  }
+  EXPECT(held.use_count() == 1);
   return report();
 } catch (const std::exception &error) {
   std::fprintf(stderr, "%s\n", error.what());

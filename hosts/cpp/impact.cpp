@@ -43,8 +43,9 @@ struct Mesh {
       for (std::size_t k = 0; k < 3; k++) mass[index(t, k)] += density * (twice_area(t) / 2) / 3;
     return mass;
   }
-  // Adds the elastic forces of all triangles: constant strain, small displacements.
-  void add_internal_forces(const std::vector<Point> &x, std::vector<Point> &force) const {
+  // The elastic forces of all triangles: constant strain, small displacements.
+  std::vector<Point> internal_forces(const std::vector<Point> &x) const {
+    std::vector<Point> force(x.size());
     const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson)), mu = young / (2 * (1 + poisson));
     for (std::size_t t = 0; t < triangles.size(); t++) {
       const double area2 = twice_area(t);
@@ -66,6 +67,7 @@ struct Mesh {
         force[index(t, k)][1] -= area2 / 2 * (sxy * bx[k] + syy * by[k]);
       }
     }
+    return force;
   }
 };
 
@@ -98,10 +100,10 @@ int main() try {
       }
       std::printf("%6d %23.15e %23.15e %23.15e\n", step, contact.body(1).force[1], momentum / total, result.energy);
     }
-    mesh.add_internal_forces(x, force);
+    const std::vector<Point> internal = mesh.internal_forces(x);
     for (std::size_t n = held; n < x.size(); n++)
       for (std::size_t axis = 0; axis < 2; axis++) {
-        v[n][axis] += dt * force[n][axis] / mass[n];
+        v[n][axis] += dt * (force[n][axis] + internal[n][axis]) / mass[n];
         x[n][axis] += dt * v[n][axis];
       }
   }

@@ -59,8 +59,9 @@ impl Mesh {
         mass
     }
 
-    /// Adds the elastic forces of all triangles: constant strain, small displacements.
-    fn add_internal_forces(&self, x: &[[f64; 2]], force: &mut [[f64; 2]]) {
+    /// The elastic forces of all triangles: constant strain, small displacements.
+    fn internal_forces(&self, x: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let mut force = vec![[0.0; 2]; x.len()];
         let lambda = YOUNG * POISSON / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
         let mu = YOUNG / (2.0 * (1.0 + POISSON));
         for node in self.triangles() {
@@ -84,6 +85,7 @@ impl Mesh {
                 force[node[k]][1] -= area2 / 2.0 * (sxy * bx[k] + syy * by[k]);
             }
         }
+        force
     }
 }
 
@@ -118,11 +120,10 @@ pub(crate) fn history() -> Result<String, Error> {
             let [force, velocity, energy] = [result.bodies[1].force[1], momentum / total, result.energy];
             lines += &format!("{step:6} {force:23.15e} {velocity:23.15e} {energy:23.15e}\n");
         }
-        let mut force = result.forces;
-        mesh.add_internal_forces(&x, &mut force);
+        let (force, internal) = (result.forces, mesh.internal_forces(&x));
         for n in held..x.len() {
             for axis in 0..2 {
-                v[n][axis] += DT * force[n][axis] / mass[n];
+                v[n][axis] += DT * (force[n][axis] + internal[n][axis]) / mass[n];
                 x[n][axis] += DT * v[n][axis];
             }
         }

@@ -116,7 +116,8 @@ class View {
  public:
   View() = default;
   View(T *data, std::size_t size) : data_(data), size_(size) {}
-  template <class C, class = std::enable_if_t<!std::is_same_v<std::decay_t<C>, View> && detail::IsViewable<detail::passed<C>, T>::value>>
+  template <class C, class = std::enable_if_t<!std::is_same_v<std::decay_t<C>, View> &&
+                                              detail::IsViewable<detail::passed<C>, T>::value>>
   View(C &&container) {
     using Row = detail::Row<detail::element_of<std::remove_reference_t<C>>, Value>;
     using Container = std::decay_t<C>;

@@ -1,7 +1,7 @@
 //! What `make install` leaves behind: usable through pkg-config and CMake, also after the folder has been moved.
 
 use super::program::{built, compiler, root, scratch, succeed};
-use super::readme::{first_force, pushes_two_squares_apart};
+use super::readme;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -51,11 +51,11 @@ fn programs_find_the_installed_library() {
     assert!(needed.contains(&format!("[{name}]")), "{needed}");
 
     let (source, by_cpp) = (prefix.join("squares.cpp"), prefix.join("squares_cpp"));
-    fs::write(&source, first_force("cpp")).expect("a writable folder");
+    fs::write(&source, readme::program("cpp")).expect("a writable folder");
     let mut cxx = compiler("CXX", "c++");
     cxx.arg(&source).args(pkg_config(&prefix, "--cflags")).args(pkg_config(&prefix, "--libs"));
     succeed(cxx.arg(format!("-Wl,-rpath,{}/lib", prefix.display())).arg("-o").arg(&by_cpp));
-    assert!(pushes_two_squares_apart(&succeed(&mut Command::new(&by_cpp))));
+    readme::expect_forces(&succeed(&mut Command::new(&by_cpp)));
 
     assert_eq!(by_cmake(&prefix, "c", "two_squares"), by_pkg_config);
     assert_eq!(by_cmake(&prefix, "cpp", "approach").lines().count(), 5);
