@@ -23,7 +23,7 @@ module fmc_contact
   implicit none
   public
   ! Procedures of the type: their names remain the host's.
-  private :: from_cells, from_blocks, from_facets, free, set_options, set_pair_options, set_reference, &
+  private :: from_cells, from_blocks, from_facets, from_facet_blocks, take, free, set_options, set_pair_options, set_reference, &
              set_symmetry_nodes, set_basis, evaluate, tangent, evaluate_tangent, stable_step, body, &
              obstacle, pair, warning, add_half_space, add_ball, add_cuboid, add_cylinder, add_cone, &
              add_capsule, add_polytope, add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
@@ -36,7 +36,7 @@ module fmc_contact
     type(c_ptr) :: handle = c_null_ptr
     integer :: dim = 0
   contains
-    procedure :: from_cells, from_blocks, from_facets, free
+    procedure :: from_cells, from_blocks, from_facets, from_facet_blocks, free
     procedure :: set_options, set_pair_options, set_reference, set_symmetry_nodes, set_basis
     procedure :: evaluate, tangent, evaluate_tangent, stable_step
     procedure :: body, obstacle, pair, warning
@@ -44,7 +44,7 @@ module fmc_contact
     procedure :: add_signed_distance, set_pose, remove_obstacle
     procedure :: keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip
     procedure :: nodal_contact, contact_points, gap_constraints, boundary_facets
-    procedure, private :: copied
+    procedure, private :: copied, take
     generic :: assignment(=) => copied
     final :: finished
   end type
@@ -81,6 +81,16 @@ contains
     block%cell_count = size(conn, 2, c_size_t)
   end function
 
+  ! Facets of one type for from_facet_blocks: conn(nodes of a facet, facets), which must live until that call.
+  function facets(facet_type, conn) result(block)
+    integer(c_int32_t), intent(in) :: facet_type
+    integer(c_int32_t), intent(in), contiguous, target :: conn(:, :)
+    type(fmc_facet_block) :: block
+    block%facet_type = facet_type
+    block%conn = c_loc(conn)
+    block%facet_count = size(conn, 2, c_size_t)
+  end function
+
   ! Bodies of cells of one type: x(dim, nodes), conn(nodes of a cell, cells); body_ids(cells), else bodies are what hangs
   ! together (fmc_context_new_from_cells).
   subroutine from_cells(self, x, cell_type, conn, options, body_ids, stat)
@@ -106,12 +116,7 @@ contains
     integer(c_int32_t) :: status
     made = c_null_ptr
     status = fmc_context_new_from_cells(size(x, 1), view(x), blocks, size(blocks, kind=c_size_t), body_ids, options, made)
-    if (status == FMC_OK) then
-      call self%free()
-      self%handle = made
-      self%dim = size(x, 1)
-    end if
-    call checked(status, stat)
+    call self%take(made, size(x, 1), status, stat)
   end subroutine
 
   ! Bodies of closed surfaces: facets(dim, facets), outwards as fmc_context_new_from_facets says.
@@ -126,10 +131,36 @@ contains
     integer(c_int32_t) :: status
     made = c_null_ptr
     status = fmc_context_new_from_facets(size(x, 1), view(x), facets, size(facets, 2, c_size_t), body_ids, options, made)
+    call self%take(made, size(x, 1), status, stat)
+  end subroutine
+
+  ! The same of facets of several types: blocks = [facets(FMC_FACET_TRI6, curved), facets(FMC_FACET_TRI3, flat)].
+  subroutine from_facet_blocks(self, x, blocks, options, body_ids, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    type(fmc_facet_block), intent(in) :: blocks(:)
+    type(fmc_options), intent(in) :: options
+    integer(c_int32_t), intent(in), optional :: body_ids(:)
+    integer, intent(out), optional :: stat
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    made = c_null_ptr
+    status = fmc_context_new_from_facet_blocks(size(x, 1), view(x), blocks, size(blocks, kind=c_size_t), body_ids, &
+                                               options, made)
+    call self%take(made, size(x, 1), status, stat)
+  end subroutine
+
+  ! Another handle in place of the one there is, if it was made.
+  subroutine take(self, made, dim, status, stat)
+    class(contact), intent(inout) :: self
+    type(c_ptr), intent(in) :: made
+    integer, intent(in) :: dim
+    integer(c_int32_t), intent(in) :: status
+    integer, intent(out), optional :: stat
     if (status == FMC_OK) then
       call self%free()
       self%handle = made
-      self%dim = size(x, 1)
+      self%dim = dim
     end if
     call checked(status, stat)
   end subroutine

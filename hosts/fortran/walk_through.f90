@@ -36,21 +36,21 @@ contains
   ! Variables of a procedure are given back at its end, those of a program are not.
   subroutine walk
     real(c_double), parameter :: k = 1d5, depth = 0.01d0
-    real(c_double) :: x(2, 8), y(2, 8), forces(2, 8), there(2, 8), kept(2, 8), pressure(8), normal(2, 8), masses(8), change(2, 8)
+    real(c_double) :: x(2, 8), y(2, 8), forces(2, 8), there(2, 8), pressure(8), normal(2, 8), masses(8), change(2, 8)
     real(c_double), allocatable :: values(:), carried(:, :)
     real(c_double), target :: height = 0
-    real(c_double) :: all_of(16), by(16)
-    integer :: conn(4, 2) = reshape([1, 2, 3, 4, 5, 6, 7, 8], [4, 2]), index, stat, row
+    real(c_double) :: all_of(16), by(16), kept(2, 8), ring(2, 8)
+    integer :: conn(4, 2) = reshape([1, 2, 3, 4, 5, 6, 7, 8], [4, 2]), quarters(3, 4), index, stat, row
     integer(c_int32_t) :: status(8)
     integer(c_int64_t), allocatable :: row_offsets(:), cols(:)
-    type(contact) :: squares, block
+    type(contact) :: squares, block, disc
     type(fmc_options) :: options
     type(fmc_result) :: found
     type(fmc_resultant) :: body
     type(fmc_pair) :: pair
     type(fmc_contact_point), allocatable :: points(:)
     type(fmc_gap_constraint), allocatable :: gaps(:)
-    type(fmc_boundary_facet), allocatable :: facets(:)
+    type(fmc_boundary_facet), allocatable :: skin(:)
 
     x(:, 1:4) = reshape([0d0, 0d0, 1d0, 0d0, 1d0, 1d0, 0d0, 1d0], [2, 4])
     x(:, 5:8) = x(:, 1:4) + spread([1 - depth, 0.2d0], 2, 4)
@@ -99,8 +99,8 @@ contains
     call expect("size of a point", real(c_sizeof(points(1)), c_double), real(points(1)%struct_size, c_double), 0d0)
     call expect("size of a gap", real(c_sizeof(gaps(1)), c_double), real(gaps(1)%struct_size, c_double), 0d0)
     call expect("gaps", minval(gaps%gap/gaps%area), -depth, 1d-9)
-    call squares%boundary_facets(facets)
-    call expect("facets", real(10*size(facets) + maxval(facets%cell), c_double), 82d0, 1d-15)
+    call squares%boundary_facets(skin)
+    call expect("facets", real(10*size(skin) + maxval(skin%cell), c_double), 82d0, 1d-15)
     masses = 1
     if (squares%stable_step(x, masses) <= 0) call expect("stable step", 0d0, 1d0, 0d0)
 
@@ -137,6 +137,16 @@ contains
     call block%add_signed_distance(distance, pose_at([0d0, 0d0]), index, c_loc(height))
     call block%evaluate(x(:, 1:4), there(:, 1:4))
     call expect("signed distance", maxval(abs(there(:, 1:4) - forces(:, 1:4))), 0d0, 1d-3*body%force(1))
+
+    ! Surfaces without cells, straight and of second order: a disc's quarters, whose middles lie on the circle.
+    ring(:, 1:4) = reshape([1d0, 0d0, 0d0, 1d0, -1d0, 0d0, 0d0, -1d0], [2, 4])
+    ring(:, 5:8) = sqrt(0.5d0)*reshape([1d0, 1d0, -1d0, 1d0, -1d0, -1d0, 1d0, -1d0], [2, 4])
+    quarters = reshape([1, 2, 5, 2, 3, 6, 3, 4, 7, 4, 1, 8], [3, 4])
+    call disc%from_facet_blocks(ring, [facets(FMC_FACET_LINE3, quarters)], contact_options(k, FMC_LAW_VOLUME))
+    call disc%add_half_space([0d0, 10d0], [0d0, 1d0])
+    call disc%evaluate(ring, forces, found)
+    ! Four triangles of a square, and segments of parabolas, 2/3 of chord times rise.
+    call expect("area of a disc", found%volume, 2 + 4*2d0/3*sqrt(2d0)*(1 - sqrt(0.5d0)), 1d-12)
 
     ! Errors: what is wrong is named, and nothing has changed.
     conn(3, 2) = 9
