@@ -142,7 +142,8 @@ int main() try {
   const std::vector<std::array<double, 2>> flat(8);
   EXPECT(refused(FMC_ERROR_LENGTH, "rows of 2", [&] { fmc::Coords(flat).as_c(3); }));
   EXPECT(refused(FMC_ERROR_DIMENSION, "4", [&] { fmc::Context(4, coords, {{FMC_QUAD4, quads}}, options); }));
-  EXPECT(refused(FMC_ERROR_LENGTH, "rows of 4", [&] { fmc::Context(2, coords, {{FMC_TRI3, rows}}, options); }));
+  const std::vector<std::array<int32_t, 4>> three(3);
+  EXPECT(refused(FMC_ERROR_LENGTH, "rows of 4", [&] { fmc::Context(2, coords, {{FMC_TRI3, three}}, options); }));
   EXPECT(refused(FMC_ERROR_LENGTH, "8 node numbers", [&] { fmc::Context(2, coords, {{FMC_TRI3, quads}}, options); }));
   EXPECT(refused(FMC_ERROR_LENGTH, "body_ids", [&] { fmc::Context(2, coords, {{FMC_QUAD4, quads}}, options, {1, 2, 3}); }));
   EXPECT(refused(FMC_ERROR_NODE_OUT_OF_RANGE, "9",

@@ -162,6 +162,11 @@ void tangents() {
   moved[8] += step, contact.evaluate(moved, plus), moved[8] -= 2 * step, contact.evaluate(moved, minus);
   for (std::size_t r = 0; r < 16; ++r) EXPECT(close((minus[r] - plus[r]) / (2 * step), dense[r * n + 8], 1e-6));
 
+  // A flag of the tangent and one of its layout: each does what it does alone.
+  contact.find_tangent(coords, FMC_SEMIDEFINITE);
+  const auto definite = contact.tangent_csr(FMC_OBSTACLES);
+  EXPECT(contact.tangent(coords, FMC_SEMIDEFINITE | FMC_OBSTACLES).values == definite.values && definite.values != csr.values);
+
   // Both at once, and kept patterns.
   Numbers forces(16), alone(16);
   const auto both = contact.evaluate_tangent(coords, forces, FMC_SEMIDEFINITE);
@@ -218,6 +223,18 @@ void friction_and_patches() {
     step.slip = step.next_slip;
     start = end;
   }
+  // Another reference, other depths: as in a context that is made there.
+  auto large = reference;
+  for (auto &x : large) x *= 2;
+  fmc::Context from_large(2, large, {{FMC_QUAD4, quads}}, options);
+  from_large.begin_step(start);
+  fmc::FrictionStep once{start, large};
+  Numbers expected(16);
+  from_large.evaluate(placed(0), expected);
+  EXPECT(fmc::contact_force_step(2, placed(0), FMC_QUAD4, quads, options, once).forces == expected);
+  once.reference = {};
+  EXPECT(fmc::contact_force_step(2, placed(0), FMC_QUAD4, quads, options, once).forces != expected);
+
   const auto kept = contact.slip();
   contact.set_slip(Numbers(kept.size()));
   EXPECT(contact.slip() != kept);
