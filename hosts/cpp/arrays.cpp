@@ -3,6 +3,7 @@
 //   c++ -std=c++17 arrays.cpp $(pkg-config --cflags --libs fmc_contact)
 #include "expect.hpp"
 
+#include <cmath>
 #include <limits>
 #if __has_include(<span>) && __cplusplus >= 202002L
 #include <span>
@@ -129,6 +130,19 @@ int main() try {
   EXPECT(std::exchange(forces, std::vector<double>(16)) == fmc::contact_force(2, coords, FMC_QUAD4, quads, volume_law).forces);
   const std::vector<int64_t> wide_edges(edges.begin(), edges.end());
   EXPECT(fmc::Context::from_facets(2, coords, wide_edges, volume_law, {1, 1, 1, 1, 2, 2, 2, 2}).counts().facets == 8);
+  surface = fmc::Context::from_facet_blocks(2, coords, {{FMC_FACET_LINE2, edges}}, volume_law);
+  surface.evaluate(coords, forces);
+  EXPECT(std::exchange(forces, std::vector<double>(16)) == fmc::contact_force(2, coords, FMC_QUAD4, quads, volume_law).forces);
+  // A disc of four parabolas, their middles on the circle: a square and segments of 2/3 of chord times rise.
+  const double half = std::sqrt(0.5);
+  const std::vector<double> ring = {1, 0, 0, 1, -1, 0, 0, -1, half, half, -half, half, -half, -half, half, -half};
+  const std::vector<int64_t> quarters = {0, 1, 4, 1, 2, 5, 2, 3, 6, 3, 0, 7};
+  auto disc = fmc::Context::from_facet_blocks(2, ring, {{FMC_FACET_LINE3, quarters}}, volume_law);
+  disc.add_half_space(fmc::Pose::along({0, 10}, {0, 1}));
+  EXPECT(std::fabs(disc.evaluate(ring).volume - (2 + 8.0 / 3 * std::sqrt(2.0) * (1 - half))) < 1e-12);
+  EXPECT(refused(FMC_ERROR_LENGTH, "rows of 3", [&] {
+    fmc::Context::from_facet_blocks(2, ring, {{FMC_FACET_LINE3, edges}}, volume_law);
+  }));
 
   // 5. What does not fit is refused by name, and changes nothing.
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -35,6 +35,16 @@ class Context {
     return of_facets(dim, coords, facets, options, body_ids);
   }
 
+  // The same of facets of several types, also of second order, {{FMC_FACET_TRI6, curved}, {FMC_FACET_TRI3, flat}}.
+  static Context from_facet_blocks(int dim, Coords coords, View<const Facets<int32_t>> facets, const Options &options,
+                                   View<const int32_t> body_ids = {}) {
+    return of_facet_blocks(dim, coords, facets, options, body_ids);
+  }
+  static Context from_facet_blocks(int dim, Coords coords, View<const Facets<int64_t>> facets, const Options &options,
+                                   View<const int64_t> body_ids = {}) {
+    return of_facet_blocks(dim, coords, facets, options, body_ids);
+  }
+
   int dim() const noexcept { return dim_; }
   // For calls of the C interface. The context stays owned; callbacks that throw are for the methods here.
   fmc_context *get() const noexcept { return context_.get(); }
@@ -350,6 +360,22 @@ class Context {
     const auto x = coords.as_c(dim);
     const auto *ids = detail::one_for_each(body_ids, count, "body_ids");
     return detail::Calls<Int>::from_cells(dim, &x, blocks.data(), blocks.size(), ids, &options, made);
+  }
+  template <class Int>
+  static Context of_facet_blocks(int dim, const Coords &coords, View<const Facets<Int>> facets, const Options &options,
+                                 View<const Int> body_ids) {
+    return Context(dim, [&](fmc_context **made) {
+      std::vector<typename detail::Calls<Int>::FacetBlock> blocks;
+      std::size_t count = 0;
+      for (const auto &block : facets) {
+        const auto nodes = detail::nodes_of_facet(block.type);
+        blocks.push_back({block.type, block.conn.data(), detail::rows_of(block.conn, nodes, "facets")});
+        count += blocks.back().facet_count;
+      }
+      const auto x = coords.as_c(dim);
+      const auto *ids = detail::one_for_each(body_ids, count, "body_ids");
+      return detail::Calls<Int>::from_facet_blocks(dim, &x, blocks.data(), blocks.size(), ids, &options, made);
+    });
   }
   template <class Int>
   static Context of_facets(int dim, const Coords &coords, View<const Int> facets, const Options &options,

@@ -65,7 +65,26 @@ struct Cells {
   View<const Int> conn;
 };
 
+// Facets of one type, of surfaces that are given without cells; `conn` as of `Cells`, (facets, nodes per facet).
+template <class Int>
+struct Facets {
+  fmc_facet_type type;
+  View<const Int> conn;
+};
+
 namespace detail {
+
+inline std::size_t nodes_of_facet(int32_t facet_type) {
+  switch (facet_type) {
+    case FMC_FACET_LINE2: return 2;
+    case FMC_FACET_LINE3: case FMC_FACET_TRI3: return 3;
+    case FMC_FACET_QUAD4: return 4;
+    case FMC_FACET_TRI6: return 6;
+    case FMC_FACET_QUAD8: return 8;
+    case FMC_FACET_QUAD9: return 9;
+    default: refuse(FMC_ERROR_UNKNOWN_CELL_TYPE, "no facet type has the number " + std::to_string(facet_type));
+  }
+}
 
 inline std::size_t nodes_of(int32_t cell_type) {
   switch (cell_type) {
@@ -108,20 +127,24 @@ struct Calls;
 template <>
 struct Calls<int32_t> {
   using Block = fmc_cell_block;
+  using FacetBlock = fmc_facet_block;
   static constexpr auto force = fmc_contact_force;
   static constexpr auto force_step = fmc_contact_force_step;
   static constexpr auto from_cells = fmc_context_new_from_cells;
   static constexpr auto from_facets = fmc_context_new_from_facets;
+  static constexpr auto from_facet_blocks = fmc_context_new_from_facet_blocks;
   static constexpr auto tangent_csr = fmc_context_tangent_csr;
   static constexpr auto add_polytope = fmc_context_add_polytope;
 };
 template <>
 struct Calls<int64_t> {
   using Block = fmc_cell_block_i64;
+  using FacetBlock = fmc_facet_block_i64;
   static constexpr auto force = fmc_contact_force_i64;
   static constexpr auto force_step = fmc_contact_force_step_i64;
   static constexpr auto from_cells = fmc_context_new_from_cells_i64;
   static constexpr auto from_facets = fmc_context_new_from_facets_i64;
+  static constexpr auto from_facet_blocks = fmc_context_new_from_facet_blocks_i64;
   static constexpr auto tangent_csr = fmc_context_tangent_csr_i64;
   static constexpr auto add_polytope = fmc_context_add_polytope_i64;
 };
