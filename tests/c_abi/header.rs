@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 39] = [
+const SOURCES: [&str; 40] = [
     "version",
     "status",
     "failure",
@@ -29,6 +29,7 @@ const SOURCES: [&str; 39] = [
     "obstacle_rotations",
     "evaluate_tangent",
     "stable_step",
+    "contact_step",
     "evaluation",
     "getters",
     "pair_options",
