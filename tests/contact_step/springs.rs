@@ -76,7 +76,7 @@ fn contact_outside_the_list_is_told() {
     let options = ContactStepOptions::default();
     let found = contact.contact_step(&coords, &bodies, &options, None).unwrap();
     assert_eq!((found.state, found.outside, found.displacement[0]), (ContactStepState::Outside, 1, 0.0), "the plane presses on both lower nodes");
-    let bodies = CondensedBodies { held: &[0, 2, 3], ..bodies };
+    let bodies = CondensedBodies { held: &[0, 2, 3, 4, 5, 6, 7], ..bodies };
     let found = contact.contact_step(&coords, &bodies, &options, None).unwrap();
     assert_eq!((found.state, found.outside), (ContactStepState::Converged, 0));
 }
