@@ -2,7 +2,7 @@
 
 use super::bodies::Checked;
 use super::options::ContactStepOptions;
-use super::solve::{Touch, Touching};
+use super::solve::{ROUNDING, Touch, Touching};
 use crate::Error;
 use nalgebra::DVector;
 
@@ -16,9 +16,10 @@ const FLAT: f64 = 1e-12;
 pub(super) struct Iterate {
     pub(super) displacement: DVector<f64>,
     pub(super) touch: Touch,
-    /// Energy of the model, and the magnitude of its parts.
+    /// Energy of the model.
     energy: f64,
-    magnitude: f64,
+    /// Change of it that is not to be distinguished from rounding.
+    flat: f64,
     /// S d + r − f.
     pub(super) residual: DVector<f64>,
 }
@@ -31,8 +32,12 @@ impl Iterate {
             (bodies.residual.dot(&displacement), 0.5 * displacement.dot(&(&bodies.symmetric * &displacement)));
         let energy = work + strain + touch.energy;
         let magnitude = work.abs() + strain.abs() + touch.energy.abs();
+        // Coordinates are known to a bit, and the energy to the work of the forces along it.
+        let coords = (0..bodies.count()).map(|place| contact.start(place).abs() + displacement[place].abs());
+        let known: f64 = touch.forces.iter().zip(coords).map(|(force, x)| force.abs() * x).sum();
+        let flat = FLAT * magnitude + ROUNDING * known;
         match energy.is_finite() && residual.iter().all(|r| r.is_finite()) {
-            true => Ok(Self { displacement, touch, energy, magnitude, residual }),
+            true => Ok(Self { displacement, touch, energy, flat, residual }),
             false => Err(Error::Overflow { quantity: "energy of a contact step", value: energy }),
         }
     }
@@ -56,13 +61,12 @@ impl Iterate {
         for trial in 1..=options.most_trials {
             match Self::new(bodies, contact, &self.displacement + direction * length) {
                 Ok(next) => {
-                    let is_flat = (next.energy - self.energy).abs() <= FLAT * self.magnitude.max(next.magnitude);
+                    let is_flat = (next.energy - self.energy).abs() <= self.flat.max(next.flat);
+                    let is_less = next.norm() <= (1.0 - GAIN * length) * self.norm();
                     let is_lower = match has_energy {
-                        true => {
-                            next.energy <= self.energy + GAIN * length * slope
-                                || is_flat && next.norm() <= 0.5 * self.norm()
-                        }
-                        false => next.norm() <= (1.0 - GAIN * length) * self.norm(),
+                        // Near the end the energy is flat within rounding; then the forces tell.
+                        true => next.energy <= self.energy + GAIN * length * slope || is_flat && is_less,
+                        false => is_less,
                     };
                     if is_lower {
                         return Ok((Some(next), trial));

@@ -9,7 +9,7 @@ use crate::contact::tangent::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
 /// Multiples of a bit by which sums of some thousand terms differ, and so residuals of equilibria.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Contact at a displacement.
 #[derive(Clone, Debug)]

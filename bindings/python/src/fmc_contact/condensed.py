@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable
+from typing import Any
 
 import numpy as np
 
 from .contact import Contact
 from .contact_step import ContactStep
-
-# Right-hand sides at once: as many columns as a cache holds of vectors of some ten thousand entries.
-_COLUMNS = 64
-
-# Numbers of a matrix that is kept, so that what follows the contact is found by a product: 256 MB.
-_MOST_NUMBERS = 1 << 25
+from .schur import Condense, condense
 
 # Times that the unknowns are found to be too few in one step: contact spreads over more of them each time.
 _MOST_GROWTHS = 8
@@ -53,9 +48,8 @@ class Unknowns:
 class Condensed:
     """Steps to the equilibrium of contact with bodies that are linear, for any number of iterations and load steps."""
 
-    def __init__(self, contact: Any, size: int, free: np.ndarray, factorise: Callable[[Any], Any]) -> None:
-        """``factorise(matrix)``: an object with ``solve(right)``, for one column and for several."""
-        self.unknowns, self.factorise = Unknowns(contact, size), factorise
+    def __init__(self, contact: Any, size: int, free: np.ndarray, by: Condense | None = None) -> None:
+        self.unknowns, self.by = Unknowns(contact, size), by or condense
         self.free = np.zeros(size, bool)
         self.free[free] = True
         (self.held,) = np.nonzero(~self.free[self.unknowns.of_freedom])
@@ -92,16 +86,15 @@ class Condensed:
     ) -> tuple[np.ndarray, ContactStep]:
         self._condense(matrix)
         right = inside + matrix @ moved
-        loaded = self.factors.solve(right[self.rest]) if len(self.rest) else np.zeros(0)
+        loaded = self.solve(right[self.rest])
         change = moved.copy()
         change[self.rest] -= loaded
 
         def changed(d: np.ndarray) -> np.ndarray:
             found = change.copy()
             found[self.kept] += d
-            if len(self.rest) and len(d):
-                follow = self.follow
-                found[self.rest] -= self.factors.solve(self.across @ d) if follow is None else follow @ d
+            if len(d):
+                found[self.rest] -= self.solve(self.across @ d)
             return found
 
         def place(d: np.ndarray, coords: np.ndarray) -> None:
@@ -124,23 +117,8 @@ class Condensed:
         (self.rest,) = np.nonzero(rest)
         self.factorisations += 1
         self.across, self.back = matrix[self.rest][:, self.kept], matrix[self.kept][:, self.rest]
-        schur = _dense(matrix[self.kept][:, self.kept])
-        keeps = len(self.rest) * len(self.kept) <= _MOST_NUMBERS
-        self.follow = np.empty((len(self.rest), len(self.kept)), order="F") if keeps else None
-        if len(self.rest):
-            self.factors = self.factorise(matrix[self.rest][:, self.rest])
-            for first in range(0, len(self.kept), _COLUMNS):
-                columns = slice(first, first + _COLUMNS)
-                solved = self.factors.solve(_dense(self.across[:, columns]))
-                schur[:, columns] -= self.back @ solved
-                if self.follow is not None:
-                    self.follow[:, columns] = solved
-        self.schur = np.ascontiguousarray(schur)
+        self.solve, self.schur = self.by(matrix, self.rest, self.kept)
         self.matrix = matrix
-
-
-def _dense(matrix: Any) -> np.ndarray:
-    return np.array(matrix if isinstance(matrix, np.ndarray) else matrix.toarray(), np.float64)
 
 
 def _same(one: Any, other: Any) -> bool:

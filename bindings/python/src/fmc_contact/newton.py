@@ -26,6 +26,7 @@ from .condensed import Condensed
 from .contact import Contact
 from .errors import FmcError, IndefiniteStiffnessError, InvertedCellError, SingularStiffnessError
 from .result import Result
+from .schur import SYMMETRIC
 
 # Pressure, by Young's modulus, down to which a deep overlap is softened. Measured on docs/newton.md's problems: with 0.03
 # load steps take an iteration more; with 0.2 the first of the punch takes 26 iterations, not 6, with 128 cells; with
@@ -96,7 +97,6 @@ def newton(
     lagged: bool = False,
     solve: Callable[[Any, np.ndarray], np.ndarray] | None = None,
     two_level: bool = False,
-    factorise: Callable[[Any], Any] | None = None,
 ) -> Equilibrium:
     """Equilibrium of bodies in contact at the end of a load step, by Newton's method, which is plain up to
     the eighth iteration.
@@ -125,7 +125,7 @@ def newton(
     """
     search = _Search(residual_and_tangent, contact, np.array(x, np.float64), free, prescribed, young, solve or _solved)
     if two_level:
-        search.condensed = Condensed(contact, search.x.size, search.free, factorise or _factorised)
+        search.condensed = Condensed(contact, search.x.size, search.free)
     try:
         if lagged:
             contact.freeze_friction(search.x)
@@ -295,26 +295,9 @@ def _sum(bodies: Any, contact: Any) -> Any:
     return bodies + contact.toarray() if isinstance(bodies, np.ndarray) else (bodies + contact).tocsr()
 
 
-class _Inverse:
-    """An array in place of its factors."""
-
-    def __init__(self, matrix: np.ndarray) -> None:
-        self.inverse = np.linalg.inv(matrix)
-
-    def solve(self, right: np.ndarray) -> np.ndarray:
-        return self.inverse @ right
-
-
-def _factorised(matrix: Any) -> Any:
+def _solved(matrix: Any, right: np.ndarray) -> np.ndarray:
     if isinstance(matrix, np.ndarray):
-        return _Inverse(matrix)
+        return np.linalg.solve(matrix, right)
     from scipy.sparse.linalg import splu
 
-    # The pattern of the matrix is symmetric, and but for friction the matrix: rows and columns in the same order, which in 2D
-    # takes a third of the time.
-    order = {"permc_spec": "MMD_AT_PLUS_A", "diag_pivot_thresh": 0.1, "options": {"SymmetricMode": True}}
-    return splu(matrix.tocsc(), **order)
-
-
-def _solved(matrix: Any, right: np.ndarray) -> np.ndarray:
-    return np.linalg.solve(matrix, right) if isinstance(matrix, np.ndarray) else _factorised(matrix).solve(right)
+    return splu(matrix.tocsc(), **SYMMETRIC).solve(right)
