@@ -152,6 +152,18 @@ typedef enum {
   // Two cells, or two facets of a surface, do not fit: an edge, a face or a node is divided, or stands in a middle, in one
   // of them only.
   FMC_ERROR_NON_CONFORMING = 43,
+  // The stiffness of bodies and contact together is singular to rounding: a body is not held.
+  FMC_ERROR_SINGULAR_STIFFNESS = 44,
+  // The stiffness of bodies and contact together is not positive definite.
+  FMC_ERROR_INDEFINITE_STIFFNESS = 45,
+  // A list of degrees of freedom names one that does not exist.
+  FMC_ERROR_FREEDOM_OUT_OF_RANGE = 46,
+  // A list of degrees of freedom does not ascend, or names one that another list has.
+  FMC_ERROR_REPEATED_FREEDOM = 47,
+  // A stiffness or a residual that was given is NaN or infinite.
+  FMC_ERROR_NON_FINITE_STIFFNESS = 48,
+  // A host's function that places its nodes failed.
+  FMC_ERROR_PLACE = 49,
 } fmc_status;
 
 // Contact energy.
@@ -566,6 +578,61 @@ typedef struct {
   // Zero.
   uint64_t reserved[4];
 } fmc_boundary_facet;
+
+// When a step of `fmc_context_contact_step` ends. Initialise it with `fmc_contact_step_options_init`.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_contact_step_options_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Norm of the residual, by the larger of those of the residual given and of the contact forces on the list, at which a
+  // step has converged. Default 1e-10.
+  double tolerance;
+  // Norm of the residual, a force, at which it has converged too; 0, the default: none. Bodies that are not linear need no
+  // more than a part of what their linearisation leaves.
+  double goal;
+  // Relative residual below which the full tangent is taken, above it the semidefinite one. Default 0.1.
+  double full_below;
+  // Iterations, at most, at least 1. Default 80.
+  int32_t most_iterations;
+  // Trials along a direction, at most, at least 1. Default 12.
+  int32_t most_trials;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[8];
+} fmc_contact_step_options;
+
+// Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
+//
+// Read `displacement`, (n). `coords` are dense rows, one for every node, those of the start with the displacement added on
+// the list: move the nodes that follow, and none of the list. `user` is the pointer given with the function.
+//
+// Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that asked for the step. It must
+// not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+typedef int32_t (*fmc_place)(void *user, size_t n, const double *displacement, double *coords);
+
+// What is said of a step.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // A value of `fmc_contact_step_state`.
+  int32_t state;
+  // Linear systems solved.
+  int32_t iterations;
+  // Evaluations of the contact, without those of its tangent.
+  size_t evaluation_count;
+  // Degrees of freedom outside the list on which contact acts.
+  size_t outside_count;
+  // Norm of the residual at the start.
+  double residual_at_start;
+  // Norm of the residual that is left.
+  double residual;
+  // What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
+  double scale;
+  // Zero.
+  uint64_t reserved[8];
+} fmc_contact_step_result;
 
 // Contact force and moment on one body or obstacle.
 typedef struct {
@@ -1327,6 +1394,47 @@ fmc_status fmc_context_stable_step(fmc_context *context,
                                    const fmc_coords *coords,
                                    const double *masses,
                                    double *step);
+
+// Sets all options of a contact step to their defaults.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
+
+// The displacement d of some degrees of freedom for which `S d + r - f(x + d) = 0`: equilibrium of the contact forces f with bodies
+// whose stiffness S and residual r without contact the host has condensed on these degrees of freedom. With it a host
+// factorises its bodies once, and the contact, which opens and closes, is iterated on a small dense system.
+//
+// By Newton's method for the energy `r.d + d.S d / 2 + w(x + d)`, along whose directions it is lowered. Frozen friction has an
+// energy, too (`fmc_context_freeze_friction`); friction with the current pressure has none, the matrix is then unsymmetric, and
+// what is lowered is the residual. With the law "fiber" call `fmc_context_keep_patches` before, for one energy.
+//
+// `freedoms`, the list: `count` degrees of freedom `node * dim + axis`, counted from 0 whatever `index_base`, ascending; best those of
+// the tangent's pattern that may move. `held`: `held_count` others that do not move and on which contact may act, ascending.
+// `stiffness`: S, `count * count` numbers, row by row, symmetric; `residual`: r, internal less external forces at `coords`.
+// `options` may be NULL: the defaults. `place`, which may be NULL, moves the nodes that follow those on the list; where bodies move by more
+// than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
+// `count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
+//
+// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
+// in every iteration: some 500 take tenths of a second.
+//
+// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
+// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_STRUCT_SIZE` for the options,
+// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
+// one call at a time on a context.
+fmc_status fmc_context_contact_step(fmc_context *context,
+                                    const fmc_coords *coords,
+                                    const fmc_contact_step_options *options,
+                                    const int64_t *freedoms,
+                                    size_t count,
+                                    const int64_t *held,
+                                    size_t held_count,
+                                    const double *stiffness,
+                                    const double *residual,
+                                    fmc_place place,
+                                    void *user,
+                                    double *displacement,
+                                    fmc_contact_step_result *result);
 
 // Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
 //

@@ -21,6 +21,7 @@ mod boundary_facets;
 mod compressed_rows;
 mod contact_point;
 mod contact_points;
+mod contact_step;
 mod context;
 mod creation;
 mod dimension;

@@ -1,6 +1,7 @@
 //! Energy laws and the forces of all pairs.
 
 mod compressed_rows;
+mod contact_step;
 mod evaluation;
 mod fields;
 mod forces;
@@ -31,6 +32,7 @@ mod tangent;
 
 pub use compressed_rows::CompressedRows;
 pub(crate) use compressed_rows::compressed;
+pub use contact_step::{CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
 pub use evaluation::Contact;
 pub use fields::{NodalContact, NodeStatus, PointOfContact, SideOfPoint};
 pub use forces::{ContactForces, PairForces, Resultant};

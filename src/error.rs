@@ -156,6 +156,42 @@ pub enum Error {
         /// Why.
         cause: Box<Error>,
     },
+    /// A list of degrees of freedom names one that does not exist.
+    FreedomOutOfRange {
+        /// As given.
+        freedom: i64,
+        /// How many there are.
+        count: usize,
+    },
+    /// A list of degrees of freedom does not ascend, or names one that another list has.
+    RepeatedFreedom {
+        /// The one that comes too late.
+        freedom: usize,
+    },
+    /// A stiffness or a residual that was given is NaN or infinite.
+    NonFiniteStiffness {
+        /// Name of the array.
+        array: &'static str,
+        /// Place in it.
+        entry: usize,
+    },
+    /// The stiffness of bodies and contact together is singular to rounding.
+    SingularStiffness {
+        /// Degree of freedom at which it was found, `node * dim + axis`.
+        freedom: usize,
+    },
+    /// The stiffness of bodies and contact together has a negative eigenvalue, even without what contact may add to it.
+    IndefiniteStiffness {
+        /// Degree of freedom at which it was found, `node * dim + axis`.
+        freedom: usize,
+        /// The stiffness there once those before it have been eliminated.
+        pivot: f64,
+    },
+    /// A host's function that places its nodes failed.
+    Place {
+        /// What it returned.
+        code: i32,
+    },
     /// An elastic slip is NaN or infinite.
     NonFiniteSlip {
         /// Facet, counted over the surface.
@@ -296,6 +332,23 @@ impl fmt::Display for Error {
             Error::OfPair { sides: [(first, a), (second, b)], cause } => {
                 write!(f, "pair of {first} {a} and {second} {b}: {cause}")
             }
+            Error::FreedomOutOfRange { freedom, count } => {
+                write!(f, "a list names degree of freedom {freedom}, but there are {count}")
+            }
+            Error::RepeatedFreedom { freedom } => {
+                write!(f, "degree of freedom {freedom} is named twice, or after one of a higher number")
+            }
+            Error::NonFiniteStiffness { array, entry } => write!(f, "entry {entry} of '{array}' is not finite"),
+            Error::SingularStiffness { freedom } => write!(
+                f,
+                "the stiffness of bodies and contact together is singular at degree of freedom {freedom}: is every body held?"
+            ),
+            Error::IndefiniteStiffness { freedom, pivot } => write!(
+                f,
+                "the stiffness of bodies and contact together is not positive definite: it is {pivot:.3e} at degree of \
+                 freedom {freedom}, when those before it move freely"
+            ),
+            Error::Place { code } => write!(f, "the function that places the nodes returned {code}"),
             Error::NonFiniteSlip { facet } => write!(f, "the slip of facet {facet} is not finite"),
             Error::NoStep => {
                 write!(f, "with friction a step has to begin before contact is evaluated: call begin_step")

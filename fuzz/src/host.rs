@@ -109,6 +109,31 @@ unsafe extern "C" fn distance(user: *mut c_void, n: usize, x: *const f64, phi: *
 
 /// # Safety
 /// As the header says of the callback; `user` is the context, or NULL.
+/// What places the nodes of a contact step.
+struct Placed {
+    context: *mut fmc_context,
+    fault: Fault,
+    width: usize,
+}
+
+unsafe extern "C" fn place(user: *mut c_void, n: usize, displacement: *const f64, coords: *mut f64) -> i32 {
+    // SAFETY: the library hands on the pointer, n numbers, and coordinates of at least one node.
+    unsafe {
+        let this = &*user.cast::<Placed>();
+        match this.fault {
+            Fault::Returns(status) => return status,
+            Fault::WritesNan => coords.write(f64::NAN),
+            Fault::CallsBack => {
+                let status = fmc_context_evaluate(this.context, null(), null(), 0, null_mut());
+                assert!(status == BUSY, "status {status} from inside a callback");
+            }
+            Fault::Steep if n > 0 => *coords.add(this.width - 1) += 1e3 * *displacement,
+            _ => {}
+        }
+    }
+    0
+}
+
 unsafe extern "C" fn log(user: *mut c_void, level: i32, text: *const c_char) {
     // SAFETY: the text is valid during the call, and the context lives.
     unsafe {
@@ -307,6 +332,10 @@ impl Host {
                 assert_eq!(checked(unsafe { fmc_context_set_obstacle_rotations(self.context, on) }) == OK, on < 2);
             }
             Call::StableStep { mass, hole } => self.stable_step(mass.0, *hole),
+            Call::ContactStep { which, shift, stiffness, coupling, residual, tolerance, fault, hole } => {
+                let numbers = [stiffness.0, coupling.0, residual.0, tolerance.0];
+                self.contact_step(*which, i64::from(*shift), numbers, *fault, *hole);
+            }
             Call::Fields { read, hole } => self.fields(*read, *hole),
             Call::Gaps { reach, hole } => self.gaps(reach.0, *hole),
             Call::KeepPatches { forget, hole } => self.keep_patches(*forget, *hole),
@@ -572,6 +601,54 @@ impl Host {
             let masses = unless(hole, 1, masses.ptr());
             let status = fmc_context_stable_step(self.context, coords, masses, unless(hole, 2, &raw mut step));
             assert!(if checked(status) == OK { step > 0.0 } else { step == -77.0 }, "{step}");
+        }
+    }
+
+    fn contact_step(&mut self, which: u16, shift: i64, numbers: [f64; 4], fault: Fault, hole: Hole) {
+        let [stiffness, coupling, residual, tolerance] = numbers;
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let freedoms = 0..(self.mesh.node_count() * self.mesh.dim) as i64;
+        let (mut list, mut held): (Vec<i64>, Vec<i64>) = freedoms.partition(|freedom| which >> (freedom % 15) & 1 == 1);
+        if which >> 15 == 1 {
+            held.clear();
+        }
+        if let Some(first) = list.first_mut() {
+            *first += shift;
+        }
+        let count = list.len();
+        let at = |entry: usize| if entry / count == entry % count { stiffness } else { coupling };
+        let matrix: Vec<f64> = (0..count * count).map(at).collect();
+        let given = (Guarded::new(&list), Guarded::new(&held), Guarded::new(&matrix), Guarded::new(&vec![residual; count]));
+        let found = Guarded::new(&vec![-77.0; count]);
+        let user = Placed { context: self.context, fault, width: self.mesh.dim };
+        let view = coords.view;
+        // SAFETY: arrays of the lengths that are said, structs of the header, and a function that keeps to its contract or not.
+        unsafe {
+            let mut options = std::mem::MaybeUninit::<fmc_contact_step_options>::zeroed().assume_init();
+            let mut result = std::mem::MaybeUninit::<fmc_contact_step_result>::zeroed().assume_init();
+            assert_eq!(checked(fmc_contact_step_options_init(&raw mut options)), OK);
+            (options.tolerance, options.most_iterations) = (tolerance, 12);
+            let status = fmc_context_contact_step(
+                self.context,
+                unless(hole, 0, (&raw const view).cast_mut()),
+                unless(hole, 1, &raw mut options),
+                unless(hole, 2, given.0.ptr()),
+                count,
+                unless(hole, 3, given.1.ptr()),
+                held.len(),
+                unless(hole, 4, given.2.ptr()),
+                unless(hole, 5, given.3.ptr()),
+                if fault == Fault::None { None } else { Some(place) },
+                (&raw const user).cast_mut().cast(),
+                unless(hole, 6, found.ptr()),
+                unless(hole, 7, &raw mut result),
+            );
+            if checked(status) == OK {
+                assert!(found.values().iter().all(|d| d.is_finite()));
+                assert!(hole == 7 || (0..=2).contains(&result.state) && result.residual.is_finite());
+            } else {
+                assert!(found.values().iter().all(|d| *d == -77.0) && result.struct_size == 0);
+            }
         }
     }
 

@@ -20,7 +20,7 @@ pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 43;
+pub const LAST: fmc_status = 49;
 
 /// Opaque.
 #[repr(C)]
@@ -80,6 +80,37 @@ pub struct fmc_view {
     pub node_count: usize,
     pub node_stride: isize,
     pub axis_stride: isize,
+}
+
+/// As in the header.
+pub type fmc_place = Option<unsafe extern "C" fn(*mut c_void, usize, *const f64, *mut f64) -> i32>;
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_contact_step_options {
+    pub struct_size: usize,
+    pub tolerance: f64,
+    pub goal: f64,
+    pub full_below: f64,
+    pub most_iterations: i32,
+    pub most_trials: i32,
+    pub reserved: [u64; 8],
+}
+
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_contact_step_result {
+    pub struct_size: usize,
+    pub state: i32,
+    pub iterations: i32,
+    pub evaluation_count: usize,
+    pub outside_count: usize,
+    pub residual_at_start: f64,
+    pub residual: f64,
+    pub scale: f64,
+    pub reserved: [u64; 8],
 }
 
 /// As in the header.
@@ -551,6 +582,22 @@ unsafe extern "C" {
         coords: *const fmc_view,
         masses: *const f64,
         step: *mut f64,
+    ) -> fmc_status;
+    pub fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status;
+    pub fn fmc_context_contact_step(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        options: *const fmc_contact_step_options,
+        freedoms: *const i64,
+        count: usize,
+        held: *const i64,
+        held_count: usize,
+        stiffness: *const f64,
+        residual: *const f64,
+        place: fmc_place,
+        user: *mut c_void,
+        displacement: *mut f64,
+        result: *mut fmc_contact_step_result,
     ) -> fmc_status;
     pub fn fmc_context_body(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_obstacle(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;

@@ -161,6 +161,18 @@ pub enum Call {
         mass: Number,
         hole: Hole,
     },
+    ContactStep {
+        /// Every degree of freedom whose bit is set is on the list, the others are held; bit 15: they are not.
+        which: u16,
+        /// Adds this to the first number of the list.
+        shift: i8,
+        stiffness: Number,
+        coupling: Number,
+        residual: Number,
+        tolerance: Number,
+        fault: Fault,
+        hole: Hole,
+    },
     Fields {
         read: Layout,
         hole: Hole,

@@ -2,6 +2,7 @@
 
 use super::boundary_facet::fmc_boundary_facet;
 use super::contact_point::fmc_contact_point;
+use super::contact_step::Placement;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
 use super::gap_constraint::KeptGaps;
@@ -12,7 +13,7 @@ use super::part::fmc_shape;
 use super::pose::fmc_pose;
 use super::shape::{ShapeOf, kind_of};
 use super::view::{check_node_count, fmc_coords, fmc_forces};
-use crate::contact::{PairOptions, TangentPart};
+use crate::contact::{CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
 use crate::overlap::Partner;
 use crate::{Basis, Contact, ContactForces, Error, Obstacle, Options, PointWeights, Pose, Surface};
 
@@ -134,6 +135,19 @@ pub(super) trait Session: Send + Sync {
     /// # Safety
     /// The host guarantees the view.
     unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure>;
+
+    /// Equilibrium with condensed bodies.
+    ///
+    /// # Safety
+    /// The host guarantees the view and the function.
+    unsafe fn contact_step(
+        &mut self,
+        coords: &fmc_coords,
+        bodies: &CondensedBodies,
+        options: &ContactStepOptions,
+        placement: Option<Placement>,
+        index_base: i32,
+    ) -> Result<ContactStep, Failure>;
 
     /// [`Self::evaluate`] and [`Self::tangent`] in one.
     ///
@@ -338,6 +352,25 @@ impl<const D: usize> Session for Resident<D> {
     unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure> {
         // SAFETY: passed on to the caller.
         unsafe { self.at(coords, index_base, |contact, rows| contact.stable_step(rows, masses)) }
+    }
+
+    unsafe fn contact_step(
+        &mut self,
+        coords: &fmc_coords,
+        bodies: &CondensedBodies,
+        options: &ContactStepOptions,
+        placement: Option<Placement>,
+        index_base: i32,
+    ) -> Result<ContactStep, Failure> {
+        let mut place = placement.map(|placement| {
+            move |displacement: &[f64], coords: &mut [[f64; D]]| {
+                // SAFETY: the host guarantees the function.
+                unsafe { placement.call(displacement, coords.as_flattened_mut()) }
+            }
+        });
+        let place: Option<Place<D>> = place.as_mut().map(|place| place as Place<D>);
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.contact_step(rows, bodies, options, place)) }
     }
 
     unsafe fn evaluate_tangent(

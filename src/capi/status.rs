@@ -99,6 +99,18 @@ pub enum fmc_status {
     /// Two cells, or two facets of a surface, do not fit: an edge, a face or a node is divided, or stands in a middle, in one
     /// of them only.
     FMC_ERROR_NON_CONFORMING = 43,
+    /// The stiffness of bodies and contact together is singular to rounding: a body is not held.
+    FMC_ERROR_SINGULAR_STIFFNESS = 44,
+    /// The stiffness of bodies and contact together is not positive definite.
+    FMC_ERROR_INDEFINITE_STIFFNESS = 45,
+    /// A list of degrees of freedom names one that does not exist.
+    FMC_ERROR_FREEDOM_OUT_OF_RANGE = 46,
+    /// A list of degrees of freedom does not ascend, or names one that another list has.
+    FMC_ERROR_REPEATED_FREEDOM = 47,
+    /// A stiffness or a residual that was given is NaN or infinite.
+    FMC_ERROR_NON_FINITE_STIFFNESS = 48,
+    /// A host's function that places its nodes failed.
+    FMC_ERROR_PLACE = 49,
 }
 
 use fmc_status::*;
@@ -149,6 +161,12 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NON_FINITE_SLIP, c"FMC_ERROR_NON_FINITE_SLIP"),
     (FMC_ERROR_NEGATIVE_RADIUS, c"FMC_ERROR_NEGATIVE_RADIUS"),
     (FMC_ERROR_NON_CONFORMING, c"FMC_ERROR_NON_CONFORMING"),
+    (FMC_ERROR_SINGULAR_STIFFNESS, c"FMC_ERROR_SINGULAR_STIFFNESS"),
+    (FMC_ERROR_INDEFINITE_STIFFNESS, c"FMC_ERROR_INDEFINITE_STIFFNESS"),
+    (FMC_ERROR_FREEDOM_OUT_OF_RANGE, c"FMC_ERROR_FREEDOM_OUT_OF_RANGE"),
+    (FMC_ERROR_REPEATED_FREEDOM, c"FMC_ERROR_REPEATED_FREEDOM"),
+    (FMC_ERROR_NON_FINITE_STIFFNESS, c"FMC_ERROR_NON_FINITE_STIFFNESS"),
+    (FMC_ERROR_PLACE, c"FMC_ERROR_PLACE"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -177,6 +195,12 @@ impl From<&Error> for fmc_status {
             Error::NegativeRadius { .. } => FMC_ERROR_NEGATIVE_RADIUS,
             Error::UnknownOutOfRange { .. } => FMC_ERROR_INDEX_OUT_OF_RANGE,
             Error::NonConforming { .. } => FMC_ERROR_NON_CONFORMING,
+            Error::SingularStiffness { .. } => FMC_ERROR_SINGULAR_STIFFNESS,
+            Error::IndefiniteStiffness { .. } => FMC_ERROR_INDEFINITE_STIFFNESS,
+            Error::FreedomOutOfRange { .. } => FMC_ERROR_FREEDOM_OUT_OF_RANGE,
+            Error::RepeatedFreedom { .. } => FMC_ERROR_REPEATED_FREEDOM,
+            Error::NonFiniteStiffness { .. } => FMC_ERROR_NON_FINITE_STIFFNESS,
+            Error::Place { .. } => FMC_ERROR_PLACE,
             Error::NoStep => FMC_ERROR_NO_STEP,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
             Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
@@ -211,7 +235,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NON_CONFORMING);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_PLACE);
     }
 
     #[test]
@@ -240,6 +264,12 @@ mod tests {
             Error::NonFiniteSlip { facet: 0 },
             Error::NegativeRadius { node: 0, radius: -1.0 },
             Error::NonConforming { cells: [0, 1] },
+            Error::SingularStiffness { freedom: 0 },
+            Error::IndefiniteStiffness { freedom: 0, pivot: -1.0 },
+            Error::FreedomOutOfRange { freedom: -1, count: 0 },
+            Error::RepeatedFreedom { freedom: 0 },
+            Error::NonFiniteStiffness { array: "residual", entry: 0 },
+            Error::Place { code: 1 },
             Error::UnknownOutOfRange { row: 0, unknown: 1, count: 1 },
             Error::DegenerateHull { point_count: 3 },
             Error::TooFewHeights { axis: 0, count: 1 },

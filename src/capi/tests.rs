@@ -2,6 +2,7 @@
 
 use super::boundary_facet::fmc_boundary_facet;
 use super::contact_point::fmc_contact_point;
+use super::contact_step::Placement;
 use super::context::{State, fmc_context, fmc_context_error, fmc_context_evaluate};
 use super::creation::{fmc_context_free, fmc_context_new_from_cells};
 use super::evaluation::{Evaluation, fmc_result, fmc_resultant};
@@ -19,7 +20,9 @@ use super::shape::ShapeOf;
 use super::status::fmc_status;
 use super::status::fmc_status::*;
 use super::view::{fmc_coords, fmc_forces};
-use crate::contact::{NodalContact, PairOptions, TangentPart};
+use crate::contact::{
+    CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, NodalContact, PairOptions, TangentPart,
+};
 use crate::overlap::Partner;
 use crate::{Basis, Bodies, CellBlock, CellType, EnergyLaw, Options, PointWeights, contact_force};
 use std::ffi::CStr;
@@ -185,6 +188,26 @@ impl Session for Brittle {
 
     unsafe fn stable_step(&mut self, _: &fmc_coords, _: &[f64], _: i32) -> Result<f64, Failure> {
         Ok(f64::INFINITY)
+    }
+
+    unsafe fn contact_step(
+        &mut self,
+        _: &fmc_coords,
+        bodies: &CondensedBodies,
+        _: &ContactStepOptions,
+        _: Option<Placement>,
+        _: i32,
+    ) -> Result<ContactStep, Failure> {
+        Ok(ContactStep {
+            displacement: vec![0.0; bodies.freedoms.len()],
+            state: ContactStepState::Converged,
+            iterations: 0,
+            evaluations: 0,
+            residual_at_start: 0.0,
+            residual: 0.0,
+            scale: 0.0,
+            outside: 0,
+        })
     }
 
     unsafe fn evaluate_tangent(

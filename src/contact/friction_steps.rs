@@ -119,7 +119,8 @@ impl<const D: usize> Contact<D> {
         if self.has_friction() && self.step.is_none() { Err(Error::NoStep) } else { Ok(()) }
     }
 
-    fn has_friction(&self) -> bool {
+    /// Whether any pair has friction.
+    pub(super) fn has_friction(&self) -> bool {
         self.options.friction.is_active() || self.pair_table.has_friction()
     }
 

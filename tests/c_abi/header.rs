@@ -30,6 +30,7 @@ const SOURCES: [&str; 40] = [
     "obstacle_rotations",
     "evaluate_tangent",
     "stable_step",
+    "contact_step",
     "evaluation",
     "getters",
     "pair_options",

@@ -137,6 +137,12 @@ fn newton_with_the_contact_tangent() {
 }
 
 #[test]
+fn contact_step_with_condensed_springs() {
+    let printed = output("contact_step.c", Link::Shared);
+    assert_eq!(printed, "state 0  u 0.100699301 0.100699301, expected 0.100699301\nwrong 0\n");
+}
+
+#[test]
 fn rows_of_the_tangent() {
     assert_eq!(output("tangent_rows.c", Link::Shared), "0 failures\n");
 }

@@ -24,12 +24,14 @@ NUMBERS = {
     "fmc_status": _signatures.STATUS,
 }
 CALLBACKS = {"fmc_signed_distance": _signatures.SIGNED_DISTANCE, "fmc_log_callback": _signatures.LOG}
+CALLBACKS["fmc_place"] = _signatures.PLACE
 STRUCTS = {
     name: getattr(_structs, name)
     for name in ("fmc_options", "fmc_coords", "fmc_forces", "fmc_cell_block", "fmc_cell_block_i64", "fmc_result")
     + ("fmc_facet_block", "fmc_facet_block_i64")
     + ("fmc_resultant", "fmc_pair", "fmc_pair_options", "fmc_contact_side", "fmc_contact_point", "fmc_boundary_facet")
     + ("fmc_gap_constraint", "fmc_pose", "fmc_part", "fmc_friction_step")
+    + ("fmc_contact_step_options", "fmc_contact_step_result")
 }
 # Pointers that stand for an array (by the argument's name) take numpy arrays; the others one struct or number.
 ARRAYS = {"double": _signatures.Float64Array, "int32_t": _signatures.Int32Array, "int64_t": _signatures.Int64Array}
@@ -145,6 +147,8 @@ def test_numbers_of_the_header_are_those_of_the_package():
     assert enumeration("fmc_partner") == partners
     shapes = {f"FMC_SHAPE_{text.upper()}": number for number, text in enumerate(_structs.SHAPES)}
     assert enumeration("fmc_shape") == shapes
+    states = {f"FMC_STEP_{text.upper()}": number for number, text in _structs.STEP_STATES.items()}
+    assert enumeration("fmc_contact_step_state") == states
     warnings = {f"FMC_WARNING_{text.upper()}": number for number, text in _structs.WARNINGS.items()}
     assert enumeration("fmc_warning") == warnings
     assert sorted(enumeration("fmc_cell_type").values()) == sorted(_structs.CELL_TYPES.values())

@@ -17,6 +17,7 @@ from .errors import FmcError
 from .fields import ContactPoints, NodalContact
 from .gaps import GapConstraints
 from .augmented import Augmented, augmented
+from .contact_step import ContactStep
 from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options
 from .part import Part
@@ -40,6 +41,7 @@ __all__ = [
     "BoundaryFacets",
     "Contact",
     "ContactPoints",
+    "ContactStep",
     "ContactWarning",
     "Equilibrium",
     "FmcError",

@@ -11,6 +11,8 @@ from ._structs import (
     fmc_cell_block,
     fmc_cell_block_i64,
     fmc_contact_point,
+    fmc_contact_step_options,
+    fmc_contact_step_result,
     fmc_coords,
     fmc_facet_block,
     fmc_facet_block_i64,
@@ -65,6 +67,9 @@ SIGNED_DISTANCE = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POIN
 
 LOG = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
 """``fmc_log_callback``."""
+
+PLACE = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double))
+"""``fmc_place``."""
 
 _COUNT = POINTER(c_size_t)
 _NUMBER = POINTER(c_double)
@@ -156,6 +161,12 @@ FUNCTIONS = {
         [Context, _COORDS, c_uint32, POINTER(fmc_forces), POINTER(fmc_result), _COUNT, _COUNT],
     ),
     "fmc_context_stable_step": (STATUS, [Context, _COORDS, Float64Array, _NUMBER]),
+    "fmc_contact_step_options_init": (STATUS, [POINTER(fmc_contact_step_options)]),
+    "fmc_context_contact_step": (
+        STATUS,
+        [Context, _COORDS, POINTER(fmc_contact_step_options), Int64Array, c_size_t, Int64Array, c_size_t]
+        + [Float64Array, Float64Array, PLACE, c_void_p, Float64Array, POINTER(fmc_contact_step_result)],
+    ),
     "fmc_context_body": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),
     "fmc_context_obstacle": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),
     "fmc_context_pair": (STATUS, [Context, c_size_t, POINTER(fmc_pair)]),

@@ -82,6 +82,8 @@ SHAPES = (
 """Names of ``fmc_shape``, in the order of its values."""
 
 PARTNERS = {0: "body", 1: "obstacle"}
+STEP_STATES = {0: "converged", 1: "outside", 2: "not_converged"}
+"""Values of ``fmc_contact_step_state``."""
 WARNINGS = {
     1: "coarse_fibers",
     2: "unresolved_overlap",
@@ -284,6 +286,32 @@ class fmc_friction_step(Structure):
         ("next_slip", POINTER(c_double)),
         ("slip_length", c_size_t),
         ("facet_count", c_size_t),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_contact_step_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("tolerance", c_double),
+        ("goal", c_double),
+        ("full_below", c_double),
+        ("most_iterations", c_int32),
+        ("most_trials", c_int32),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_contact_step_result(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("state", c_int32),
+        ("iterations", c_int32),
+        ("evaluation_count", c_size_t),
+        ("outside_count", c_size_t),
+        ("residual_at_start", c_double),
+        ("residual", c_double),
+        ("scale", c_double),
         ("reserved", c_uint64 * 8),
     ]
 

@@ -306,6 +306,42 @@ class NonConformingError(FmcError, ValueError):
     status = 43
 
 
+class SingularStiffnessError(FmcError, ValueError):
+    """The stiffness of bodies and contact together is singular to rounding: a body is not held."""
+
+    status = 44
+
+
+class IndefiniteStiffnessError(FmcError, ValueError):
+    """The stiffness of bodies and contact together is not positive definite."""
+
+    status = 45
+
+
+class FreedomOutOfRangeError(FmcError, IndexError):
+    """A list of degrees of freedom names one that does not exist."""
+
+    status = 46
+
+
+class RepeatedFreedomError(FmcError, ValueError):
+    """A list of degrees of freedom does not ascend, or names one that another list has."""
+
+    status = 47
+
+
+class NonFiniteStiffnessError(FmcError, ValueError):
+    """A stiffness or a residual that was given is NaN or infinite."""
+
+    status = 48
+
+
+class PlaceError(FmcError, RuntimeError):
+    """A function that places the nodes failed."""
+
+    status = 49
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import byref, c_double, c_size_t
-from typing import Any
+from typing import Any, Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import result, tangent
 from ._arrays import View, coords_view, forces_view, vector
 from ._library import library
+from .contact_step import ContactStep, contact_step
 from ._structs import FMC_ADD, FMC_SEMIDEFINITE, FMC_SYMMETRIC, fmc_result
 from .obstacles import Obstacles
 from .tangent import Tangent
@@ -114,6 +115,36 @@ class Linearised(Obstacles):
         """Releases a kept pattern: every tangent has its own."""
         with self._handle:
             self._handle.call(library.fmc_context_keep_pattern, 0)
+
+    def contact_step(
+        self,
+        coords: ArrayLike,
+        freedoms: ArrayLike,
+        stiffness: ArrayLike,
+        residual: ArrayLike,
+        held: ArrayLike = (),
+        place: Callable[[np.ndarray, np.ndarray], None] | None = None,
+        **options: float,
+    ) -> ContactStep:
+        """The displacement d of some degrees of freedom for which ``stiffness @ d + residual - forces(coords + d) = 0``: equilibrium of
+        the contact with bodies that are condensed on these.
+
+        ``freedoms``, (m,), the list: degrees of freedom ``node * dim + axis``, ascending; best those of the tangent's pattern that may
+        move. ``held``: others, which do not move, on which contact may act, ascending. ``stiffness``, (m, m), symmetric, and
+        ``residual``, (m,), internal less external forces at ``coords`` without contact: those of the bodies, condensed.
+        ``place(displacement, coords)`` moves the nodes that follow in ``coords``, (n, dim), to which the displacement was added on the
+        list; it is needed where bodies move by more than a part of a cell. ``options``: ``tolerance`` (1e-10, residual by the
+        forces), ``goal`` (0, a residual, a force), ``full_below`` (0.1), ``most_iterations`` (80), ``most_trials`` (12).
+
+        With the law ``"fiber"`` after ``keep_patches``. Friction with the current pressure, or frozen. Look at the ``state``
+        of what is returned. What is kept of the last evaluation stays.
+
+        Errors: those of ``tangent``; ``FreedomOutOfRangeError``, ``RepeatedFreedomError``, ``NonFiniteStiffnessError``;
+        ``SingularStiffnessError`` and ``IndefiniteStiffnessError`` for bodies and contact together; ``TypeError`` for an option that
+        there is not; exceptions of ``place``."""
+        view = coords_view(coords, self.dim)
+        with self._handle:
+            return contact_step(self._handle, view, self.dim, freedoms, stiffness, residual, held, place, options)
 
     def stable_step(self, coords: ArrayLike, masses: ArrayLike) -> float:
         """Largest time step of central differences (leapfrog) for the contact alone, from the tangent at ``coords``;

@@ -22,9 +22,11 @@ from typing import Any, Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .condensed import Condensed
 from .contact import Contact
-from .errors import FmcError
+from .errors import FmcError, IndefiniteStiffnessError, InvertedCellError, SingularStiffnessError
 from .result import Result
+from .schur import SYMMETRIC
 
 # Pressure, by Young's modulus, down to which a deep overlap is softened. Measured on docs/newton.md's problems: with 0.03
 # load steps take an iteration more; with 0.2 the first of the punch takes 26 iterations, not 6, with 128 cells; with
@@ -48,6 +50,9 @@ _ROUNDING = 8 * np.finfo(np.float64).eps
 # Iterations that are plain. With friction, where much begins to slide in one load step, they may go to and fro between two
 # states of a few facets for ever; without, a load step that converges takes no more than these.
 _PLAIN = 8
+
+# Residual of a contact step by that of the equilibrium: what it leaves is not to be seen.
+_FINER = 0.1
 
 # Times that a later step is halved, at most.
 _HALVINGS = 8
@@ -91,6 +96,7 @@ def newton(
     max_iterations: int = 30,
     lagged: bool = False,
     solve: Callable[[Any, np.ndarray], np.ndarray] | None = None,
+    two_level: bool = False,
 ) -> Equilibrium:
     """Equilibrium of bodies in contact at the end of a load step, by Newton's method, which is plain up to
     the eighth iteration.
@@ -118,6 +124,8 @@ def newton(
     smaller load step helps; if the matrix is singular, a body must be held. ``ValueError`` for shapes.
     """
     search = _Search(residual_and_tangent, contact, np.array(x, np.float64), free, prescribed, young, solve or _solved)
+    if two_level:
+        search.condensed = Condensed(contact, search.x.size, search.free)
     try:
         if lagged:
             contact.freeze_friction(search.x)
@@ -152,6 +160,7 @@ class _Search:
             self.step[self.free] = 0.0
         self.residuals: list[float] = []
         self.has_touched = False
+        self.condensed: Condensed | None = None
 
     def forces(self) -> np.ndarray:
         """Contact forces on all unknowns, (size,)."""
@@ -174,6 +183,8 @@ class _Search:
     def soften(self, iteration: int, inside: np.ndarray) -> np.ndarray:
         """Chooses k, and returns the contact forces with it."""
         forces = self.forces()
+        if self.condensed is not None:
+            return forces
         depth = self.result.penetration
         if iteration == 0 and self.is_balanced(inside, forces):
             # Pressures of an equilibrium are borne, however large: at a corner they are.
@@ -214,6 +225,8 @@ class _Search:
             if iteration == max_iterations:
                 break
             soft_count += is_soft
+            if self.condensed is not None and self.advance_by_contact(inside, matrix, tolerance, relative):
+                continue
             self.advance(iteration, residual, _sum(matrix, self.contact.tangent(self.x, semidefinite=is_soft)))
         raise self.failed(max_iterations, f"the residual is {relative:.1e}, {tolerance:.1e} is wanted")
 
@@ -239,6 +252,23 @@ class _Search:
         # Bodies that moved as one have forces of rounding alone, of which no part is small.
         rounding = _ROUNDING * np.linalg.norm(abs(matrix) @ abs(self.x.ravel()))
         return residual, float(left / size if left > rounding or not np.isfinite(left) else 0.0)
+
+    def advance_by_contact(self, inside: np.ndarray, matrix: Any, tolerance: float, relative: float) -> bool:
+        """Moves to the equilibrium of the contact with the bodies linearised here; where there is none, ``False``, and the
+        rest of the load step is plain."""
+        condensed = self.condensed
+        assert condensed is not None
+        try:
+            step, found = condensed.step(self.x.ravel(), self.step, inside, matrix, _FINER * tolerance)
+        except (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, IndefiniteStiffnessError, InvertedCellError):
+            found = None
+        if found is None or found.state == "not_converged" and found.residual >= found.residual_at_start:
+            self.condensed = None
+            return False
+        self.taken = step.reshape(self.x.shape)
+        self.step = np.zeros(self.x.size)
+        self.x = self.x + self.taken
+        return True
 
     def advance(self, iteration: int, residual: np.ndarray, matrix: Any) -> None:
         right = -(residual + matrix @ self.step)[self.free]
@@ -270,7 +300,4 @@ def _solved(matrix: Any, right: np.ndarray) -> np.ndarray:
         return np.linalg.solve(matrix, right)
     from scipy.sparse.linalg import splu
 
-    # The pattern of the matrix is symmetric, and but for friction the matrix: rows and columns in the same order, which in 2D
-    # takes a third of the time.
-    order = {"permc_spec": "MMD_AT_PLUS_A", "diag_pivot_thresh": 0.1, "options": {"SymmetricMode": True}}
-    return splu(matrix.tocsc(), **order).solve(right)
+    return splu(matrix.tocsc(), **SYMMETRIC).solve(right)

@@ -53,6 +53,9 @@ class _OnUnknowns:
     def evaluate(self, x: np.ndarray) -> Result:
         return self.adapter.evaluate(x)
 
+    def coords(self, x: np.ndarray) -> np.ndarray:
+        return self.adapter.coords(x)
+
     def on_dofs(self, forces: np.ndarray) -> np.ndarray:
         return self.adapter.on_unknowns(forces)
 

@@ -1,0 +1,135 @@
+"""Bodies factorised once, down to the unknowns that feel contact, and the step to the equilibrium of the contact with them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .contact import Contact
+from .contact_step import ContactStep
+from .schur import Condense, condense
+
+# Times that the unknowns are found to be too few in one step: contact spreads over more of them each time.
+_MOST_GROWTHS = 8
+
+
+class Unknowns:
+    """Which unknown moves which degree of freedom of the contact."""
+
+    def __init__(self, contact: Any, size: int) -> None:
+        self.contact = contact
+        self.inner: Contact = contact if isinstance(contact, Contact) else contact.contact
+        shape = (self.inner.unknown_count, self.inner.dim)
+        count = shape[0] * shape[1]
+        self.of_freedom = np.arange(count)
+        if contact is not self.inner:
+            # Numbers brought to the unknowns as forces are say where each has gone, and ones whether by itself.
+            number = np.ravel(contact.on_dofs(np.arange(1.0, count + 1.0).reshape(shape)))
+            alone = np.ravel(contact.on_dofs(np.ones(shape)))
+            (reached,) = np.nonzero(number)
+            freedom = number[reached].astype(np.int64) - 1
+            if not (np.array_equal(alone[reached], np.ones(count)) and np.array_equal(np.sort(freedom), self.of_freedom)):
+                raise ValueError("two levels need a contact of which every degree of freedom is moved by one unknown, alone")
+            self.of_freedom[freedom] = reached
+        if count and int(self.of_freedom.max()) >= size or contact is self.inner and count != size:
+            raise ValueError(f"x has {size} entries, the contact {count} degrees of freedom")
+
+    def coords(self, x: np.ndarray) -> np.ndarray:
+        """Coordinates that the contact is shown."""
+        return x.reshape(-1, self.inner.dim) if self.contact is self.inner else self.contact.coords(x)
+
+    def touching(self, x: np.ndarray) -> np.ndarray:
+        """Degrees of freedom of the contact in the pattern of its tangent."""
+        rows, cols, _ = self.inner.tangent_parts(self.coords(x), semidefinite=True).triplets()
+        return np.union1d(rows, cols)
+
+
+class Condensed:
+    """Steps to the equilibrium of contact with bodies that are linear, for any number of iterations and load steps."""
+
+    def __init__(self, contact: Any, size: int, free: np.ndarray, by: Condense | None = None) -> None:
+        self.unknowns, self.by = Unknowns(contact, size), by or condense
+        self.free = np.zeros(size, bool)
+        self.free[free] = True
+        (self.held,) = np.nonzero(~self.free[self.unknowns.of_freedom])
+        self.freedoms = np.zeros(0, np.int64)
+        self.matrix: Any = None
+        self.factorisations = 0
+
+    def grow(self, x: np.ndarray) -> bool:
+        """Adds the degrees of freedom that feel contact at ``x``; whether there were any."""
+        found = self.unknowns.touching(x)
+        found = found[self.free[self.unknowns.of_freedom[found]]]
+        before = len(self.freedoms)
+        self.freedoms = np.union1d(self.freedoms, found)
+        if len(self.freedoms) > before:
+            self.matrix = None
+        return len(self.freedoms) > before
+
+    def step(
+        self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any, tolerance: float, goal: float = 0.0
+    ) -> tuple[np.ndarray, ContactStep]:
+        """Change of all unknowns from ``x``, (size,), with what is prescribed moved by ``moved``, (size,); ``inside`` and
+        ``matrix`` are internal less external forces at ``x`` and their derivative, without contact.
+
+        Errors: those of ``Contact.contact_step``; ``RuntimeError`` where the bodies are not held where they do not touch."""
+        self.grow(x)
+        for _ in range(_MOST_GROWTHS):
+            change, found = self._step(x, moved, inside, matrix, tolerance, goal)
+            if found.state != "outside" or not self.grow(x + change):
+                break
+        return change, found
+
+    def _step(
+        self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any, tolerance: float, goal: float
+    ) -> tuple[np.ndarray, ContactStep]:
+        self._condense(matrix)
+        right = inside + matrix @ moved
+        loaded = self.solve(right[self.rest])
+        change = moved.copy()
+        change[self.rest] -= loaded
+
+        def changed(d: np.ndarray) -> np.ndarray:
+            found = change.copy()
+            found[self.kept] += d
+            if len(d):
+                found[self.rest] -= self.solve(self.across @ d)
+            return found
+
+        def place(d: np.ndarray, coords: np.ndarray) -> None:
+            coords[...] = self.unknowns.coords(x + changed(d))
+
+        start = np.ascontiguousarray(self.unknowns.coords(x + change))
+        residual = right[self.kept] - self.back @ loaded
+        found = self.unknowns.inner.contact_step(
+            start, self.freedoms, self.schur, residual, self.held, place, tolerance=tolerance, goal=goal
+        )
+        return changed(found.displacement), found
+
+    def _condense(self, matrix: Any) -> None:
+        """Factorises the bodies on all free unknowns but those that are kept, if that was not done yet."""
+        if self.matrix is not None and _same(self.matrix, matrix):
+            return
+        self.kept = self.unknowns.of_freedom[self.freedoms]
+        rest = self.free.copy()
+        rest[self.kept] = False
+        (self.rest,) = np.nonzero(rest)
+        self.factorisations += 1
+        self.across, self.back = matrix[self.rest][:, self.kept], matrix[self.kept][:, self.rest]
+        self.solve, self.schur = self.by(matrix, self.rest, self.kept)
+        self.matrix = matrix
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Whether two matrices have the same entries."""
+    if one is other:
+        return True
+    if isinstance(one, np.ndarray) or isinstance(other, np.ndarray):
+        return np.array_equal(one, other)
+    return (
+        one.shape == other.shape
+        and np.array_equal(one.indptr, other.indptr)
+        and np.array_equal(one.indices, other.indices)
+        and np.array_equal(one.data, other.data)
+    )

@@ -1,0 +1,91 @@
+//! A displacement and its place in the model.
+
+use super::bodies::Checked;
+use super::options::ContactStepOptions;
+use super::solve::{ROUNDING, Touch, Touching};
+use crate::Error;
+use nalgebra::DVector;
+
+/// Part of what the slope promises that a step must gain (Armijo).
+const GAIN: f64 = 1e-4;
+
+/// Part of the energies that a change must exceed to be distinguished from rounding of some thousand pieces of contact.
+const FLAT: f64 = 1e-12;
+
+#[derive(Clone, Debug)]
+pub(super) struct Iterate {
+    pub(super) displacement: DVector<f64>,
+    pub(super) touch: Touch,
+    /// Energy of the model.
+    energy: f64,
+    /// Change of it that is not to be distinguished from rounding.
+    flat: f64,
+    /// S d + r − f.
+    pub(super) residual: DVector<f64>,
+}
+
+impl Iterate {
+    pub(super) fn new(bodies: &Checked, contact: &mut dyn Touching, displacement: DVector<f64>) -> Result<Self, Error> {
+        let touch = contact.at(&displacement)?;
+        let residual = &bodies.stiffness * &displacement + &bodies.residual - &touch.forces;
+        let (work, strain) =
+            (bodies.residual.dot(&displacement), 0.5 * displacement.dot(&(&bodies.symmetric * &displacement)));
+        let energy = work + strain + touch.energy;
+        let magnitude = work.abs() + strain.abs() + touch.energy.abs();
+        // Coordinates are known to a bit, and the energy to the work of the forces along it.
+        let coords = (0..bodies.count()).map(|place| contact.start(place).abs() + displacement[place].abs());
+        let known: f64 = touch.forces.iter().zip(coords).map(|(force, x)| force.abs() * x).sum();
+        let flat = FLAT * magnitude + ROUNDING * known;
+        match energy.is_finite() && residual.iter().all(|r| r.is_finite()) {
+            true => Ok(Self { displacement, touch, energy, flat, residual }),
+            false => Err(Error::Overflow { quantity: "energy of a contact step", value: energy }),
+        }
+    }
+
+    pub(super) fn norm(&self) -> f64 {
+        self.residual.norm()
+    }
+
+    /// The iterate after a part of a direction: one that lowers the energy, or, where there is none, the residual.
+    /// Also the number of trials.
+    pub(super) fn after(
+        &self,
+        bodies: &Checked,
+        contact: &mut dyn Touching,
+        direction: &DVector<f64>,
+        options: &ContactStepOptions,
+        has_energy: bool,
+    ) -> Result<(Option<Self>, usize), Error> {
+        let slope = self.residual.dot(direction);
+        let mut length = 1.0;
+        for trial in 1..=options.most_trials {
+            match Self::new(bodies, contact, &self.displacement + direction * length) {
+                Ok(next) => {
+                    let is_flat = (next.energy - self.energy).abs() <= self.flat.max(next.flat);
+                    let is_less = next.norm() <= (1.0 - GAIN * length) * self.norm();
+                    let is_lower = match has_energy {
+                        // Near the end the energy is flat within rounding; then the forces tell.
+                        true => next.energy <= self.energy + GAIN * length * slope || is_flat && is_less,
+                        false => is_less,
+                    };
+                    if is_lower {
+                        return Ok((Some(next), trial));
+                    }
+                    length = match has_energy {
+                        true => shortened(length, slope, next.residual.dot(direction)),
+                        false => 0.5 * length,
+                    };
+                }
+                Err(Error::InvertedCell { .. }) => length *= 0.5,
+                Err(error) => return Err(error),
+            }
+        }
+        Ok((None, options.most_trials))
+    }
+}
+
+/// Shorter trial, where the slope would vanish if it were linear between those at the start and at this one.
+fn shortened(length: f64, slope: f64, there: f64) -> f64 {
+    let part = if there > slope { slope / (slope - there) } else { 0.5 };
+    length * part.clamp(0.1, 0.7)
+}

@@ -1,0 +1,108 @@
+//! The contact as a function of the displacement of some degrees of freedom.
+
+use super::bodies::CondensedBodies;
+use super::solve::{Touch, Touching};
+use super::Place;
+use crate::Error;
+use crate::contact::kernels;
+use crate::contact::tangent::TangentPart;
+use crate::contact::Contact;
+use nalgebra::{DMatrix, DVector};
+
+/// Where a degree of freedom is.
+#[derive(Clone, Copy)]
+enum Role {
+    /// At this place in the list.
+    Kept(usize),
+    Held,
+    Outside,
+}
+
+/// A contact of which only the degrees of freedom on a list move by themselves.
+pub(super) struct Kept<'a, 'p, const D: usize> {
+    contact: &'a Contact<D>,
+    start: &'a [[f64; D]],
+    freedoms: &'a [usize],
+    roles: Vec<Role>,
+    place: Option<Place<'p, D>>,
+}
+
+impl<'a, 'p, const D: usize> Kept<'a, 'p, D> {
+    pub(super) fn new(
+        contact: &'a Contact<D>,
+        start: &'a [[f64; D]],
+        bodies: &CondensedBodies<'a>,
+        place: Option<Place<'p, D>>,
+    ) -> Self {
+        let mut roles = vec![Role::Outside; start.len() * D];
+        bodies.held.iter().for_each(|&freedom| roles[freedom] = Role::Held);
+        bodies.freedoms.iter().enumerate().for_each(|(place, &freedom)| roles[freedom] = Role::Kept(place));
+        Self { contact, start, freedoms: bodies.freedoms, roles, place }
+    }
+
+    fn placed(&mut self, displacement: &DVector<f64>) -> Result<Vec<[f64; D]>, Error> {
+        let mut coords = self.start.to_vec();
+        for (&freedom, by) in self.freedoms.iter().zip(displacement.iter()) {
+            coords[freedom / D][freedom % D] += by;
+        }
+        if let Some(place) = &mut self.place {
+            place(displacement.as_slice(), &mut coords)?;
+        }
+        Ok(coords)
+    }
+
+    /// Place of a degree of freedom in the list.
+    fn local(&self, freedom: usize) -> Option<usize> {
+        match self.roles.get(freedom) {
+            Some(Role::Kept(place)) => Some(*place),
+            _ => None,
+        }
+    }
+}
+
+impl<const D: usize> Touching for Kept<'_, '_, D> {
+    fn at(&mut self, displacement: &DVector<f64>) -> Result<Touch, Error> {
+        let coords = self.placed(displacement)?;
+        let found = kernels::evaluate(self.contact, &coords)?;
+        let (mut forces, mut outside) = (DVector::zeros(self.freedoms.len()), Vec::new());
+        for (role, force) in self.roles.iter().zip(found.forces.as_flattened()) {
+            match role {
+                Role::Kept(place) => forces[*place] = *force,
+                Role::Outside if *force != 0.0 => outside.push(*force),
+                _ => {}
+            }
+        }
+        Ok(Touch { energy: found.energy + found.friction.stored + found.friction.dissipated, forces, outside })
+    }
+
+    fn tangent(&mut self, displacement: &DVector<f64>, part: TangentPart) -> Result<DMatrix<f64>, Error> {
+        let coords = self.placed(displacement)?;
+        let tangent = kernels::tangent(self.contact, &coords, part)?;
+        let count = self.freedoms.len();
+        let mut dense = DMatrix::zeros(count, count);
+        for (row, col, value) in tangent.triplets() {
+            if let (Some(row), Some(col)) = (self.local(row), self.local(col)) {
+                dense[(row, col)] += value;
+            }
+        }
+        for one in &tangent.rank_one {
+            let entries = one.nodes.iter().zip(&one.vector).flat_map(|(&node, vector)| {
+                vector.iter().enumerate().map(move |(axis, value)| (node as usize * D + axis, *value))
+            });
+            let entries: Vec<_> = entries.filter_map(|(freedom, value)| Some((self.local(freedom)?, value))).collect();
+            for (col, other) in &entries {
+                entries.iter().for_each(|(row, value)| dense[(*row, *col)] += one.factor * value * other);
+            }
+        }
+        Ok(dense)
+    }
+
+    fn freedom(&self, place: usize) -> usize {
+        self.freedoms[place]
+    }
+
+    fn start(&self, place: usize) -> f64 {
+        let freedom = self.freedoms[place];
+        self.start[freedom / D][freedom % D]
+    }
+}

@@ -1,0 +1,5 @@
+//! Equilibrium of the contact with condensed bodies.
+
+mod equilibrium;
+mod refused;
+mod springs;
