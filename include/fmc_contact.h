@@ -333,6 +333,17 @@ typedef enum {
   FMC_NODE_SLIDING = 3,
 } fmc_node_status;
 
+// How a step of `fmc_context_contact_step` ended.
+typedef enum {
+  // In equilibrium.
+  FMC_STEP_CONVERGED = 0,
+  // Contact acts on degrees of freedom that are neither on the list nor held: the displacement is what was reached when it
+  // did, and a longer list is needed.
+  FMC_STEP_OUTSIDE = 1,
+  // The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
+  FMC_STEP_NOT_CONVERGED = 2,
+} fmc_contact_step_state;
+
 // Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
 //
 // Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one

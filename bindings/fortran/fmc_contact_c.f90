@@ -63,6 +63,12 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_NON_FINITE_SLIP = 41
   integer(c_int32_t), parameter :: FMC_ERROR_NEGATIVE_RADIUS = 42
   integer(c_int32_t), parameter :: FMC_ERROR_NON_CONFORMING = 43
+  integer(c_int32_t), parameter :: FMC_ERROR_SINGULAR_STIFFNESS = 44
+  integer(c_int32_t), parameter :: FMC_ERROR_INDEFINITE_STIFFNESS = 45
+  integer(c_int32_t), parameter :: FMC_ERROR_FREEDOM_OUT_OF_RANGE = 46
+  integer(c_int32_t), parameter :: FMC_ERROR_REPEATED_FREEDOM = 47
+  integer(c_int32_t), parameter :: FMC_ERROR_NON_FINITE_STIFFNESS = 48
+  integer(c_int32_t), parameter :: FMC_ERROR_PLACE = 49
   integer(c_int32_t), parameter :: FMC_LAW_VOLUME = 0
   integer(c_int32_t), parameter :: FMC_LAW_FIBER = 1
   integer(c_int32_t), parameter :: FMC_LAW_DEPTH = 2
@@ -117,6 +123,9 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_NODE_TOUCHING = 1
   integer(c_int32_t), parameter :: FMC_NODE_STICKING = 2
   integer(c_int32_t), parameter :: FMC_NODE_SLIDING = 3
+  integer(c_int32_t), parameter :: FMC_STEP_CONVERGED = 0
+  integer(c_int32_t), parameter :: FMC_STEP_OUTSIDE = 1
+  integer(c_int32_t), parameter :: FMC_STEP_NOT_CONVERGED = 2
 
   type, bind(c) :: fmc_options
     integer(c_size_t) :: struct_size
@@ -227,6 +236,28 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_contact_step_options
+    integer(c_size_t) :: struct_size
+    real(c_double) :: tolerance
+    real(c_double) :: goal
+    real(c_double) :: full_below
+    integer(c_int32_t) :: most_iterations
+    integer(c_int32_t) :: most_trials
+    integer(c_int64_t) :: reserved(8)
+  end type
+
+  type, bind(c) :: fmc_contact_step_result
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: state
+    integer(c_int32_t) :: iterations
+    integer(c_size_t) :: evaluation_count
+    integer(c_size_t) :: outside_count
+    real(c_double) :: residual_at_start
+    real(c_double) :: residual
+    real(c_double) :: scale
+    integer(c_int64_t) :: reserved(8)
+  end type
+
   type, bind(c) :: fmc_resultant
     integer(c_int64_t) :: id
     real(c_double) :: force(3)
@@ -329,6 +360,14 @@ module fmc_contact_c
       integer(c_int32_t), value :: level
       character(kind=c_char), intent(in) :: text(*)
     end subroutine
+    function fmc_place(user, n, displacement, coords) bind(c)
+      import
+      type(c_ptr), value :: user
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: displacement(*)
+      real(c_double), intent(inout) :: coords(*)
+      integer(c_int32_t) :: fmc_place
+    end function
     function fmc_signed_distance(user, n, x, phi, grad) bind(c)
       import
       type(c_ptr), value :: user
@@ -737,6 +776,29 @@ module fmc_contact_c
       real(c_double), intent(in), optional :: masses(*)
       real(c_double), intent(inout), optional :: step
       integer(c_int32_t) :: fmc_context_stable_step
+    end function
+    function fmc_contact_step_options_init(options) bind(c)
+      import
+      type(fmc_contact_step_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_contact_step_options_init
+    end function
+    function fmc_context_contact_step(context, coords, options, freedoms, count, held, &
+        held_count, stiffness, residual, place, user, displacement, result) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_contact_step_options), intent(in), optional :: options
+      integer(c_int64_t), intent(in), optional :: freedoms(*)
+      integer(c_size_t), value :: count
+      integer(c_int64_t), intent(in), optional :: held(*)
+      integer(c_size_t), value :: held_count
+      real(c_double), intent(in), optional :: stiffness
+      real(c_double), intent(in), optional :: residual(*)
+      type(c_funptr), value :: place
+      type(c_ptr), value :: user
+      real(c_double), intent(inout), optional :: displacement(*)
+      type(fmc_contact_step_result), intent(inout), optional :: result
+      integer(c_int32_t) :: fmc_context_contact_step
     end function
     function fmc_context_body(context, index, body) bind(c)
       import

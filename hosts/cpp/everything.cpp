@@ -314,6 +314,31 @@ int main() try {
   tangents();
   friction_and_patches();
   obstacles();
+  // A rigid square on springs sinks onto another that is held, as in hosts/c/contact_step.c: u = 100.8 / 1001.
+  const Numbers start = {0, 0, 2, 0, 2, 1, 0, 1, 0.5, 1.1, 1.5, 1.1, 1.5, 2, 0.5, 2};
+  Numbers sunk = start;
+  for (std::size_t node = 4; node < 8; ++node) sunk[2 * node + 1] -= 0.12;
+  fmc::Options stiff(1000);
+  stiff.set("law", "fiber");
+  const std::vector<int32_t> both = {0, 1, 2, 3, 4, 5, 6, 7};
+  fmc::Context pressed(2, start, {{FMC_QUAD4, both}}, stiff);
+  pressed.keep_patches(sunk);
+  const std::vector<int64_t> freedoms = {9, 11}, held = {0, 1, 2, 3, 4, 5, 6, 7};
+  const Numbers springs = {0.5, 0, 0, 0.5}, load = {0.4, 0.4};
+  const auto follow = [](fmc::View<const double> displacement, fmc::View<double> places) {
+    places[2 * 7 + 1] += displacement[0];
+    places[2 * 6 + 1] += displacement[1];
+  };
+  const auto step = pressed.contact_step(start, freedoms, springs, load, held, follow);
+  EXPECT(step.state == FMC_STEP_CONVERGED && close(-step.displacement[0], 100.8 / 1001, 1e-9));
+  const auto fails = [](fmc::View<const double>, fmc::View<double>) { throw std::out_of_range("no place"); };
+  try {
+    pressed.contact_step(start, freedoms, springs, load, held, fails);
+    EXPECT(false);
+  } catch (const std::out_of_range &error) {
+    EXPECT(std::string(error.what()) == "no place");
+  }
+  EXPECT(refused(FMC_ERROR_LENGTH, "stiffness", [&] { pressed.contact_step(start, freedoms, load, load); }));
   return report();
 } catch (const std::exception &error) {
   std::fprintf(stderr, "%s\n", error.what());

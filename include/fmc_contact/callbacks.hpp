@@ -21,7 +21,28 @@ using SignedDistance = std::function<double(View<const double> x, View<double> g
 // The same for n points at once: x and gradients (n, dim), distances (n).
 using SignedDistances = std::function<void(View<const double> x, View<double> distances, View<double> gradients)>;
 
+// Puts the nodes where they are at a displacement of the degrees of freedom on the list of a contact step: coordinates, (n, dim),
+// those of the start with the displacement added on the list.
+using Place = std::function<void(View<const double> displacement, View<double> coords)>;
+
 namespace detail {
+
+struct PlaceCall {
+  const Place &function;
+  std::size_t numbers;
+  std::exception_ptr thrown;
+
+  static int32_t run(void *user, std::size_t n, const double *displacement, double *coords) noexcept {
+    auto &self = *static_cast<PlaceCall *>(user);
+    try {
+      self.function({displacement, n}, {coords, self.numbers});
+      return 0;
+    } catch (...) {
+      self.thrown = std::current_exception();
+      return 1;
+    }
+  }
+};
 
 struct DistanceCall;
 struct LogCall;

@@ -197,6 +197,28 @@ class Context {
   }
   void set_slip(View<const double> slip) { call(fmc_context_set_slip(get(), slip.data(), slip.size())); }
 
+  // Equilibrium of the contact with condensed bodies, of stiffness (n, n) and residual (n) on n degrees of freedom; `held`: others
+  // that do not move; `place` moves the nodes that follow.
+  ContactStep contact_step(Coords coords, View<const int64_t> freedoms, View<const double> stiffness, View<const double> residual,
+                           View<const int64_t> held = {}, const Place &place = {},
+                           const ContactStepOptions &options = {}) {
+    const auto count = freedoms.size();
+    if (stiffness.size() != count * count)
+      detail::refuse(FMC_ERROR_LENGTH, "stiffness: " + std::to_string(stiffness.size()) + " numbers, not " +
+                                           std::to_string(count * count));
+    const auto x = coords.as_c(dim_);
+    detail::PlaceCall placing{place, x.node_count * axes(), nullptr};
+    ContactStep step;
+    step.displacement.resize(count);
+    const auto status = fmc_context_contact_step(
+        get(), &x, &options, freedoms.data(), count, held.data(), held.size(), stiffness.data(),
+        detail::one_for_each(residual, count, "residual"), place ? detail::PlaceCall::run : nullptr, &placing,
+        step.displacement.data(), &step);
+    if (placing.thrown) std::rethrow_exception(placing.thrown);
+    call(status);
+    return step;
+  }
+
   // The law "depth": coordinates without deformation; nodes in planes of symmetry, none for none.
   void set_reference(Coords coords) { at(fmc_context_set_reference, coords); }
   void set_symmetry_nodes(View<const int64_t> nodes) {

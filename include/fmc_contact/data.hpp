@@ -57,6 +57,16 @@ struct Pose : fmc_pose {
   }
 };
 
+// When a contact step ends.
+struct ContactStepOptions : fmc_contact_step_options {
+  ContactStepOptions() : fmc_contact_step_options() { check(fmc_contact_step_options_init(this)); }
+};
+
+// What a contact step found, one number for every degree of freedom on its list; look at `state` first.
+struct ContactStep : fmc_contact_step_result {
+  std::vector<double> displacement;
+};
+
 // Cells of one type; Int is int32_t or int64_t. `conn` are node numbers, (cells, nodes per cell), counted from the option
 // `index_base`; a matrix has the nodes of a cell one after the other.
 template <class Int>

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 40] = [
+const SOURCES: [&str; 41] = [
     "version",
     "status",
     "failure",

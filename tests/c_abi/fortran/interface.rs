@@ -90,7 +90,7 @@ fn argument_of(argument: &Variable, of_callback: bool) -> String {
     let Variable { of_type, is_const, pointers, name, .. } = argument;
     let intent = if *is_const { "in" } else { "inout" };
     let may_lack = if of_callback { "" } else { ", optional" };
-    let is_callback = matches!(of_type.as_str(), "fmc_log_callback" | "fmc_signed_distance");
+    let is_callback = matches!(of_type.as_str(), "fmc_log_callback" | "fmc_place" | "fmc_signed_distance");
     match (of_type.as_str(), pointers) {
         _ if is_callback => format!("type(c_funptr), value :: {name}"),
         ("void" | "fmc_context", 1) => format!("type(c_ptr), value :: {name}"),
