@@ -7,7 +7,8 @@ use super::failure::Failure;
 use super::mesh::{Block, fmc_cell_block, fmc_cell_block_i64, surface_of_cells, surface_of_facets};
 use super::options::fmc_options;
 use super::pointer::{Output, reference, slice};
-use super::session::{Resident, Session};
+use super::resident::Resident;
+use super::session::Session;
 use super::status::fmc_status;
 use super::view::fmc_coords;
 

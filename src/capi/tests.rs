@@ -2,7 +2,6 @@
 
 use super::boundary_facet::fmc_boundary_facet;
 use super::contact_point::fmc_contact_point;
-use super::contact_step::Placement;
 use super::context::{State, fmc_context, fmc_context_error, fmc_context_evaluate};
 use super::creation::{fmc_context_free, fmc_context_new_from_cells};
 use super::evaluation::{Evaluation, fmc_result, fmc_resultant};
@@ -14,6 +13,7 @@ use super::mesh::{fmc_cell_block, fmc_cell_type};
 use super::nodal_lists::NodalLists;
 use super::options::fmc_options;
 use super::part::fmc_shape;
+use super::placement::Placement;
 use super::pose::fmc_pose;
 use super::session::{Counts, Session};
 use super::shape::ShapeOf;

@@ -9,6 +9,7 @@ mod iterate;
 mod kept;
 mod options;
 mod solve;
+mod touching;
 
 pub use bodies::CondensedBodies;
 pub use options::{ContactStep, ContactStepOptions, ContactStepState};

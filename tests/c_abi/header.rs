@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 41] = [
+const SOURCES: [&str; 42] = [
     "version",
     "status",
     "failure",
@@ -30,6 +30,7 @@ const SOURCES: [&str; 41] = [
     "obstacle_rotations",
     "evaluate_tangent",
     "stable_step",
+    "placement",
     "contact_step",
     "evaluation",
     "getters",

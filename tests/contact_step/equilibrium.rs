@@ -108,8 +108,7 @@ impl Scene {
             Ok(())
         };
         let rows: Vec<f64> = schur.transpose().as_slice().to_vec();
-        let bodies =
-            CondensedBodies { freedoms: &kept, held: &[], stiffness: &rows, residual: right.as_slice() };
+        let bodies = CondensedBodies { freedoms: &kept, held: &[], stiffness: &rows, residual: right.as_slice() };
         let found = self.contact.contact_step(&self.coords, &bodies, options, Some(&mut place)).unwrap();
         (whole(&found.displacement), found)
     }
@@ -125,7 +124,8 @@ fn it_is_that_of_all_unknowns_at_once_with_every_law() {
     for law in laws {
         let mut scene = scene(law, 0.0);
         if law.is_fiber() {
-            let pushed = DVector::from_fn(2 * scene.coords.len(), |freedom, _| if freedom % 2 == 1 { -0.12 } else { 0.0 });
+            let pushed =
+                DVector::from_fn(2 * scene.coords.len(), |freedom, _| if freedom % 2 == 1 { -0.12 } else { 0.0 });
             let there = scene.at(&pushed);
             scene.contact.keep_patches(&there).unwrap();
         }

@@ -61,7 +61,10 @@ fn what_is_given_up_on_says_so() {
     let few = ContactStepOptions { most_iterations: 1, ..Default::default() };
     let found = step(0.1, 20.0, &few);
     assert_eq!((found.state, found.iterations), (ContactStepState::NotConverged, 1));
-    assert!(found.residual > 1e-3 * found.scale && found.residual < found.residual_at_start.max(20.0 * 2.0), "{found:?}");
+    assert!(
+        found.residual > 1e-3 * found.scale && found.residual < found.residual_at_start.max(20.0 * 2.0),
+        "{found:?}"
+    );
     let loose = ContactStepOptions { goal: 1e3, ..few };
     let found = step(0.1, 20.0, &loose);
     assert_eq!((found.state, found.iterations), (ContactStepState::Converged, 0));
@@ -75,7 +78,11 @@ fn contact_outside_the_list_is_told() {
     let bodies = CondensedBodies { freedoms: &[1], held: &[], stiffness: &stiffness, residual: &[0.0] };
     let options = ContactStepOptions::default();
     let found = contact.contact_step(&coords, &bodies, &options, None).unwrap();
-    assert_eq!((found.state, found.outside, found.displacement[0]), (ContactStepState::Outside, 1, 0.0), "the plane presses on both lower nodes");
+    assert_eq!(
+        (found.state, found.outside, found.displacement[0]),
+        (ContactStepState::Outside, 1, 0.0),
+        "the plane presses on both lower nodes"
+    );
     let bodies = CondensedBodies { held: &[0, 2, 3, 4, 5, 6, 7], ..bodies };
     let found = contact.contact_step(&coords, &bodies, &options, None).unwrap();
     assert_eq!((found.state, found.outside), (ContactStepState::Converged, 0));

@@ -2,7 +2,7 @@
 
 use super::bodies::Checked;
 use super::options::ContactStepOptions;
-use super::solve::{ROUNDING, Touch, Touching};
+use super::touching::{ROUNDING, Touch, Touching};
 use crate::Error;
 use nalgebra::DVector;
 

@@ -1,12 +1,12 @@
 //! The contact as a function of the displacement of some degrees of freedom.
 
-use super::bodies::CondensedBodies;
-use super::solve::{Touch, Touching};
 use super::Place;
+use super::bodies::CondensedBodies;
+use super::touching::{Touch, Touching};
 use crate::Error;
+use crate::contact::Contact;
 use crate::contact::kernels;
 use crate::contact::tangent::TangentPart;
-use crate::contact::Contact;
 use nalgebra::{DMatrix, DVector};
 
 /// Where a degree of freedom is.

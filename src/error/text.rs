@@ -1,0 +1,142 @@
+//! The texts of errors.
+
+use super::Error;
+use std::fmt;
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Length { array, expected, found } => {
+                write!(f, "array '{array}' has length {found}, expected {expected}")
+            }
+            Error::Dimension { block, expected, found } => {
+                write!(
+                    f,
+                    "block {block} has cells of dimension {found}, or facets of such, but the coordinates have \
+                     dimension {expected}"
+                )
+            }
+            Error::NodeOutOfRange { cell, node, node_count } => {
+                write!(f, "cell or facet {cell} names node {node}, but there are {node_count} nodes")
+            }
+            Error::NonFiniteCoordinate { node, axis } => write!(f, "coordinate {axis} of node {node} is not finite"),
+            Error::NegativeRadius { node, radius } => {
+                write!(f, "node {node} lies beyond the axis of axisymmetry: its first coordinate is {radius:.3e}")
+            }
+            Error::RepeatedNode { cell, node } => write!(f, "cell or facet {cell} names node {node} twice"),
+            Error::UnknownOutOfRange { row, unknown, count } => {
+                write!(f, "row {row} of the basis names unknown {unknown}, but there are {count}")
+            }
+            Error::NonConforming { cells: [one, other] } => write!(
+                f,
+                "cells {one} and {other} do not fit (facets, where there are no cells): an edge or a face has a node in its \
+                 middle in one of them, and in the other it has none, or another one, or one that hangs beside the middle"
+            ),
+            Error::InvertedCell { cell } => write!(
+                f,
+                "cell {cell} is inverted (a facet, where there are no cells): its nodes are numbered against the others, one in \
+                 the middle of an edge is too near to a corner, or a step of the host was too large"
+            ),
+            Error::ZeroMeasure { cell } => write!(f, "cell or facet {cell} has zero measure"),
+            Error::OpenSurface { facet, nodes } => {
+                write!(f, "the surface is open: facet {facet} has no neighbour at {}", at(*nodes))
+            }
+            Error::NonManifold { facet, nodes } => {
+                write!(f, "facet or cell {facet} is the third to meet at {}", at(*nodes))
+            }
+            Error::InconsistentOrientation { facet, nodes } => {
+                write!(f, "facet or cell {facet} is oriented against its neighbour at {}", at(*nodes))
+            }
+            Error::InvertedSurface { body } => {
+                write!(f, "the facets of body {body} point inwards: they enclose a negative volume")
+            }
+            Error::Empty => write!(f, "there are no cells and no facets"),
+            Error::NotPositive { name, value } => write!(f, "'{name}' is {value}, which is not allowed"),
+            Error::NotPositiveMass { node, value } => {
+                write!(f, "node {node} feels contact, and its mass is {value}: a positive one is needed")
+            }
+            Error::BadPose { obstacle } => {
+                write!(f, "the pose of obstacle {obstacle} is not a finite position, a rotation and a positive scale")
+            }
+            Error::ObstacleOutOfRange { obstacle, count } => {
+                write!(f, "there is no obstacle {obstacle}, only {count}")
+            }
+            Error::ObstacleRemoved { obstacle } => write!(f, "obstacle {obstacle} was removed"),
+            Error::BodyOutOfRange { body, count } => write!(f, "there is no body {body}, only {count}"),
+            Error::OfPair { sides: [(first, a), (second, b)], cause } => {
+                write!(f, "pair of {first} {a} and {second} {b}: {cause}")
+            }
+            Error::FreedomOutOfRange { freedom, count } => {
+                write!(f, "a list names degree of freedom {freedom}, but there are {count}")
+            }
+            Error::RepeatedFreedom { freedom } => {
+                write!(f, "degree of freedom {freedom} is named twice, or after one of a higher number")
+            }
+            Error::NonFiniteStiffness { array, entry } => write!(f, "entry {entry} of '{array}' is not finite"),
+            Error::SingularStiffness { freedom } => write!(
+                f,
+                "the stiffness of bodies and contact together is singular at degree of freedom {freedom}: is every body held?"
+            ),
+            Error::IndefiniteStiffness { freedom, pivot } => write!(
+                f,
+                "the stiffness of bodies and contact together is not positive definite: it is {pivot:.3e} at degree of \
+                 freedom {freedom}, when those before it move freely"
+            ),
+            Error::Place { code } => write!(f, "the function that places the nodes returned {code}"),
+            Error::NonFiniteSlip { facet } => write!(f, "the slip of facet {facet} is not finite"),
+            Error::NoStep => {
+                write!(f, "with friction a step has to begin before contact is evaluated: call begin_step")
+            }
+            Error::DegenerateHull { point_count } => {
+                write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")
+            }
+            Error::TooFewHeights { axis, count } => {
+                write!(f, "the height field has {count} points along axis {axis}, and at least 2 are needed")
+            }
+            Error::NonFiniteHeight { point } => write!(f, "height {point} is not finite"),
+            Error::EmptyCompound => write!(f, "the compound has no parts"),
+            Error::Unsupported { what } => write!(f, "not supported: {what}"),
+            Error::SignedDistance { obstacle, point } => {
+                write!(
+                    f,
+                    "the signed distance of obstacle {obstacle} failed or is not finite at point {point} of the batch, or grows faster there than a distance"
+                )
+            }
+            Error::TooManyFibers { needed, limit } => {
+                write!(
+                    f,
+                    "the spacing is too small for these bodies: {needed:.3e} fibers or crossings would be needed, the \
+                     limit is {limit:.3e}; so it is, too, after a step of the host that has run away"
+                )
+            }
+            Error::UnfinishedLines { obstacle, lines, steps } => {
+                write!(
+                    f,
+                    "{lines} lines along the boundary of obstacle {obstacle} were not searched to their ends in {steps} \
+                     steps: its resolution, or the spacing of the lines, is too fine"
+                )
+            }
+            Error::TooManyPieces { sides: [(first, a), (second, b)], limit } => {
+                write!(
+                    f,
+                    "the facets of {first} {a} and {second} {b} lie in so many layers that they fall apart into more than \
+                     {limit} pieces: a mesh is folded through itself, or a step of the host has run away"
+                )
+            }
+            Error::Overflow { quantity, value } => {
+                write!(f, "the {quantity} is {value}: beyond the range of a double")
+            }
+            Error::Threads { threads } => {
+                write!(f, "{threads} threads could not be started; 'threads' may be 1 to 1024")
+            }
+        }
+    }
+}
+
+/// An edge of the surface, in the plane a node.
+fn at(nodes: [usize; 2]) -> String {
+    match nodes {
+        [first, second] if first == second => format!("node {first}"),
+        [first, second] => format!("nodes {first} and {second}"),
+    }
+}
