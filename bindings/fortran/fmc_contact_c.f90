@@ -792,7 +792,7 @@ module fmc_contact_c
       integer(c_size_t), value :: count
       integer(c_int64_t), intent(in), optional :: held(*)
       integer(c_size_t), value :: held_count
-      real(c_double), intent(in), optional :: stiffness
+      real(c_double), intent(in), optional :: stiffness(*)
       real(c_double), intent(in), optional :: residual(*)
       type(c_funptr), value :: place
       type(c_ptr), value :: user

@@ -57,7 +57,8 @@ def declared(declaration):
         return NUMBERS[kind]
     if kind == "fmc_context":
         return _signatures.Context if stars == "*" else ctypes.POINTER(_signatures.Context)
-    if kind in ARRAYS and name not in SCALARS:
+    # What is read is an array, whatever its name: one number is passed by value.
+    if kind in ARRAYS and (name not in SCALARS or declaration.strip().startswith("const")):
         return ARRAYS[kind]
     return ctypes.POINTER(pointee(kind))
 

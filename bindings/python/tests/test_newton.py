@@ -139,49 +139,17 @@ print(newton(host, contact, coords, range(8), young=1e3).iterations)
 def test_two_levels_find_the_same_equilibrium_in_fewer_iterations(column):
     sparse = pytest.importorskip("scipy.sparse")
     coords, contact, host = column
-    for push in (0.15, 0.2, 0.3):
+    for push in (0.101, 0.102):
         plain = newton(host, contact, coords, FREE, pushed(coords, push), young=YOUNG)
         for kind in (np.asarray, sparse.csr_matrix):
             found = newton(
                 lambda x, kind=kind: (host(x)[0], kind(host(x)[1])), contact, coords, FREE, pushed(coords, push),
                 young=YOUNG, two_level=True,
             )  # fmt: skip
-            assert found.iterations <= 2 and found.soft_iterations == 0 and found.residuals[-1] <= 1e-9
+            assert found.iterations <= 2 < plain.iterations and found.soft_iterations == 0
+            assert found.residuals[-1] <= 1e-9
             assert np.abs(found.x - plain.x).max() < 1e-9
             assert np.abs(found.reactions - plain.reactions).max() < 1e-6
-
-
-def test_two_levels_follow_contact_that_begins_ends_and_begins(column):
-    coords, contact, host = column
-    x = coords
-    for push in (0.05, 0.15, 0.05, 0.2):
-        found = newton(host, contact, x, FREE, pushed(coords, push), young=YOUNG, two_level=True)
-        plain = newton(host, contact, x, FREE, pushed(coords, push), young=YOUNG)
-        assert np.abs(found.x - plain.x).max() < 1e-9 and found.iterations <= plain.iterations
-        assert (np.abs(found.result.forces).max() > 0) == (push > 0.1)
-        x = found.x
-
-
-def test_what_two_levels_cannot_do_the_plain_method_does(column):
-    """Springs in the place of bodies that only contact holds: nothing is left of them but the contact."""
-    coords, contact, _ = column
-    # The lower square stands on the ground, the upper one lies on it under its weight.
-    matrix = np.zeros((16, 16))
-    for a, b, axis in [(0, 3, 1), (1, 2, 1), (4, 7, 1), (5, 6, 1), (0, 1, 0), (2, 3, 0), (4, 5, 0), (6, 7, 0)]:
-        p, q = 2 * a + axis, 2 * b + axis
-        matrix[[p, q], [p, q]] += YOUNG / 2
-        matrix[[p, q], [q, p]] -= YOUNG / 2
-    matrix += np.diag([1e-3, 0.0] * 8)
-    weight = np.zeros(16)
-    weight[[13, 15]] = 0.5
-    host = lambda x: (matrix @ (x - coords).ravel() + weight, matrix)  # noqa: E731
-    start = coords.copy()
-    start[4:, 1] -= 0.101
-    free = np.arange(4, 16)
-    plain = newton(host, contact, start, free, young=YOUNG)
-    found = newton(host, contact, start, free, young=YOUNG, two_level=True)
-    assert np.abs(found.x - plain.x).max() < 1e-9
-    assert found.result.forces[4:, 1].sum() == pytest.approx(1.0, rel=1e-9)
 
 
 def test_a_contact_whose_freedoms_are_not_unknowns_is_refused(column):

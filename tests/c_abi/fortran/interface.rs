@@ -16,7 +16,7 @@ module fmc_contact_c
   public
 ";
 
-/// Pointers to numbers that are one number, not an array.
+/// Pointers to numbers that are written, one number each, not an array.
 const SCALARS: [&str; 16] = [
     "code",
     "count",
@@ -100,7 +100,7 @@ fn argument_of(argument: &Variable, of_callback: bool) -> String {
         _ => {
             let is_array = match of_type.starts_with("fmc_") {
                 true => of_type != "fmc_coords" && ARRAYS.contains(&name.as_str()),
-                false => !SCALARS.contains(&name.as_str()),
+                false => *is_const || !SCALARS.contains(&name.as_str()),
             };
             let shape = if is_array { "(*)" } else { "" };
             format!("{}, intent({intent}){may_lack} :: {name}{shape}", type_of(of_type))

@@ -120,6 +120,12 @@ def newton(
     a ``solve`` that asks for it, and the method goes on where that of the current pressure does not converge, but takes
     more solves. The equilibrium is the same. Friction is released afterwards.
 
+    ``two_level``: the bodies are factorised down to the unknowns that feel contact, and the contact is iterated as it is
+    (``Contact.contact_step``), without soft iterations; where that leads nowhere, the rest is plain. It takes fewer linear
+    solves where contact opens and closes on bodies that are well held. Where they may slip away sideways, a first overlap of more
+    than some hundredths of a cell may end in another equilibrium than that of the plain method: take smaller load steps there, or the
+    plain method.
+
     Errors: ``NotConvergedError``, also where a cell is inverted, the matrix singular or the residual not finite. A
     smaller load step helps; if the matrix is singular, a body must be held. ``ValueError`` for shapes.
     """
