@@ -2,6 +2,7 @@
 
 use super::basis::Basis;
 use super::children::{Child, children};
+use super::curved_cells::CurvedCells;
 use super::entities::Entities;
 use super::interpolation::Interpolation;
 use crate::Error;
@@ -29,6 +30,8 @@ pub(crate) struct Division {
     /// Corners of the given cells (or facets), one after the other, and where they begin.
     pub(super) corners: Vec<u32>,
     pub(super) starts: Vec<usize>,
+    /// Cells of second order, block by block.
+    pub(super) curved: Vec<CurvedCells>,
     /// Children of a cell, by its type.
     pub(super) types: Vec<(CellType, Vec<Child>)>,
 }
@@ -102,6 +105,7 @@ impl Division {
                 all.starts.push(all.corners.len());
             }
             all.divide(*cell_type, cells.map(|(nodes, cell)| (cell as u32, nodes)), &mut points)?;
+            all.curved.extend(CurvedCells::new(*cell_type, cell, conn));
             cell += conn.len() / size;
         }
         points.check_straight_cells(blocks)?;
@@ -157,6 +161,7 @@ impl Division {
             facets: Vec::new(),
             corners: Vec::new(),
             starts: Vec::new(),
+            curved: Vec::new(),
             types: Vec::new(),
         }
     }
@@ -223,6 +228,30 @@ impl Division {
     pub(crate) fn corners_of_face(&self, straight: usize, face: usize) -> impl DoubleEndedIterator<Item = u32> {
         let corners = &self.corners[self.starts[self.cell(straight)]..];
         self.origins[straight].cell_type.faces()[face].iter().map(move |&local| corners[local])
+    }
+
+    /// Cells of second order, block by block.
+    pub(crate) fn curved(&self) -> &[CurvedCells] {
+        &self.curved
+    }
+
+    /// Takes which cells are mirrored from their straight parts.
+    pub(crate) fn orient(&mut self, is_flipped: impl Fn(usize) -> bool) {
+        for (straight, origin) in self.origins.iter().enumerate() {
+            let cell = origin.cell as usize;
+            if let Some(curved) = self.curved.iter_mut().find(|curved| curved.numbers().contains(&cell)) {
+                let first = curved.numbers().start;
+                curved.is_flipped[cell - first] = is_flipped(straight);
+            }
+        }
+    }
+
+    /// The error of an inverted straight part, as one of its whole cell where the map of that folds.
+    pub(crate) fn folded<const D: usize>(&self, error: Error, points: &[[f64; D]]) -> Error {
+        let error = self.told(error);
+        let Error::InvertedCell { cell } = error else { return error };
+        let curved = self.curved.iter().find(|curved| curved.numbers().contains(&cell));
+        curved.and_then(|curved| curved.fold(cell - curved.numbers().start, points)).unwrap_or(error)
     }
 
     /// An error with cells as given.
@@ -353,7 +382,7 @@ impl Points {
 ///
 /// A tensor product in each case: of the edge's weights −1/6, 4/3, −1/6 where there is a node in every middle, else of their
 /// serendipity part, linear ones and κ times the bubbles of the edges.
-fn row(entities: &Entities, point: usize, local: &[u32], given: Option<u32>) -> Vec<(u32, f64)> {
+pub(super) fn row(entities: &Entities, point: usize, local: &[u32], given: Option<u32>) -> Vec<(u32, f64)> {
     let aside = (1.0 - RISE) / 2.0;
     let corners = entities.around(point);
     let nodes = |points: &[usize], weight: f64| points.iter().map(|&p| (local[p], weight)).collect::<Vec<_>>();
