@@ -120,15 +120,16 @@ impl<const D: usize> Group<D> {
                 return Ok(margin);
             }
         }
-        let curved = self.curved.map(|block| &curved[block]);
-        match curved {
-            Some(curved) => curved.check(self.cells.clone(), coords)?,
-            None => cells.check_range(self.cells.clone(), coords)?,
-        }
+        let (range, width) = (self.cells.clone(), |cell| width(cells, cell, coords));
+        self.width = match self.curved {
+            Some(block) => curved[block].check(range, coords)?,
+            None => {
+                cells.check_range(range.clone(), coords)?;
+                range.map(width).fold(f64::INFINITY, f64::min)
+            }
+        };
         self.reference.clear();
         self.reference.extend(self.nodes.iter().map(|&n| coords[n as usize]));
-        let width = |cell| curved.map_or_else(|| width(cells, cell, coords), |curved| curved.width(cell, coords));
-        self.width = self.cells.clone().map(width).fold(f64::INFINITY, f64::min);
         Ok(0.5 * TRUSTED * self.width)
     }
 

@@ -42,7 +42,7 @@ impl<const D: usize> Surface<D> {
     /// # Errors
     /// [`Error::FoldedCell`].
     pub(super) fn check_curved(&self, points: &[[f64; D]]) -> Result<(), Error> {
-        self.curved().iter().try_for_each(|curved| curved.check(0..curved.len(), points))
+        self.curved().iter().try_for_each(|curved| curved.check(0..curved.len(), points).map(|_| ()))
     }
 
     /// Cells of second order, block by block.

@@ -31,8 +31,9 @@ struct Place {
     point: MapPoint,
     /// ∂x/∂ξ by axis and point of the cell.
     gradients: Vec<f64>,
-    /// Σ of the sizes of what is in a line of it, by axis; 0 beyond the dimension.
-    sums: [f64; 3],
+    /// How much a line of it can change where points move by one, at most, and all lines together.
+    largest: f64,
+    norm: f64,
 }
 
 impl CurvedCells {
@@ -53,8 +54,10 @@ impl CurvedCells {
         let place = |(point, place): (MapPoint, [f64; 3])| {
             let of_points = shape.gradients(place) * &nodes;
             let line = |axis: usize| of_points.row(axis).iter().copied().collect::<Vec<f64>>();
-            let sum = |axis: usize| if axis < dim { line(axis).iter().map(|x| x.abs()).sum() } else { 0.0 };
-            Place { point, gradients: (0..dim).flat_map(line).collect(), sums: std::array::from_fn(sum) }
+            let sums = (0..dim).map(|axis| line(axis).iter().map(|x| x.abs()).sum::<f64>());
+            let (largest, squared) =
+                sums.fold((0.0f64, 0.0), |(most, squared), sum| (most.max(sum), squared + sum * sum));
+            Place { point, gradients: (0..dim).flat_map(line).collect(), largest, norm: squared.sqrt() }
         };
         let of_nodes = places(cell_type, &entities).into_iter().enumerate();
         // Derivatives at the apex of a pyramid depend on where one comes from.
@@ -87,12 +90,17 @@ impl CurvedCells {
     }
 
     /// Checks that no map of some cells folds: a determinant below zero by more than rounding. It may be zero, as at the tip of a
-    /// crack, where nodes are drawn to the quarter of an edge or fall together.
+    /// crack, where nodes are drawn to the quarter of an edge or fall together. Returns twice how far every point of these cells
+    /// may move, apart from a translation, before a determinant can vanish.
+    ///
+    /// J + dJ is regular as long as the norm of dJ is below the least singular value of J, which is at least |det J| over
+    /// (‖J‖/√(D − 1))^(D − 1), since the others' product is at most that.
     ///
     /// # Errors
     /// [`Error::FoldedCell`], of the lowest cell.
-    pub(crate) fn check<const D: usize>(&self, cells: Range<usize>, coords: &[[f64; D]]) -> Result<(), Error> {
+    pub(crate) fn check<const D: usize>(&self, cells: Range<usize>, coords: &[[f64; D]]) -> Result<f64, Error> {
         let mut x = Vec::with_capacity(self.size);
+        let mut width = f64::INFINITY;
         for cell in cells {
             let extent = self.place(cell, coords, &mut x);
             let sign = if self.is_flipped[cell] { -1.0 } else { 1.0 };
@@ -102,26 +110,14 @@ impl CurvedCells {
                 if determinant < 0.0 && determinant < -place.rounding(&edges, extent) {
                     return Err(Error::FoldedCell { cell: self.first + cell, at: place.point, determinant });
                 }
+                let squared = edges.iter().map(|edge| edge.norm_squared()).sum::<f64>() / (D - 1) as f64;
+                let others = if D == 2 { squared.sqrt() } else { squared };
+                let trusted = 2.0 * determinant.abs() / (others * place.norm);
+                // Not a number where all points fall together.
+                width = if trusted < width || trusted.is_nan() { trusted } else { width };
             }
         }
-        Ok(())
-    }
-
-    /// Twice how far every point of a cell may move, apart from a translation, before a determinant can vanish.
-    ///
-    /// J + dJ is regular as long as the norm of dJ is below the least singular value of J, which is at least |det J| over
-    /// (‖J‖/√(D − 1))^(D − 1), since the others' product is at most that.
-    pub(crate) fn width<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> f64 {
-        let mut x = Vec::with_capacity(self.size);
-        self.place(cell, coords, &mut x);
-        let of_place = |place: &Place| {
-            let edges: [Vector<D>; D] = place.edges(&x);
-            let squared = edges.iter().map(|edge| edge.norm_squared()).sum::<f64>();
-            let least = determinant::<D>(&edges).abs() / (squared / (D - 1) as f64).sqrt().powi(D as i32 - 1);
-            2.0 * least / place.sums.iter().map(|sum| sum * sum).sum::<f64>().sqrt()
-        };
-        let least = self.at.iter().map(of_place).fold(f64::INFINITY, f64::min);
-        if least.is_nan() { 0.0 } else { least }
+        Ok(if width.is_nan() { 0.0 } else { width })
     }
 
     /// Points of a cell from its first one, and the largest coordinate.
@@ -167,7 +163,7 @@ impl Place {
     /// What rounding of coordinates and of J may make of a determinant of zero.
     fn rounding<const D: usize>(&self, edges: &[Vector<D>; D], extent: f64) -> f64 {
         let axes = (D as f64).sqrt();
-        let of_edge = 16.0 * f64::EPSILON * axes * extent * self.sums.iter().copied().fold(0.0, f64::max);
+        let of_edge = 16.0 * f64::EPSILON * axes * extent * self.largest;
         let longest = edges.iter().map(|edge| edge.norm()).fold(0.0, f64::max);
         D as f64 * of_edge * (longest + of_edge).powi(D as i32 - 1)
     }
