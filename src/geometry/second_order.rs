@@ -26,6 +26,7 @@ mod division;
 mod entities;
 mod facets;
 mod interpolation;
+mod point_rows;
 mod refined;
 mod shape_functions;
 

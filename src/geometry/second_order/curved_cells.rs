@@ -3,8 +3,8 @@
 //! x(ξ) = Σ Nₐ(ξ) xₐ has the Jacobian J = ∂x/∂ξ. What is at hand are the points X of the division, and the nodes of a cell are
 //! fixed combinations of those of its points that stand for nodes; so J is a combination of these points.
 
-use super::division::row;
 use super::entities::Entities;
+use super::point_rows::row;
 use super::shape_functions::{ShapeFunctions, places};
 use crate::Error;
 use crate::error::MapPoint;
