@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import skfem
+from fmc_contact.other_basis import ROUNDING, nodes_from_unknowns
 from fmc_contact.second_order import readings
-from scipy.sparse import coo_matrix, csr_matrix
+from scipy.sparse import csr_matrix
 from skfem import CellBasis
 
 from .errors import LayoutError
-
-# Values of shape functions on nodes are of size one: what is smaller than this is rounding.
-_ROUNDING = 1e-11
 
 
 def from_unknowns(basis: CellBasis, cell_type: str, corners: np.ndarray, conn: np.ndarray) -> tuple[csr_matrix, np.ndarray]:
@@ -31,28 +29,19 @@ def from_unknowns(basis: CellBasis, cell_type: str, corners: np.ndarray, conn: n
         at_places = np.asarray(found if isinstance(found, np.ndarray) else found.value)
         if at_places.ndim != 2:
             raise LayoutError(f"the displacement is of {name}, whose functions are no numbers")
-        if len(unread) and np.abs(at_places @ unread.T).max() > _ROUNDING:
+        if len(unread) and np.abs(at_places @ unread.T).max() > ROUNDING:
             raise LayoutError(
                 f"the displacement is of {name}, which has functions on the faces of tetrahedra that nodes of second order "
                 "cannot follow"
             )
         values[k] = at_places @ weights.T
-    values[np.abs(values) < _ROUNDING] = 0.0
     first_dofs, unknown = np.unique(dofs_of_cells, return_inverse=True)
     unknown = unknown.reshape(dofs_of_cells.shape)
     dofs = np.empty((len(first_dofs), dim), np.int64)
     for axis in range(dim):
         dofs[unknown, axis] = basis.element_dofs[axis::dim]
-    # A row for every node of every cell; those of one node are the same.
-    rows = np.broadcast_to(np.arange(conn.size).reshape(conn.shape), values.shape)
-    cols = np.broadcast_to(unknown[:, :, None], values.shape)
-    shape = (conn.size, len(first_dofs))
-    of_cells = coo_matrix((values.ravel(), (rows.ravel(), cols.ravel())), shape).tocsr()
-    of_cells.eliminate_zeros()
-    nodes, first = np.unique(conn.ravel(), return_index=True)
-    matrix = of_cells[first]
-    apart = abs(of_cells - matrix[np.searchsorted(nodes, conn.ravel())])
-    if apart.nnz and apart.max() > 10 * _ROUNDING:
+    matrix = nodes_from_unknowns(values, unknown, conn, len(first_dofs))
+    if matrix is None:
         raise LayoutError(
             f"the displacement is of {name}: its cells do not agree where they meet, or not at a node; continuous elements, "
             "such as Lagrange elements, are wanted"
