@@ -7,7 +7,7 @@ import ufl
 from dolfinx import fem
 from dolfinx import mesh as dmesh
 from dolfinx.fem import petsc
-from fmc_contact_dolfinx import DolfinxContact, LayoutError
+from fmc_contact_dolfinx import DolfinxContact, LayoutError, by_input_number, set_by_input_number
 from fmc_contact_dolfinx.versions import cell_dofs, mesh_from_cells, vector_of
 from mpi4py import MPI
 from scenes import NAMES, block
@@ -108,3 +108,14 @@ def test_what_cannot_be_read_is_refused():
     V, contact = on_plane("P3")
     with pytest.raises(LayoutError, match="no nodes"):
         contact.function(np.zeros(3))
+
+
+def test_displacements_of_vertices_by_input_number():
+    V, contact = on_plane("Q3")
+    u = fem.Function(V)
+    u.interpolate(lambda x: np.array([x[0] + 2 * x[1] ** 3, x[0] * x[1]]))
+    x, _ = block("quad", 2, [0.0] * 2, [1.0] * 2)
+    expected = np.column_stack([x[:, 0] + 2 * x[:, 1] ** 3, x[:, 0] * x[:, 1]])
+    assert np.abs(by_input_number(u) - expected).max() < 1e-12
+    with pytest.raises(LayoutError, match="no nodes"):
+        set_by_input_number(u, expected)
