@@ -2,6 +2,16 @@
 
 mod text;
 
+/// A place at which the map of a cell of second order is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapPoint {
+    /// A node, by its number in the cell.
+    Node(usize),
+    /// A point of the rule by which stiffness is mostly integrated, from 0, the first coordinate fastest: 3 points in `Tri6`, 4 in
+    /// `Tet10`, 9 in `Quad8`, `Quad9` and `Wedge15`, 27 in `Hex20` and `Hex27`, 8 in `Pyramid13`.
+    Quadrature(usize),
+}
+
 /// Cause of a failure. After any error, the object that was called is as it was before the call.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -77,6 +87,16 @@ pub enum Error {
     InvertedCell {
         /// Cell, or facet.
         cell: usize,
+    },
+    /// The map of a cell of second order folds: its Jacobian determinant is negative, or positive in a mirrored cell, at a node or
+    /// a quadrature point. Zero is allowed.
+    FoldedCell {
+        /// Cell.
+        cell: usize,
+        /// Where in the cell.
+        at: MapPoint,
+        /// The determinant there, negative, in the coordinates of a cell with edges of length one (the base of a pyramid: two).
+        determinant: f64,
     },
     /// A cell or facet has no length, area or volume.
     ZeroMeasure {

@@ -25,7 +25,7 @@ pub mod sampling;
 mod capi;
 
 pub use contact::{Contact, ContactForces, EnergyLaw, FiberProfile, Options, contact_force};
-pub use error::Error;
+pub use error::{Error, MapPoint};
 pub use geometry::{
     Basis, Bodies, BoundaryFacet, CellBlock, CellType, FacetBlock, FacetType, HeightField, Obstacle, PointWeights,
     Pose, Shape, SignedDistance, Surface,

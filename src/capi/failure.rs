@@ -36,9 +36,10 @@ impl From<Error> for Failure {
 /// The error with its nodes, cells and facets counted from `base`; a node out of range is named as given already.
 fn renumbered(mut error: Error, base: usize) -> Error {
     match &mut error {
-        Error::NodeOutOfRange { cell, .. } | Error::InvertedCell { cell } | Error::ZeroMeasure { cell } => {
-            *cell += base
-        }
+        Error::NodeOutOfRange { cell, .. }
+        | Error::InvertedCell { cell }
+        | Error::FoldedCell { cell, .. }
+        | Error::ZeroMeasure { cell } => *cell += base,
         Error::NonFiniteCoordinate { node, .. }
         | Error::NotPositiveMass { node, .. }
         | Error::NegativeRadius { node, .. } => *node += base,

@@ -177,7 +177,8 @@ impl From<&Error> for fmc_status {
             Error::NodeOutOfRange { .. } => FMC_ERROR_NODE_OUT_OF_RANGE,
             Error::NonFiniteCoordinate { .. } => FMC_ERROR_NON_FINITE_COORDINATE,
             Error::RepeatedNode { .. } => FMC_ERROR_REPEATED_NODE,
-            Error::InvertedCell { .. } => FMC_ERROR_INVERTED_CELL,
+            // A host does the same about both.
+            Error::InvertedCell { .. } | Error::FoldedCell { .. } => FMC_ERROR_INVERTED_CELL,
             Error::ZeroMeasure { .. } => FMC_ERROR_ZERO_MEASURE,
             Error::OpenSurface { .. } => FMC_ERROR_OPEN_SURFACE,
             Error::NonManifold { .. } => FMC_ERROR_NON_MANIFOLD,

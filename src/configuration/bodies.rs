@@ -57,7 +57,12 @@ impl<const D: usize> Configuration<D> {
         }
         surface.check_coords(coords, check_cells)?;
         if let (Some(cells), true) = (&surface.cells, check_cells) {
-            self.cell_check.get_or_insert_with(|| CellCheck::new(cells)).check(cells, coords, parallel)?;
+            self.cell_check.get_or_insert_with(|| CellCheck::new(cells, surface.curved())).check(
+                cells,
+                surface.curved(),
+                coords,
+                parallel,
+            )?;
         }
         self.is_checked = self.is_upright;
         if is_here {

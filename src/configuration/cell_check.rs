@@ -13,10 +13,14 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::facet::determinant;
 use crate::geometry::inverted::CHUNK;
+use crate::geometry::second_order::CurvedCells;
 use rayon::prelude::*;
 
 /// Part of the width up to which movements are trusted, for rounding in the determinants.
 const TRUSTED: f64 = 0.9;
+
+/// Cells whose maps are checked together: each costs as much as some dozens of straight ones.
+const CHUNK_OF_MAPS: usize = CHUNK / 16;
 
 /// Groups of cells, with the positions in which they were last checked.
 #[derive(Default)]
@@ -28,6 +32,8 @@ pub(crate) struct CellCheck<const D: usize> {
 }
 
 struct Group<const D: usize> {
+    /// Block of cells of second order, whose maps are looked at; `None`: straight cells.
+    curved: Option<usize>,
     cells: std::ops::Range<usize>,
     /// Its nodes, each once, and where they were.
     nodes: Vec<u32>,
@@ -38,16 +44,27 @@ struct Group<const D: usize> {
 
 impl<const D: usize> CellCheck<D> {
     /// Nothing has been checked yet.
-    pub(crate) fn new(cells: &Cells) -> Self {
+    pub(crate) fn new(cells: &Cells, curved: &[CurvedCells]) -> Self {
         let mut groups = Vec::new();
+        let group = |curved, cells, mut nodes: Vec<u32>| {
+            nodes.sort_unstable();
+            nodes.dedup();
+            nodes.shrink_to_fit();
+            Group { curved, cells, nodes, reference: Vec::new(), width: 0.0 }
+        };
+        // First, so that a point is named rather than a part of a cell.
+        for (block, of_block) in curved.iter().enumerate() {
+            for start in (0..of_block.len()).step_by(CHUNK_OF_MAPS) {
+                let range = start..(start + CHUNK_OF_MAPS).min(of_block.len());
+                let nodes = range.clone().flat_map(|cell| of_block.points(cell)).copied().collect();
+                groups.push(group(Some(block), range, nodes));
+            }
+        }
         for range in cells.block_ranges() {
             for start in range.clone().step_by(CHUNK) {
                 let cells_of = start..(start + CHUNK).min(range.end);
-                let mut nodes: Vec<u32> = cells_of.clone().flat_map(|cell| cells.nodes(cell)).copied().collect();
-                nodes.sort_unstable();
-                nodes.dedup();
-                nodes.shrink_to_fit();
-                groups.push(Group { cells: cells_of, nodes, reference: Vec::new(), width: 0.0 });
+                let nodes = cells_of.clone().flat_map(|cell| cells.nodes(cell)).copied().collect();
+                groups.push(group(None, cells_of, nodes));
             }
         }
         Self { groups, reference: Vec::new(), margin: 0.0 }
@@ -56,13 +73,19 @@ impl<const D: usize> CellCheck<D> {
     /// Checks that no cell is inverted or without measure at `coords`; the lowest offending cell is named.
     ///
     /// # Errors
-    /// [`Error::InvertedCell`], [`Error::ZeroMeasure`].
-    pub(crate) fn check(&mut self, cells: &Cells, coords: &[[f64; D]], parallel: bool) -> Result<(), Error> {
+    /// [`Error::InvertedCell`], [`Error::FoldedCell`], [`Error::ZeroMeasure`].
+    pub(crate) fn check(
+        &mut self,
+        cells: &Cells,
+        curved: &[CurvedCells],
+        coords: &[[f64; D]],
+        parallel: bool,
+    ) -> Result<(), Error> {
         if self.margin > 0.0 && self.parted(coords) < self.margin {
             return Ok(());
         }
         self.margin = 0.0;
-        let check = |group: &mut Group<D>| group.check(cells, coords);
+        let check = |group: &mut Group<D>| group.check(cells, curved, coords);
         let margins: Vec<Result<f64, Error>> = if parallel {
             self.groups.par_iter_mut().map(check).collect()
         } else {
@@ -90,17 +113,23 @@ impl<const D: usize> CellCheck<D> {
 
 impl<const D: usize> Group<D> {
     /// How much farther its nodes may part.
-    fn check(&mut self, cells: &Cells, coords: &[[f64; D]]) -> Result<f64, Error> {
+    fn check(&mut self, cells: &Cells, curved: &[CurvedCells], coords: &[[f64; D]]) -> Result<f64, Error> {
         if self.width > 0.0 {
             let margin = 0.5 * TRUSTED * self.width - self.moved(coords);
             if margin > 0.0 {
                 return Ok(margin);
             }
         }
-        cells.check_range(self.cells.clone(), coords)?;
+        let (range, width) = (self.cells.clone(), |cell| width(cells, cell, coords));
+        self.width = match self.curved {
+            Some(block) => curved[block].check(range, coords)?,
+            None => {
+                cells.check_range(range.clone(), coords)?;
+                range.map(width).fold(f64::INFINITY, f64::min)
+            }
+        };
         self.reference.clear();
         self.reference.extend(self.nodes.iter().map(|&n| coords[n as usize]));
-        self.width = self.cells.clone().map(|cell| width(cells, cell, coords)).fold(f64::INFINITY, f64::min);
         Ok(0.5 * TRUSTED * self.width)
     }
 
@@ -157,7 +186,7 @@ mod tests {
             let blocks = [CellBlock { cell_type, conn: &mesh.conn }];
             let surface = Surface::from_cells(&mesh.coords, &blocks, Bodies::Connected).expect("a valid mesh");
             let cells = surface.cells.as_ref().expect("cells");
-            let mut kept = CellCheck::new(cells);
+            let mut kept = CellCheck::new(cells, &[]);
             let (mut passed, mut trusted, mut failed) = (0, 0, 0);
             for step in 0..60 {
                 let s = f64::from(step);
@@ -172,7 +201,7 @@ mod tests {
                 trusted += kept.groups.iter().zip(&before).filter(|(g, m)| 2.0 * **m < TRUSTED * g.width).count();
                 let expected = cells.check_range(0..cells.len(), &coords);
                 for parallel in [false, true] {
-                    assert_eq!(kept.check(cells, &coords, parallel), expected, "{cell_type:?}, step {step}");
+                    assert_eq!(kept.check(cells, &[], &coords, parallel), expected, "{cell_type:?}, step {step}");
                 }
                 if expected.is_ok() { passed += 1 } else { failed += 1 }
             }

@@ -7,7 +7,7 @@ use super::gap_constraints::GapConstraints;
 use super::tangent::{RankOne, Tangent};
 use crate::geometry::Vector;
 use crate::geometry::second_order::{Division, Interpolation};
-use crate::overlap::{Block, FiberTrace, Overlap, Partner, Patches, merged};
+use crate::overlap::{Block, FiberTrace, Overlap, Partner, Patches};
 use std::collections::BTreeMap;
 
 /// A result that was found at the points of a division.
@@ -39,21 +39,12 @@ impl<const D: usize> OntoNodes for (ContactForces<D>, Tangent<D>) {
 impl<const D: usize> OntoNodes for Tangent<D> {
     fn onto_nodes(self, division: &Division) -> Self {
         let map = division.map();
-        let mut blocks = Vec::with_capacity(2 * self.blocks.len());
-        for block in &self.blocks {
-            for (row, of_row) in nodes(map, block.row) {
-                for (col, of_col) in nodes(map, block.col) {
-                    let weight = of_row * of_col;
-                    blocks.push(Block { row, col, value: block.value.map(|line| line.map(|value| weight * value)) });
-                }
-            }
-        }
+        let blocks = blocks_of_nodes(map, &self.blocks);
         let rank_one = self.rank_one.into_iter().map(|part| {
             let (nodes, vector) = gathered(map, part.nodes.iter().zip(&part.vector).map(|(node, g)| (*node, *g)));
             RankOne { factor: part.factor, nodes, vector }
         });
-        // As two parts, so that places which occur twice are merged.
-        Self { blocks: merged(vec![blocks, Vec::new()]), rank_one: rank_one.collect() }
+        Self { blocks, rank_one: rank_one.collect() }
     }
 }
 
@@ -115,6 +106,44 @@ impl<const D: usize> OntoNodes for GapConstraints<D> {
     }
 }
 
+/// Pᵀ K P, sorted, one block a place: row by row, each summed up in the order of the points' blocks.
+fn blocks_of_nodes<const D: usize>(map: &Interpolation, blocks: &[Block<D>]) -> Vec<Block<D>> {
+    // Parts of rows: a node, its weight at the point whose blocks go to it, and these.
+    let mut parts: Vec<(u32, f64, &[Block<D>])> = Vec::new();
+    for of_point in blocks.chunk_by(|a, b| a.row == b.row) {
+        parts.extend(nodes(map, of_point[0].row).map(|(node, weight)| (node, weight, of_point)));
+    }
+    parts.sort_by_key(|(node, ..)| *node);
+    let beyond = blocks.iter().map(|block| (block.col as usize + 1).saturating_sub(map.point_count())).max();
+    let mut places = vec![u32::MAX; map.node_count() + beyond.unwrap_or(0)];
+    let (mut sums, mut row_of): (Vec<Block<D>>, Vec<Block<D>>) = (Vec::with_capacity(2 * blocks.len()), Vec::new());
+    for of_node in parts.chunk_by(|a, b| a.0 == b.0) {
+        for &(row, of_row, blocks) in of_node {
+            for block in blocks {
+                for (col, of_col) in nodes(map, block.col) {
+                    let weight = of_row * of_col;
+                    let place = &mut places[col as usize];
+                    if *place == u32::MAX {
+                        *place = row_of.len() as u32;
+                        row_of.push(Block {
+                            row,
+                            col,
+                            value: block.value.map(|line| line.map(|value| weight * value)),
+                        });
+                        continue;
+                    }
+                    let sums = row_of[*place as usize].value.as_flattened_mut();
+                    sums.iter_mut().zip(block.value.as_flattened()).for_each(|(sum, value)| *sum += weight * value);
+                }
+            }
+        }
+        row_of.iter().for_each(|block| places[block.col as usize] = u32::MAX);
+        row_of.sort_unstable_by_key(|block| block.col);
+        sums.append(&mut row_of);
+    }
+    sums
+}
+
 /// Nodes that move a point, with their weights; what stands for an obstacle in a tangent comes after the nodes as it did after
 /// the points.
 fn nodes(map: &Interpolation, point: u32) -> impl Iterator<Item = (u32, f64)> {
@@ -136,4 +165,49 @@ fn gathered<const D: usize>(
         }
     }
     sums.into_iter().unzip()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::overlap::merged;
+
+    /// Against all products, sorted: the same bits, with what stands for an obstacle and a point that no node moves.
+    #[test]
+    fn rows_are_summed_in_the_order_of_the_points() {
+        let rows = [
+            vec![(0, 1.0)],
+            vec![(1, 1.0)],
+            vec![(0, -1.0 / 6.0), (1, -1.0 / 6.0), (2, 4.0 / 3.0)],
+            vec![(2, 0.3), (0, 0.1), (3, 0.7)],
+            vec![],
+        ];
+        let map = Interpolation::new(4, &rows, |_| true);
+        let value = |k: u32| [[(f64::from(k) * 0.37).sin(), 1e3], [-1.0 / f64::from(k + 3), f64::from(k)]];
+        let mut blocks = Vec::new();
+        for row in 0..7 {
+            blocks.extend((0..7).filter(|col| (row * 7 + col) % 3 != 0).map(|col| Block {
+                row,
+                col,
+                value: value(7 * row + col),
+            }));
+        }
+        let mut all = Vec::new();
+        for block in &blocks {
+            for (row, of_row) in nodes(&map, block.row) {
+                for (col, of_col) in nodes(&map, block.col) {
+                    let weight = of_row * of_col;
+                    all.push(Block { row, col, value: block.value.map(|line| line.map(|value| weight * value)) });
+                }
+            }
+        }
+        let expected = merged(vec![all, Vec::new()]);
+        let found = blocks_of_nodes(&map, &blocks);
+        assert_eq!(found.len(), expected.len());
+        for (found, expected) in found.iter().zip(&expected) {
+            assert_eq!((found.row, found.col), (expected.row, expected.col));
+            let bits = |block: &Block<2>| block.value.as_flattened().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(found), bits(expected));
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The texts of errors.
 
-use super::Error;
+use super::{Error, MapPoint};
 use std::fmt;
 
 impl fmt::Display for Error {
@@ -37,6 +37,17 @@ impl fmt::Display for Error {
                 "cell {cell} is inverted (a facet, where there are no cells): its nodes are numbered against the others, one in \
                  the middle of an edge is too near to a corner, or a step of the host was too large"
             ),
+            Error::FoldedCell { cell, at, determinant } => {
+                let (kind, number) = match at {
+                    MapPoint::Node(node) => ("node", node),
+                    MapPoint::Quadrature(point) => ("quadrature point", point),
+                };
+                write!(
+                    f,
+                    "cell {cell} is inverted at its {kind} {number}, where the Jacobian determinant is {determinant:e}: a node in \
+                     the middle of an edge is too near to a corner, or a step of the host was too large"
+                )
+            }
             Error::ZeroMeasure { cell } => write!(f, "cell or facet {cell} has zero measure"),
             Error::OpenSurface { facet, nodes } => {
                 write!(f, "the surface is open: facet {facet} has no neighbour at {}", at(*nodes))

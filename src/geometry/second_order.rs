@@ -21,12 +21,16 @@
 
 mod basis;
 mod children;
+mod curved_cells;
 mod division;
 mod entities;
 mod facets;
 mod interpolation;
+mod point_rows;
 mod refined;
+mod shape_functions;
 
 pub use basis::Basis;
+pub(crate) use curved_cells::CurvedCells;
 pub(crate) use division::Division;
 pub(crate) use interpolation::Interpolation;

@@ -76,11 +76,13 @@ impl<const D: usize> Surface<D> {
         let ids = division.body_ids(bodies)?;
         let bodies = ids.as_deref().map_or(Bodies::Connected, Bodies::Ids);
         let surface = Self::of_straight_cells(&points, &blocks, bodies);
-        let mut surface = surface.map_err(|error| division.told(error))?;
+        let mut surface = surface.map_err(|error| division.folded(error, &points))?;
         if surface.cells.as_ref().is_some_and(Cells::is_refined) {
             return Err(Error::Unsupported { what: "nodes that hang in a mesh with cells of second order" });
         }
+        division.orient(|straight| surface.cells.as_ref().is_some_and(|cells| cells.is_flipped(straight)));
         surface.division = Some(division);
+        surface.check_curved(&points)?;
         Ok(surface)
     }
 
@@ -208,6 +210,7 @@ impl<const D: usize> Surface<D> {
         };
         let points = self.mesh_points(coords)?;
         self.check_coords(&points, true)?;
+        self.check_curved(&points)?;
         cells.check_range(0..cells.len(), &points).map_err(|error| self.told(error))?;
         self.reference = points.into_owned();
         Ok(())

@@ -1,7 +1,7 @@
 //! Surfaces of meshes whose cells are divided, and of those whose nodes a host's own unknowns move.
 
 use super::cells::Cells;
-use super::second_order::{Basis, Division};
+use super::second_order::{Basis, CurvedCells, Division};
 use super::{Bodies, CellBlock, Surface};
 use crate::Error;
 use std::borrow::Cow;
@@ -35,6 +35,19 @@ impl<const D: usize> Surface<D> {
             Some(division) => division.map().points(coords).map(Cow::Owned),
             None => Ok(Cow::Borrowed(coords)),
         }
+    }
+
+    /// Checks that no map of a cell of second order folds.
+    ///
+    /// # Errors
+    /// [`Error::FoldedCell`].
+    pub(super) fn check_curved(&self, points: &[[f64; D]]) -> Result<(), Error> {
+        self.curved().iter().try_for_each(|curved| curved.check(0..curved.len(), points).map(|_| ()))
+    }
+
+    /// Cells of second order, block by block.
+    pub(crate) fn curved(&self) -> &[CurvedCells] {
+        self.division.as_ref().map_or(&[], |division| division.curved())
     }
 
     /// How cells of second order are divided; `None` where there are none.

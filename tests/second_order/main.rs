@@ -10,6 +10,7 @@ mod flat;
 mod fold;
 mod friction;
 mod lens;
+mod maps;
 mod refused;
 mod round;
 mod told;

@@ -288,3 +288,17 @@ def test_facets_that_cannot_be_taken():
     with pytest.raises(errors.NonConformingError, match="facets, where there are no cells") as caught:
         Contact.from_facets(coords, mixed, stiffness=K)
     assert caught.value.indices["cell"][1] == 5
+
+
+def test_a_cell_that_folds_is_named_with_the_place():
+    """A middle node nearer than a quarter of its edge to a corner, where the derivative along the edge turns round."""
+    x = np.array([[0, 0], [1, 0], [0, 1], [0.5, 0], [0.5, 0.5], [0, 0.5]], float)
+    contact = Contact(x, np.arange(6)[None], "triangle6", stiffness=1.0)
+    x[3, 0] = 0.25
+    contact.evaluate(x)
+    x[3, 0] = 0.2
+    # ∂x/∂ξ at the corner is 4 * 0.2 - 1, ∂y/∂η one.
+    with pytest.raises(errors.InvertedCellError, match=r"cell 0 .* node 0, .* determinant is (-1\.9999\d*|-2|-2\.0000\d*)e-1:"):
+        contact.evaluate(x)
+    contact.set_options(check_cells=False)
+    contact.evaluate(x)

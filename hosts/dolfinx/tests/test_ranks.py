@@ -35,7 +35,8 @@ def alone(ranks, tmp_path_factory):
 @pytest.mark.parametrize(
     "count, kind, order, shown",
     [(2, "triangle", 1, "whole"), (3, "triangle", 1, "whole"), (4, "triangle", 1, "whole"), (4, "quad", 1, "whole"),
-     (3, "triangle", 1, "boundary"), (2, "triangle", 2, "whole"), (3, "quad", 2, "whole"), (4, "tetra", 1, "whole"),
+     (3, "triangle", 1, "boundary"), (2, "triangle", 2, "whole"), (3, "quad", 2, "whole"), (3, "triangle", 3, "whole"),
+     (2, "quad", 3, "whole"), (4, "tetra", 1, "whole"),
      (2, "tetra", 1, "boundary"), (3, "hexahedron", 1, "whole"), (2, "hexahedron", 1, "boundary")],
 )  # fmt: skip
 def test_ranks_agree(ranks, alone, tmp_path, count, kind, order, shown):

@@ -121,12 +121,3 @@ def test_uniform_pressure_is_the_load_of_the_shape_functions(kind):
 def test_curved_meshes_want_second_order():
     with pytest.raises(LayoutError, match="geometry nodes"):
         DolfinxContact(vector_space(curved("triangle"), 1), stiffness=1.0)
-
-
-def test_serendipity_has_no_nodes():
-    """basix' serendipity elements have moments as unknowns, which are no displacements of places."""
-    mesh = space("quad").mesh
-    make = fem.functionspace if hasattr(fem, "functionspace") else None
-    V = make(mesh, ("S", 2, (2,))) if make else fem.VectorFunctionSpace(mesh, ("S", 2))
-    with pytest.raises(LayoutError, match="Lagrange"):
-        DolfinxContact(V, stiffness=1.0)

@@ -78,7 +78,6 @@ def test_other_spaces_are_refused():
     spaces = [
         make("DG", 1, (dim,)) if make else old("DG", 1),
         make("CR", 1, (dim,)) if make else old("CR", 1),
-        make("Lagrange", 3, (dim,)) if make else old("CG", 3),
         make("Lagrange", 1) if make else fem.FunctionSpace(mesh, ("CG", 1)),
     ]
     for other in spaces:

@@ -76,7 +76,7 @@ impl Iterate {
                         false => 0.5 * length,
                     };
                 }
-                Err(Error::InvertedCell { .. }) => length *= 0.5,
+                Err(Error::InvertedCell { .. } | Error::FoldedCell { .. }) => length *= 0.5,
                 Err(error) => return Err(error),
             }
         }

@@ -2,15 +2,14 @@
 
 use super::basis::Basis;
 use super::children::{Child, children};
+use super::curved_cells::CurvedCells;
 use super::entities::Entities;
 use super::interpolation::Interpolation;
+use super::point_rows::row;
 use crate::Error;
 use crate::geometry::cells::check_nodes;
 use crate::geometry::{Bodies, CellBlock, CellType};
 use std::collections::BTreeMap;
-
-/// κ: how much farther from its chord the point of an edge is than the node in its middle.
-const RISE: f64 = 4.0 / 3.0;
 
 /// Straight cells in place of given ones. Points that are nodes, or stand for one in the middle of an edge, face or cell,
 /// have its number; others follow after the nodes.
@@ -29,6 +28,8 @@ pub(crate) struct Division {
     /// Corners of the given cells (or facets), one after the other, and where they begin.
     pub(super) corners: Vec<u32>,
     pub(super) starts: Vec<usize>,
+    /// Cells of second order, block by block.
+    pub(super) curved: Vec<CurvedCells>,
     /// Children of a cell, by its type.
     pub(super) types: Vec<(CellType, Vec<Child>)>,
 }
@@ -102,6 +103,7 @@ impl Division {
                 all.starts.push(all.corners.len());
             }
             all.divide(*cell_type, cells.map(|(nodes, cell)| (cell as u32, nodes)), &mut points)?;
+            all.curved.extend(CurvedCells::new(*cell_type, cell, conn));
             cell += conn.len() / size;
         }
         points.check_straight_cells(blocks)?;
@@ -157,6 +159,7 @@ impl Division {
             facets: Vec::new(),
             corners: Vec::new(),
             starts: Vec::new(),
+            curved: Vec::new(),
             types: Vec::new(),
         }
     }
@@ -223,6 +226,30 @@ impl Division {
     pub(crate) fn corners_of_face(&self, straight: usize, face: usize) -> impl DoubleEndedIterator<Item = u32> {
         let corners = &self.corners[self.starts[self.cell(straight)]..];
         self.origins[straight].cell_type.faces()[face].iter().map(move |&local| corners[local])
+    }
+
+    /// Cells of second order, block by block.
+    pub(crate) fn curved(&self) -> &[CurvedCells] {
+        &self.curved
+    }
+
+    /// Takes which cells are mirrored from their straight parts.
+    pub(crate) fn orient(&mut self, is_flipped: impl Fn(usize) -> bool) {
+        for (straight, origin) in self.origins.iter().enumerate() {
+            let cell = origin.cell as usize;
+            if let Some(curved) = self.curved.iter_mut().find(|curved| curved.numbers().contains(&cell)) {
+                let first = curved.numbers().start;
+                curved.is_flipped[cell - first] = is_flipped(straight);
+            }
+        }
+    }
+
+    /// The error of an inverted straight part, as one of its whole cell where the map of that folds.
+    pub(crate) fn folded<const D: usize>(&self, error: Error, points: &[[f64; D]]) -> Error {
+        let error = self.told(error);
+        let Error::InvertedCell { cell } = error else { return error };
+        let curved = self.curved.iter().find(|curved| curved.numbers().contains(&cell));
+        curved.and_then(|curved| curved.fold(cell - curved.numbers().start, points)).unwrap_or(error)
     }
 
     /// An error with cells as given.
@@ -347,44 +374,4 @@ impl Points {
         }
         Ok(())
     }
-}
-
-/// The weights of nodes at a point that is no corner; `local` are the points before it, and `given` is its own node.
-///
-/// A tensor product in each case: of the edge's weights −1/6, 4/3, −1/6 where there is a node in every middle, else of their
-/// serendipity part, linear ones and κ times the bubbles of the edges.
-fn row(entities: &Entities, point: usize, local: &[u32], given: Option<u32>) -> Vec<(u32, f64)> {
-    let aside = (1.0 - RISE) / 2.0;
-    let corners = entities.around(point);
-    let nodes = |points: &[usize], weight: f64| points.iter().map(|&p| (local[p], weight)).collect::<Vec<_>>();
-    let between = |corners: &[usize]| {
-        let mut middles = Vec::new();
-        for (k, &p) in corners.iter().enumerate() {
-            for &q in &corners[..k] {
-                let middle = entities.between(p, q);
-                let is_edge = (entities.corners..entities.corners + entities.edges.len()).contains(&middle);
-                middles.extend(is_edge.then_some(middle));
-            }
-        }
-        middles
-    };
-    let rows = match (corners.len(), given) {
-        (2, Some(node)) => vec![nodes(&corners, aside), vec![(node, RISE)]],
-        (4, None) => vec![nodes(&corners, 0.25 - RISE / 2.0), nodes(&between(&corners), RISE / 2.0)],
-        (4, Some(node)) => {
-            vec![nodes(&corners, aside * aside), nodes(&between(&corners), RISE * aside), vec![(node, RISE * RISE)]]
-        }
-        (_, None) => vec![nodes(&corners, 0.125 - 3.0 * RISE / 8.0), nodes(&between(&corners), RISE / 4.0)],
-        (_, Some(node)) => {
-            let first = entities.corners + entities.edges.len();
-            let faces: Vec<usize> = (first..first + entities.quads.len()).collect();
-            vec![
-                nodes(&corners, aside * aside * aside),
-                nodes(&between(&corners), RISE * aside * aside),
-                nodes(&faces, RISE * RISE * aside),
-                vec![(node, RISE * RISE * RISE)],
-            ]
-        }
-    };
-    rows.concat()
 }

@@ -14,6 +14,10 @@ pub(crate) struct Interpolation {
     /// Nodes that move a point that is used, ascending, and these points.
     used: Vec<u32>,
     used_points: Vec<bool>,
+    /// Points that are not the node of their number: three nodes move the middle of an edge, most points of most meshes, others
+    /// any number.
+    of_three: Vec<(u32, [u32; 3], [f64; 3])>,
+    of_others: Vec<u32>,
 }
 
 impl Interpolation {
@@ -31,7 +35,15 @@ impl Interpolation {
             Some(*end)
         }));
         let (nodes, weights) = (entries().map(|entry| entry.0).collect(), entries().map(|entry| entry.1).collect());
-        Self { node_count, starts, nodes, weights, used, used_points }
+        let (mut of_three, mut of_others) = (Vec::new(), Vec::new());
+        for (point, row) in (0..).zip(rows) {
+            match row[..] {
+                [(node, 1.0)] if node == point && (node as usize) < node_count => {}
+                [a, b, c] => of_three.push((point, [a.0, b.0, c.0], [a.1, b.1, c.1])),
+                _ => of_others.push(point),
+            }
+        }
+        Self { node_count, starts, nodes, weights, used, used_points, of_three, of_others }
     }
 
     /// Every point a node.
@@ -113,25 +125,36 @@ impl Interpolation {
                 return Err(Error::NonFiniteCoordinate { node, axis });
             }
         }
-        let point = |point: usize| {
-            let mut sum: Option<[f64; D]> = None;
-            for (node, weight) in self.row(point) {
-                let x = coords[node as usize];
-                // A point that is a node keeps its bits.
-                sum = Some(match sum {
-                    None => x.map(|x| weight * x),
-                    Some(sum) => std::array::from_fn(|axis| sum[axis] + weight * x[axis]),
-                });
+        let mut points = Vec::with_capacity(self.point_count());
+        points.extend_from_slice(&coords[..self.node_count.min(self.point_count())]);
+        points.resize(self.point_count(), [0.0; D]);
+        for (point, [a, b, c], weights) in &self.of_three {
+            let (a, b, c) = (&coords[*a as usize], &coords[*b as usize], &coords[*c as usize]);
+            let x = &mut points[*point as usize];
+            for axis in 0..D {
+                x[axis] = weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis];
             }
-            sum.unwrap_or([0.0; D])
-        };
-        Ok((0..self.point_count()).map(point).collect())
+        }
+        for &point in &self.of_others {
+            let mut row = self.row(point as usize);
+            // From the first on, not from zero, which has a sign.
+            let mut x = row.next().map_or([0.0; D], |(node, weight)| coords[node as usize].map(|x| weight * x));
+            for (node, weight) in row {
+                (0..D).for_each(|axis| x[axis] += weight * coords[node as usize][axis]);
+            }
+            points[point as usize] = x;
+        }
+        Ok(points)
     }
 
     /// Forces on the nodes that do the work of forces on the points: Pᵀ f.
     pub(crate) fn onto_nodes<const D: usize>(&self, forces: &[[f64; D]]) -> Vec<[f64; D]> {
         let mut on_nodes = vec![[0.0; D]; self.node_count];
         for (point, force) in forces.iter().enumerate() {
+            // Most points of most meshes: sums that begin at zero keep their bits without it.
+            if force.iter().all(|x| *x == 0.0) {
+                continue;
+            }
             for (node, weight) in self.row(point) {
                 for axis in 0..D {
                     on_nodes[node as usize][axis] += weight * force[axis];

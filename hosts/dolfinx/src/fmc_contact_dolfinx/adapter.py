@@ -17,7 +17,8 @@ from .versions import held_dofs
 class DolfinxContact:
     """Contact between all bodies of one space or of several, with the obstacles that are added to ``contact``.
 
-    ``spaces``: a space of displacements, Lagrange of order 1 or 2, or a list of such, each on a mesh of its own.
+    ``spaces``: a space of displacements, Lagrange of order 1 or 2 or another continuous element (Lagrange of higher order on
+    triangles, quadrilaterals and hexahedra, serendipity of second order), or a list of such, each on a mesh of its own.
     ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``. ``bodies``: a number for every cell of
     this rank, ghosts included, or a list of such, one for every space; default: bodies are the connected components.
 
@@ -57,7 +58,7 @@ class DolfinxContact:
         has_boundary = all(field.order == 1 and not field.has_faces_of_two_shapes for field in fields)
         if whole_mesh is None:
             whole_mesh = options.get("estimator") != "fibers" or not has_boundary
-        if not whole_mesh and any(field.order == 2 for field in fields):
+        if not whole_mesh and any(field.order > 1 for field in fields):
             raise ValueError("the boundary alone is for first order: cells of second order are passed whole")
         numbers = [None if one is None else np.asarray(one, np.int64) for one in given]
         if whole_mesh:
@@ -65,11 +66,15 @@ class DolfinxContact:
         else:
             self._shown = [boundary(field, number) for field, number in zip(fields, numbers)]
         self._first = np.cumsum([0] + [shown.replica.count for shown in self._shown])
+        self._first_nodes = np.cumsum([0] + [len(shown.undeformed) for shown in self._shown])
         self._undeformed = np.concatenate([shown.undeformed for shown in self._shown])
         self._skin: Skin | None = None
         options = {"stiffness": stiffness, **({} if whole_mesh else {"law": "fiber"}), **options}
         self.contact = together(self.comm, lambda: self._made(whole_mesh, options))
         self.dim = self.contact.dim
+        self._frame = 0
+        if any(shown.matrix is not None for shown in self._shown):
+            together(self.comm, self._set_basis)
 
     def _made(self, whole_mesh: bool, options: dict) -> Contact:
         bodies = [shown.body for shown in self._shown]
@@ -77,14 +82,25 @@ class DolfinxContact:
         if whole_mesh:
             blocks = [
                 (shown.displacement.cell_type, shown.cells + first)
-                for shown, first in zip(self._shown, self._first)
+                for shown, first in zip(self._shown, self._first_nodes)
             ]
             return Contact(self._undeformed, blocks, bodies=ids, **options)
         self._skin = Skin([shown.trace for shown in self._shown])
         return Contact.from_facets(self._skin.points(self._undeformed), self._skin.facets, bodies=ids, **options)
 
+    def _set_basis(self) -> None:
+        """Has the nodes moved by unknowns: x = X + B u. The undeformed X are held by the unit vectors of the axes, the first
+        unknowns that the contact is shown."""
+        from scipy.sparse import block_diag, csr_matrix, hstack, identity
+
+        self._frame = self.dim
+        parts = [identity(len(s.undeformed), format="csr") if s.matrix is None else s.matrix for s in self._shown]
+        self._matrix = csr_matrix(block_diag(parts, format="csr"))
+        self.contact.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
+
     def coords(self, *displacements: Any) -> np.ndarray:
-        """Coordinates that the contact is shown, (points, dim), the same on every rank. One displacement for every
+        """Coordinates that the contact is shown, (points, dim), the same on every rank. Where unknowns of a space are not
+        nodes: the unit vectors of the axes, then displacements, of every unknown, (dim + unknowns, dim). One displacement for every
         space: a function, a PETSc vector, or an array of this rank's unknowns; ghosts are not read."""
         if len(displacements) != len(self._shown):
             raise ValueError(f"{len(displacements)} displacements for {len(self._shown)} spaces")
@@ -93,6 +109,8 @@ class DolfinxContact:
             lambda: [s.displacement.owned_values(u) for s, u in zip(self._shown, displacements)],
         )
         moved = [shown.replica.gather(values) for shown, values in zip(self._shown, owned)]
+        if self._frame:
+            return np.concatenate([np.eye(self._frame), *moved])
         at_nodes = self._undeformed + (moved[0] if len(moved) == 1 else np.concatenate(moved))
         return at_nodes if self._skin is None else self._skin.points(at_nodes)
 
@@ -116,6 +134,8 @@ class DolfinxContact:
         """
         from dolfinx import fem
 
+        if self._frame:
+            raise LayoutError("the unknowns of a space are no nodes: there is no function of it with these values at nodes")
         values = np.asarray(values, float)
         is_scalar = values.ndim == 1
         rows = np.zeros((len(values), self.dim))
@@ -183,6 +203,8 @@ class DolfinxContact:
         return found[0] if len(found) == 1 else found
 
     def _on_nodes(self, forces: np.ndarray) -> np.ndarray:
+        if self._frame:
+            return forces[self._frame :]
         return forces if self._skin is None else self._skin.to_nodes(forces)
 
     def _held(self, shown: Shown, bcs: Sequence[Any]) -> np.ndarray:
@@ -205,6 +227,10 @@ class DolfinxContact:
             return self.contact.tangent_parts(coords, semidefinite, symmetric=symmetric).triplets()
 
         found = together(self.comm, parts)
+        if self._frame:
+            held, (rows, cols, values) = self._frame * self.dim, found
+            free = (rows >= held) & (cols >= held)
+            return Triplets(rows[free] - held, cols[free] - held, values[free])
         tangent = Triplets(*found)
         return tangent if self._skin is None else self._skin.tangent_to_nodes(tangent, self.dim)
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from .space import Displacement
+from .space import Displacement, LayoutError
 from .surface import whole
 
 
@@ -15,12 +15,16 @@ def by_input_number(function: Any) -> np.ndarray:
     belongs to row i of the coordinates that ``create_mesh`` was given. Collective."""
     displacement = Displacement(function.function_space)
     shown = whole(displacement, None)
-    return shown.replica.gather(displacement.owned_values(function))[: shown.input_count]
+    values = shown.replica.gather(displacement.owned_values(function))
+    at_nodes = values if shown.matrix is None else shown.matrix @ values
+    return at_nodes[: shown.input_count]
 
 
 def set_by_input_number(function: Any, values: np.ndarray) -> None:
     """Sets a displacement of first order from values (nodes, dim) that every rank has; ghosts too. Collective."""
     displacement = Displacement(function.function_space)
+    if displacement.reading is not None:
+        raise LayoutError("values at the nodes of a mesh do not set a displacement whose unknowns are no nodes")
     replica = whole(displacement, None).replica
     owned = function.x.array[: displacement.owned * displacement.dim].reshape(-1, displacement.dim)
     owned[replica.local] = values[replica.rows]

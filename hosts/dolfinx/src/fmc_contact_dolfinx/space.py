@@ -6,7 +6,8 @@ from typing import Any
 
 import basix
 import numpy as np
-from fmc_contact.second_order import MIDDLES
+from fmc_contact.other_basis import ROUNDING
+from fmc_contact.second_order import MIDDLES, readings
 
 from .cells import CELL_TYPES, SECOND_ORDER, TENSOR_ORDER, places
 from .versions import cell_dofs, cell_geometry, cell_name, geometry_layout
@@ -17,7 +18,8 @@ class LayoutError(TypeError):
 
 
 class Displacement:
-    """A space of displacements, checked: Lagrange of order 1 or 2, a block of ``dim`` unknowns at every node."""
+    """A space of displacements, checked: Lagrange of order 1 or 2, a block of ``dim`` unknowns at every node, or another
+    continuous element, blocks of unknowns of which the nodes are combinations."""
 
     def __init__(self, space: Any) -> None:
         mesh = getattr(space, "mesh", None)
@@ -38,6 +40,8 @@ class Displacement:
         self.topology, self.layout = basix.topology(cell), space.dofmap.dof_layout
         self.has_faces_of_two_shapes = self.kind in ("prism", "pyramid")
         self.order = self._order()
+        self.reading = self._reading() if self.order > 2 else None
+        """Nodes of a cell by its unknowns, (nodes, unknowns), where these are not the nodes: ``order`` is then 3."""
         straight = CELL_TYPES[self.kind]
         self.cell_type = straight if self.order == 1 else SECOND_ORDER[self.kind]
         """As ``fmc_contact`` calls it."""
@@ -46,6 +50,8 @@ class Displacement:
         self._geometry = geometry_layout(mesh)
         self.is_curved = self._geometry.num_dofs != len(self.topology[0])
         """Whether the middles of the cells' edges are given."""
+        if self.is_curved and self.order > 2:
+            raise LayoutError("curved cells want a displacement of Lagrange's second order")
         if self.is_curved and (self.order == 1 or self._geometry.num_dofs != len(self.places)):
             raise LayoutError(
                 f"the cells have {self._geometry.num_dofs} geometry nodes, the displacement has "
@@ -64,9 +70,33 @@ class Displacement:
         wanted = [{1}] * (self.dim + 1) if is_tensor else [{1}, {1}, {0}][: self.dim]
         if self.kind in SECOND_ORDER and counts[: len(wanted)] == wanted:
             return 2
+        if self.kind in SECOND_ORDER and counts[0] == {1}:
+            return 3
         raise LayoutError(
-            f"the nodes of the space are not those of Lagrange elements of order 1 or 2 on cells of type {self.kind}"
+            f"the nodes of the space are not those of Lagrange elements of order 1 or 2 on cells of type {self.kind}, "
+            "nor are its unknowns those of another continuous element on triangles, quadrilaterals, tetrahedra or hexahedra"
         )
+
+    def _reading(self) -> np.ndarray:
+        element = self.space.element
+        if element.needs_dof_transformations:
+            raise LayoutError(
+                "the functions of the space are turned from cell to cell: Lagrange elements, or serendipity of second "
+                "order, are wanted"
+            )
+        straight = CELL_TYPES[self.kind]
+        corners = basix.geometry(getattr(basix.CellType, self.kind))[TENSOR_ORDER[straight]]
+        places_, weights, unread = readings(SECOND_ORDER[self.kind], corners)
+        values = np.asarray(element.basix_element.tabulate(0, places_))[0]
+        values = values.reshape(len(places_), -1)
+        if values.shape[1] != self.layout.num_dofs:
+            raise LayoutError("the functions of the space are vectors: a component a block is wanted")
+        if len(unread) and np.abs(unread @ values).max() > ROUNDING:
+            raise LayoutError(
+                "the space has functions on the faces of tetrahedra that nodes of second order cannot follow: Lagrange "
+                "elements of order 1 or 2 are wanted"
+            )
+        return weights @ values
 
     def node_blocks(self) -> np.ndarray:
         """Blocks of the nodes of all cells here, ghosts last, (cells, nodes), in the order of ``fmc_contact``."""

@@ -7,10 +7,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from dolfinx import mesh as dmesh
+from fmc_contact.other_basis import nodes_from_unknowns
+from fmc_contact.second_order import MIDDLES
 from fmc_contact.trace import Trace
 
 from .replica import Replica, gather_rows
-from .space import Displacement
+from .space import Displacement, LayoutError
 from .versions import cell_dofs
 
 
@@ -28,6 +30,8 @@ class Shown(NamedTuple):
     trace: Trace | None
     body: np.ndarray | None
     """Number of every cell or flat facet."""
+    matrix: Any = None
+    """From unknowns, the rows of the replica, to nodes, where unknowns are not the nodes."""
 
 
 def _replica(displacement: Displacement, blocks: np.ndarray) -> Replica:
@@ -48,13 +52,38 @@ def whole(displacement: Displacement, bodies: np.ndarray | None) -> Shown:
     order = np.argsort(gather_rows(comm, number), kind="stable")
     inputs = _inputs(displacement)[displacement.given_geometry(count)]
     inputs = gather_rows(comm, inputs)[order]
-    blocks = gather_rows(comm, displacement.global_blocks(displacement.node_blocks()[:count]))[order]
+    if displacement.reading is None:
+        blocks = gather_rows(comm, displacement.global_blocks(displacement.node_blocks()[:count]))[order]
+    else:
+        blocks = _middles(inputs, MIDDLES[displacement.cell_type])
     x = gather_rows(comm, np.ascontiguousarray(displacement.node_coords(count)))[order]
     nodes, first = _numbered(inputs, blocks)
     body = None if bodies is None else gather_rows(comm, bodies[:count])[order]
-    replica = _replica(displacement, blocks.ravel()[first])
     undeformed = x.reshape(-1, displacement.dim)[first]
-    return Shown(displacement, replica, undeformed, nodes, len(np.unique(inputs)), None, body)
+    if displacement.reading is None:
+        replica = _replica(displacement, blocks.ravel()[first])
+        return Shown(displacement, replica, undeformed, nodes, len(np.unique(inputs)), None, body)
+    of_cells = gather_rows(comm, displacement.global_blocks(cell_dofs(displacement.space)[:count]))[order]
+    unknowns, seen, number = np.unique(of_cells, return_index=True, return_inverse=True)
+    by_cells = np.argsort(seen)
+    place = np.empty(len(unknowns), np.int64)
+    place[by_cells] = np.arange(len(unknowns))
+    reading = np.broadcast_to(displacement.reading.T[:, None], (of_cells.shape[1], *nodes.shape))
+    matrix = nodes_from_unknowns(reading, place[number.reshape(of_cells.shape)].T, nodes, len(unknowns))
+    if matrix is None:
+        raise LayoutError("the cells of the space do not agree where they meet: continuous elements are wanted")
+    replica = _replica(displacement, unknowns[by_cells])
+    return Shown(displacement, replica, undeformed, nodes, len(np.unique(inputs)), None, body, matrix)
+
+
+def _middles(inputs: np.ndarray, middles: list[tuple[int, ...]]) -> np.ndarray:
+    """A number for every node of cells by their corners' input numbers, (cells, nodes): the same for the same corners."""
+    most = max(len(around) for around in middles)
+    keys = np.full((len(inputs), len(middles), most), -1)
+    for k, around in enumerate(middles):
+        keys[:, k, : len(around)] = np.sort(inputs[:, list(around)], axis=1)
+    _, number = np.unique(keys.reshape(-1, most), axis=0, return_inverse=True)
+    return np.concatenate([np.zeros_like(inputs), number.reshape(len(inputs), -1)], axis=1)
 
 
 def _numbered(inputs: np.ndarray, blocks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

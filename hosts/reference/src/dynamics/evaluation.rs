@@ -68,7 +68,9 @@ impl<const D: usize> Actors<'_, D> {
         let seconds = clock.elapsed().as_secs_f64();
         let (step, time) = (self.step, self.time);
         let forces = forces.map_err(|error| match error {
-            fmc_contact::Error::InvertedCell { cell } => DynamicsError::InvertedCell { step, time, cell: Some(cell) },
+            fmc_contact::Error::InvertedCell { cell } | fmc_contact::Error::FoldedCell { cell, .. } => {
+                DynamicsError::InvertedCell { step, time, cell: Some(cell) }
+            }
             error => DynamicsError::Contact { step, time, error },
         })?;
         let product = |(f, w): (&[f64; D], &[f64; D])| std::array::from_fn(|axis| f[axis] * w[axis]);

@@ -144,6 +144,9 @@ impl StaticsError {
         matches!(
             self,
             Self::NotConverged { .. } | Self::LineSearch { .. } | Self::Unstable { .. } | Self::Inverted { .. }
-        ) || matches!(self, Self::Contact(fmc_contact::Error::InvertedCell { .. }))
+        ) || matches!(
+            self,
+            Self::Contact(fmc_contact::Error::InvertedCell { .. } | fmc_contact::Error::FoldedCell { .. })
+        )
     }
 }

@@ -4,10 +4,10 @@
     residual = stiffness @ u - load - contact.force(u)
     matrix = stiffness + contact.tangent(u)
 
-Layers: SkfemContact  ->  field, boundary  ->  fmc_contact
+Layers: SkfemContact  ->  field  ->  other_basis  ->  fmc_contact
 """
 
 from .adapter import SkfemContact
-from .field import LayoutError
+from .errors import LayoutError
 
 __all__ = ["LayoutError", "SkfemContact"]

@@ -7,22 +7,25 @@ from typing import Any, Sequence
 import numpy as np
 from fmc_contact import Contact, GapConstraints, NodalContact, Result
 from numpy.typing import ArrayLike
-from scipy.sparse import csr_matrix
+from scipy.sparse import block_diag, csr_matrix, hstack, identity
 from skfem import CellBasis
 
-from .field import field
+from .field import Field, field
 
 
 class SkfemContact:
     """Contact between all bodies of one basis or of several, with the obstacles that are added to ``contact``.
 
-    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1, Q2 or serendipity elements in 2D or 3D, or of
-    ``ElementWedge1``; or a list of ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the
+    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1, Q2, serendipity or other continuous elements in 2D or 3D, or
+    of ``ElementWedge1``; or a list of ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the
     vectors of the whole problem. ``size``: length of these vectors; default: as far as the bases reach. ``bodies``: one
     number for every cell, basis after basis; default: bodies are the connected components. ``stiffness`` and the other
     keywords are those of ``fmc_contact.Contact``.
 
     Meshes need not match: there is no supermesh, no search for pairs, and no side is the master.
+
+    Other continuous elements (``ElementTriP3``, ``ElementTriP4``, ``ElementQuadP``, bubbles, ...) are read at the nodes of cells of
+    second order: see ``other_basis`` and ``nodes``.
 
     Nodes of the contact are the vertices of a mesh, then the other places of unknowns; cells of second order are passed
     with all their nodes, curved ones (``MeshTri2``, ...) as they are.
@@ -53,18 +56,37 @@ class SkfemContact:
         for one in fields:
             self._vertices.append(slice(first, first + one.basis.mesh.nvertices))
             blocks.append((one.cell_type, one.conn + first))
-            first += len(one.dofs)
+            first += len(one.coords)
         self.contact = Contact(self._undeformed, blocks, bodies=bodies, stiffness=stiffness, **options)
+        self._frame = 0
+        if any(one.matrix is not None for one in fields):
+            self._set_basis(fields)
         reach = max(one.reach for one in fields)
         self.size = reach if size is None else size
         if self.size < reach:
             raise ValueError(f"vectors of {self.size} entries are too short, the bases reach to {reach}")
 
+    def _set_basis(self, fields: list[Field]) -> None:
+        """Has the nodes moved by unknowns: x = X + B u. The undeformed X are held by the unit vectors of the axes, the first
+        unknowns that the contact is shown."""
+        self._frame = self.contact.dim
+        parts = [identity(len(one.coords), format="csr") if one.matrix is None else one.matrix for one in fields]
+        self._matrix = csr_matrix(block_diag(parts, format="csr"))
+        self.contact.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
+
+    def nodes(self, u: np.ndarray) -> np.ndarray:
+        """Where the nodes of the contact are at the displacement ``u``, (nodes, dim): those of ``nodal_contact``."""
+        coords = self.coords(u)
+        return self._undeformed + self._matrix @ coords[self._frame :] if self._frame else coords
+
     def coords(self, u: np.ndarray) -> np.ndarray:
-        """Coordinates that the contact is shown at the displacement ``u``, (size,): (nodes, dim)."""
+        """Coordinates that the contact is shown at the displacement ``u``, (size,): (nodes, dim). Where a basis is not of
+        nodes, the unit vectors of the axes, then displacements, of every unknown: (dim + unknowns, dim)."""
         u = np.asarray(u)
         if u.shape != (self.size,):
             raise ValueError(f"the displacement has shape {u.shape}, ({self.size},) is wanted")
+        if self._frame:
+            return np.concatenate([np.eye(self._frame), u.take(self._dofs)])
         return self._undeformed + u.take(self._dofs)
 
     def evaluate(self, u: np.ndarray) -> Result:
@@ -79,7 +101,7 @@ class SkfemContact:
     def on_dofs(self, forces: np.ndarray) -> np.ndarray:
         """Forces of ``evaluate`` brought to the degrees of freedom, (size,)."""
         total = np.zeros(self.size)
-        total[self._dofs.ravel()] = forces.ravel()
+        total[self._dofs.ravel()] = forces[self._frame :].ravel()
         return total
 
     def nodal_contact(self, u: np.ndarray) -> NodalContact:
@@ -99,7 +121,10 @@ class SkfemContact:
         negative, for use far from a solution."""
         parts = self.contact.tangent_parts(self.coords(u), semidefinite, symmetric=symmetric)
         rows, cols, values = parts.triplets()
-        dofs = self._dofs.ravel()
+        dofs, held = self._dofs.ravel(), self._frame * self.contact.dim
+        if held:
+            free = (rows >= held) & (cols >= held)
+            rows, cols, values = rows[free] - held, cols[free] - held, values[free]
         return csr_matrix((values, (dofs[rows], dofs[cols])), shape=(self.size, self.size))
 
     def gap_constraints(self, u: np.ndarray, reach: float) -> tuple[GapConstraints, csr_matrix]:
@@ -108,7 +133,10 @@ class SkfemContact:
         coords = self.coords(u)
         found = self.contact.gap_constraints(coords, reach)
         rows = csr_matrix((found.data, found.indices, found.indptr), shape=(len(found), coords.size)).tocoo()
-        return found, csr_matrix((rows.data, (rows.row, self._dofs.ravel()[rows.col])), (len(found), self.size))
+        held = self._frame * self.contact.dim
+        free = rows.col >= held
+        entries = (rows.data[free], (rows.row[free], self._dofs.ravel()[rows.col[free] - held]))
+        return found, csr_matrix(entries, (len(found), self.size))
 
     def begin_step(self, u: np.ndarray) -> None:
         """Begins a step with friction at ``u``. See ``Contact.begin_step``."""

@@ -1,4 +1,4 @@
-"""Which displacements can be read: vector fields of first or second order on the vertices of a mesh."""
+"""Which displacements can be read: vector fields of first or second order on the vertices of a mesh, and others by a matrix."""
 
 from __future__ import annotations
 
@@ -7,7 +7,11 @@ from typing import NamedTuple
 import numpy as np
 import skfem
 from fmc_contact.second_order import MIDDLES, of_nodes
+from scipy.sparse import csr_matrix
 from skfem import CellBasis, ElementVector
+
+from .errors import LayoutError
+from .other_basis import carrier, from_unknowns
 
 # scikit-fem's cube counts its corners from the far end; VTK goes around the bottom, then around the top.
 #
@@ -39,10 +43,6 @@ _SECOND_ORDER = (
 )  # fmt: skip
 
 
-class LayoutError(TypeError):
-    """The degrees of freedom of a basis are not those of a displacement that contact can read."""
-
-
 class Field(NamedTuple):
     """One basis, as contact sees it. Its nodes are the vertices of the mesh, then the other places with unknowns."""
 
@@ -51,11 +51,13 @@ class Field(NamedTuple):
     conn: np.ndarray
     """Nodes of the cells, (cells, nodes), in the order of ``fmc_contact``."""
     dofs: np.ndarray
-    """Degrees of freedom of the nodes, (nodes, dim), offset included."""
+    """Degrees of freedom of the nodes, or of the unknowns that move them, (nodes or unknowns, dim), offset included."""
     coords: np.ndarray
     """Undeformed coordinates of the nodes, (nodes, dim)."""
     reach: int
     """One more than the last degree of freedom in the vectors of the whole problem."""
+    matrix: csr_matrix | None = None
+    """From unknowns to nodes, where unknowns are not the nodes."""
 
 
 def cells_of(mesh: skfem.Mesh) -> tuple[str, np.ndarray]:
@@ -86,15 +88,15 @@ def field(basis: CellBasis, offset: int = 0) -> Field:
             f"the basis has the element {type(element).__name__}, a displacement is wanted: "
             "ElementVector(ElementTriP1()) or the like"
         )
-    if not isinstance(element.elem, _FIRST_ORDER + _SECOND_ORDER):
-        raise LayoutError(
-            f"the displacement is of {type(element.elem).__name__}, Lagrange elements of order 1 or 2 are wanted"
-        )
     mesh = basis.mesh
     dim = mesh.dim()
     if element.dim != dim:
         raise LayoutError(f"the displacement has {element.dim} components in {dim}D")
     straight, corners = cells_of(mesh)
+    if basis.nelems != mesh.nelements:
+        raise LayoutError("the basis is of a part of its mesh only: restrict the mesh, not the basis")
+    if not isinstance(element.elem, _FIRST_ORDER + _SECOND_ORDER):
+        return _other(basis, straight, int(offset))
     if mesh.elem not in _FIRST_ORDER and mesh.elem is not type(element.elem):
         raise LayoutError(
             f"the mesh has curved cells of {mesh.elem.__name__}, the displacement is of {type(element.elem).__name__}: "
@@ -102,8 +104,6 @@ def field(basis: CellBasis, offset: int = 0) -> Field:
         )
     if len(basis.nodal_dofs) != dim:
         raise LayoutError(f"the basis has {len(basis.nodal_dofs)} unknowns at a vertex, {dim} are wanted")
-    if basis.nelems != mesh.nelements:
-        raise LayoutError("the basis is of a part of its mesh only: restrict the mesh, not the basis")
     if isinstance(element.elem, _FIRST_ORDER):
         cell_type, conn, dofs = straight, corners, basis.nodal_dofs.T
     else:
@@ -111,6 +111,15 @@ def field(basis: CellBasis, offset: int = 0) -> Field:
     coords = basis.doflocs[:, dofs[:, 0]].T.copy()
     coords[: mesh.nvertices] = mesh.p[:, : mesh.nvertices].T
     return Field(basis, cell_type, conn, dofs + int(offset), coords, basis.N + int(offset))
+
+
+def _other(basis: CellBasis, straight: str, offset: int) -> Field:
+    """A displacement of another element, by cells of second order on its mesh."""
+    nodes = field(CellBasis(basis.mesh, ElementVector(carrier(basis.mesh)()), intorder=2))
+    order = next(order for _, name, order in _CELLS if name == straight)
+    corners = basis.elem.elem.refdom.p.T[order]
+    matrix, dofs = from_unknowns(basis, nodes.cell_type, corners, nodes.conn)
+    return Field(basis, nodes.cell_type, nodes.conn, dofs + offset, nodes.coords, basis.N + offset, matrix)
 
 
 def _second_order(basis: CellBasis, straight: str) -> tuple[str, np.ndarray, np.ndarray]:
