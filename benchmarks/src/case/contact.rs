@@ -20,7 +20,8 @@ pub struct Contact {
     /// Exponent m of `volume`, at least 1.
     #[serde(default = "one")]
     pub exponent: f64,
-    /// Coefficient of Coulomb friction, at least 0; none if absent. Not with the law `volume`.
+    /// Coefficient of Coulomb friction, at least 0; none if absent. With the law `volume` if it is
+    /// measured exactly and has a `friction_stiffness`.
     #[serde(default, skip_serializing_if = "is_none")]
     pub friction_coefficient: f64,
     /// Stiffness of the stick, Pa/m; that of the law if absent.

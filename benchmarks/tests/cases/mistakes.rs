@@ -98,7 +98,7 @@ fn what_a_law_does_not_have_is_told() {
     let told = complaint(&lines);
     assert!(told.contains(": contact.estimator") && told.contains("\"exact\" for the law \"depth\""), "{told}");
     let told = complaint(&spoilt("law = \"fiber\"", "law = \"volume\"\nfriction_coefficient = 0.3"));
-    assert!(told.contains(": contact.friction_coefficient") && told.contains("\"depth\" or \"fiber\""), "{told}");
+    assert!(told.contains(": contact.friction_stiffness") && told.contains("of its own"), "{told}");
     let hertz = include_str!("../../cases/hertz.toml").replace("count = 1", "count = 1\npenetration = 1e-6");
     let told = complaint(&hertz.replace("law = \"fiber\"", "law = \"fiber\"\nfriction_coefficient = 0.3"));
     assert!(told.contains(": load_steps.penetration") && told.contains("friction"), "{told}");

@@ -37,9 +37,19 @@ impl Check<'_> {
         }
         self.maybe_positive(&key.then("friction_stiffness"), contact.friction_stiffness);
         self.maybe_positive(&key.then("shear_limit"), contact.shear_limit);
-        if contact.has_friction() && (contact.law == LawName::Volume || contact.linearised) {
-            let message = "friction needs a pressure at every place: the law \"depth\" or \"fiber\", not linearised";
-            self.flaw(&key.then("friction_coefficient"), message.into());
+        if !contact.has_friction() {
+            return;
+        }
+        if contact.linearised {
+            self.flaw(&key.then("friction_coefficient"), "linearised contact knows no friction".into());
+        }
+        if contact.law == LawName::Volume && contact.friction_stiffness.is_none() {
+            let message = "the law \"volume\" has no stiffness by penetration: friction needs one of its own";
+            self.flaw(&key.then("friction_stiffness"), message.into());
+        }
+        if contact.law == LawName::Volume && contact.estimator == EstimatorName::Fibers {
+            let message = "with the law \"volume\" friction needs the estimator \"exact\"";
+            self.flaw(&key.then("estimator"), message.into());
         }
     }
 }
