@@ -116,7 +116,7 @@ fn measured_pairs<const D: usize>(
             answer.energy = answer.energy.filter(|_| wants_energy);
         }
         let tractions = slides.map(|sliding| {
-            let facets = SlipFacets::new(measured, &sliding, &answer.points);
+            let facets = SlipFacets::new(measured, &sliding, &std::mem::take(&mut answer.points));
             Tractions::new(&facets, coords.len(), asked.tangent)
         });
         Ok(Some((answer, tractions)))

@@ -1,6 +1,6 @@
 //! Depth summed over an overlap, which is what the law `depth` stands on.
 
-use super::depth_points::DepthPoint;
+use super::depth_points::PointLists;
 use super::pair::overlap::{Overlap, PoseGradient};
 use super::pair::sides::Pair;
 use super::points::block_sum::Block;
@@ -42,7 +42,7 @@ pub(crate) struct DepthIntegral<const D: usize> {
     /// What the facets have inside the other side.
     pub(crate) facets: Vec<FacetDepth<D>>,
     /// Where its forces act, by side and by facet; empty where that is not asked for.
-    pub(crate) points: Vec<DepthPoint<D>>,
+    pub(crate) points: PointLists<D>,
     /// Depth of the boundaries of A ∩ B, each below the other surface, as a mean over their area.
     pub(crate) mean_depth: f64,
     /// Volume, area and what else is told of an overlap; its gradient is empty.

@@ -11,6 +11,8 @@ pub(crate) struct DepthPoint<const D: usize> {
     /// Centre of its pressure, and of its area.
     pub(crate) pressed: DepthPlace<D>,
     pub(crate) middle: DepthPlace<D>,
+    /// Gradients of the weights of the other body's cell at the latter; zero in an obstacle.
+    pub(crate) gradients: [Vector<D>; 8],
     /// Mean depth of the part below the other surface.
     pub(crate) depth: f64,
     /// Area for which the force of the point stands.
@@ -19,21 +21,46 @@ pub(crate) struct DepthPoint<const D: usize> {
     pub(crate) slope: Vector<D>,
 }
 
+/// Points in the order in which they were found, in the lists of those who found them: each is large, and there are many.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct PointLists<const D: usize>(Vec<Vec<DepthPoint<D>>>);
+
+impl<const D: usize> PointLists<D> {
+    pub(crate) fn extend(&mut self, points: impl IntoIterator<Item = DepthPoint<D>>) {
+        if self.0.is_empty() {
+            self.0.push(Vec::new());
+        }
+        if let Some(list) = self.0.last_mut() {
+            list.extend(points);
+        }
+    }
+
+    /// Adds those of another after these.
+    pub(crate) fn append(&mut self, mut other: Self) {
+        self.0.append(&mut other.0);
+    }
+
+    /// What `of_point` makes of every point; a list is let go once it is through.
+    pub(crate) fn map<T>(self, of_point: impl Fn(&DepthPoint<D>) -> T) -> Vec<T> {
+        let mut found = Vec::with_capacity(self.0.iter().map(Vec::len).sum());
+        self.0.into_iter().for_each(|list| found.extend(list.iter().map(&of_point)));
+        found
+    }
+}
+
 /// A place on a facet.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DepthPlace<const D: usize> {
     /// Barycentric coordinates.
     pub(crate) weights: [f64; D],
     /// The same place in the other body; `None` in an obstacle.
-    pub(crate) other: Option<PlaceInCell<D>>,
+    pub(crate) other: Option<PlaceInCell>,
 }
 
 /// A place in a cell.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PlaceInCell<const D: usize> {
+pub(crate) struct PlaceInCell {
     pub(crate) cell: u32,
     /// Weights of the cell's nodes, in their order.
     pub(crate) weights: [f64; 8],
-    /// Gradients of these weights.
-    pub(crate) gradients: [Vector<D>; 8],
 }

@@ -57,7 +57,7 @@ fn of_surface<const D: usize>(pair: &Pair<D>, end: &SurfacePoint<D>) -> SideOfPo
     side
 }
 
-fn in_cell<const D: usize>(pair: &Pair<D>, place: &PlaceInCell<D>) -> SideOfPoint<D> {
+fn in_cell<const D: usize>(pair: &Pair<D>, place: &PlaceInCell) -> SideOfPoint<D> {
     let nodes = pair.surface.cells.as_ref().map_or(&[][..], |cells| cells.nodes(place.cell as usize));
     let terms = nodes.iter().zip(&place.weights).map(|(&n, &weight)| Vector::from(pair.coords[n as usize]) * weight);
     let mut side = SideOfPoint::at(&terms.fold(Vector::zeros(), |x, term| x + term));

@@ -1,7 +1,7 @@
 //! Sums over the points of a facet on which friction acts.
 
 use super::carriers::Carriers;
-use super::side_motion::SideMotion;
+use super::side_motion::{LastFacet, SideMotion};
 use super::step::Sliding;
 use super::touch::Bearing;
 use crate::contact::laws::PressurePoint;
@@ -47,6 +47,7 @@ pub(super) fn add_point<const D: usize>(
     sliding: &Sliding<D>,
     point: &PressurePoint<D>,
     obstacle_node: u32,
+    last: &mut [LastFacet<D>; 2],
 ) -> Option<()> {
     let (traction, slope) = sliding.friction.limit(point.pressure);
     if traction <= 0.0 {
@@ -54,9 +55,10 @@ pub(super) fn add_point<const D: usize>(
     }
     let carriers = Carriers::of(pair, point)?;
     let (normal, part) = (carriers.normal, carriers.part);
+    let [last_of_a, last_of_b] = last;
     let sides = [
-        SideMotion::new(pair, sliding.step, &point.middles[0])?,
-        SideMotion::new(pair, sliding.step, &point.middles[1])?,
+        SideMotion::new(pair, sliding.step, (point, 0), last_of_a)?,
+        SideMotion::new(pair, sliding.step, (point, 1), last_of_b)?,
     ];
     let turned = (sides[0].deformation + sides[1].deformation) * 0.5;
     let slip = (sides[0].now - sides[1].now) - turned * (sides[0].start - sides[1].start);

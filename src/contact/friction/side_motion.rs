@@ -10,7 +10,7 @@
 //! so that forces and moments of both sides cancel.
 
 use super::step::Step;
-use crate::contact::laws::PointOnSide;
+use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::facet::area_vector;
 use crate::geometry::facet_slopes::slopes;
 use crate::geometry::{Pose, Vector};
@@ -37,24 +37,42 @@ pub(crate) enum Movers<const D: usize> {
     Rigid,
 }
 
+/// The facet of a side that was looked at last: points come facet by facet.
+pub(crate) type LastFacet<const D: usize> = Option<((bool, u32), FacetFrame<D>)>;
+
 impl<const D: usize> SideMotion<D> {
-    /// `None` where a facet has no measure, or a cell is flat.
-    pub(crate) fn new(pair: &Pair<D>, step: &Step<D>, side: &PointOnSide<D>) -> Option<Self> {
-        match side {
+    /// Of one side, 0 or 1, of a point; `None` where a facet has no measure, or a cell is flat.
+    pub(crate) fn new(
+        pair: &Pair<D>,
+        step: &Step<D>,
+        (point, side): (&PressurePoint<D>, usize),
+        last: &mut LastFacet<D>,
+    ) -> Option<Self> {
+        match &point.middles[side] {
             PointOnSide::Surface(SurfacePoint::Facet { of_b, facet, weights }) if !of_b || pair.pose.is_none() => {
-                Self::of_facet(pair, step, *of_b, *facet, weights)
+                Self::of_facet(pair, step, (*of_b, *facet, weights), last)
             }
             PointOnSide::Surface(end) => Self::of_obstacle(pair, step, pair.position(end)),
             PointOnSide::Rigid(position) => Self::of_obstacle(pair, step, *position),
-            PointOnSide::Cell(place) => Self::in_cell(pair, step, place),
+            PointOnSide::Cell(place) => Self::in_cell(pair, step, place, &point.gradients),
         }
     }
 
-    fn of_facet(pair: &Pair<D>, step: &Step<D>, of_b: bool, facet: u32, weights: &[f64; D]) -> Option<Self> {
+    fn of_facet(
+        pair: &Pair<D>,
+        step: &Step<D>,
+        (of_b, facet, weights): (bool, u32, &[f64; D]),
+        last: &mut LastFacet<D>,
+    ) -> Option<Self> {
         let vertices = pair.side(of_b).facets[facet as usize];
         let corners = pair.side(of_b).corners(facet as usize);
         let starts = vertices.map(|v| step.points[v as usize]);
-        let FacetFrame { gradients, normal, deformation } = FacetFrame::new(&corners, &starts)?;
+        let frame = match *last {
+            Some((known, frame)) if known == (of_b, facet) => frame,
+            _ => FacetFrame::new(&corners, &starts)?,
+        };
+        *last = Some(((of_b, facet), frame));
+        let FacetFrame { gradients, normal, deformation } = frame;
         let sum = |x: &[Vector<D>; D]| x.iter().zip(weights).fold(Vector::zeros(), |sum, (x, w)| sum + x * *w);
         Some(Self {
             now: sum(&corners),
@@ -64,10 +82,10 @@ impl<const D: usize> SideMotion<D> {
         })
     }
 
-    fn in_cell(pair: &Pair<D>, step: &Step<D>, place: &PlaceInCell<D>) -> Option<Self> {
+    fn in_cell(pair: &Pair<D>, step: &Step<D>, place: &PlaceInCell, gradients: &[Vector<D>; 8]) -> Option<Self> {
         let nodes = pair.surface.cells.as_ref()?.nodes(place.cell as usize);
         let (mut now, mut start, mut back) = (Vector::zeros(), Vector::zeros(), SMatrix::<f64, D, D>::zeros());
-        for ((&node, &weight), gradient) in nodes.iter().zip(&place.weights).zip(&place.gradients) {
+        for ((&node, &weight), gradient) in nodes.iter().zip(&place.weights).zip(gradients) {
             let old = Vector::from(step.coords[node as usize]);
             now += Vector::from(pair.coords[node as usize]) * weight;
             start += old * weight;
@@ -114,7 +132,8 @@ impl<const D: usize> SideMotion<D> {
 }
 
 /// A facet, and its deformation since another state.
-struct FacetFrame<const D: usize> {
+#[derive(Clone, Copy)]
+pub(crate) struct FacetFrame<const D: usize> {
     /// Of the shape functions now, within the facet.
     gradients: [Vector<D>; D],
     normal: Vector<D>,

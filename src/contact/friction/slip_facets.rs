@@ -56,8 +56,9 @@ impl<const D: usize> SlipFacets<D> {
     pub(crate) fn new(measured: &Measured<D>, sliding: &Sliding<D>, pressed: &[PressurePoint<D>]) -> Self {
         let (pair, obstacle_node) = (measured.pair, measured.obstacle_node());
         let mut of_facets: BTreeMap<(bool, u32), Sums<D>> = BTreeMap::new();
+        let mut last = [None, None];
         for point in pressed {
-            add_point(&mut of_facets, pair, sliding, point, obstacle_node);
+            add_point(&mut of_facets, pair, sliding, point, obstacle_node, &mut last);
         }
         let mut all = Self { partners: pair.partners, facets: Vec::with_capacity(of_facets.len()), rows: Vec::new() };
         for ((of_b, facet), sums) in of_facets {

@@ -59,7 +59,7 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
         let Some(mut depth) = measured.estimator.depth_integral(measured.pair, &request)? else { return Ok(None) };
         let tangent = asked.tangent.map(|_| self.tangent_of(&mut depth));
         let pressure = |depth| self.stiffness * depth;
-        let points = of_depth_points(&std::mem::take(&mut depth.points), measured.pair, pressure, self.stiffness);
+        let points = of_depth_points(std::mem::take(&mut depth.points), measured.pair, pressure, self.stiffness);
         let nodal_sums = asked.nodal_sums.then(|| {
             depth.bring_to_surface(measured.pair);
             self.nodal_sums(&depth, measured.pair)

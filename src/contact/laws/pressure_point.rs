@@ -1,7 +1,9 @@
 //! Where a law presses, point by point: what hosts see of a contact, and what friction acts on.
 
 use crate::geometry::Vector;
-use crate::overlap::{ContactPoint, ContactPoints, DepthPlace, DepthPoint, Pair, PlaceInCell, SurfacePoint};
+use crate::overlap::{
+    ContactPoint, ContactPoints, DepthPlace, DepthPoint, Pair, PlaceInCell, PointLists, SurfacePoint,
+};
 
 /// A point at which two sides are pressed together.
 pub(crate) struct PressurePoint<const D: usize> {
@@ -9,6 +11,8 @@ pub(crate) struct PressurePoint<const D: usize> {
     pub(crate) sides: [PointOnSide<D>; 2],
     /// The centre of its area, which stays where it is as the pressure changes.
     pub(crate) middles: [PointOnSide<D>; 2],
+    /// Gradients of the weights where the latter lies in a cell.
+    pub(crate) gradients: [Vector<D>; 8],
     /// Unit vector, outwards of the first side, along which the penetration is measured.
     pub(crate) normal: Vector<D>,
     pub(crate) penetration: f64,
@@ -27,7 +31,7 @@ pub(crate) enum PointOnSide<const D: usize> {
     /// On the boundary.
     Surface(SurfacePoint<D>),
     /// Inside a cell.
-    Cell(PlaceInCell<D>),
+    Cell(PlaceInCell),
     /// Inside a rigid obstacle.
     Rigid(Vector<D>),
 }
@@ -57,6 +61,7 @@ pub(crate) fn of_contact_points<const D: usize>(
         PressurePoint {
             sides: ends.map(PointOnSide::Surface),
             middles: ends.map(PointOnSide::Surface),
+            gradients: [Vector::zeros(); 8],
             normal: if along.dot(&pair.normal_at(&ends[0])) < 0.0 { -along } else { along },
             penetration: point.length,
             pressure: pressure(point.length),
@@ -70,7 +75,7 @@ pub(crate) fn of_contact_points<const D: usize>(
 
 /// Points of facets inside the other side: `pressure` is a function of the depth, and `stiffness` its derivative.
 pub(crate) fn of_depth_points<const D: usize>(
-    points: &[DepthPoint<D>],
+    points: PointLists<D>,
     pair: &Pair<D>,
     pressure: impl Fn(f64) -> f64,
     stiffness: f64,
@@ -87,6 +92,7 @@ pub(crate) fn of_depth_points<const D: usize>(
         PressurePoint {
             sides: both(&point.pressed),
             middles: both(&point.middle),
+            gradients: point.gradients,
             normal: if of_b { -normal } else { normal },
             penetration: point.depth,
             pressure: pressure(point.depth),
@@ -95,5 +101,5 @@ pub(crate) fn of_depth_points<const D: usize>(
             slopes: [slope, -slope],
         }
     };
-    points.iter().map(of_point).collect()
+    points.map(of_point)
 }

@@ -33,7 +33,7 @@ impl VolumeLaw {
             DepthRequest { second: SecondDerivative::No, obstacle_node: measured.obstacle_node(), points: true };
         let Some(depth) = measured.estimator.depth_integral(measured.pair, &request)? else { return Ok(Vec::new()) };
         let pressure = self.0.energy_gradient(overlap.volume);
-        Ok(of_depth_points(&depth.points, measured.pair, |_| pressure, 0.0))
+        Ok(of_depth_points(depth.points, measured.pair, |_| pressure, 0.0))
     }
 
     /// The tangent on the overlap as it was measured.

@@ -1,7 +1,7 @@
 //! What the facets of a body have inside the other side, summed.
 
 use crate::overlap::depth_integral::FacetDepth;
-use crate::overlap::depth_points::DepthPoint;
+use crate::overlap::depth_points::PointLists;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
@@ -16,7 +16,7 @@ pub(crate) struct FacetSums<const D: usize> {
     /// What every facet has inside.
     pub(crate) facets: Vec<FacetDepth<D>>,
     /// Where its forces act, if that is asked for.
-    pub(crate) points: Vec<DepthPoint<D>>,
+    pub(crate) points: PointLists<D>,
     /// Their measure, the integral of the depth over it, and the largest depth.
     pub(crate) area: f64,
     pub(crate) depth: f64,
@@ -57,7 +57,7 @@ impl<const D: usize> FacetSums<D> {
             sum.gradient.add_sums(&part.gradient);
             sum.hessian.add_sum(part.hessian);
             sum.facets.extend(part.facets);
-            sum.points.extend(part.points);
+            sum.points.append(part.points);
             sum.area += part.area;
             sum.depth += part.depth;
             sum.deepest = sum.deepest.max(part.deepest);

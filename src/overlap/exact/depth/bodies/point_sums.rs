@@ -16,6 +16,8 @@ struct InCell<const D: usize> {
     /// Sums with the depth, and with 1, for weight.
     pressed: PlaceSums<D>,
     middle: PlaceSums<D>,
+    /// ∫ of the gradients of the shape functions of the cell's nodes.
+    gradients: [Vector<D>; 8],
 }
 
 /// Sums for a mean place, with some weight.
@@ -23,8 +25,6 @@ struct PlaceSums<const D: usize> {
     /// ∫ of the shape functions of the facet's corners, and of the cell's nodes.
     on_facet: [f64; D],
     in_cell: [f64; 8],
-    /// Gradients of the latter.
-    gradients: [Vector<D>; 8],
 }
 
 impl<const D: usize> PointSums<D> {
@@ -39,13 +39,20 @@ impl<const D: usize> PointSums<D> {
     ) {
         let place = self.0.iter().position(|sums| sums.cell == piece.cell).unwrap_or_else(|| {
             let [pressed, middle] = [PlaceSums::new(), PlaceSums::new()];
-            self.0.push(InCell { cell: piece.cell, slope: Vector::zeros(), pressed, middle });
+            let gradients = [Vector::zeros(); 8];
+            self.0.push(InCell { cell: piece.cell, slope: Vector::zeros(), pressed, middle, gradients });
             self.0.len() - 1
         });
         let sums = &mut self.0[place];
-        sums.slope += piece.gradient * areas.iter().sum::<f64>();
+        let area: f64 = areas.iter().sum();
+        sums.slope += piece.gradient * area;
         sums.pressed.add(piece, depths, barycentric);
         sums.middle.add(piece, areas, barycentric);
+        for (weights, slope) in piece.weights.iter().zip(&piece.slopes).take(D + 1) {
+            for (sum, weight) in sums.gradients.iter_mut().zip(weights) {
+                *sum += slope * (weight * area);
+            }
+        }
     }
 
     /// The points where there is pressure, in the order in which their cells came; the force of the facet counts by
@@ -64,6 +71,7 @@ impl<const D: usize> PointSums<D> {
                 facet: number,
                 pressed: sums.pressed.mean(sums.cell),
                 middle: sums.middle.mean(sums.cell),
+                gradients: sums.gradients.map(|sum| sum / area),
                 depth: depth / area,
                 area: weight * measure * area,
                 slope: sums.slope * (weight * measure),
@@ -74,19 +82,13 @@ impl<const D: usize> PointSums<D> {
 
 impl<const D: usize> PlaceSums<D> {
     fn new() -> Self {
-        Self { on_facet: [0.0; D], in_cell: [0.0; 8], gradients: [Vector::zeros(); 8] }
+        Self { on_facet: [0.0; D], in_cell: [0.0; 8] }
     }
 
     fn add(&mut self, piece: &DepthPiece<D>, on_facet: &[f64; D], barycentric: &[[f64; 4]; D]) {
-        let total: f64 = on_facet.iter().sum();
         self.on_facet.iter_mut().zip(on_facet).for_each(|(sum, part)| *sum += part);
         let at: [f64; 4] = std::array::from_fn(|k| (0..D).map(|c| on_facet[c] * barycentric[c][k]).sum());
         self.in_cell.iter_mut().zip(piece.at_nodes(&at)).for_each(|(sum, part)| *sum += part);
-        for (weights, slope) in piece.weights.iter().zip(&piece.slopes).take(D + 1) {
-            for (sum, weight) in self.gradients.iter_mut().zip(weights) {
-                *sum += slope * (weight * total);
-            }
-        }
     }
 
     fn total(&self) -> f64 {
@@ -95,10 +97,7 @@ impl<const D: usize> PlaceSums<D> {
 
     fn mean(&self, cell: u32) -> DepthPlace<D> {
         let total = self.total();
-        let (weights, gradients) = (self.in_cell.map(|sum| sum / total), self.gradients.map(|sum| sum / total));
-        DepthPlace {
-            weights: self.on_facet.map(|sum| sum / total),
-            other: Some(PlaceInCell { cell, weights, gradients }),
-        }
+        let in_cell = PlaceInCell { cell, weights: self.in_cell.map(|sum| sum / total) };
+        DepthPlace { weights: self.on_facet.map(|sum| sum / total), other: Some(in_cell) }
     }
 }

@@ -91,6 +91,7 @@ impl<const D: usize> FacetMoments<D> {
             facet: facet.number,
             pressed: DepthPlace { weights: self.depth.map(|depth| depth / total), other: None },
             middle: DepthPlace { weights: self.area.map(|part| part / area), other: None },
+            gradients: [Vector::zeros(); 8],
             depth: total / area,
             area: area * facet.measure,
             slope: self.slopes.as_flattened().iter().fold(Vector::zeros(), |sum, slope| sum + slope) * facet.measure,
