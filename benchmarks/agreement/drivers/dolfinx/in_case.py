@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -80,17 +81,34 @@ class Touching:
         return [part.model.u for part in self.parts]
 
     def evaluate(self, u: np.ndarray) -> Result:
-        return self.adapter.evaluate(*self._taken(u))
+        """With forces in the numbering of the case."""
+        result = self.adapter.evaluate(*self._taken(u))
+        return replace(result, forces=self._in_case(result.forces).reshape(u.shape))
+
+    def _in_case(self, forces: np.ndarray) -> np.ndarray:
+        found = self.adapter.on_unknowns(forces)
+        owned = found if len(self.parts) > 1 else [found]
+        return np.concatenate([force[part.dofs] for part, force in zip(self.parts, owned)])
 
     def force(self, u: np.ndarray) -> np.ndarray:
         """Contact forces (nodes, dim), as the adapter brings them to the unknowns."""
-        found = self.adapter.force(*self._taken(u))
-        owned = found if len(self.parts) > 1 else [found]
-        return np.concatenate([force[part.dofs] for part, force in zip(self.parts, owned)]).reshape(u.shape)
+        return self.evaluate(u).forces
 
     def tangent(self, u: np.ndarray, semidefinite: bool) -> csr_matrix:
         found = self.adapter.tangent(*self._taken(u), semidefinite=semidefinite)
-        return csr_matrix((found.values, (found.rows, found.cols)), (u.size, u.size))
+        number = self._number_of_rows()
+        return csr_matrix((found.values, (number[found.rows], number[found.cols])), (u.size, u.size))
+
+    def _number_of_rows(self) -> np.ndarray:
+        """``node * dim + axis`` of the case for every row of the adapter's tangent, spaces one after another."""
+        sizes = [len(part.dofs) for part in self.parts]
+        ends = np.cumsum(sizes)
+        found = []
+        for part, first, unknowns in zip(self.parts, ends - sizes, np.split(self.adapter.unknowns(), ends[:-1])):
+            number = np.empty(len(part.dofs), int)
+            number[part.dofs] = np.arange(len(part.dofs))
+            found.append(first + number[unknowns])
+        return np.concatenate(found)
 
     def keep_patches(self, u: np.ndarray) -> Any:
         return self.adapter.keep_patches(*self._taken(u))

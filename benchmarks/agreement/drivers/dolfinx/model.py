@@ -15,6 +15,10 @@ from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
 from mpi4py import MPI
 from petsc4py import PETSc
 
+# One point in simplices, two along every axis of the others; of second order three in triangles, four in tetrahedra, three along
+# every axis of the others.
+DEGREES = {"triangle": 1, "tetra": 1, "triangle6": 2, "tetra10": 2, "quad9": 5, "hexahedron27": 5}
+
 
 class Model:
     """Forms of the internal forces and of the load, and what is held."""
@@ -23,13 +27,12 @@ class Model:
         self.problem, self.dim = problem, problem.dim
         conn = np.concatenate([body.conn for body in problem.bodies])
         self.mesh = mesh_from_cells(comm, problem.coords, conn, problem.cell_type)
-        self.space = vector_space(self.mesh)
+        self.space = vector_space(self.mesh, problem.order)
         self.displacement = Displacement(self.space)
         cells = self.mesh.topology.index_map(self.dim)
         self.body_of_cell = problem.body_of_cell[self.mesh.topology.original_cell_index]
         assert len(self.body_of_cell) == cells.size_local + cells.num_ghosts
-        # One point in simplices, two along every axis of the others.
-        degree = 1 if problem.cell_type in ("triangle", "tetra") else 3
+        degree = DEGREES.get(problem.cell_type, 3)
         self.dx = ufl.dx(domain=self.mesh, metadata={"quadrature_degree": degree})
         self.u, self.v = fem.Function(self.space), ufl.TestFunction(self.space)
         self.input_number = np.asarray(self.mesh.geometry.input_global_indices)

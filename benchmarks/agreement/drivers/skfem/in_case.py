@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,9 @@ class Touching:
         return found
 
     def evaluate(self, u: np.ndarray) -> Result:
-        return self.adapter.evaluate(self._on_dofs(u))
+        """With forces in the numbering of the case."""
+        result = self.adapter.evaluate(self._on_dofs(u))
+        return replace(result, forces=self.adapter.on_dofs(result.forces)[self.dofs].reshape(u.shape))
 
     def force(self, u: np.ndarray) -> np.ndarray:
         """Contact forces (nodes, dim), as the adapter brings them to the unknowns."""

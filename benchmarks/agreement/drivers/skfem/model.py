@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import second_order
 import skfem
 from fmc_agreement.faces import loads
 from fmc_agreement.problem import Problem
@@ -17,7 +18,15 @@ ELEMENTS = {
     "quad": skfem.ElementQuad1,
     "tetra": skfem.ElementTetP1,
     "hexahedron": skfem.ElementHex1,
+    "triangle6": skfem.ElementTriP2,
+    "quad9": skfem.ElementQuad2,
+    "tetra10": skfem.ElementTetP2,
+    "hexahedron27": skfem.ElementHex2,
 }
+
+# One point in simplices, two along every axis of the others; of second order three in triangles, four in tetrahedra, three along
+# every axis of the others.
+DEGREES = {"triangle": 1, "tetra": 1, "triangle6": 2, "tetra10": 2, "quad9": 5, "hexahedron27": 5}
 
 
 class Model:
@@ -27,11 +36,14 @@ class Model:
         self.problem = problem
         kind = problem.cell_type
         conn = np.concatenate([body.conn for body in problem.bodies])
-        self.mesh = mesh_from_cells(problem.coords, conn, kind)
+        if problem.order == 2:
+            self.mesh, number = second_order.mesh(problem.coords, conn, kind)
+        else:
+            self.mesh, number = mesh_from_cells(problem.coords, conn, kind), np.arange(len(problem.coords))
         self.element = ElementVector(ELEMENTS[kind]())
-        # One point in simplices, two along every axis of the others.
-        self.basis = Basis(self.mesh, self.element, intorder=1 if kind in ("triangle", "tetra") else 3)
-        self.dofs = self.basis.nodal_dofs.T
+        self.basis = Basis(self.mesh, self.element, intorder=DEGREES.get(kind, 3))
+        # Every place has its components one after another.
+        self.dofs = number[:, None] * problem.dim + np.arange(problem.dim)
         laws = {body.material.law for body in problem.bodies}
         (self.law,) = laws
         self._linear = self._stiffness() if self.law == "linear-elastic" else None
@@ -56,7 +68,10 @@ class Model:
     def load(self) -> np.ndarray:
         """Forces of the tractions on faces."""
         total = np.zeros(self.basis.N)
-        number = {tuple(sorted(nodes)): facet for facet, nodes in enumerate(self.mesh.facets.T.tolist())}
+        node = np.empty(self.basis.N, int)
+        node[self.dofs[:, 0]] = np.arange(len(self.dofs))
+        corners = node[self.basis.nodal_dofs[0]]
+        number = {tuple(sorted(nodes)): facet for facet, nodes in enumerate(corners[self.mesh.facets].T.tolist())}
         for faces, traction in loads(self.problem):
             facets = np.array([number[tuple(sorted(face))] for face in faces.tolist()])
             basis = FacetBasis(self.mesh, self.element, facets=facets, intorder=3)

@@ -13,6 +13,9 @@ _FACES = {
     "hexahedron": [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7], [0, 3, 2, 1], [4, 5, 6, 7]],
 }
 
+_CORNERS = {(2, 2): 2, (2, 3): 2, (3, 3): 3, (3, 6): 3, (3, 4): 4, (3, 8): 4, (3, 9): 4}
+"""Corners of a face, by the dimension and its nodes."""
+
 
 def boundary_faces(body: Body) -> np.ndarray:
     """Faces of one cell only, (faces, corners), seen from outside."""
@@ -33,13 +36,14 @@ def face_normals(coords: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 
 def loads(problem: Problem) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Faces with the traction on each, (faces, dim): of a pressure or as given. Faces are flat, so it is one for a
-    face."""
+    """Faces by their corners, with the traction on each, (faces, dim): of a pressure or as given. Loaded faces are flat, those of
+    second order too, so it is one for a face."""
     found = []
     for one in problem.raw["loads"]:
         if one["body_force"] is not None:
             raise NotImplementedError("a body force")
         faces = np.array(one["faces"], np.int64)
+        faces = faces[:, : _CORNERS[problem.dim, faces.shape[1]]]
         if one["pressure"] is not None:
             normals = face_normals(problem.coords, faces)
             traction = -one["pressure"] * normals / np.linalg.norm(normals, axis=1)[:, None]

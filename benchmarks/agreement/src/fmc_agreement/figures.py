@@ -93,7 +93,13 @@ def at_rest(problem: Problem, solved: Solved) -> tuple[dict[str, float], np.ndar
     """Figures of an equilibrium that follow from displacements and contact forces, and what a picture shows: as a rule
     place and pressure, (places, 2), of a patch test the residual over the iterations."""
     kind, last = problem.raw["figures"]["kind"], solved.steps[-1]
-    if kind == "patch":
+    if problem.order == 2 and kind != "patch":
+        # No mean pressure belongs to a node of second order, whose shape function may have no integral.
+        touched = problem.bodies[problem.about].nodes
+        touched = touched[norm(last.force[touched], axis=1) > 0.0]
+        found = {"force": problem.force_along_last_axis(last.force, problem.about), "nodes": len(problem.coords)}
+        curve = np.column_stack([problem.coords[touched, 0], np.abs(last.force[touched, -1])])
+    elif kind == "patch":
         found, curve = {"nodes": len(problem.coords)}, np.column_stack([np.arange(len(solved.residuals)), solved.residuals])
     elif kind == "sliding":
         return sliding(problem, solved)

@@ -99,6 +99,11 @@ class Problem:
         return kind
 
     @property
+    def order(self) -> int:
+        """Order of the cells: second where they have nodes beside their corners."""
+        return 2 if any(body.cell_type[-1].isdigit() for body in self.bodies) else 1
+
+    @property
     def stages(self) -> list[tuple[int, np.ndarray]]:
         """Load steps and prescribed values of every stage."""
         plan = self.raw["load_steps"]

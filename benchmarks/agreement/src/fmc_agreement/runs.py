@@ -57,6 +57,7 @@ CASES = (
     Case("ironing"),
     Case("cgs4"),
     Case("hertz", "depth"),
+    Case("hertz", "tri6"),
     Case("bar", tolerance=1e-6),
     Case("star", "smooth", ("contact.stiffness=1e9", "time.end=9e-3"), tolerance=1e-6),
 )

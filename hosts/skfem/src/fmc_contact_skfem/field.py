@@ -108,8 +108,12 @@ def field(basis: CellBasis, offset: int = 0) -> Field:
         cell_type, conn, dofs = straight, corners, basis.nodal_dofs.T
     else:
         cell_type, conn, dofs = _second_order(basis, straight)
-    coords = basis.doflocs[:, dofs[:, 0]].T.copy()
-    coords[: mesh.nvertices] = mesh.p[:, : mesh.nvertices].T
+    if mesh.elem is type(element.elem) and mesh.elem not in _FIRST_ORDER:
+        # Its own places to the bit; every place has its components one after another.
+        coords = mesh.doflocs[:, dofs[:, 0] // dim].T.copy()
+    else:
+        coords = basis.doflocs[:, dofs[:, 0]].T.copy()
+        coords[: mesh.nvertices] = mesh.p[:, : mesh.nvertices].T
     return Field(basis, cell_type, conn, dofs + int(offset), coords, basis.N + int(offset))
 
 
