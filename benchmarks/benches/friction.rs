@@ -8,8 +8,10 @@ use fmc_contact::{Bodies, CellBlock, CellType, Contact, EnergyLaw, Estimator, Op
 use fmc_shapes::{Mesh, cuboid_tet4};
 use std::time::Instant;
 
-/// A law of a stiffness, and its name.
-const LAWS: [(fn(f64) -> EnergyLaw, &str); 2] = [(EnergyLaw::depth, "depth"), (EnergyLaw::fiber, "fiber")];
+/// A law of a stiffness.
+type Law = fn(f64) -> EnergyLaw;
+
+const LAWS: [(Law, &str); 2] = [(EnergyLaw::depth, "depth"), (EnergyLaw::fiber, "fiber")];
 
 fn main() {
     println!("{:30} force, ms   with   tangent, ms   with   begin + commit, by the force", "");
