@@ -30,7 +30,7 @@ def _load_steps(problem, two_level):
     return found
 
 
-@pytest.mark.parametrize("name", ["punch", "half-disc"])
+@pytest.mark.parametrize("name", ["punch", "half-disc", "disc"])
 @pytest.mark.parametrize("count", [16, 32])
 def test_three_outer_solves_find_the_equilibrium_of_the_plain_method(name, count):
     problem = problems.ALL[name](count)
