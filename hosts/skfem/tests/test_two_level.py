@@ -1,0 +1,42 @@
+"""Newton's method in two levels on problems of docs/newton.md: outer solves of every load step, and the equilibrium."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmc_contact import newton
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "newton"))
+
+import problems  # noqa: E402
+import study  # noqa: E402
+
+
+def _load_steps(problem, two_level):
+    """Outer solves and displacements of every load step."""
+    contact = problem.contact(10, **study.LAWS["depth"])
+    found, u = [], np.zeros(contact.size)
+
+    def host(u):
+        return problem.solid.forces(u), problem.solid.stiffness(u)
+
+    for push in problem.pushes:
+        prescribed = u.copy()
+        prescribed[problem.moved] = push
+        step = newton(host, contact, u, problem.free, prescribed, young=problem.young, two_level=two_level)
+        u = step.x
+        found.append((step.iterations, u))
+    return found
+
+
+@pytest.mark.parametrize("name", ["punch", "half-disc", "disc"])
+@pytest.mark.parametrize("count", [16, 32])
+def test_three_outer_solves_find_the_equilibrium_of_the_plain_method(name, count):
+    problem = problems.ALL[name](count)
+    plain, two = _load_steps(problem, False), _load_steps(problem, True)
+    # What is left of the contact's nonlinearity is solved inside: the outer solves are those of the bodies alone.
+    assert all(solves <= 3 for solves, _ in two), [solves for solves, _ in two]
+    for (_, wanted), (_, found) in zip(plain, two):
+        # Both stop at a residual of 1e-9 of the forces.
+        assert np.abs(found - wanted).max() < 1e-8 * np.abs(wanted).max()
