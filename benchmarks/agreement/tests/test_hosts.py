@@ -57,6 +57,7 @@ SECOND_ORDER = [
     Case("hertz", "tri6", (COARSE,)),
     Case("hertz", "depth-quad9", ("bodies.disc.mesh.finest=0.2",)),
     Case("patch2d", "tri6-quad9"),
+    Case("patch3d", "tet10"),
     Case("hertz3d", "tet10", ("bodies.ball.mesh.edges=3", "bodies.ball.mesh.finest=5e-3")),
 ]
 
