@@ -608,8 +608,13 @@ typedef struct {
   int32_t most_iterations;
   // Trials along a direction, at most, at least 1. Default 12.
   int32_t most_trials;
+  // 1: a start that touches with more stiffness than the bodies have, and is far from equilibrium, is settled on softer contacts
+  // first, each ten times as stiff as the one before, the first at every degree of freedom of the list no stiffer than the
+  // bodies. A deep start, from which the contact as it is would drive cells inside out or bodies to another equilibrium,
+  // then ends where small load steps do. Each of these equilibria may take `most_iterations`. 0, the default: off.
+  int64_t soft_start;
   // Zero. Room for options of later versions.
-  uint64_t reserved[8];
+  uint64_t reserved[7];
 } fmc_contact_step_options;
 
 // Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
@@ -1430,7 +1435,7 @@ fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 // in every iteration: some 500 take tenths of a second.
 //
 // Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
-// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_STRUCT_SIZE` for the options,
+// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION` and `FMC_ERROR_STRUCT_SIZE` for the options,
 // `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
 // one call at a time on a context.
 fmc_status fmc_context_contact_step(fmc_context *context,

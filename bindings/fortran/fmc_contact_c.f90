@@ -243,7 +243,8 @@ module fmc_contact_c
     real(c_double) :: full_below
     integer(c_int32_t) :: most_iterations
     integer(c_int32_t) :: most_trials
-    integer(c_int64_t) :: reserved(8)
+    integer(c_int64_t) :: soft_start
+    integer(c_int64_t) :: reserved(7)
   end type
 
   type, bind(c) :: fmc_contact_step_result

@@ -95,7 +95,8 @@ pub struct fmc_contact_step_options {
     pub full_below: f64,
     pub most_iterations: i32,
     pub most_trials: i32,
-    pub reserved: [u64; 8],
+    pub soft_start: i64,
+    pub reserved: [u64; 7],
 }
 
 /// As in the header.

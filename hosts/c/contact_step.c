@@ -64,6 +64,11 @@ int main(void) {
   int wrong = found.state != FMC_STEP_CONVERGED || fabs(d[0] + 100.8 / 1001) > 1e-9 || fabs(d[1] + 100.8 / 1001) > 1e-9;
   wrong += found.iterations < 1 || found.residual > 1e-12 * found.scale || found.struct_size != sizeof found;
 
+  /* The same equilibrium on softer contacts first. */
+  when.soft_start = 1;
+  check(fmc_context_contact_step(context, &initial, &when, freedoms, 2, held, 8, stiffness, residual, follow, NULL, d, &found));
+  wrong += found.state != FMC_STEP_CONVERGED || fabs(d[0] + 100.8 / 1001) > 1e-9;
+
   /* Without the held nodes, contact acts outside the list as soon as the squares touch. */
   check(fmc_context_contact_step(context, &initial, NULL, freedoms, 2, NULL, 0, stiffness, residual, follow, NULL, d, &found));
   wrong += found.state != FMC_STEP_OUTSIDE || found.outside_count == 0;
@@ -84,6 +89,9 @@ int main(void) {
   wrong += STEP(NULL, freedoms, down, follow) != FMC_ERROR_INDEFINITE_STIFFNESS;
   wrong += STEP(NULL, freedoms, stiffness, refuse) != FMC_ERROR_PLACE;
   wrong += STEP(NULL, freedoms, NULL, follow) != FMC_ERROR_NULL_POINTER;
+  when.soft_start = 2;
+  wrong += STEP(&when, freedoms, stiffness, follow) != FMC_ERROR_UNKNOWN_OPTION;
+  when.soft_start = 0;
   when.most_trials = 0;
   wrong += STEP(&when, freedoms, stiffness, follow) != FMC_ERROR_NOT_POSITIVE;
   when.most_trials = -1;

@@ -6,7 +6,9 @@ use super::failure::Failure;
 use super::placement::{Placement, fmc_place};
 use super::pointer::{Output, check, copy_list, optional, reference, slice};
 use super::status::fmc_status;
-use super::status::fmc_status::{FMC_ERROR_FREEDOM_OUT_OF_RANGE, FMC_ERROR_NOT_POSITIVE, FMC_ERROR_STRUCT_SIZE};
+use super::status::fmc_status::{
+    FMC_ERROR_FREEDOM_OUT_OF_RANGE, FMC_ERROR_NOT_POSITIVE, FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION,
+};
 use super::view::fmc_coords;
 use crate::contact::{CondensedBodies, ContactStepOptions, ContactStepState};
 use std::ffi::c_void;
@@ -31,13 +33,19 @@ pub struct fmc_contact_step_options {
     pub most_iterations: i32,
     /// Trials along a direction, at most, at least 1. Default 12.
     pub most_trials: i32,
+    /// 1: a start that touches with more stiffness than the bodies have, and is far from equilibrium, is settled on softer contacts
+    /// first, each ten times as stiff as the one before, the first at every degree of freedom of the list no stiffer than the
+    /// bodies. A deep start, from which the contact as it is would drive cells inside out or bodies to another equilibrium,
+    /// then ends where small load steps do. Each of these equilibria may take `most_iterations`. 0, the default: off.
+    pub soft_start: i64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 7],
 }
 
 impl Default for fmc_contact_step_options {
     fn default() -> Self {
-        let ContactStepOptions { tolerance, goal, full_below, most_iterations, most_trials } = Default::default();
+        let ContactStepOptions { tolerance, goal, full_below, most_iterations, most_trials, soft_start } =
+            Default::default();
         Self {
             struct_size: size_of::<Self>(),
             tolerance,
@@ -45,14 +53,15 @@ impl Default for fmc_contact_step_options {
             full_below,
             most_iterations: most_iterations as i32,
             most_trials: most_trials as i32,
-            reserved: [0; 8],
+            soft_start: i64::from(soft_start),
+            reserved: [0; 7],
         }
     }
 }
 
 impl fmc_contact_step_options {
     fn to_options(self) -> Result<ContactStepOptions, Failure> {
-        if self.struct_size != size_of::<Self>() || self.reserved != [0; 8] {
+        if self.struct_size != size_of::<Self>() || self.reserved != [0; 7] {
             let text = "the options of a contact step were not set by fmc_contact_step_options_init";
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
         }
@@ -66,6 +75,14 @@ impl fmc_contact_step_options {
             full_below: self.full_below,
             most_iterations: count("most_iterations", self.most_iterations)?,
             most_trials: count("most_trials", self.most_trials)?,
+            soft_start: match self.soft_start {
+                0 => false,
+                1 => true,
+                other => {
+                    let text = format!("'soft_start' is {other}, not 0 or 1");
+                    return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+                }
+            },
         })
     }
 }
@@ -140,7 +157,7 @@ pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact
 /// in every iteration: some 500 take tenths of a second.
 ///
 /// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
-/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_STRUCT_SIZE` for the options,
+/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION` and `FMC_ERROR_STRUCT_SIZE` for the options,
 /// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
 /// one call at a time on a context.
 #[unsafe(no_mangle)]

@@ -8,6 +8,7 @@ mod dense;
 mod iterate;
 mod kept;
 mod options;
+mod soft_start;
 mod solve;
 mod touching;
 

@@ -2,4 +2,5 @@
 
 mod equilibrium;
 mod refused;
+mod soft_start;
 mod springs;

@@ -16,11 +16,17 @@ pub struct ContactStepOptions {
     pub most_iterations: usize,
     /// Trials along a direction, at most.
     pub most_trials: usize,
+    /// Whether a start that touches with more stiffness than the bodies have, and is far from equilibrium, is settled on softer
+    /// contacts first: at every condensed degree of freedom the contact is no stiffer than the bodies to begin with, and then ten
+    /// times as stiff, and again, until it is as it is. A deep start, from which the contact as it is would drive cells inside out
+    /// or bodies to another equilibrium, then ends where small load steps do. Each of these equilibria may take
+    /// `most_iterations`.
+    pub soft_start: bool,
 }
 
 impl Default for ContactStepOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-10, goal: 0.0, full_below: 0.1, most_iterations: 80, most_trials: 12 }
+        Self { tolerance: 1e-10, goal: 0.0, full_below: 0.1, most_iterations: 80, most_trials: 12, soft_start: false }
     }
 }
 

@@ -4,10 +4,18 @@ use super::bodies::Checked;
 use super::dense::{Defect, solve_definite, solve_general};
 use super::iterate::Iterate;
 use super::options::{ContactStep, ContactStepOptions, ContactStepState};
+use super::soft_start::settle;
 use super::touching::{ROUNDING, Touching};
 use crate::Error;
 use crate::contact::tangent::TangentPart;
 use nalgebra::{DMatrix, DVector};
+
+/// What a search has taken so far.
+#[derive(Default)]
+pub(super) struct Search {
+    pub(super) iterations: usize,
+    pub(super) evaluations: usize,
+}
 
 pub(super) fn solve(
     bodies: &Checked,
@@ -15,19 +23,50 @@ pub(super) fn solve(
     options: &ContactStepOptions,
     has_energy: bool,
 ) -> Result<ContactStep, Error> {
-    let mut at = Iterate::new(bodies, contact, DVector::zeros(bodies.count()))?;
-    let residual_at_start = at.norm();
-    let (mut iterations, mut evaluations, mut full_failed) = (0, 1, false);
-    let state = loop {
+    let mut search = Search { iterations: 0, evaluations: 1 };
+    let mut start = Iterate::new(bodies, contact, DVector::zeros(bodies.count()))?;
+    let residual_at_start = start.norm();
+    if options.soft_start
+        && let Some(settled) = settle(bodies, contact, options, has_energy, &mut search, &start)?
+    {
+        start = Iterate::new(bodies, contact, settled)?;
+        search.evaluations += 1;
+    }
+    let (at, state) = newton(bodies, contact, options, has_energy, &mut search, start)?;
+    let (goal, scale) = bodies.goal(options, &at.touch.forces);
+    Ok(ContactStep {
+        state,
+        iterations: search.iterations,
+        evaluations: search.evaluations,
+        residual_at_start,
+        residual: at.norm(),
+        scale,
+        outside: at.touch.outside(goal),
+        displacement: at.displacement.as_slice().to_vec(),
+    })
+}
+
+/// From an iterate to the equilibrium, or as near as it gets.
+pub(super) fn newton(
+    bodies: &Checked,
+    contact: &mut dyn Touching,
+    options: &ContactStepOptions,
+    has_energy: bool,
+    search: &mut Search,
+    mut at: Iterate,
+) -> Result<(Iterate, ContactStepState), Error> {
+    let mut full_failed = false;
+    let last = search.iterations + options.most_iterations;
+    loop {
         let (goal, scale) = bodies.goal(options, &at.touch.forces);
         if at.touch.outside(goal) > 0 {
-            break ContactStepState::Outside;
+            return Ok((at, ContactStepState::Outside));
         }
         if at.norm() <= goal {
-            break ContactStepState::Converged;
+            return Ok((at, ContactStepState::Converged));
         }
-        if iterations == options.most_iterations {
-            break ContactStepState::NotConverged;
+        if search.iterations == last {
+            return Ok((at, ContactStepState::NotConverged));
         }
         let is_far = at.norm() > options.full_below * scale;
         let wish = match has_energy {
@@ -35,9 +74,9 @@ pub(super) fn solve(
             _ => TangentPart::Full,
         };
         let (direction, tangent, part) = direction(bodies, contact, &at, wish, has_energy)?;
-        iterations += 1;
+        search.iterations += 1;
         let (next, trials) = at.after(bodies, contact, &direction, options, has_energy)?;
-        evaluations += trials;
+        search.evaluations += trials;
         match next {
             Some(next) => {
                 full_failed = part == TangentPart::Full && next.norm() > 0.5 * at.norm();
@@ -45,21 +84,10 @@ pub(super) fn solve(
             }
             // The semidefinite tangent has not been tried here.
             None if has_energy && part == TangentPart::Full => full_failed = true,
-            None if at.norm() <= rounding(bodies, contact, &at, &tangent) => break ContactStepState::Converged,
-            None => break ContactStepState::NotConverged,
+            None if at.norm() <= rounding(bodies, contact, &at, &tangent) => return Ok((at, ContactStepState::Converged)),
+            None => return Ok((at, ContactStepState::NotConverged)),
         }
-    };
-    let (goal, scale) = bodies.goal(options, &at.touch.forces);
-    Ok(ContactStep {
-        state,
-        iterations,
-        evaluations,
-        residual_at_start,
-        residual: at.norm(),
-        scale,
-        outside: at.touch.outside(goal),
-        displacement: at.displacement.as_slice().to_vec(),
-    })
+    }
 }
 
 /// Newton's direction, with the contact's tangent and the part of it that was taken.

@@ -298,7 +298,8 @@ class fmc_contact_step_options(Structure):
         ("full_below", c_double),
         ("most_iterations", c_int32),
         ("most_trials", c_int32),
-        ("reserved", c_uint64 * 8),
+        ("soft_start", c_int64),
+        ("reserved", c_uint64 * 7),
     ]
 
 

@@ -56,6 +56,7 @@ class Condensed:
         self.freedoms = np.zeros(0, np.int64)
         self.matrix: Any = None
         self.factorisations = 0
+        self.soft_start = True
 
     def grow(self, x: np.ndarray) -> bool:
         """Adds the degrees of freedom that feel contact at ``x``; whether there were any."""
@@ -103,7 +104,8 @@ class Condensed:
         start = np.ascontiguousarray(self.unknowns.coords(x + change))
         residual = right[self.kept] - self.back @ loaded
         found = self.unknowns.inner.contact_step(
-            start, self.freedoms, self.schur, residual, self.held, place, tolerance=tolerance, goal=goal
+            start, self.freedoms, self.schur, residual, self.held, place,
+            tolerance=tolerance, goal=goal, soft_start=self.soft_start,
         )
         return changed(found.displacement), found
 

@@ -16,7 +16,7 @@ from ._signatures import PLACE
 from ._structs import STEP_STATES, fmc_contact_step_options, fmc_contact_step_result
 
 
-OPTIONS = ("tolerance", "goal", "full_below", "most_iterations", "most_trials")
+OPTIONS = ("tolerance", "goal", "full_below", "most_iterations", "most_trials", "soft_start")
 """Names of the options of a step."""
 
 
