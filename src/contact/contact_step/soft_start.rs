@@ -3,7 +3,7 @@
 use super::bodies::Checked;
 use super::iterate::Iterate;
 use super::options::ContactStepOptions;
-use super::solve::{Search, newton};
+use super::solve::{Search, direction, first_wish, newton};
 use super::touching::{Touch, Touching};
 use crate::Error;
 use crate::contact::tangent::TangentPart;
@@ -40,29 +40,35 @@ impl Touching for Softened<'_> {
     }
 }
 
-/// Equilibria on softer contacts, one after the other, where the start is far from equilibrium and touches with more stiffness
-/// than the bodies have. None of them is an equilibrium of the contact as it is: where one is not found, the next begins where
-/// it has led. The displacement of the last is returned.
+/// Where Newton's method begins with the contact as it is: where its first step leads if that can be taken whole, else where
+/// equilibria on softer contacts have led, one after the other. None of these is an equilibrium of the contact as it is: where one
+/// is not found, the next begins where it has led.
 pub(super) fn settle(
     bodies: &Checked,
     contact: &mut dyn Touching,
     options: &ContactStepOptions,
     has_energy: bool,
     search: &mut Search,
-    start: &Iterate,
-) -> Result<Option<DVector<f64>>, Error> {
-    let (_, scale) = bodies.goal(options, &start.touch.forces);
-    if start.norm() <= options.full_below * scale {
-        return Ok(None);
+    start: Iterate,
+) -> Result<Iterate, Error> {
+    let (goal, scale) = bodies.goal(options, &start.touch.forces);
+    if start.norm() <= goal || start.touch.outside(goal) > 0 {
+        return Ok(start);
     }
-    let tangent = contact.tangent(&start.displacement, TangentPart::Semidefinite)?;
-    let mut part = bearable(&bodies.symmetric, &tangent);
-    if part >= 1.0 {
-        return Ok(None);
+    let wish = first_wish(options, &start, scale, has_energy);
+    let (direction, tangent, _) = direction(bodies, contact, &start, wish, has_energy)?;
+    let once = ContactStepOptions { most_trials: 1, ..*options };
+    search.iterations += 1;
+    search.evaluations += 1;
+    if let Some(next) = start.after(bodies, contact, &direction, &once, has_energy)?.0 {
+        return Ok(next);
     }
+    let ahead = stiffness_ahead(contact, options, &start, &direction)?;
+    let mut part =
+        ahead.iter().chain([&tangent]).map(|tangent| bearable(&bodies.symmetric, tangent)).fold(1.0, f64::min);
     // The next one begins there, and needs no more digits.
     let rough = ContactStepOptions { tolerance: options.tolerance.max(options.full_below), ..*options };
-    let mut reached = start.displacement.clone();
+    let mut reached = start.displacement;
     while part < 1.0 {
         let mut softened = Softened { contact, part };
         let at = Iterate::new(bodies, &mut softened, reached)?;
@@ -76,7 +82,27 @@ pub(super) fn settle(
         };
         part *= STRIDE;
     }
-    Ok(Some(reached))
+    search.evaluations += 1;
+    Iterate::new(bodies, contact, reached)
+}
+
+/// Stiffness of the contact where a step leads: what begins to touch does so on the way. If cells are inside out there, it is
+/// that of half of the step, and so on.
+fn stiffness_ahead(
+    contact: &mut dyn Touching,
+    options: &ContactStepOptions,
+    start: &Iterate,
+    direction: &DVector<f64>,
+) -> Result<Option<DMatrix<f64>>, Error> {
+    let mut length = 1.0;
+    for _ in 0..options.most_trials {
+        match contact.tangent(&(&start.displacement + direction * length), TangentPart::Semidefinite) {
+            Ok(tangent) => return Ok(Some(tangent)),
+            Err(Error::InvertedCell { .. } | Error::FoldedCell { .. }) => length *= 0.5,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(None)
 }
 
 /// Part of the contact's stiffness that is nowhere more than the bodies' own.

@@ -26,11 +26,8 @@ pub(super) fn solve(
     let mut search = Search { iterations: 0, evaluations: 1 };
     let mut start = Iterate::new(bodies, contact, DVector::zeros(bodies.count()))?;
     let residual_at_start = start.norm();
-    if options.soft_start
-        && let Some(settled) = settle(bodies, contact, options, has_energy, &mut search, &start)?
-    {
-        start = Iterate::new(bodies, contact, settled)?;
-        search.evaluations += 1;
+    if options.soft_start {
+        start = settle(bodies, contact, options, has_energy, &mut search, start)?;
     }
     let (at, state) = newton(bodies, contact, options, has_energy, &mut search, start)?;
     let (goal, scale) = bodies.goal(options, &at.touch.forces);
@@ -68,10 +65,10 @@ pub(super) fn newton(
         if search.iterations == last {
             return Ok((at, ContactStepState::NotConverged));
         }
-        let is_far = at.norm() > options.full_below * scale;
-        let wish = match has_energy {
-            true if is_far || full_failed => TangentPart::Semidefinite,
-            _ => TangentPart::Full,
+        let wish = if has_energy && full_failed {
+            TangentPart::Semidefinite
+        } else {
+            first_wish(options, &at, scale, has_energy)
         };
         let (direction, tangent, part) = direction(bodies, contact, &at, wish, has_energy)?;
         search.iterations += 1;
@@ -84,14 +81,24 @@ pub(super) fn newton(
             }
             // The semidefinite tangent has not been tried here.
             None if has_energy && part == TangentPart::Full => full_failed = true,
-            None if at.norm() <= rounding(bodies, contact, &at, &tangent) => return Ok((at, ContactStepState::Converged)),
+            None if at.norm() <= rounding(bodies, contact, &at, &tangent) => {
+                return Ok((at, ContactStepState::Converged));
+            }
             None => return Ok((at, ContactStepState::NotConverged)),
         }
     }
 }
 
+/// The tangent to begin with: the semidefinite one where there is an energy and the residual is large by `scale`.
+pub(super) fn first_wish(options: &ContactStepOptions, at: &Iterate, scale: f64, has_energy: bool) -> TangentPart {
+    match has_energy && at.norm() > options.full_below * scale {
+        true => TangentPart::Semidefinite,
+        false => TangentPart::Full,
+    }
+}
+
 /// Newton's direction, with the contact's tangent and the part of it that was taken.
-fn direction(
+pub(super) fn direction(
     bodies: &Checked,
     contact: &mut dyn Touching,
     at: &Iterate,
