@@ -91,6 +91,14 @@ def punch_hex8(count):
     return punch(count, MeshHex, 3)
 
 
+def column(count):
+    """A column, one wide and two high, ``count`` cells across, on a block three wide and as soft, of which no node is below one of
+    its own. Its load step has a push of its own."""
+    lower = _grid(MeshTri, (3 * count, 2 * count), (0, 0), (3, 2))
+    upper = _grid(MeshTri, (count, 2 * count), (1.1, 2), (2.1, 4))
+    return _problem(lower, upper, [1.0, 1.0], [_below(0), _above(4)], [], 1 / count)
+
+
 def half_disc(count):
     """A half-disc with its flat side up on a softer block: one half of both, beside their plane of symmetry."""
     disc = MeshTri.init_circle(round(np.log2(count))).translated((0.0, 1.0))

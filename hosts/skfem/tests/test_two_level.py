@@ -13,9 +13,9 @@ import problems  # noqa: E402
 import study  # noqa: E402
 
 
-def _load_steps(problem, two_level):
+def _load_steps(problem, two_level, stiffness=10):
     """Outer solves and displacements of every load step."""
-    contact = problem.contact(10, **study.LAWS["depth"])
+    contact = problem.contact(stiffness, **study.LAWS["depth"])
     found, u = [], np.zeros(contact.size)
 
     def host(u):
@@ -40,3 +40,16 @@ def test_three_outer_solves_find_the_equilibrium_of_the_plain_method(name, count
     for (_, wanted), (_, found) in zip(plain, two):
         # Both stop at a residual of 1e-9 of the forces.
         assert np.abs(found - wanted).max() < 1e-8 * np.abs(wanted).max()
+
+
+@pytest.mark.parametrize("stiffness", [1, 10, 100, 1000])
+@pytest.mark.parametrize("overlap", [0.02, 0.1, 0.5])
+def test_a_first_overlap_of_a_part_of_a_cell_ends_where_small_load_steps_do(stiffness, overlap):
+    problem = problems.column(2)
+    pushes = -overlap * problem.facet * np.arange(1, 11) / 10
+    problem.pushes = pushes.tolist()
+    *_, (_, wanted) = _load_steps(problem, False, stiffness)
+    problem.pushes = pushes[-1:].tolist()
+    ((solves, found),) = _load_steps(problem, True, stiffness)
+    assert solves <= 4
+    assert np.abs(found - wanted).max() < 1e-8 * np.abs(wanted).max()

@@ -16,11 +16,11 @@ pub struct ContactStepOptions {
     pub most_iterations: usize,
     /// Trials along a direction, at most.
     pub most_trials: usize,
-    /// Whether a start that touches with more stiffness than the bodies have, and is far from equilibrium, is settled on softer
-    /// contacts first: at every condensed degree of freedom the contact is no stiffer than the bodies to begin with, and then ten
-    /// times as stiff, and again, until it is as it is. A deep start, from which the contact as it is would drive cells inside out
-    /// or bodies to another equilibrium, then ends where small load steps do. Each of these equilibria may take
-    /// `most_iterations`.
+    /// Whether softer contacts come first where the first step of Newton's method cannot be taken whole: where it would not lower
+    /// the energy (without an energy, the residual), or would turn a cell inside out. The contact is then no stiffer than the
+    /// bodies at any condensed degree of freedom to begin with, and then ten times as stiff, and again, until it is as it is. A deep
+    /// start, from which the contact as it is would lead nowhere, may so end where small load steps do. Each of these
+    /// equilibria may take `most_iterations`. What is reported is that of the contact as it is.
     pub soft_start: bool,
 }
 

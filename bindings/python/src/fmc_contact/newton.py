@@ -121,7 +121,7 @@ def newton(
     more solves. The equilibrium is the same. Friction is released afterwards.
 
     ``two_level``: the bodies are factorised down to the unknowns that feel contact, and the contact is iterated as it is
-    (``Contact.contact_step``), without soft iterations; where that leads nowhere, the rest is plain. It takes fewer linear
+    (``Contact.contact_step`` with ``soft_start``), without soft iterations of this method; where that leads nowhere, the rest is plain. It takes fewer linear
     solves where contact opens and closes on bodies that are well held. Where they may slip away sideways, a first overlap of more
     than some hundredths of a cell may end in another equilibrium than that of the plain method: take smaller load steps there, or the
     plain method.
