@@ -608,10 +608,10 @@ typedef struct {
   int32_t most_iterations;
   // Trials along a direction, at most, at least 1. Default 12.
   int32_t most_trials;
-  // 1: a start that touches with more stiffness than the bodies have, and is far from equilibrium, is settled on softer contacts
-  // first, each ten times as stiff as the one before, the first at every degree of freedom of the list no stiffer than the
-  // bodies. A deep start, from which the contact as it is would drive cells inside out or bodies to another equilibrium,
-  // then ends where small load steps do. Each of these equilibria may take `most_iterations`. 0, the default: off.
+  // 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
+  // energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
+  // degree of freedom of the list, then one ten times as stiff, and so on. Each may take `most_iterations`. What is reported
+  // is that of the contact as it is. 0, the default: off.
   int64_t soft_start;
   // Zero. Room for options of later versions.
   uint64_t reserved[7];
