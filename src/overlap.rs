@@ -1,10 +1,11 @@
 //! Overlap of two bodies, by two estimators that return the same types.
 //!
 //! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches)
-//! · `exact` and `fibers` (the estimators, which do not know each other).
+//! · `depth` (the law `depth`: what both have in common) · `exact` and `fibers` (the estimators, which do not know each other).
 
 mod auto;
 mod by_options;
+pub(crate) mod depth;
 pub(crate) mod depth_integral;
 pub(crate) mod depth_points;
 pub(crate) mod estimator;

@@ -77,6 +77,10 @@ impl<const D: usize> OverlapEstimator<D> for AutoEstimator<D> {
         self.of(pair).imbalance_of_volume(pair)
     }
 
+    fn imbalance_of_depth(&self, _: &Pair<D>) -> Option<Imbalance> {
+        None
+    }
+
     fn imbalance_of_points(&self, pair: &Pair<D>) -> Option<Imbalance> {
         self.of(pair).imbalance_of_points(pair)
     }

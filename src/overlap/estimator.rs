@@ -52,6 +52,9 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
     /// What is expected of the balance of the forces of a volume law, which is put right; `None`: it is not.
     fn imbalance_of_volume(&self, pair: &Pair<D>) -> Option<Imbalance>;
 
+    /// The same for the law `depth`.
+    fn imbalance_of_depth(&self, pair: &Pair<D>) -> Option<Imbalance>;
+
     /// The same for a local law.
     fn imbalance_of_points(&self, pair: &Pair<D>) -> Option<Imbalance>;
 

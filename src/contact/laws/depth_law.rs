@@ -5,6 +5,7 @@ use super::pair_energy::PairEnergy;
 use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use super::pressure_point::of_depth_points;
 use crate::Error;
+use crate::contact::momentum_correction::correct;
 use crate::contact::tangent::{Tangent, TangentPart};
 use crate::overlap::{DepthIntegral, DepthRequest, NodalSum, Overlap, Pair, SecondDerivative};
 
@@ -57,6 +58,10 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
         let (second, obstacle_node) = (second(asked.tangent), measured.obstacle_node());
         let request = DepthRequest { second, obstacle_node, points: asked.points || asked.slides };
         let Some(mut depth) = measured.estimator.depth_integral(measured.pair, &request)? else { return Ok(None) };
+        if let Some(expected) = measured.estimator.imbalance_of_depth(measured.pair) {
+            let DepthIntegral { nodes, of_b, gradient, pose_gradient, overlap, .. } = &mut depth;
+            overlap.warnings.extend(correct(nodes, of_b, gradient, pose_gradient, measured.pair, expected));
+        }
         let tangent = asked.tangent.map(|_| self.tangent_of(&mut depth));
         let pressure = |depth| self.stiffness * depth;
         let points = of_depth_points(std::mem::take(&mut depth.points), measured.pair, pressure, self.stiffness);

@@ -70,6 +70,10 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         Some(Imbalance { rounding: ROUNDING, doubtful: DOUBTFUL })
     }
 
+    fn imbalance_of_depth(&self, _: &Pair<D>) -> Option<Imbalance> {
+        None
+    }
+
     fn imbalance_of_points(&self, _: &Pair<D>) -> Option<Imbalance> {
         Some(Imbalance { rounding: f64::INFINITY, doubtful: UNBALANCED })
     }

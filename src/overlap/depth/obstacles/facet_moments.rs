@@ -3,9 +3,9 @@
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_slopes;
 use crate::geometry::{Vector, Weighting};
+use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
 use crate::overlap::depth_points::{DepthPlace, DepthPoint};
-use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::points::block_sum::product;
 use std::ops::AddAssign;

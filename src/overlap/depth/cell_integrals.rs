@@ -1,13 +1,15 @@
 //! What the depth of a body sums up to over an overlap, and how that changes as its cells move.
 
 use super::cell_pieces::CellPieces;
-use super::piece_moments::Products;
 use crate::depth::MOST_NODES;
 use crate::geometry::cells::Cells;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::depth_integral::SecondDerivative;
 use crate::overlap::points::block_sum::{BlockSum, product};
 use crate::overlap::points::node_sums::NodeSums;
+
+/// ∫ of every product of two barycentric coordinates.
+pub(crate) type Products = [[f64; 4]; 4];
 
 /// Volume of the overlap and the integral of the depth over it.
 #[derive(Clone, Copy, Debug, Default)]
