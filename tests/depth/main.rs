@@ -11,6 +11,7 @@ mod fields;
 mod flat;
 mod gap_offset;
 mod itself;
+mod lines;
 mod noise;
 mod obstacles;
 mod points;
