@@ -17,7 +17,7 @@ pub(crate) mod patches;
 pub(crate) mod points;
 
 pub(crate) use by_options::estimator;
-pub(crate) use depth_integral::{DepthIntegral, DepthRequest, SecondDerivative};
+pub(crate) use depth_integral::{DepthIntegral, DepthProfile, DepthRequest, SecondDerivative};
 pub(crate) use depth_points::{DepthPlace, DepthPoint, PlaceInCell, PointLists};
 pub(crate) use estimator::{Imbalance, OverlapEstimator};
 pub(crate) use gaps::{NodalGap, nodal_gaps};

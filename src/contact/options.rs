@@ -83,6 +83,13 @@ impl Options {
         if self.threads == 0 {
             return Err(Error::NotPositive { name: "threads", value: 0.0 });
         }
+        if self.law.needs_lines() && self.estimator == Estimator::Exact {
+            let what = "the law depth with a smoothing_length, exactly: use the estimator fibers or auto";
+            return Err(Error::Unsupported { what });
+        }
+        if self.law.needs_lines() && self.axisymmetric {
+            return Err(Error::Unsupported { what: "the law depth with a smoothing_length in axisymmetry" });
+        }
         if let Estimator::Fibers(fibers) | Estimator::Auto(fibers) = &self.estimator {
             if matches!(self.estimator, Estimator::Auto(_)) && fibers.pattern != FiberPattern::Lines {
                 let what = "isotropic fibers chosen automatically: use the estimator fibers";

@@ -117,7 +117,7 @@ impl Scene {
 #[test]
 fn it_is_that_of_all_unknowns_at_once_with_every_law() {
     let laws = [
-        EnergyLaw::Depth { stiffness: K },
+        EnergyLaw::depth(K),
         EnergyLaw::Fiber { stiffness: K, profile: FiberProfile::Quadratic },
         EnergyLaw::Volume { stiffness: K, exponent: 2.0 },
     ];
@@ -142,7 +142,7 @@ fn it_is_that_of_all_unknowns_at_once_with_every_law() {
 
 #[test]
 fn friction_frozen_and_with_the_current_pressure() {
-    let mut scene = scene(EnergyLaw::Depth { stiffness: K }, 0.3);
+    let mut scene = scene(EnergyLaw::depth(K), 0.3);
     let start = scene.coords.clone();
     scene.contact.begin_step(&start).unwrap();
     let (current, found) = scene.condensed(&ContactStepOptions::default());

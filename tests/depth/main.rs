@@ -15,6 +15,7 @@ mod lines;
 mod noise;
 mod obstacles;
 mod points;
+mod profile;
 mod reference;
 mod round_obstacles;
 mod scans;

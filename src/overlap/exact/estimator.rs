@@ -3,7 +3,7 @@
 use super::clipping::volume::ExactPair;
 use super::depth::depth_integral;
 use crate::Error;
-use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
+use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
@@ -70,7 +70,7 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         Some(Imbalance { rounding: ROUNDING, doubtful: DOUBTFUL })
     }
 
-    fn imbalance_of_depth(&self, _: &Pair<D>) -> Option<Imbalance> {
+    fn imbalance_of_depth(&self, _: &Pair<D>, _: DepthProfile) -> Option<Imbalance> {
         None
     }
 

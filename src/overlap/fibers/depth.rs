@@ -5,12 +5,15 @@
 //! forms; the faces between pieces are crossed by the same watertight rule as facets. With consistent weights the gradient is
 //! that of the energy on the same lines. No direction has a part in the energy: it is noise alone.
 //!
-//! `chords` (a line in a piece) · `line_sums` (what one line adds) · `facet_touches` (the crossings, facet by facet) ·
+//! `chords` (a line in a piece) · `line_sums` (what one line adds) · `moments` (of what is
+//! inside) · `curvature` (of a profile) · `facet_touches` (the crossings, facet by facet) ·
 //! `two_bodies` (both sides together)
 
 mod chords;
+mod curvature;
 mod facet_touches;
 mod line_sums;
+mod moments;
 mod two_bodies;
 
 pub(crate) use two_bodies::depth_integral;

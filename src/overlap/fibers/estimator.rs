@@ -3,7 +3,7 @@
 use super::depth::depth_integral;
 use super::layout::FiberPair;
 use crate::Error;
-use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
+use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::options::FiberOptions;
@@ -87,7 +87,7 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         self.options.momentum_correction.then_some(EXPECTED)
     }
 
-    fn imbalance_of_depth(&self, pair: &Pair<D>) -> Option<Imbalance> {
+    fn imbalance_of_depth(&self, pair: &Pair<D>, _: DepthProfile) -> Option<Imbalance> {
         // Obstacles are measured without lines.
         let has_lines = self.options.momentum_correction && pair.pose.is_none();
         has_lines.then_some(EXPECTED)

@@ -40,37 +40,39 @@ impl<const D: usize> FacetTouches<'_, D> {
             if pair.weighting.is_axis(&facet.corners, self.tolerance) {
                 continue;
             }
-            let (mut areas, mut depths, mut points) = ([0.0; D], [0.0; D], PointSums::default());
+            let [mut areas, mut depths, mut pressed] = [[0.0; D]; 3];
+            let mut points = PointSums::default();
             let before = sums.piece_count;
             for in_piece in touches.chunk_by(|p, q| p.0.piece == q.0.piece) {
                 let found = self.add(&facet, in_piece, &mut points, &mut sums);
-                for (sum, part) in areas.iter_mut().chain(&mut depths).zip(found.iter().flatten()) {
+                for (sum, part) in areas.iter_mut().chain(&mut depths).chain(&mut pressed).zip(found.iter().flatten()) {
                     *sum += part;
                 }
             }
             if sums.piece_count > before {
                 let side = (first.of_b, WEIGHT);
-                sums.add_to_nodes(&facet, &areas, &depths, side);
+                sums.add_to_nodes(&facet, &areas, &depths, &pressed, side);
                 sums.points.extend(points.into_points(&facet, side));
             }
         }
         sums
     }
 
-    /// Adds the crossings of a facet in one piece; ∫ N_a and ∫ g N_a over what they stand for, in parts of its measure.
+    /// Adds the crossings of a facet in one piece; ∫ N_a, ∫ g N_a and ∫ 2 φ(g) N_a over what they stand for, in parts of its
+    /// measure.
     fn add(
         &self,
         facet: &BodyFacet<D>,
         touches: &[OfFamily<D>],
         points: &mut PointSums<D>,
         sums: &mut FacetSums<D>,
-    ) -> [[f64; D]; 2] {
+    ) -> [[f64; D]; 3] {
         let DeepBodies { pair, cells, request, .. } = *self.bodies;
         let weighting: Weighting = pair.weighting;
         let piece = &self.other.pieces[touches[0].0.piece as usize];
         let blocks = FacetBlocks { cells, weight: WEIGHT, weighting, second: request.second };
         let is_same_way = piece.is_at_surface && facet.normal.dot(&piece.gradient) < -SAME_WAY * piece.gradient.norm();
-        let (mut areas, mut depths, mut moved) = ([0.0; D], [0.0; D], [[0.0; D]; D]);
+        let ([mut areas, mut depths, mut pressed], mut moved) = ([[0.0; D]; 3], [[0.0; D]; D]);
         let mut products = [[0.0; MOST]; MOST];
         let count = facet.nodes.len() + cells.nodes(piece.cell as usize).len();
         for (touch, family) in touches {
@@ -90,9 +92,11 @@ impl<const D: usize> FacetTouches<'_, D> {
             for a in 0..D {
                 areas[a] += share * touch.weights[a];
                 depths[a] += share * g * touch.weights[a];
+                pressed[a] += share * (2.0 * request.profile.density(g)) * touch.weights[a];
                 (0..D).for_each(|c| moved[a][c] += bare * g * touch.weights[a] * touch.weights[c]);
             }
             if request.second != SecondDerivative::No {
+                let share = share * (2.0 * request.profile.slope(g));
                 let shapes = blocks.shapes(facet, piece, &touch.weights, &touch.in_piece);
                 for (row, a) in products.iter_mut().zip(&shapes[..count]) {
                     row.iter_mut().zip(&shapes[..count]).for_each(|(sum, b)| *sum += share * a * b);
@@ -104,8 +108,8 @@ impl<const D: usize> FacetTouches<'_, D> {
             points.add(piece, &areas, &depths, &barycentric);
         }
         if request.second != SecondDerivative::No {
-            blocks.add(facet, piece, &products, (&depths, &moved), &mut Vec::new(), &mut sums.hessian);
+            blocks.add(facet, piece, &products, (&pressed, &moved), &mut Vec::new(), &mut sums.hessian);
         }
-        [areas, depths]
+        [areas, depths, pressed]
     }
 }

@@ -16,6 +16,8 @@ pub(super) struct Span {
     pub(super) length: f64,
     /// Barycentric coordinates of its ends in the piece.
     pub(super) ends: [[f64; 4]; 2],
+    /// Sums of both depths there.
+    pub(super) depths: [f64; 2],
 }
 
 /// A crossing of a line with a facet, in a piece of the other side.
@@ -115,17 +117,22 @@ impl<const D: usize> Pieces<'_, D> {
                 }
                 let length = in_p.sign * in_q.sign * (to - from);
                 sum += length;
-                for (chord, piece) in [(p, in_p), (q, in_q)] {
-                    let [mut start, mut end] = [from, to].map(|t| piece.barycentric(&(ray.0 + ray.1 * t)));
+                let at_ends = [from, to].map(|t| ray.0 + ray.1 * t);
+                let of_piece = [in_p, in_q].map(|piece| at_ends.each_ref().map(|x| piece.barycentric(x)));
+                let depth = |side: usize, end: usize| -> f64 {
+                    (0..=D).map(|k| of_piece[side][end][k] * [in_p, in_q][side].depths[k]).sum()
+                };
+                let depths = [0, 1].map(|end| depth(0, end) + depth(1, end));
+                for (side, (chord, piece)) in [(p, in_p), (q, in_q)].into_iter().enumerate() {
+                    let [mut start, mut end] = of_piece[side];
                     let mut part = length;
                     if piece.is_cut() {
-                        let depth = |at: &[f64; 4]| (0..=D).map(|k| at[k] * piece.depths[k]).sum::<f64>();
-                        let Some(between) = positive([depth(&start), depth(&end)]) else { continue };
+                        let Some(between) = positive([depth(side, 0), depth(side, 1)]) else { continue };
                         let at = |s: f64| std::array::from_fn(|k| start[k] + s * (end[k] - start[k]));
                         part *= between[1] - between[0];
                         (start, end) = (at(between[0]), at(between[1]));
                     }
-                    spans.push(Span { of_b: chord.of_b, piece: chord.piece, length: part, ends: [start, end] });
+                    spans.push(Span { of_b: chord.of_b, piece: chord.piece, length: part, ends: [start, end], depths });
                 }
             }
         }

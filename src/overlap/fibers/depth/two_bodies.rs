@@ -1,13 +1,15 @@
 //! The depth of two bodies below each other's surfaces, summed over their overlap by lines.
 
+use super::curvature::add_curvature;
 use super::facet_touches::{FacetTouches, OfFamily};
-use super::line_sums::{LineSums, Pieces};
+use super::line_sums::Pieces;
+use super::moments::Moments;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::overlap::depth::DeepBodies;
-use crate::overlap::depth::cell_integrals::{CellMoments, Products};
+use crate::overlap::depth::cell_integrals::CellMoments;
 use crate::overlap::depth::cell_pieces::CellPieces;
-use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
+use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest, SecondDerivative};
 use crate::overlap::fibers::bundle::Bundle;
 use crate::overlap::fibers::layout::{FiberPair, Layout};
 use crate::overlap::pair::partner::Partner;
@@ -72,8 +74,20 @@ fn measured<const D: usize>(
         ));
     }
     let per_length = layout.volume_per_length / fibers.families.len() as f64;
-    let moments: Vec<CellMoments> =
-        (0..of.len()).map(|side| moments(&of[side], side == 1, &sums, per_length, pair.weighting)).collect();
+    let moments: Vec<CellMoments> = (0..of.len())
+        .map(|side| {
+            let (weighting, profile) = (pair.weighting, bodies.request.profile);
+            Moments { of_b: side == 1, per_length, weighting, profile }.of(&of[side], &sums)
+        })
+        .collect();
+    let profile = bodies.request.profile;
+    if profile != DepthProfile::Quadratic
+        && bodies.request.second == SecondDerivative::Full
+        && let Some(sums_of_facets) = facets.first_mut()
+    {
+        let how = (profile, per_length);
+        add_curvature(bodies.cells, &of, &sums, how, &mut sums_of_facets.hessian);
+    }
     let cells: Vec<(&CellPieces<D>, &CellMoments)> = of.iter().zip(&moments).collect();
     let Some(mut integral) = bodies.assemble(facets, &cells) else { return Ok(None) };
     let overlap = &mut integral.overlap;
@@ -84,36 +98,4 @@ fn measured<const D: usize>(
     let lines_met = sums.iter().map(|sum| sum.lines_met).sum();
     overlap.warnings.extend(fibers.of_resolution(layout, lines_met, overlap.volume));
     Ok(Some(integral))
-}
-
-/// Moments of what the lines have inside, in the barycentric coordinates of every piece of one side.
-fn moments<const D: usize>(
-    of: &CellPieces<D>,
-    of_b: bool,
-    sums: &[LineSums<D>],
-    per_length: f64,
-    weighting: crate::geometry::Weighting,
-) -> CellMoments {
-    let spans = sums.iter().flat_map(|sum| &sum.spans).filter(|span| span.of_b == of_b);
-    if weighting.is_plain() {
-        let mut first = vec![[0.0; 4]; of.pieces.len()];
-        for span in spans {
-            let half = 0.5 * per_length * span.length;
-            for (k, sum) in first[span.piece as usize].iter_mut().enumerate() {
-                *sum += half * (span.ends[0][k] + span.ends[1][k]);
-            }
-        }
-        return CellMoments::plain(first);
-    }
-    let mut products: Vec<Products> = vec![[[0.0; 4]; 4]; of.pieces.len()];
-    for span in spans {
-        let sixth = per_length * span.length / 6.0;
-        let [p, q] = &span.ends;
-        for (k, row) in products[span.piece as usize].iter_mut().enumerate() {
-            for (l, sum) in row.iter_mut().enumerate() {
-                *sum += sixth * (2.0 * p[k] * p[l] + p[k] * q[l] + q[k] * p[l] + 2.0 * q[k] * q[l]);
-            }
-        }
-    }
-    CellMoments::weighted(of, products, weighting)
 }
