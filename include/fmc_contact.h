@@ -341,7 +341,8 @@ typedef enum {
   // Contact acts on degrees of freedom that are neither on the list nor held: the displacement is what was reached when it
   // did, and a longer list is needed.
   FMC_STEP_OUTSIDE = 1,
-  // The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
+  // The iterations have run out, or the residual could not be lowered any more, or the penetration; the displacement is what was
+  // reached.
   FMC_STEP_NOT_CONVERGED = 2,
 } fmc_contact_step_state;
 
@@ -611,8 +612,18 @@ typedef struct {
   int32_t most_iterations;
   // Trials along a direction, at most, at least 1. Default 12.
   int32_t most_trials;
+  // Largest mean penetration of a node that is wanted, a length; 0, the default: that of the law, as it is. Where the law leaves
+  // more, an augmented Lagrangian takes over, whose pressures at nodes need no penetration: for the laws "depth" and
+  // "fiber", without friction and self-contact.
+  double penetration;
+  // How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
+  double reach;
+  // Updates of these pressures, at most, at least 1. Default 20.
+  int32_t most_updates;
+  // Zero.
+  int32_t reserved_flags;
   // Zero. Room for options of later versions.
-  uint64_t reserved[8];
+  uint64_t reserved[5];
 } fmc_contact_step_options;
 
 // Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
@@ -644,8 +655,12 @@ typedef struct {
   double residual;
   // What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
   double scale;
+  // Updates of the pressures of an augmented Lagrangian.
+  size_t update_count;
+  // Largest mean penetration of a node at the end, where one was asked for; else 0.
+  double penetration;
   // Zero.
-  uint64_t reserved[8];
+  uint64_t reserved[6];
 } fmc_contact_step_result;
 
 // Contact force and moment on one body or obstacle.
@@ -1429,12 +1444,16 @@ fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 // than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
 // `count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 //
+// With `penetration` in the options no node penetrates by more than that on average over its part of the surface, however soft the
+// law is. What balances the bodies at the end is then not the force of the law, but `S d + r`.
+//
 // Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
 // in every iteration: some 500 take tenths of a second.
 //
 // Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
 // `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_STRUCT_SIZE` for the options,
-// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
+// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
+// a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
 // one call at a time on a context.
 fmc_status fmc_context_contact_step(fmc_context *context,
                                     const fmc_coords *coords,

@@ -628,6 +628,9 @@ impl Host {
             let mut result = std::mem::MaybeUninit::<fmc_contact_step_result>::zeroed().assume_init();
             assert_eq!(checked(fmc_contact_step_options_init(&raw mut options)), OK);
             (options.tolerance, options.most_iterations) = (tolerance, 12);
+            if which & 1 << 14 != 0 {
+                (options.penetration, options.most_updates) = (coupling, 3);
+            }
             let status = fmc_context_contact_step(
                 self.context,
                 unless(hole, 0, (&raw const view).cast_mut()),

@@ -1,5 +1,6 @@
 //! Equilibrium of the contact with condensed bodies.
 
 mod equilibrium;
+mod penetration;
 mod refused;
 mod springs;

@@ -9,13 +9,16 @@ use crate::Error;
 use crate::contact::tangent::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
+/// From a displacement; `left_over` is the part of the residual there that may be left in any case.
 pub(super) fn solve(
     bodies: &Checked,
     contact: &mut dyn Touching,
+    start: DVector<f64>,
     options: &ContactStepOptions,
     has_energy: bool,
+    left_over: f64,
 ) -> Result<ContactStep, Error> {
-    let mut at = Iterate::new(bodies, contact, DVector::zeros(bodies.count()))?;
+    let mut at = Iterate::new(bodies, contact, start)?;
     let residual_at_start = at.norm();
     let (mut iterations, mut evaluations, mut full_failed) = (0, 1, false);
     let state = loop {
@@ -23,7 +26,7 @@ pub(super) fn solve(
         if at.touch.outside(goal) > 0 {
             break ContactStepState::Outside;
         }
-        if at.norm() <= goal {
+        if at.norm() <= goal.max(left_over * residual_at_start) {
             break ContactStepState::Converged;
         }
         if iterations == options.most_iterations {
@@ -59,6 +62,8 @@ pub(super) fn solve(
         scale,
         outside: at.touch.outside(goal),
         displacement: at.displacement.as_slice().to_vec(),
+        updates: 0,
+        penetration: 0.0,
     })
 }
 
