@@ -13,6 +13,7 @@
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
 # make install   PREFIX=/usr/local: shared and static library, headers, Fortran modules, pkg-config and CMake files (Linux)
+# make book      the documentation as pages that are read in a browser, in out/book (mdbook: cargo install mdbook)
 # make clean
 #
 # demo and install need Rust (https://rustup.rs) and nothing else; check and test fetch what they lack through apt.
@@ -24,7 +25,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench header build install clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -170,6 +171,10 @@ compat: host-environment
 
 bench:
 	$(CARGO) bench -p fmc-benchmarks
+
+book:
+	@mdbook --version >/dev/null 2>&1 || { echo "mdbook is missing: cargo install mdbook" >&2; exit 1; }
+	mdbook build docs
 
 header:
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header

@@ -178,8 +178,9 @@ typedef enum {
   // w = k/2 times the integral over the overlap of g_A + g_B, the depths of both bodies' material below their own
   // surfaces; against an obstacle k times that of the depth below its surface. Flat faces press with k times their
   // penetration, as with "fiber", and k is a pressure per length; but there are no directions and no patches, and
-  // the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. Estimators exact and auto.
-  // Key value "depth".
+  // the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. Obstacles are measured
+  // without lines under every estimator. With a smoothing length s, w is the integral of psi(L)/L over the overlap, L
+  // being g_A + g_B and psi as above. Key value "depth".
   FMC_LAW_DEPTH = 2,
 } fmc_law;
 
@@ -340,7 +341,8 @@ typedef enum {
   // Contact acts on degrees of freedom that are neither on the list nor held: the displacement is what was reached when it
   // did, and a longer list is needed.
   FMC_STEP_OUTSIDE = 1,
-  // The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
+  // The iterations have run out, or the residual could not be lowered any more, or the penetration; the displacement is what was
+  // reached.
   FMC_STEP_NOT_CONVERGED = 2,
 } fmc_contact_step_state;
 
@@ -371,7 +373,8 @@ typedef struct {
   // Approximate number of fibers per pair; 0, the default: chosen from the facets in contact. Excludes `spacing`.
   uint64_t fiber_count;
   // Seed of the random shift of the pattern. Default 0. This, `spacing`, `fiber_length`, `fiber_count`, `pattern`
-  // and `weights` are refused where they would have no effect, as with the estimator "exact" or the law "depth".
+  // and `weights` are refused where they would have no effect, as with the estimator "exact", or with "auto" and the law
+  // "depth".
   uint64_t seed;
   // A value of `fmc_law`. Default `FMC_LAW_DEPTH`.
   int32_t law;
@@ -396,12 +399,13 @@ typedef struct {
   // 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
   // whole rings: everything counts 2 pi r. Default 0. Not with friction, nor isotropic fibers.
   int32_t axisymmetric;
-  // Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Only
-  // with `FMC_LAW_FIBER`.
+  // Smoothing length of the laws "fiber" and "depth", over which the pressure grows to k; 0, the default: the quadratic
+  // law. The law "depth" with one is measured on lines, between bodies alone: not with the estimator "exact", obstacles,
+  // a gap offset, or axisymmetry.
   double smoothing_length;
   // Coefficient of Coulomb friction of all pairs that have none of their own, at least 0. Default 0: no friction. With
   // it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. With the law
-  // "volume" not on sampled lines, and not without `friction_stiffness` or `memoryless_slip`.
+  // "volume" not without `friction_stiffness` or `memoryless_slip`, and not on isotropic fibers.
   double friction_coefficient;
   // Tangential stiffness of the stick, a pressure per length; 0, the default: the stiffness of the law at a first touch.
   double friction_stiffness;
@@ -608,13 +612,21 @@ typedef struct {
   int32_t most_iterations;
   // Trials along a direction, at most, at least 1. Default 12.
   int32_t most_trials;
+  // Largest mean penetration of a node that is wanted, a length; 0, the default: that of the law, as it is. Where the law leaves
+  // more, an augmented Lagrangian takes over, whose pressures at nodes need no penetration: for the laws "depth" and
+  // "fiber", without friction and self-contact.
+  double penetration;
+  // How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
+  double reach;
+  // Updates of these pressures, at most, at least 1. Default 20.
+  int32_t most_updates;
   // 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
   // energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
   // degree of freedom of the list, then one ten times as stiff, and so on. Each may take `most_iterations`. What is reported
   // is that of the contact as it is. 0, the default: off.
-  int64_t soft_start;
+  int32_t soft_start;
   // Zero. Room for options of later versions.
-  uint64_t reserved[7];
+  uint64_t reserved[5];
 } fmc_contact_step_options;
 
 // Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
@@ -646,8 +658,12 @@ typedef struct {
   double residual;
   // What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
   double scale;
+  // Updates of the pressures of an augmented Lagrangian.
+  size_t update_count;
+  // Largest mean penetration of a node at the end, where one was asked for; else 0.
+  double penetration;
   // Zero.
-  uint64_t reserved[8];
+  uint64_t reserved[6];
 } fmc_contact_step_result;
 
 // Contact force and moment on one body or obstacle.
@@ -1431,12 +1447,16 @@ fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 // than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
 // `count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 //
+// With `penetration` in the options no node penetrates by more than that on average over its part of the surface, however soft the
+// law is. What balances the bodies at the end is then not the force of the law, but `S d + r`.
+//
 // Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
 // in every iteration: some 500 take tenths of a second.
 //
 // Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
 // `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION` and `FMC_ERROR_STRUCT_SIZE` for the options,
-// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
+// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
+// a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
 // one call at a time on a context.
 fmc_status fmc_context_contact_step(fmc_context *context,
                                     const fmc_coords *coords,

@@ -29,6 +29,7 @@ mod state;
 mod stateless;
 mod stiffness;
 mod tangent;
+mod workers;
 
 pub use compressed_rows::CompressedRows;
 pub(crate) use compressed_rows::compressed;

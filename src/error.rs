@@ -89,7 +89,7 @@ pub enum Error {
         cell: usize,
     },
     /// The map of a cell of second order folds: its Jacobian determinant is negative, or positive in a mirrored cell, at a node or
-    /// a quadrature point. Zero is allowed.
+    /// a quadrature point; at the coordinates of an evaluation at a quadrature point. Zero is allowed.
     FoldedCell {
         /// Cell.
         cell: usize,

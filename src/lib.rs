@@ -33,7 +33,7 @@ pub use geometry::{
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
 pub use sampling::FiberPattern;
 
-/// The README's Rust code, run by the tests.
+/// The documentation's Rust code, run by the tests.
 #[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+#[doc = include_str!("../docs/first-contact.md")]
+struct FirstContact;

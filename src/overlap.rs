@@ -1,10 +1,11 @@
 //! Overlap of two bodies, by two estimators that return the same types.
 //!
 //! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches)
-//! · `exact` and `fibers` (the estimators, which do not know each other).
+//! · `depth` (the law `depth`: what both have in common) · `exact` and `fibers` (the estimators, which do not know each other).
 
 mod auto;
 mod by_options;
+pub(crate) mod depth;
 pub(crate) mod depth_integral;
 pub(crate) mod depth_points;
 pub(crate) mod estimator;
@@ -16,7 +17,7 @@ pub(crate) mod patches;
 pub(crate) mod points;
 
 pub(crate) use by_options::estimator;
-pub(crate) use depth_integral::{DepthIntegral, DepthRequest, SecondDerivative};
+pub(crate) use depth_integral::{DepthIntegral, DepthProfile, DepthRequest, SecondDerivative};
 pub(crate) use depth_points::{DepthPlace, DepthPoint, PlaceInCell, PointLists};
 pub(crate) use estimator::{Imbalance, OverlapEstimator};
 pub(crate) use gaps::{NodalGap, nodal_gaps};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 32] = [
+const ROOMS: [&str; 33] = [
     "error",
     "dimension",
     "geometry",
@@ -24,6 +24,7 @@ const ROOMS: [&str; 32] = [
     "overlap/points",
     "overlap/depth_points",
     "overlap/depth_integral",
+    "overlap/depth",
     "overlap/estimator",
     "overlap/exact/clipping",
     "overlap/exact/depth",

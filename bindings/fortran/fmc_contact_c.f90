@@ -243,8 +243,11 @@ module fmc_contact_c
     real(c_double) :: full_below
     integer(c_int32_t) :: most_iterations
     integer(c_int32_t) :: most_trials
-    integer(c_int64_t) :: soft_start
-    integer(c_int64_t) :: reserved(7)
+    real(c_double) :: penetration
+    real(c_double) :: reach
+    integer(c_int32_t) :: most_updates
+    integer(c_int32_t) :: soft_start
+    integer(c_int64_t) :: reserved(5)
   end type
 
   type, bind(c) :: fmc_contact_step_result
@@ -256,7 +259,9 @@ module fmc_contact_c
     real(c_double) :: residual_at_start
     real(c_double) :: residual
     real(c_double) :: scale
-    integer(c_int64_t) :: reserved(8)
+    integer(c_size_t) :: update_count
+    real(c_double) :: penetration
+    integer(c_int64_t) :: reserved(6)
   end type
 
   type, bind(c) :: fmc_resultant

@@ -627,7 +627,10 @@ impl Host {
             let mut options = std::mem::MaybeUninit::<fmc_contact_step_options>::zeroed().assume_init();
             let mut result = std::mem::MaybeUninit::<fmc_contact_step_result>::zeroed().assume_init();
             assert_eq!(checked(fmc_contact_step_options_init(&raw mut options)), OK);
-            (options.tolerance, options.most_iterations, options.soft_start) = (tolerance, 12, i64::from(which & 1));
+            (options.tolerance, options.most_iterations, options.soft_start) = (tolerance, 12, i32::from(which & 1 == 1));
+            if which & 1 << 14 != 0 {
+                (options.penetration, options.most_updates) = (coupling, 3);
+            }
             let status = fmc_context_contact_step(
                 self.context,
                 unless(hole, 0, (&raw const view).cast_mut()),

@@ -95,8 +95,11 @@ pub struct fmc_contact_step_options {
     pub full_below: f64,
     pub most_iterations: i32,
     pub most_trials: i32,
-    pub soft_start: i64,
-    pub reserved: [u64; 7],
+    pub penetration: f64,
+    pub reach: f64,
+    pub most_updates: i32,
+    pub soft_start: i32,
+    pub reserved: [u64; 5],
 }
 
 /// As in the header.
@@ -111,7 +114,9 @@ pub struct fmc_contact_step_result {
     pub residual_at_start: f64,
     pub residual: f64,
     pub scale: f64,
-    pub reserved: [u64; 8],
+    pub update_count: usize,
+    pub penetration: f64,
+    pub reserved: [u64; 6],
 }
 
 /// As in the header.

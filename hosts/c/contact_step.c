@@ -73,6 +73,14 @@ int main(void) {
   check(fmc_context_contact_step(context, &initial, NULL, freedoms, 2, NULL, 0, stiffness, residual, follow, NULL, d, &found));
   wrong += found.state != FMC_STEP_OUTSIDE || found.outside_count == 0;
 
+  /* As little penetration as is wanted: the lower square, which is held, stops the upper one after 0.1. */
+  fmc_contact_step_options hard = when;
+  hard.penetration = 1e-7;
+  check(fmc_context_contact_step(context, &initial, &hard, freedoms, 2, held, 8, stiffness, residual, follow, NULL, d, &found));
+  printf("state %d, penetration %g after %zu updates, u %.9f\n", (int)found.state, found.penetration, found.update_count, -d[0]);
+  wrong += found.state != FMC_STEP_CONVERGED || found.penetration > 1e-7 || found.update_count == 0;
+  wrong += fabs(d[0] + 0.1) > 1.01e-7 || fabs(d[1] + 0.1) > 1.01e-7;
+
   /* What is refused leaves the outputs as they were. */
   const int64_t beyond[2] = {9, 16}, again[2] = {9, 9}, negative[2] = {-1, 9};
   const double none[4] = {0, 0, 0, 0}, down[4] = {-1, 0, 0, 1}, lost[4] = {0.5, 0, NAN, 0.5};

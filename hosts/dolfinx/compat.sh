@@ -33,7 +33,8 @@ cp -r "$here/bindings/python/src" "$root/project/package"
 cp -r "$here/hosts/dolfinx/src" "$root/project/adapter"
 mkdir -p "$root/project/hosts/dolfinx"
 cp -r "$here/hosts/dolfinx/tests" "$here/hosts/dolfinx/examples" "$here/hosts/dolfinx/README.md" "$root/project/hosts/dolfinx"
-cp "$here/README.md" "$root/project"
+mkdir -p "$root/project/docs"
+cp "$here/docs/first-contact.md" "$root/project/docs"
 run python3 -c 'import dolfinx; print("dolfinx", dolfinx.__version__)'
 run PYTHONPATH=/project/package:/project/adapter FMC_CONTACT_LIBRARY=/project/libfmc_contact.so OMPI_MCA_btl=self,sm \
   python3 -m pytest -q -p no:cacheprovider /project/hosts/dolfinx/tests

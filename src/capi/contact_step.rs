@@ -33,35 +33,45 @@ pub struct fmc_contact_step_options {
     pub most_iterations: i32,
     /// Trials along a direction, at most, at least 1. Default 12.
     pub most_trials: i32,
+    /// Largest mean penetration of a node that is wanted, a length; 0, the default: that of the law, as it is. Where the law leaves
+    /// more, an augmented Lagrangian takes over, whose pressures at nodes need no penetration: for the laws "depth" and
+    /// "fiber", without friction and self-contact.
+    pub penetration: f64,
+    /// How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
+    pub reach: f64,
+    /// Updates of these pressures, at most, at least 1. Default 20.
+    pub most_updates: i32,
     /// 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
     /// energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
     /// degree of freedom of the list, then one ten times as stiff, and so on. Each may take `most_iterations`. What is reported
     /// is that of the contact as it is. 0, the default: off.
-    pub soft_start: i64,
+    pub soft_start: i32,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 7],
+    pub reserved: [u64; 5],
 }
 
 impl Default for fmc_contact_step_options {
     fn default() -> Self {
-        let ContactStepOptions { tolerance, goal, full_below, most_iterations, most_trials, soft_start } =
-            Default::default();
+        let defaults = ContactStepOptions::default();
         Self {
             struct_size: size_of::<Self>(),
-            tolerance,
-            goal,
-            full_below,
-            most_iterations: most_iterations as i32,
-            most_trials: most_trials as i32,
-            soft_start: i64::from(soft_start),
-            reserved: [0; 7],
+            tolerance: defaults.tolerance,
+            goal: defaults.goal,
+            full_below: defaults.full_below,
+            most_iterations: defaults.most_iterations as i32,
+            most_trials: defaults.most_trials as i32,
+            penetration: defaults.penetration,
+            reach: defaults.reach,
+            most_updates: defaults.most_updates as i32,
+            soft_start: defaults.soft_start.into(),
+            reserved: [0; 5],
         }
     }
 }
 
 impl fmc_contact_step_options {
     fn to_options(self) -> Result<ContactStepOptions, Failure> {
-        if self.struct_size != size_of::<Self>() || self.reserved != [0; 7] {
+        if self.struct_size != size_of::<Self>() || self.reserved != [0; 5] {
             let text = "the options of a contact step were not set by fmc_contact_step_options_init";
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
         }
@@ -75,6 +85,9 @@ impl fmc_contact_step_options {
             full_below: self.full_below,
             most_iterations: count("most_iterations", self.most_iterations)?,
             most_trials: count("most_trials", self.most_trials)?,
+            penetration: self.penetration,
+            reach: self.reach,
+            most_updates: count("most_updates", self.most_updates)?,
             soft_start: match self.soft_start {
                 0 => false,
                 1 => true,
@@ -95,7 +108,8 @@ pub enum fmc_contact_step_state {
     /// Contact acts on degrees of freedom that are neither on the list nor held: the displacement is what was reached when it
     /// did, and a longer list is needed.
     FMC_STEP_OUTSIDE = 1,
-    /// The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
+    /// The iterations have run out, or the residual could not be lowered any more, or the penetration; the displacement is what was
+    /// reached.
     FMC_STEP_NOT_CONVERGED = 2,
 }
 
@@ -121,8 +135,12 @@ pub struct fmc_contact_step_result {
     pub residual: f64,
     /// What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
     pub scale: f64,
+    /// Updates of the pressures of an augmented Lagrangian.
+    pub update_count: usize,
+    /// Largest mean penetration of a node at the end, where one was asked for; else 0.
+    pub penetration: f64,
     /// Zero.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 6],
 }
 
 /// Sets all options of a contact step to their defaults.
@@ -153,12 +171,16 @@ pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact
 /// than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
 /// `count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 ///
+/// With `penetration` in the options no node penetrates by more than that on average over its part of the surface, however soft the
+/// law is. What balances the bodies at the end is then not the force of the law, but `S d + r`.
+///
 /// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
 /// in every iteration: some 500 take tenths of a second.
 ///
 /// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
 /// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION` and `FMC_ERROR_STRUCT_SIZE` for the options,
-/// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
+/// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
+/// a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
 /// one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_contact_step(
@@ -213,7 +235,9 @@ pub unsafe extern "C" fn fmc_context_contact_step(
                 residual_at_start: step.residual_at_start,
                 residual: step.residual,
                 scale: step.scale,
-                reserved: [0; 8],
+                update_count: step.updates,
+                penetration: step.penetration,
+                reserved: [0; 6],
             });
         }
         Ok(())

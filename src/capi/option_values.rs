@@ -116,20 +116,21 @@ impl fmc_options {
     fn check_effects(&self) -> Result<(), Failure> {
         let estimator = ESTIMATOR.name(self.estimator)?;
         let law = LAW.name(self.law)?;
-        // Chosen automatically, lines may be needed, but never by the law "depth".
-        let is_sampled = estimator == "fibers" || (estimator == "auto" && law != "depth");
+        // Chosen automatically, lines may be needed, but not by the quadratic law "depth".
+        let is_quadratic = law == "depth" && self.smoothing_length == 0.0;
+        let is_sampled = estimator == "fibers" || (estimator == "auto" && !is_quadratic);
         let is_isotropic = PATTERN.name(self.pattern)? == "isotropic";
         let is_volume = law == "volume";
         let is_weighted = WEIGHTS.name(self.weights)? != "balance";
         let idle = [
             ("exponent", self.exponent != 1.0 && !is_volume, "the law 'volume'"),
-            ("smoothing_length", self.smoothing_length != 0.0 && law != "fiber", "the law 'fiber'"),
+            ("smoothing_length", self.smoothing_length != 0.0 && is_volume, "the laws 'fiber' and 'depth'"),
             ("spacing", self.spacing != 0.0 && !is_sampled, "the estimator 'fibers'"),
             ("fiber_count", self.fiber_count != 0 && !is_sampled, "the estimator 'fibers'"),
             ("seed", self.seed != 0 && !is_sampled, "the estimator 'fibers'"),
             ("pattern", is_isotropic && estimator != "fibers", "the estimator 'fibers'"),
             ("weights", is_weighted && !is_sampled, "the estimator 'fibers'"),
-            ("weights", is_weighted && !is_volume, "the law 'volume'"),
+            ("weights", is_weighted && law == "fiber", "the laws 'volume' and 'depth'"),
             ("weights", is_weighted && is_isotropic, "the pattern 'lines'"),
             ("fiber_length", self.fiber_length != 0.0 && !(is_sampled && is_isotropic), "the pattern 'isotropic'"),
         ];
@@ -153,12 +154,13 @@ impl fmc_options {
 
     fn law(&self) -> Result<EnergyLaw, Failure> {
         let k = self.stiffness;
-        Ok(match (LAW.name(self.law)?, self.smoothing_length) {
-            ("fiber", 0.0) => EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic },
-            ("fiber", smoothing_length) => {
-                EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
-            }
-            ("depth", _) => EnergyLaw::Depth { stiffness: k },
+        let profile = match self.smoothing_length {
+            0.0 => FiberProfile::Quadratic,
+            smoothing_length => FiberProfile::Linear { smoothing_length },
+        };
+        Ok(match LAW.name(self.law)? {
+            "fiber" => EnergyLaw::Fiber { stiffness: k, profile },
+            "depth" => EnergyLaw::Depth { stiffness: k, profile },
             _ => EnergyLaw::Volume { stiffness: k, exponent: self.exponent },
         })
     }
@@ -256,7 +258,7 @@ mod tests {
             (|o| (o.estimator, o.seed) = (1, 9), "'seed' belongs to the estimator 'fibers'"),
             (|o| (o.estimator, o.pattern) = (1, 1), "'pattern' belongs to the estimator 'fibers'"),
             (|o| (o.law, o.estimator, o.weights) = (0, 1, 1), "'weights' belongs to the estimator 'fibers'"),
-            (|o| (o.law, o.weights) = (1, 1), "'weights' belongs to the law 'volume'"),
+            (|o| (o.law, o.weights) = (1, 1), "'weights' belongs to the laws 'volume' and 'depth'"),
             (|o| o.spacing = 0.1, "'spacing' belongs to the estimator 'fibers'"),
             (|o| (o.law, o.estimator, o.pattern, o.weights) = (0, 0, 1, 1), "'weights' belongs to the pattern 'lines'"),
             (

@@ -207,6 +207,8 @@ impl Session for Brittle {
             residual: 0.0,
             scale: 0.0,
             outside: 0,
+            updates: 0,
+            penetration: 0.0,
         })
     }
 

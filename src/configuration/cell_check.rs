@@ -13,7 +13,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::facet::determinant;
 use crate::geometry::inverted::CHUNK;
-use crate::geometry::second_order::CurvedCells;
+use crate::geometry::second_order::{CurvedCells, MapCheck};
 use rayon::prelude::*;
 
 /// Part of the width up to which movements are trusted, for rounding in the determinants.
@@ -122,7 +122,7 @@ impl<const D: usize> Group<D> {
         }
         let (range, width) = (self.cells.clone(), |cell| width(cells, cell, coords));
         self.width = match self.curved {
-            Some(block) => curved[block].check(range, coords)?,
+            Some(block) => curved[block].check(range, coords, MapCheck::OnTheWay)?,
             None => {
                 cells.check_range(range.clone(), coords)?;
                 range.map(width).fold(f64::INFINITY, f64::min)

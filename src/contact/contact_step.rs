@@ -3,10 +3,13 @@
 //! Contact acts on few nodes, and opens and closes; the bodies are many equations, and nearly linear. So a host factorises
 //! its bodies once, down to these degrees of freedom, and what is iterated here is dense and small, with the contact as it is.
 
+mod augmented;
 mod bodies;
 mod dense;
 mod iterate;
 mod kept;
+mod multipliers;
+mod newton;
 mod options;
 mod soft_start;
 mod solve;
@@ -19,6 +22,7 @@ use super::Contact;
 use crate::Error;
 use bodies::Checked;
 use kept::Kept;
+use nalgebra::DVector;
 
 /// Puts the nodes where they are at a displacement of the degrees of freedom on the list: it is given the displacement, and
 /// the coordinates with it added, and moves the nodes that follow.
@@ -37,10 +41,15 @@ impl<const D: usize> Contact<D> {
     /// that of cells. Results that a law or an estimator does not have the gradient of an energy for (sampled lines with the
     /// momentum correction, patches that are not kept) may end the iterations early; the state then says so.
     ///
+    /// With [`ContactStepOptions::penetration`] no node penetrates by more than that on average over its part of the surface,
+    /// however soft the law is: from its equilibrium on, an augmented Lagrangian updates pressures at the nodes of one side
+    /// of each pair. What balances the bodies at the end is then not the force of the law, but `S d + r`.
+    ///
     /// # Errors
     /// Those of [`Self::tangent`] at `coords`. [`Error::Length`], [`Error::FreedomOutOfRange`], [`Error::RepeatedFreedom`],
     /// [`Error::NonFiniteStiffness`], [`Error::NotPositive`] for what is given; [`Error::IndefiniteStiffness`] and
-    /// [`Error::SingularStiffness`] where the bodies together with the contact hold nothing; those of `place`.
+    /// [`Error::SingularStiffness`] where the bodies together with the contact hold nothing; [`Error::Unsupported`] for a penetration asked for with
+    /// friction, self-contact, or a law without a stiffness by penetration; those of `place`.
     pub fn contact_step(
         &self,
         coords: &[[f64; D]],
@@ -56,6 +65,9 @@ impl<const D: usize> Contact<D> {
         let checked = Checked::new(bodies, expected * D)?;
         let has_energy = self.frozen.is_some() || !self.has_friction();
         let mut contact = Kept::new(self, coords, bodies, place);
-        solve::solve(&checked, &mut contact, options, has_energy)
+        if options.penetration > 0.0 {
+            return augmented::solve(self, &checked, &mut contact, (coords, options));
+        }
+        solve::solve(&checked, &mut contact, DVector::zeros(checked.count()), options, has_energy, 0.0)
     }
 }

@@ -11,6 +11,7 @@ use super::pair_table::PairTable;
 use super::rigid::Rigid;
 use super::state::State;
 use super::tangent::{Tangent, TangentPart};
+use super::workers::Workers;
 use crate::Error;
 use crate::depth::DepthField;
 use crate::geometry::{Basis, BoundaryFacet, PointWeights, Surface};
@@ -29,7 +30,7 @@ pub struct Contact<const D: usize> {
     pub(super) options: Options,
     /// Whether tangents have the rotations of the obstacles.
     pub(super) obstacle_rotations: bool,
-    pub(super) pool: Option<rayon::ThreadPool>,
+    pub(super) workers: Option<Workers>,
     pub(super) estimator: Box<dyn OverlapEstimator<D>>,
     /// Of the pairs that have none of their own.
     pub(super) law: Box<dyn PairLaw<D>>,
@@ -62,7 +63,7 @@ impl<const D: usize> Contact<D> {
             obstacles: Vec::new(),
             options,
             obstacle_rotations: false,
-            pool: pool(options.threads)?,
+            workers: Workers::new(options.threads)?,
             estimator: estimator(&options)?,
             law: pair_law(&options.law)?,
             pair_table: PairTable::new(),
@@ -143,7 +144,7 @@ impl<const D: usize> Contact<D> {
         check_depth(&self.surface, &options)?;
         self.pair_table.check(&options)?;
         if options.threads != self.options.threads {
-            self.pool = pool(options.threads)?;
+            self.workers = Workers::new(options.threads)?;
         }
         if options.estimator != self.options.estimator {
             self.release_patches();
@@ -300,20 +301,4 @@ fn check_depth<const D: usize>(surface: &Surface<D>, options: &Options) -> Resul
         return Err(Error::Unsupported { what });
     }
     Ok(())
-}
-
-/// Most threads of one contact: more than the largest machines have cores, and few enough for any to start.
-const MOST_THREADS: usize = 1024;
-
-/// Threads of one contact; none are started for one.
-fn pool(threads: usize) -> Result<Option<rayon::ThreadPool>, Error> {
-    if threads == 1 {
-        return Ok(None);
-    }
-    if threads > MOST_THREADS {
-        return Err(Error::Threads { threads });
-    }
-    let name = |index| format!("fmc-contact-{index}");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).thread_name(name).build();
-    pool.map(Some).map_err(|_| Error::Threads { threads })
 }

@@ -72,8 +72,8 @@ impl Options {
                             its own: set friction_stiffness";
                 return Err(Error::Unsupported { what });
             }
-            if matches!(self.estimator, Estimator::Fibers(_)) {
-                let what = "friction with the law volume on sampled lines: use the estimator exact or auto";
+            if matches!(&self.estimator, Estimator::Fibers(fibers) if fibers.pattern != FiberPattern::Lines) {
+                let what = "friction with the law volume on isotropic fibers: use FiberPattern::Lines";
                 return Err(Error::Unsupported { what });
             }
         }
@@ -83,13 +83,20 @@ impl Options {
         if self.threads == 0 {
             return Err(Error::NotPositive { name: "threads", value: 0.0 });
         }
+        if self.law.needs_lines() && self.estimator == Estimator::Exact {
+            let what = "the law depth with a smoothing_length, exactly: use the estimator fibers or auto";
+            return Err(Error::Unsupported { what });
+        }
+        if self.law.needs_lines() && self.axisymmetric {
+            return Err(Error::Unsupported { what: "the law depth with a smoothing_length in axisymmetry" });
+        }
         if let Estimator::Fibers(fibers) | Estimator::Auto(fibers) = &self.estimator {
             if matches!(self.estimator, Estimator::Auto(_)) && fibers.pattern != FiberPattern::Lines {
                 let what = "isotropic fibers chosen automatically: use the estimator fibers";
                 return Err(Error::Unsupported { what });
             }
-            if self.law.needs_depth() && matches!(self.estimator, Estimator::Fibers(_)) {
-                let what = "the law depth on sampled lines: use the estimator exact or auto";
+            if self.law.needs_depth() && fibers.pattern != FiberPattern::Lines {
+                let what = "the law depth on isotropic fibers: use FiberPattern::Lines";
                 return Err(Error::Unsupported { what });
             }
             if self.law.is_fiber() && fibers.pattern != FiberPattern::Lines {

@@ -30,7 +30,7 @@ impl<const D: usize> Contact<D> {
         self.with_state(coords, |state| {
             let pairs = self.pairs(state, reach);
             let work = |partners: &[Partner; 2]| self.with_pair(state, *partners, &work);
-            let Some(pool) = &self.pool else {
+            let Some(pool) = self.pool() else {
                 return pairs.iter().filter_map(|partners| work(partners).transpose()).collect();
             };
             // A signed distance function belongs to the host and is called on the calling thread.
@@ -138,7 +138,7 @@ impl<const D: usize> Contact<D> {
         let weighting = self.options.weighting();
         let clearance = if parallel.is_some() { 0.0 } else { -self.pair_table.gap_offset(&partners) };
         // Outside the pool there is none to share the work with.
-        let shared = self.pool.is_some() && !counterpart.is_marched();
+        let shared = self.pool().is_some() && !counterpart.is_marched();
         let pair =
             Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, parallel: shared };
         // They were kept in the order of the pairs.

@@ -3,6 +3,7 @@
 use super::Contact;
 use super::laws::{FoundPatches, PairLaw};
 use super::rigid::Placed;
+use super::workers::Workers;
 use crate::Error;
 use crate::configuration::Configuration;
 use crate::depth::DepthField;
@@ -48,11 +49,16 @@ impl<const D: usize> Contact<D> {
         self.depth.get_or_init(new).as_ref()
     }
 
+    /// The threads that share the work, if there are some.
+    pub(super) fn pool(&self) -> Option<&rayon::ThreadPool> {
+        self.workers.as_ref().and_then(Workers::pool)
+    }
+
     fn bring(&self, state: &mut State<D>, coords: &[[f64; D]]) -> Result<(), Error> {
         let update = |state: &mut State<D>| {
-            state.configuration.update(&self.surface, coords, self.options.check_cells, self.pool.is_some())
+            state.configuration.update(&self.surface, coords, self.options.check_cells, self.pool().is_some())
         };
-        let moved = match &self.pool {
+        let moved = match self.pool() {
             Some(pool) => pool.install(|| update(state)),
             None => update(state),
         }?;

@@ -31,6 +31,6 @@ mod refined;
 mod shape_functions;
 
 pub use basis::Basis;
-pub(crate) use curved_cells::CurvedCells;
+pub(crate) use curved_cells::{CurvedCells, MapCheck};
 pub(crate) use division::Division;
 pub(crate) use interpolation::Interpolation;

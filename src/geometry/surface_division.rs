@@ -1,7 +1,7 @@
 //! Surfaces of meshes whose cells are divided, and of those whose nodes a host's own unknowns move.
 
 use super::cells::Cells;
-use super::second_order::{Basis, CurvedCells, Division};
+use super::second_order::{Basis, CurvedCells, Division, MapCheck};
 use super::{Bodies, CellBlock, Surface};
 use crate::Error;
 use std::borrow::Cow;
@@ -42,7 +42,7 @@ impl<const D: usize> Surface<D> {
     /// # Errors
     /// [`Error::FoldedCell`].
     pub(super) fn check_curved(&self, points: &[[f64; D]]) -> Result<(), Error> {
-        self.curved().iter().try_for_each(|curved| curved.check(0..curved.len(), points).map(|_| ()))
+        self.curved().iter().try_for_each(|curved| curved.check(0..curved.len(), points, MapCheck::Given).map(|_| ()))
     }
 
     /// Cells of second order, block by block.

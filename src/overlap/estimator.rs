@@ -1,6 +1,6 @@
 //! What every estimator can be asked for a pair of bodies.
 
-use super::depth_integral::{DepthIntegral, DepthRequest};
+use super::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
 use super::pair::fiber_trace::FiberTrace;
 use super::pair::overlap::Overlap;
 use super::pair::sides::Pair;
@@ -51,6 +51,9 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
 
     /// What is expected of the balance of the forces of a volume law, which is put right; `None`: it is not.
     fn imbalance_of_volume(&self, pair: &Pair<D>) -> Option<Imbalance>;
+
+    /// The same for the law `depth`.
+    fn imbalance_of_depth(&self, pair: &Pair<D>, profile: DepthProfile) -> Option<Imbalance>;
 
     /// The same for a local law.
     fn imbalance_of_points(&self, pair: &Pair<D>) -> Option<Imbalance>;

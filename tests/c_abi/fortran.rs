@@ -1,10 +1,9 @@
 //! Fortran: `bindings/fortran/fmc_contact_c.f90` is what `include/fmc_contact.h` says, and the hosts in hosts/fortran run.
 
-mod declarations;
 mod interface;
 
+use super::declarations::Declarations;
 use super::program::{built, compiler, root, run, scratch, succeed};
-use declarations::Declarations;
 use std::process::Command;
 use std::{env, fs};
 

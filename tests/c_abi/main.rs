@@ -2,6 +2,7 @@
 //!
 //! These tests call cc, c++, gfortran, nm, readelf, valgrind, make, pkg-config and cmake; `make test` installs what is missing.
 
+mod declarations;
 mod fortran;
 mod header;
 mod histories;
@@ -9,4 +10,5 @@ mod hosts;
 mod install;
 mod program;
 mod readme;
+mod record;
 mod symbols;

@@ -1,4 +1,4 @@
-//! The README's programs in C, C++ and Fortran are compiled and run as they stand there.
+//! The programs of docs/first-contact.md in C, C++ and Fortran are compiled and run as they stand there; the README's are the same.
 
 use super::program::{built, compiler, root, scratch, succeed};
 use std::fs;
@@ -6,11 +6,27 @@ use std::process::Command;
 
 /// The program of a language, of at most ten lines.
 pub(crate) fn program(language: &str) -> String {
-    let readme = fs::read_to_string(root().join("README.md")).expect("the README");
-    let begin = format!("```{language}\n");
-    let source = readme.split(&begin).nth(1).and_then(|rest| rest.split("```").next()).expect("a program");
+    let page = fs::read_to_string(root().join("docs/first-contact.md")).expect("the page");
+    let source = programs(&page, language).next().expect("a program");
     assert!(source.lines().count() <= 10, "first force in ten lines of {language}");
     source.to_owned()
+}
+
+/// The programs of a page in one language.
+fn programs<'a>(page: &'a str, language: &str) -> impl Iterator<Item = &'a str> {
+    let begin = format!("```{language}\n");
+    let places: Vec<usize> = page.match_indices(&begin).map(|(place, _)| place + begin.len()).collect();
+    places.into_iter().filter_map(|place| page[place..].split("```").next())
+}
+
+#[test]
+fn the_readme_has_programs_of_that_page() {
+    let [readme, page] =
+        ["README.md", "docs/first-contact.md"].map(|name| fs::read_to_string(root().join(name)).expect("a page"));
+    for language in ["c", "python"] {
+        let shown: Vec<&str> = programs(&readme, language).collect();
+        assert!(shown.len() == 1 && programs(&page, language).any(|program| program == shown[0]), "{language}");
+    }
 }
 
 #[test]

@@ -7,17 +7,17 @@ use fmc_contact::{
 use fmc_shapes::rectangle_quad4;
 use nalgebra::{DMatrix, DVector};
 
-const K: f64 = 2000.0;
+pub(crate) const K: f64 = 2000.0;
 
 /// A row of cells whose nodes stand on springs, coupled with their neighbours as in a membrane, above a round obstacle.
-struct Scene {
+pub(crate) struct Scene {
     coords: Vec<[f64; 2]>,
-    contact: Contact<2>,
+    pub(crate) contact: Contact<2>,
     stiffness: DMatrix<f64>,
     residual: DVector<f64>,
 }
 
-fn scene(law: EnergyLaw, friction: f64) -> Scene {
+pub(crate) fn scene(law: EnergyLaw, friction: f64) -> Scene {
     let mesh = rectangle_quad4([0.0, 0.0], [2.0, 0.5], [12, 3]);
     let (coords, conn) = (mesh.coords, mesh.conn);
     let block = CellBlock { cell_type: CellType::Quad4, conn: &conn };
@@ -53,7 +53,12 @@ fn fan() -> Vec<[f64; 2]> {
 }
 
 impl Scene {
-    fn at(&self, d: &DVector<f64>) -> Vec<[f64; 2]> {
+    /// What contact must bear for equilibrium.
+    pub(crate) fn pressed(&self, d: &DVector<f64>) -> DVector<f64> {
+        &self.residual + &self.stiffness * d
+    }
+
+    pub(crate) fn at(&self, d: &DVector<f64>) -> Vec<[f64; 2]> {
         let moved = |n: usize| std::array::from_fn(|axis| self.coords[n][axis] + d[2 * n + axis]);
         (0..self.coords.len()).map(moved).collect()
     }
@@ -84,7 +89,7 @@ impl Scene {
     }
 
     /// The step on the unknowns of the lower two rows, and where it leads all of them.
-    fn condensed(&self, options: &ContactStepOptions) -> (DVector<f64>, fmc_contact::contact::ContactStep) {
+    pub(crate) fn condensed(&self, options: &ContactStepOptions) -> (DVector<f64>, fmc_contact::contact::ContactStep) {
         let count = 2 * self.coords.len();
         let is_kept = |freedom: &usize| self.coords[freedom / 2][1] < 0.2;
         let (kept, inner): (Vec<usize>, Vec<usize>) = (0..count).partition(is_kept);
@@ -117,7 +122,7 @@ impl Scene {
 #[test]
 fn it_is_that_of_all_unknowns_at_once_with_every_law() {
     let laws = [
-        EnergyLaw::Depth { stiffness: K },
+        EnergyLaw::depth(K),
         EnergyLaw::Fiber { stiffness: K, profile: FiberProfile::Quadratic },
         EnergyLaw::Volume { stiffness: K, exponent: 2.0 },
     ];
@@ -142,7 +147,7 @@ fn it_is_that_of_all_unknowns_at_once_with_every_law() {
 
 #[test]
 fn friction_frozen_and_with_the_current_pressure() {
-    let mut scene = scene(EnergyLaw::Depth { stiffness: K }, 0.3);
+    let mut scene = scene(EnergyLaw::depth(K), 0.3);
     let start = scene.coords.clone();
     scene.contact.begin_step(&start).unwrap();
     let (current, found) = scene.condensed(&ContactStepOptions::default());

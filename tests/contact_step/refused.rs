@@ -40,6 +40,10 @@ fn options_out_of_their_range_are_named() {
         ("full_below", ContactStepOptions { full_below: f64::NAN, ..plain }),
         ("most_iterations", ContactStepOptions { most_iterations: 0, ..plain }),
         ("most_trials", ContactStepOptions { most_trials: 0, ..plain }),
+        ("penetration", ContactStepOptions { penetration: -1e-6, ..plain }),
+        ("penetration", ContactStepOptions { penetration: f64::NAN, ..plain }),
+        ("reach", ContactStepOptions { reach: f64::INFINITY, ..plain }),
+        ("most_updates", ContactStepOptions { most_updates: 0, ..plain }),
     ] {
         let error = contact.contact_step(&coords, &bodies, &options, None).unwrap_err();
         assert!(matches!(error, Error::NotPositive { name: found, .. } if found == name), "{error}");

@@ -1,9 +1,8 @@
 //! The law knows no unit and no numbering.
 
 use crate::depth;
-use crate::scene::{Scene, distance, size_sum};
-use fmc_contact::Obstacle;
-use fmc_contact::{Pose, Shape};
+use crate::scene::{Scene, distance, lines, size_sum};
+use fmc_contact::{EnergyLaw, Obstacle, Options, Pose, Shape};
 use fmc_shapes::{Splitmix, cuboid_hex8, cuboid_tet4};
 
 fn scene() -> Scene<3> {
@@ -32,11 +31,16 @@ fn another_unit_of_length() {
     }
 }
 
-/// Nodes in another order, and bodies too.
+/// Nodes in another order, and bodies too, exactly and on the same lines.
 #[test]
 fn another_numbering() {
+    renumbered(depth(2.0));
+    renumbered(Options { law: EnergyLaw::depth(2.0), ..lines(0.03, 1) });
+}
+
+fn renumbered(options: Options) {
     let scene = scene();
-    let before = scene.evaluate(depth(2.0));
+    let before = scene.evaluate(options);
     let count = scene.coords.len();
     let mut order: Vec<usize> = (0..count).collect();
     let mut random = Splitmix::new(5);
@@ -48,7 +52,7 @@ fn another_numbering() {
     other.blocks.iter_mut().flat_map(|block| &mut block.1).for_each(|n| *n = order[*n as usize] as u32);
     (0..count).for_each(|n| other.coords[order[n]] = scene.coords[n]);
     other.ids.iter_mut().for_each(|id| *id = 1 - *id);
-    let found = other.evaluate(depth(2.0));
+    let found = other.evaluate(options);
     assert!((found.energy / before.energy - 1.0).abs() < 1e-12);
     let forces: Vec<[f64; 3]> = (0..count).map(|n| found.forces[order[n]]).collect();
     assert!(distance(&forces, &before.forces) < 1e-12 * size_sum(&before.forces));

@@ -3,7 +3,7 @@
 use crate::scene::{Scene, norm, table::exactly};
 use crate::{begun, in_plane, in_space, slid};
 use fmc_contact::contact::{Friction, NodeStatus, TangentPart};
-use fmc_contact::{EnergyLaw, Error, Estimator, FiberOptions, Obstacle, Options, Pose, Shape};
+use fmc_contact::{EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, Obstacle, Options, Pose, Shape};
 use fmc_shapes::cuboid_hex8;
 
 const PRESSURE: f64 = 2.0;
@@ -43,6 +43,23 @@ fn a_block_sticks_and_slides() {
     in_plane(delta).iter().for_each(|scene| pushed(scene, 1.0));
     // Two sunken walls along the way, half of their area.
     in_space(delta).iter().for_each(|scene| pushed(scene, 0.8 + delta));
+}
+
+/// On lines the pull is the same but for noise, which the friction has as the pressure has it.
+#[test]
+fn on_sampled_lines() {
+    fn check<const D: usize>(scene: &Scene<D>) {
+        let pull = |options: Options| {
+            let contact = begun(scene, options, &scene.coords);
+            contact.evaluate(&slid(scene, 5.0 * MU * PRESSURE / STIFFNESS)).expect("valid coordinates").bodies[1]
+                .friction[0]
+        };
+        let exact = pull(options());
+        let found = pull(Options { estimator: Estimator::Fibers(FiberOptions::default()), ..options() });
+        assert!(exact < 0.0 && (found / exact - 1.0).abs() < 0.02, "{found} instead of {exact}");
+    }
+    in_plane(1e-3).iter().for_each(check);
+    in_space(1e-3).iter().for_each(check);
 }
 
 /// A block that is held by a rigid plane, which moves along.
@@ -107,7 +124,8 @@ fn what_it_does_not_know_is_refused() {
     let none = Friction { stiffness: None, ..options().friction };
     let refused = contact.set_options(Options { friction: none, ..options() }).expect_err("no stiffness");
     assert!(matches!(refused, Error::Unsupported { what } if what.contains("friction_stiffness")), "{refused:?}");
-    let lines = Options { estimator: Estimator::Fibers(FiberOptions::default()), ..options() };
-    let refused = contact.set_options(lines).expect_err("lines");
-    assert!(matches!(refused, Error::Unsupported { what } if what.contains("exact or auto")), "{refused:?}");
+    let pattern = FiberPattern::Isotropic { length: None };
+    let estimator = Estimator::Fibers(FiberOptions { pattern, ..FiberOptions::default() });
+    let refused = contact.set_options(Options { estimator, ..options() }).expect_err("isotropic fibers");
+    assert!(matches!(refused, Error::Unsupported { what } if what.contains("isotropic")), "{refused:?}");
 }

@@ -1,7 +1,7 @@
 //! Options of single pairs: every pair is what it would be in a problem of its own.
 
 use crate::scene::table::exactly;
-use crate::scene::{Scene, distance, exact, fibers, lines, size_sum};
+use crate::scene::{Scene, distance, exact, fibers, isotropic, lines, size_sum};
 use crate::tangent::deviation;
 use fmc_contact::contact::{PairOptions, TangentPart};
 use fmc_contact::overlap::Partner::{self, Body, Obstacle as Rigid};
@@ -111,9 +111,6 @@ fn three_stiffnesses<const D: usize>(bodies: &[Mesh<D>; 3], spacing: f64) {
     for law in laws() {
         for estimator in [exact(), lines(spacing, 3), fibers(FiberOptions::default())] {
             let of = |k: f64| Options { law: law(k), ..estimator };
-            if matches!(law(1.0), EnergyLaw::Depth { .. }) && estimator != exact() {
-                continue;
-            }
             // One pair follows the default, and bodies are named in either order.
             let pairs =
                 [([Body(0), Body(1)], with_law(law(7.0))), ([Body(2), Body(1)], with_law(law(0.3)))].into_iter();
@@ -319,11 +316,12 @@ fn the_tangent_of_mixed_laws_is_the_derivative_of_the_force() {
 fn what_is_refused_changes_nothing() {
     let scene = Scene::of(&plane_trio().each_ref());
     let options = Options { law: EnergyLaw::fiber(2.0), ..fibers(FiberOptions::default()) };
-    let mut contact = contact(&scene, options, &[([Body(1), Body(0)], with_law(EnergyLaw::fiber(7.0)))]);
+    let own = with_law(EnergyLaw::fiber(7.0));
+    let mut contact = contact(&scene, options, &[([Body(1), Body(0)], own)]);
     let before = all(&contact, &scene.coords);
     let mut refused = |partners, options| {
         let error = contact.set_pair_options(partners, options).unwrap_err();
-        assert_eq!(contact.pair_options([Body(0), Body(1)]).unwrap(), with_law(EnergyLaw::fiber(7.0)));
+        assert_eq!(contact.pair_options([Body(0), Body(1)]).unwrap(), own);
         assert_eq!(all(&contact, &scene.coords), before);
         (error.to_string(), error)
     };
@@ -339,14 +337,20 @@ fn what_is_refused_changes_nothing() {
     let (text, error) = refused([Body(1), Body(0)], with_law(EnergyLaw::Volume { stiffness: 1.0, exponent: 0.5 }));
     assert_eq!(text, "pair of body 0 and body 1: 'exponent' is 0.5, which is not allowed");
     assert!(matches!(error, Error::OfPair { sides: [("body", 0), ("body", 1)], .. }));
-    let (text, _) = refused([Body(2), Body(2)], with_law(EnergyLaw::depth(1.0)));
-    assert!(text.starts_with("pair of body 2 and body 2: not supported: the law depth on sampled lines"), "{text}");
-    // The other way round: an estimator that does not support the law of a pair.
+    // A law that the estimator of all does not support, and the other way round.
+    contact.set_options(isotropic(0.3, 500, 1)).unwrap_err();
+    contact.set_pair_options([Body(1), Body(0)], with_law(EnergyLaw::volume(7.0))).unwrap();
+    contact.set_options(isotropic(0.3, 500, 1)).unwrap();
+    let before = contact.evaluate(&scene.coords).unwrap();
+    let error = contact.set_pair_options([Body(2), Body(2)], with_law(EnergyLaw::depth(1.0))).unwrap_err();
+    let text = error.to_string();
+    assert!(text.starts_with("pair of body 2 and body 2: not supported: the law depth on isotropic fibers"), "{text}");
+    assert_eq!(contact.evaluate(&scene.coords).unwrap(), before);
     contact.set_options(exactly(EnergyLaw::fiber(2.0))).unwrap();
     contact.set_pair_options([Body(2), Body(1)], with_law(EnergyLaw::depth(1.0))).unwrap();
     let before = all(&contact, &scene.coords);
-    let refused = contact.set_options(options).unwrap_err().to_string();
-    assert!(refused.starts_with("pair of body 1 and body 2: not supported: the law depth on sampled"), "{refused}");
+    let refused = contact.set_options(isotropic(0.3, 500, 1)).unwrap_err().to_string();
+    assert!(refused.starts_with("pair of body 1 and body 2: not supported: the law depth on isotropic"), "{refused}");
     assert_eq!(contact.options(), &exactly(EnergyLaw::fiber(2.0)));
     assert_eq!(all(&contact, &scene.coords), before);
     assert!(contact.pair_options([Body(9), Body(0)]).is_err());

@@ -28,7 +28,9 @@ fn obstacles<const D: usize>() -> Vec<Obstacle<D>> {
 }
 
 fn threads_do_not_matter<const D: usize>(scene: &Scene<D>) {
-    for options in estimators::<D>() {
+    let depth = [exact(), lines(if D == 2 { 1e-3 } else { 2e-2 }, 1)];
+    let depth = depth.map(|options| Options { law: EnergyLaw::depth(3.0), ..options });
+    for options in estimators::<D>().into_iter().chain(depth) {
         let options = Options { self_contact: true, ..options };
         let mut contact = scene.contact(options);
         obstacles().into_iter().for_each(|o| {

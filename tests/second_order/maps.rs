@@ -238,6 +238,34 @@ fn quarter_points_are_taken_and_no_less() {
     check::<3>(Hex20);
 }
 
+/// What folds at a node only, as iterates of a solver may, is no cell to begin with, but one that goes on: a host integrates at
+/// its quadrature points.
+#[test]
+fn on_the_way_only_quadrature_points_count() {
+    [Tri6, Quad8].into_iter().for_each(on_the_way::<2>);
+    [Tet10, Hex20].into_iter().for_each(on_the_way::<3>);
+}
+
+fn on_the_way<const D: usize>(cell_type: CellType) {
+    let x: Vec<[f64; D]> = places(cell_type).iter().map(|x| std::array::from_fn(|axis| x[axis])).collect();
+    let end = (1..x.len()).find(|&k| x[k].iter().sum::<f64>() == 1.).expect("a neighbour of the first corner");
+    let middle = x.iter().position(|at| (0..D).all(|axis| at[axis] == x[end][axis] / 2.)).expect("a middle");
+    let mut folded = x.clone();
+    folded[middle] = x[end].map(|x| 0.24 * x);
+    let mut contact =
+        Contact::new(of_cell(cell_type, &x).expect("a cell"), Options::new(EnergyLaw::volume(1.0))).expect("options");
+    assert!(contact.evaluate(&folded).is_ok(), "{cell_type:?}");
+    let refused = contact.set_reference(&folded).expect_err("folded at a node");
+    assert!(matches!(refused, Error::FoldedCell { cell: 0, at: MapPoint::Node(0), .. }), "{cell_type:?}: {refused:?}");
+    // Farther, it folds at a quadrature point too.
+    folded[middle] = x[end].map(|x| -0.9 * x);
+    let refused = contact.evaluate(&folded).expect_err("folded");
+    assert!(
+        matches!(refused, Error::FoldedCell { cell: 0, at: MapPoint::Quadrature(_), .. }),
+        "{cell_type:?}: {refused:?}"
+    );
+}
+
 /// What a contact keeps of earlier checks does not show: at every step its answer is that of a new contact.
 #[test]
 fn kept_checks_answer_as_new_ones() {

@@ -94,9 +94,6 @@ fn several_mistakes_are_told_at_once() {
 
 #[test]
 fn what_a_law_does_not_have_is_told() {
-    let lines = spoilt("law = \"fiber\"", "law = \"depth\"").replace("estimator = \"exact\"", "estimator = \"fibers\"");
-    let told = complaint(&lines);
-    assert!(told.contains(": contact.estimator") && told.contains("\"exact\" for the law \"depth\""), "{told}");
     let told = complaint(&spoilt("law = \"fiber\"", "law = \"volume\"\nfriction_coefficient = 0.3"));
     assert!(told.contains(": contact.friction_stiffness") && told.contains("of its own"), "{told}");
     let hertz = include_str!("../../cases/hertz.toml").replace("count = 1", "count = 1\npenetration = 1e-6");

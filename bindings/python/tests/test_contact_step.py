@@ -66,3 +66,23 @@ def test_what_is_refused(square):
         step([1], [[1.0]], [0.0], place=lambda d, coords: 1 / 0)
     with pytest.raises(errors.BusyError):
         step([1], [[1.0]], [0.0], place=lambda d, coords: square.evaluate(coords))
+
+
+def test_as_little_penetration_as_is_wanted() -> None:
+    # A unit square on springs of 100, 0.1 above a plane, that is pushed down by 20 at either lower node.
+    coords = np.array([[0.0, 0.1], [1.0, 0.1], [1.0, 1.1], [0.0, 1.1]])
+    contact = Contact(coords, [[0, 1, 2, 3]], "quad", stiffness=3000.0, law="depth")
+    contact.add_half_space((0, 0), (0, 1))
+
+    def place(d: np.ndarray, coords: np.ndarray) -> None:
+        coords[[3, 2], 1] += d[[1, 3]]
+
+    def step(**options: float) -> object:
+        return contact.contact_step(coords, range(4), 100 * np.eye(4), [0, 20, 0, 20], range(4, 8), place, **options)
+
+    soft, hard = step(), step(penetration=1e-8)
+    assert soft.displacement[1] < -0.104 and soft.update_count == 0 and soft.penetration == 0
+    assert hard.state == "converged" and hard.update_count > 0 and hard.penetration <= 1e-8
+    assert hard.displacement[[1, 3]] == pytest.approx([-0.1, -0.1], abs=1.1e-8)
+    with pytest.raises(errors.NotPositiveError, match="penetration"):
+        step(penetration=-1.0)

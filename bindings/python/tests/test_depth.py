@@ -32,10 +32,20 @@ def test_flat_faces_press_with_k_times_their_penetration(estimator: str) -> None
     assert [warning.kind for warning in result.warnings] == ["flush_faces"]
 
 
-def test_lines_are_refused_by_name() -> None:
+def test_lines_find_what_is_exact() -> None:
     coords, conn = blocks(2)
-    with pytest.raises(errors.UnsupportedError, match="law depth on sampled lines"):
-        Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="fibers")
+    exact, sampled = (
+        contact_force(coords, conn, "quad", stiffness=K, law="depth", estimator=estimator)
+        for estimator in ("exact", "fibers")
+    )
+    assert sampled.energy == pytest.approx(exact.energy, rel=1e-3)
+    assert sampled.forces == pytest.approx(exact.forces, abs=0.02 * abs(exact.forces).max())
+
+
+def test_isotropic_fibers_are_refused_by_name() -> None:
+    coords, conn = blocks(2)
+    with pytest.raises(errors.UnsupportedError, match="law depth on isotropic fibers"):
+        Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="fibers", pattern="isotropic")
 
 
 def test_tangent_is_the_derivative_of_the_force() -> None:

@@ -152,6 +152,49 @@ def test_two_levels_find_the_same_equilibrium_in_fewer_iterations(column):
             assert np.abs(found.reactions - plain.reactions).max() < 1e-6
 
 
+def small_steps(coords, contact, host, push):
+    """The equilibrium at the end of load steps of a hundredth of a cell."""
+    x = coords
+    for by in np.arange(0.1, push, 0.01)[1:].tolist() + [push]:
+        x = newton(host, contact, x, FREE, pushed(coords, by), young=YOUNG).x
+    return x
+
+
+@pytest.mark.parametrize("stiffness", [1e2, 1e3, 1e4])
+@pytest.mark.parametrize("push", [0.12, 0.2, 0.5])
+def test_two_levels_lead_out_of_a_deep_overlap(column, stiffness, push):
+    coords, contact, host = column
+    held = 20.0 * np.diag([1.0, 0.0] * 8)
+
+    def sideways(x):
+        inside, matrix = host(x)
+        return inside + held @ (x - coords).ravel(), matrix + held
+
+    contact.set_options(stiffness=stiffness)
+    found = newton(sideways, contact, coords, FREE, pushed(coords, push), young=YOUNG, two_level=True)
+    assert found.iterations <= 2
+    assert np.abs(found.x - small_steps(coords, contact, sideways, push)).max() < 1e-8
+
+
+def test_two_levels_leave_an_equilibrium_that_is_not_stable(column):
+    coords, contact, host = column
+    push = 0.2
+    straight = small_steps(coords, contact, host, push)
+    slipped = newton(host, contact, coords, FREE, pushed(coords, push), young=YOUNG, two_level=True)
+
+    def energy_and_least(x):
+        inside, matrix = host(x)
+        rows, cols, values = contact.tangent_parts(x).triplets()
+        matrix = matrix.copy()
+        np.add.at(matrix, (rows, cols), values)
+        energy = 0.5 * inside @ (x - coords).ravel() + contact.evaluate(x).energy
+        return energy, np.linalg.eigvalsh(matrix[np.ix_(FREE, FREE)]).min()
+
+    (high, unstable), (low, stable) = energy_and_least(straight), energy_and_least(slipped.x)
+    assert unstable < -1e-3 < 0 < stable and low < 0.1 * high
+    assert np.abs(slipped.x - straight).max() > 0.4
+
+
 def test_a_contact_whose_freedoms_are_not_unknowns_is_refused(column):
     coords, contact, host = column
 

@@ -100,7 +100,7 @@ def test_what_is_refused_changes_nothing() -> None:
         (errors.NotPositiveError, "pair of body 0 and body 1: 'stiffness' is NaN", lambda: contact.set_pair(0, 1, stiffness=np.nan)),
         (errors.NotPositiveError, "'stiffness' is 0", lambda: contact.set_pair(0, 1, law="volume")),
         (errors.UnknownOptionError, "'exponent' of a pair belongs to a law", lambda: contact.set_pair(0, 1, exponent=2)),
-        (errors.UnsupportedError, "law depth on sampled", lambda: contact.set_pair(0, 1, law="depth", stiffness=K)),
+        (errors.UnsupportedError, "two obstacles", lambda: contact.set_pair(FLOOR, FLOOR, stiffness=2 * K)),
         (ValueError, "no value 'glue'", lambda: contact.set_pair(0, 1, law="glue", stiffness=K)),
         (ValueError, "no partner 'wall'", lambda: contact.set_pair(0, ("wall", 1))),
         (IndexError, "no body -1", lambda: contact.set_pair(0, -1)),

@@ -37,7 +37,7 @@ impl Mesh<2> {
 impl Mesh<3> {
     /// Turned about `axis` through the origin by `angle` in radians, by the right-hand rule.
     ///
-    /// Rodrigues: R = cos φ I + sin φ [a]× + (1 − cos φ) a aᵀ with a the unit axis.
+    /// Rodrigues: R = cos φ I + sin φ a × + (1 − cos φ) a aᵀ with a the unit axis.
     pub fn rotated(self, axis: [f64; 3], angle: f64) -> Self {
         let length = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
         let a = axis.map(|a| a / length);

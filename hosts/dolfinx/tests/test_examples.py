@@ -20,9 +20,9 @@ def test_the_block_falls_and_rebounds(count):
     assert run.returncode == 0 and "rebound 1.00" in run.stdout, run.stdout + run.stderr
 
 
-def test_the_first_force_of_the_readme_runs_in_ten_lines():
+def test_the_first_force_of_the_pages_runs_in_ten_lines():
     root = Path(__file__).parents[3]
-    texts = [path.read_text() for path in (root / "README.md", root / "hosts" / "dolfinx" / "README.md")]
+    texts = [path.read_text() for path in (root / "docs" / "first-contact.md", root / "hosts" / "dolfinx" / "README.md")]
     programs = [[one.split("```")[0] for one in text.split("```python\n")[1:]] for text in texts]
     (code,) = [one for one in programs[0] if "fmc_contact_dolfinx" in one]
     assert code == programs[1][0]

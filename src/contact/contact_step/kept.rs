@@ -20,7 +20,7 @@ enum Role {
 
 /// A contact of which only the degrees of freedom on a list move by themselves.
 pub(super) struct Kept<'a, 'p, const D: usize> {
-    contact: &'a Contact<D>,
+    pub(super) contact: &'a Contact<D>,
     start: &'a [[f64; D]],
     freedoms: &'a [usize],
     roles: Vec<Role>,
@@ -40,7 +40,7 @@ impl<'a, 'p, const D: usize> Kept<'a, 'p, D> {
         Self { contact, start, freedoms: bodies.freedoms, roles, place }
     }
 
-    fn placed(&mut self, displacement: &DVector<f64>) -> Result<Vec<[f64; D]>, Error> {
+    pub(super) fn placed(&mut self, displacement: &DVector<f64>) -> Result<Vec<[f64; D]>, Error> {
         let mut coords = self.start.to_vec();
         for (&freedom, by) in self.freedoms.iter().zip(displacement.iter()) {
             coords[freedom / D][freedom % D] += by;
@@ -52,11 +52,28 @@ impl<'a, 'p, const D: usize> Kept<'a, 'p, D> {
     }
 
     /// Place of a degree of freedom in the list.
-    fn local(&self, freedom: usize) -> Option<usize> {
+    pub(super) fn local(&self, freedom: usize) -> Option<usize> {
         match self.roles.get(freedom) {
             Some(Role::Kept(place)) => Some(*place),
             _ => None,
         }
+    }
+
+    pub(super) fn freedom_count(&self) -> usize {
+        self.roles.len()
+    }
+
+    /// Contact of some energy, with forces on all degrees of freedom.
+    pub(super) fn touch(&self, energy: f64, all: &[f64]) -> Touch {
+        let (mut forces, mut outside) = (DVector::zeros(self.freedoms.len()), Vec::new());
+        for (role, force) in self.roles.iter().zip(all) {
+            match role {
+                Role::Kept(place) => forces[*place] = *force,
+                Role::Outside if *force != 0.0 => outside.push(*force),
+                _ => {}
+            }
+        }
+        Touch { energy, forces, outside }
     }
 }
 
@@ -64,15 +81,8 @@ impl<const D: usize> Touching for Kept<'_, '_, D> {
     fn at(&mut self, displacement: &DVector<f64>) -> Result<Touch, Error> {
         let coords = self.placed(displacement)?;
         let found = kernels::evaluate(self.contact, &coords)?;
-        let (mut forces, mut outside) = (DVector::zeros(self.freedoms.len()), Vec::new());
-        for (role, force) in self.roles.iter().zip(found.forces.as_flattened()) {
-            match role {
-                Role::Kept(place) => forces[*place] = *force,
-                Role::Outside if *force != 0.0 => outside.push(*force),
-                _ => {}
-            }
-        }
-        Ok(Touch { energy: found.energy + found.friction.stored + found.friction.dissipated, forces, outside })
+        let energy = found.energy + found.friction.stored + found.friction.dissipated;
+        Ok(self.touch(energy, found.forces.as_flattened()))
     }
 
     fn tangent(&mut self, displacement: &DVector<f64>, part: TangentPart) -> Result<DMatrix<f64>, Error> {

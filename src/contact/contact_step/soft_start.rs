@@ -2,8 +2,8 @@
 
 use super::bodies::Checked;
 use super::iterate::Iterate;
+use super::newton::{Search, direction, first_wish, newton};
 use super::options::ContactStepOptions;
-use super::solve::{Search, direction, first_wish, newton};
 use super::touching::{Touch, Touching};
 use crate::Error;
 use crate::contact::tangent::TangentPart;

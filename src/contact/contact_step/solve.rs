@@ -1,31 +1,26 @@
-//! Newton's method for the contact, with bodies that are linear.
+//! From a displacement to the equilibrium of the contact.
 
 use super::bodies::Checked;
-use super::dense::{Defect, solve_definite, solve_general};
 use super::iterate::Iterate;
-use super::options::{ContactStep, ContactStepOptions, ContactStepState};
+use super::newton::{Search, newton};
+use super::options::{ContactStep, ContactStepOptions};
 use super::soft_start::settle;
-use super::touching::{ROUNDING, Touching};
+use super::touching::Touching;
 use crate::Error;
-use crate::contact::tangent::TangentPart;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
-/// What a search has taken so far.
-#[derive(Default)]
-pub(super) struct Search {
-    pub(super) iterations: usize,
-    pub(super) evaluations: usize,
-}
-
+/// From a displacement; `left_over` is the part of the residual there that may be left in any case.
 pub(super) fn solve(
     bodies: &Checked,
     contact: &mut dyn Touching,
+    start: DVector<f64>,
     options: &ContactStepOptions,
     has_energy: bool,
+    left_over: f64,
 ) -> Result<ContactStep, Error> {
-    let mut search = Search { iterations: 0, evaluations: 1 };
-    let mut start = Iterate::new(bodies, contact, DVector::zeros(bodies.count()))?;
+    let mut start = Iterate::new(bodies, contact, start)?;
     let residual_at_start = start.norm();
+    let mut search = Search { iterations: 0, evaluations: 1, enough: left_over * residual_at_start };
     if options.soft_start {
         start = settle(bodies, contact, options, has_energy, &mut search, start)?;
     }
@@ -40,105 +35,7 @@ pub(super) fn solve(
         scale,
         outside: at.touch.outside(goal),
         displacement: at.displacement.as_slice().to_vec(),
+        updates: 0,
+        penetration: 0.0,
     })
-}
-
-/// From an iterate to the equilibrium, or as near as it gets.
-pub(super) fn newton(
-    bodies: &Checked,
-    contact: &mut dyn Touching,
-    options: &ContactStepOptions,
-    has_energy: bool,
-    search: &mut Search,
-    mut at: Iterate,
-) -> Result<(Iterate, ContactStepState), Error> {
-    let mut full_failed = false;
-    let last = search.iterations + options.most_iterations;
-    loop {
-        let (goal, scale) = bodies.goal(options, &at.touch.forces);
-        if at.touch.outside(goal) > 0 {
-            return Ok((at, ContactStepState::Outside));
-        }
-        if at.norm() <= goal {
-            return Ok((at, ContactStepState::Converged));
-        }
-        if search.iterations == last {
-            return Ok((at, ContactStepState::NotConverged));
-        }
-        let wish = if has_energy && full_failed {
-            TangentPart::Semidefinite
-        } else {
-            first_wish(options, &at, scale, has_energy)
-        };
-        let (direction, tangent, part) = direction(bodies, contact, &at, wish, has_energy)?;
-        search.iterations += 1;
-        let (next, trials) = at.after(bodies, contact, &direction, options, has_energy)?;
-        search.evaluations += trials;
-        match next {
-            Some(next) => {
-                full_failed = part == TangentPart::Full && next.norm() > 0.5 * at.norm();
-                at = next;
-            }
-            // The semidefinite tangent has not been tried here.
-            None if has_energy && part == TangentPart::Full => full_failed = true,
-            None if at.norm() <= rounding(bodies, contact, &at, &tangent) => {
-                return Ok((at, ContactStepState::Converged));
-            }
-            None => return Ok((at, ContactStepState::NotConverged)),
-        }
-    }
-}
-
-/// The tangent to begin with: the semidefinite one where there is an energy and the residual is large by `scale`.
-pub(super) fn first_wish(options: &ContactStepOptions, at: &Iterate, scale: f64, has_energy: bool) -> TangentPart {
-    match has_energy && at.norm() > options.full_below * scale {
-        true => TangentPart::Semidefinite,
-        false => TangentPart::Full,
-    }
-}
-
-/// Newton's direction, with the contact's tangent and the part of it that was taken.
-pub(super) fn direction(
-    bodies: &Checked,
-    contact: &mut dyn Touching,
-    at: &Iterate,
-    wish: TangentPart,
-    has_energy: bool,
-) -> Result<(DVector<f64>, DMatrix<f64>, TangentPart), Error> {
-    let right = -&at.residual;
-    let told = |contact: &dyn Touching, defect| match defect {
-        Defect::Singular { row } => Error::SingularStiffness { freedom: contact.freedom(row) },
-        Defect::Indefinite { row, pivot } => Error::IndefiniteStiffness { freedom: contact.freedom(row), pivot },
-    };
-    if !has_energy {
-        let tangent = contact.tangent(&at.displacement, wish)?;
-        let matrix = finite(&bodies.stiffness + &tangent)?;
-        let found = solve_general(&matrix, &right).map_err(|defect| told(contact, defect))?;
-        return Ok((found, tangent, wish));
-    }
-    if wish == TangentPart::Full {
-        let tangent = contact.tangent(&at.displacement, wish)?;
-        if let Ok(found) = solve_definite(&finite(&bodies.symmetric + &tangent)?, &right) {
-            return Ok((found, tangent, wish));
-        }
-    }
-    let part = TangentPart::Semidefinite;
-    let tangent = contact.tangent(&at.displacement, part)?;
-    let matrix = finite(&bodies.symmetric + &tangent)?;
-    let found = solve_definite(&matrix, &right).map_err(|defect| told(contact, defect))?;
-    Ok((found, tangent, part))
-}
-
-fn finite(matrix: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
-    match matrix.iter().copied().find(|value| !value.is_finite()) {
-        Some(value) => Err(Error::Overflow { quantity: "stiffness of bodies and contact", value }),
-        None => Ok(matrix),
-    }
-}
-
-/// Residual that rounding of displacements and coordinates calls up.
-fn rounding(bodies: &Checked, contact: &dyn Touching, at: &Iterate, tangent: &DMatrix<f64>) -> f64 {
-    let coords = DVector::from_fn(bodies.count(), |place, _| contact.start(place).abs());
-    let of_bodies = bodies.stiffness.abs() * at.displacement.abs();
-    ROUNDING * (of_bodies + tangent.abs() * (coords + at.displacement.abs())).norm()
 }

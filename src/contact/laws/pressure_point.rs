@@ -73,12 +73,12 @@ pub(crate) fn of_contact_points<const D: usize>(
     points.points.iter().map(of_point).collect()
 }
 
-/// Points of facets inside the other side: `pressure` is a function of the depth, and `stiffness` its derivative.
+/// Points of facets inside the other side: `pressure` is a function of the depth, and `derivative` its own.
 pub(crate) fn of_depth_points<const D: usize>(
     points: PointLists<D>,
     pair: &Pair<D>,
     pressure: impl Fn(f64) -> f64,
-    stiffness: f64,
+    derivative: impl Fn(f64) -> f64,
 ) -> Vec<PressurePoint<D>> {
     let of_point = |point: &DepthPoint<D>| {
         let &DepthPoint { of_b, facet, .. } = point;
@@ -88,6 +88,7 @@ pub(crate) fn of_depth_points<const D: usize>(
             if of_b { [other, PointOnSide::Surface(own)] } else { [PointOnSide::Surface(own), other] }
         };
         let normal = pair.normal_at(&SurfacePoint::Facet { of_b, facet, weights: point.middle.weights });
+        let stiffness = derivative(point.depth);
         let slope = point.slope * if of_b { -stiffness } else { stiffness };
         PressurePoint {
             sides: both(&point.pressed),

@@ -7,7 +7,7 @@ use super::pressure_point::{PressurePoint, of_depth_points};
 use crate::Error;
 use crate::contact::momentum_correction::balance;
 use crate::contact::tangent::{Tangent, TangentPart};
-use crate::overlap::{DepthRequest, Overlap, SecondDerivative};
+use crate::overlap::{DepthProfile, DepthRequest, Overlap, SecondDerivative};
 
 /// The volume law.
 pub(super) struct VolumeLaw(pub(super) EnergyLaw);
@@ -29,11 +29,15 @@ impl VolumeLaw {
         overlap: &Overlap<D>,
         measured: &Measured<D>,
     ) -> Result<Vec<PressurePoint<D>>, Error> {
-        let request =
-            DepthRequest { second: SecondDerivative::No, obstacle_node: measured.obstacle_node(), points: true };
+        let request = DepthRequest {
+            profile: DepthProfile::Quadratic,
+            second: SecondDerivative::No,
+            obstacle_node: measured.obstacle_node(),
+            points: true,
+        };
         let Some(depth) = measured.estimator.depth_integral(measured.pair, &request)? else { return Ok(Vec::new()) };
         let pressure = self.0.energy_gradient(overlap.volume);
-        Ok(of_depth_points(depth.points, measured.pair, |_| pressure, 0.0))
+        Ok(of_depth_points(depth.points, measured.pair, |_| pressure, |_| 0.0))
     }
 
     /// The tangent on the overlap as it was measured.

@@ -25,6 +25,15 @@ pub(crate) struct CurvedCells {
     at: Vec<Place>,
 }
 
+/// Where maps are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MapCheck {
+    /// At nodes and quadrature points: of a mesh as it is given.
+    Given,
+    /// At quadrature points alone: on the way to an equilibrium a map may fold at a node, where no host integrates.
+    OnTheWay,
+}
+
 /// A place at which maps are looked at.
 #[derive(Clone, Debug)]
 struct Place {
@@ -89,7 +98,7 @@ impl CurvedCells {
         &self.conn[cell * self.size..(cell + 1) * self.size]
     }
 
-    /// Checks that no map of some cells folds: a determinant below zero by more than rounding. It may be zero, as at the tip of a
+    /// Checks that no map of some cells folds, at the places that `check` says: a determinant below zero by more than rounding. It may be zero, as at the tip of a
     /// crack, where nodes are drawn to the quarter of an edge or fall together. Returns twice how far every point of these cells
     /// may move, apart from a translation, before a determinant can vanish.
     ///
@@ -98,13 +107,19 @@ impl CurvedCells {
     ///
     /// # Errors
     /// [`Error::FoldedCell`], of the lowest cell.
-    pub(crate) fn check<const D: usize>(&self, cells: Range<usize>, coords: &[[f64; D]]) -> Result<f64, Error> {
+    pub(crate) fn check<const D: usize>(
+        &self,
+        cells: Range<usize>,
+        coords: &[[f64; D]],
+        check: MapCheck,
+    ) -> Result<f64, Error> {
+        let is_looked_at = |place: &&Place| check == MapCheck::Given || matches!(place.point, MapPoint::Quadrature(_));
         let mut x = Vec::with_capacity(self.size);
         let mut width = f64::INFINITY;
         for cell in cells {
             let extent = self.place(cell, coords, &mut x);
             let sign = if self.is_flipped[cell] { -1.0 } else { 1.0 };
-            for place in &self.at {
+            for place in self.at.iter().filter(is_looked_at) {
                 let edges = place.edges(&x);
                 let determinant = sign * determinant::<D>(&edges);
                 if determinant < 0.0 && determinant < -place.rounding(&edges, extent) {
@@ -141,7 +156,7 @@ impl CurvedCells {
         let sum: f64 = self.at.iter().map(|place| determinant::<D>(&place.edges(&x))).sum();
         let mut turned = self.clone();
         turned.is_flipped[cell] = sum < 0.0;
-        turned.check(cell..cell + 1, coords).err()
+        turned.check(cell..cell + 1, coords, MapCheck::Given).err()
     }
 }
 

@@ -1,18 +1,12 @@
-//! The law `depth` by exact clipping.
+//! The law `depth` of bodies by exact clipping: facets by the pieces of the other body on which its depth is linear, and
+//! the pieces of either by those of the other.
 //!
-//! ```text
-//! J_B = ∫_{A∩B} g_B dx        δJ_B(v) = ∫_{∂A∩B} g_B v_A·n dA − ∫_{A∩B} ∇g_B·v_B dx
-//! ```
-//!
-//! The first integral is over facets of A clipped by the pieces of B on which g_B is linear, the second, and J_B itself,
-//! need the first two moments of A in every such piece: from pieces of A clipped by pieces of B.
-//!
-//! `integral` (which of the two it is) · `bodies` (two of cells, or one with itself) · `obstacles` (a rigid partner)
+//! `facet_clip` and `facet_integrals` (over the facets inside the other) · `piece_moments` (over the overlap) ·
+//! `two_bodies` (both sides together)
 
-mod bodies;
-mod facet_sums;
-mod integral;
-mod obstacles;
-mod simplex_parts;
+mod facet_clip;
+mod facet_integrals;
+mod piece_moments;
+mod two_bodies;
 
-pub(crate) use integral::depth_integral;
+pub(crate) use two_bodies::depth_integral;

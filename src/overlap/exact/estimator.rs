@@ -3,7 +3,7 @@
 use super::clipping::volume::ExactPair;
 use super::depth::depth_integral;
 use crate::Error;
-use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
+use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
@@ -68,6 +68,10 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
 
     fn imbalance_of_volume(&self, _: &Pair<D>) -> Option<Imbalance> {
         Some(Imbalance { rounding: ROUNDING, doubtful: DOUBTFUL })
+    }
+
+    fn imbalance_of_depth(&self, _: &Pair<D>, _: DepthProfile) -> Option<Imbalance> {
+        None
     }
 
     fn imbalance_of_points(&self, _: &Pair<D>) -> Option<Imbalance> {

@@ -150,7 +150,7 @@ impl<const D: usize> FiberPair<'_, D> {
     }
 
     /// Measure of boundary that a crossing with this normal stands for; 0 where the fiber runs along the facet.
-    fn weight(&self, layout: &Layout<D>, direction: &Vector<D>, normal: &Vector<D>) -> f64 {
+    pub(crate) fn weight(&self, layout: &Layout<D>, direction: &Vector<D>, normal: &Vector<D>) -> f64 {
         let slope = match (self.options.pattern, self.options.weights) {
             (FiberPattern::Isotropic { .. }, _) => direction.dot(normal).abs(),
             (FiberPattern::Lines, LineWeights::Consistent) => self.families.len() as f64 * direction.dot(normal).abs(),
@@ -202,22 +202,27 @@ impl<const D: usize> FiberPair<'_, D> {
     /// Volume and its standard error: from the spread of the families, each shifted at random by itself, or of the
     /// independent segments.
     fn volume(&self, layout: &Layout<D>, sums: &[BundleSum<D>]) -> (f64, f64) {
-        let mut of_family = vec![0.0; self.families.len()];
         let (mut sum, mut squares, mut count) = (0.0, 0.0, 0.0);
         for (bundle, of_bundle) in layout.bundles.iter().zip(sums) {
-            match bundle {
-                Bundle::Lines { index, .. } => of_family[*index] += of_bundle.length * layout.volume_per_length,
-                Bundle::Segments { .. } => {
-                    sum += of_bundle.length;
-                    squares += of_bundle.square;
-                    count += bundle.fiber_count() as f64;
-                }
+            if let Bundle::Segments { .. } = bundle {
+                sum += of_bundle.length;
+                squares += of_bundle.square;
+                count += bundle.fiber_count() as f64;
             }
         }
         if count > 0.0 {
             let variance = (squares - sum * sum / count).max(0.0) * count / (count - 1.0).max(1.0);
             return (sum * layout.volume_per_length, variance.sqrt() * layout.volume_per_length);
         }
+        let of_bundles = layout.bundles.iter().zip(sums);
+        self.spread(layout, of_bundles.map(|(bundle, sum)| (bundle.family_index(), sum.length)))
+    }
+
+    /// Mean over the families, and the standard error of it, of the volumes that lines of these lengths measure, each of a
+    /// family.
+    pub(crate) fn spread(&self, layout: &Layout<D>, lengths: impl Iterator<Item = (usize, f64)>) -> (f64, f64) {
+        let mut of_family = vec![0.0; self.families.len()];
+        lengths.for_each(|(family, length)| of_family[family] += length * layout.volume_per_length);
         let families = of_family.len() as f64;
         let mean = of_family.iter().sum::<f64>() / families;
         let spread: f64 = of_family.iter().map(|v| (v - mean).powi(2)).sum();
@@ -225,6 +230,14 @@ impl<const D: usize> FiberPair<'_, D> {
     }
 
     fn warnings(&self, layout: &Layout<D>, assembly: &Assembly<D>, fibers: usize, volume: f64) -> Vec<Warning> {
+        let [a, b] = self.pair.partners;
+        let mut warnings = self.of_resolution(layout, fibers, volume);
+        warnings.extend(swallowed(a, b, assembly.side_areas()));
+        warnings
+    }
+
+    /// Warnings of too few fibers, given how many meet the overlap.
+    pub(crate) fn of_resolution(&self, layout: &Layout<D>, fibers: usize, volume: f64) -> Vec<Warning> {
         let [a, b] = self.pair.partners;
         let mut warnings = Vec::new();
         if matches!(self.options.pattern, FiberPattern::Lines) && layout.spacing > layout.facet_size && volume > 0.0 {
@@ -236,7 +249,6 @@ impl<const D: usize> FiberPair<'_, D> {
         if fibers < FEWEST_FIBERS && (fibers > 0 || laid < FEWEST_FIBERS) {
             warnings.push(Warning::UnresolvedOverlap { a, b, fibers });
         }
-        warnings.extend(swallowed(a, b, assembly.side_areas()));
         warnings
     }
 }

@@ -1,6 +1,6 @@
 //! A Fortran module with the same declarations.
 
-use super::declarations::{Declarations, Function, Variable};
+use crate::declarations::{Declarations, Function, Variable};
 use std::fmt::Write;
 
 const TITLE: &str = "\

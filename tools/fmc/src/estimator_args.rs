@@ -113,7 +113,7 @@ pub(crate) enum LawKind {
 impl EstimatorArgs {
     /// Refuses options that would have no effect on the one evaluation that was asked for.
     pub(crate) fn check(&self) -> anyhow::Result<()> {
-        let (fiber_law, volume_law) = (self.law == LawKind::Fiber, self.law == LawKind::Volume);
+        let volume_law = self.law == LawKind::Volume;
         // Chosen automatically, lines may be needed, but never by the law depth.
         let sampled = match self.estimator {
             EstimatorChoice::Fibers => true,
@@ -127,7 +127,7 @@ impl EstimatorArgs {
             !isotropic || self.estimator == EstimatorChoice::Fibers,
             "--pattern isotropic needs --estimator fibers"
         );
-        ensure!(fiber_law || self.smoothing_length.is_none(), "--smoothing-length needs --law fiber");
+        ensure!(!volume_law || self.smoothing_length.is_none(), "--smoothing-length needs --law fiber or depth");
         ensure!(volume_law || self.m == 1.0, "--m has an effect with --law volume only");
         ensure!(isotropic || self.fiber_length.is_none(), "--fiber-length needs --pattern isotropic");
         Ok(())
@@ -135,15 +135,13 @@ impl EstimatorArgs {
 
     /// Options of an evaluation with this stiffness.
     pub(crate) fn options(&self, stiffness: f64) -> Options {
+        let profile = self
+            .smoothing_length
+            .map_or(FiberProfile::Quadratic, |smoothing_length| FiberProfile::Linear { smoothing_length });
         let law = match self.law {
             LawKind::Volume => EnergyLaw::Volume { stiffness, exponent: self.m },
-            LawKind::Depth => EnergyLaw::depth(stiffness),
-            LawKind::Fiber => EnergyLaw::Fiber {
-                stiffness,
-                profile: self
-                    .smoothing_length
-                    .map_or(FiberProfile::Quadratic, |smoothing_length| FiberProfile::Linear { smoothing_length }),
-            },
+            LawKind::Depth => EnergyLaw::Depth { stiffness, profile },
+            LawKind::Fiber => EnergyLaw::Fiber { stiffness, profile },
         };
         Options {
             estimator: match self.estimator {

@@ -83,9 +83,14 @@ class Touching:
     def evaluate(self, u: np.ndarray) -> Result:
         """With forces in the numbering of the case."""
         result = self.adapter.evaluate(*self._taken(u))
-        return replace(result, forces=self._in_case(result.forces).reshape(u.shape))
+        return replace(result, forces=self.in_case(result.forces).reshape(u.shape))
 
-    def _in_case(self, forces: np.ndarray) -> np.ndarray:
+    def coords(self, u: np.ndarray) -> np.ndarray:
+        """Coordinates that the contact is shown."""
+        return self.adapter.coords(*self._taken(u))
+
+    def in_case(self, forces: np.ndarray) -> np.ndarray:
+        """Forces on these, in the numbering of the case, (size,)."""
         found = self.adapter.on_unknowns(forces)
         owned = found if len(self.parts) > 1 else [found]
         return np.concatenate([force[part.dofs] for part, force in zip(self.parts, owned)])

@@ -32,7 +32,15 @@ class Touching:
     def evaluate(self, u: np.ndarray) -> Result:
         """With forces in the numbering of the case."""
         result = self.adapter.evaluate(self._on_dofs(u))
-        return replace(result, forces=self.adapter.on_dofs(result.forces)[self.dofs].reshape(u.shape))
+        return replace(result, forces=self.in_case(result.forces).reshape(u.shape))
+
+    def coords(self, u: np.ndarray) -> np.ndarray:
+        """Coordinates that the contact is shown."""
+        return self.adapter.coords(self._on_dofs(u))
+
+    def in_case(self, forces: np.ndarray) -> np.ndarray:
+        """Forces on these, in the numbering of the case, (size,)."""
+        return self.adapter.on_dofs(forces)[self.dofs]
 
     def force(self, u: np.ndarray) -> np.ndarray:
         """Contact forces (nodes, dim), as the adapter brings them to the unknowns."""

@@ -17,6 +17,7 @@ from fmc_contact import Contact, Result
 from fmc_contact.errors import InvertedCellError
 from scipy.sparse import csr_matrix
 
+from .contact_steps import ContactSteps
 from .problem import Problem
 
 FAR = 0.1
@@ -30,6 +31,9 @@ MOST_FREEZES = 40
 
 LEFT_OVER = 1e-3
 """Part of the residual at which friction was frozen that a solve may leave: the next one starts from it."""
+
+LEFT_OVER_BY_BODIES = 1e-2
+"""Part of the residual that a step may leave where bodies are not linear: to them it is no equilibrium anyway."""
 
 FLAT = 1e-12
 """Part of the energies that a change must exceed to be distinguished from rounding."""
@@ -53,6 +57,10 @@ class Touching(Protocol):
     contact: Contact
 
     def evaluate(self, u: np.ndarray) -> Result: ...
+
+    def coords(self, u: np.ndarray) -> np.ndarray: ...
+
+    def in_case(self, forces: np.ndarray) -> np.ndarray: ...
 
     def tangent(self, u: np.ndarray, semidefinite: bool) -> csr_matrix: ...
 
@@ -103,6 +111,8 @@ class Equilibrium:
         self.size = float(np.ptp(problem.coords, axis=0).max())
         self.most_iterations = problem.raw["load_steps"]["most_iterations"]
         self.iterations, self.contact_seconds = 0, 0.0
+        self.is_linear = {body.material.law for body in problem.bodies} == {"linear-elastic"}
+        self.contact_steps = ContactSteps(touching, problem.coords.shape, self.free)
         self.residuals: list[float] = []
 
     def timed(self, function: Callable, *arguments: Any) -> Any:
@@ -151,7 +161,9 @@ class Equilibrium:
                 return u, now
             if iteration == self.most_iterations:
                 break
-            step, semidefinite = self._direction(u, now, residual > FAR or full_failed)
+            step, semidefinite = self._contact_step(u, now, tolerance), True
+            if step is None:
+                step, semidefinite = self._direction(u, now, residual > FAR or full_failed)
             found = self._search(u, now, step)
             if found is None:
                 if residual <= 1e3 * good:
@@ -219,6 +231,16 @@ class Equilibrium:
         step[self.free] = found
         longest = float(np.abs(step).max())
         return step.reshape(u.shape) if np.isfinite(longest) and longest < 1e3 * self.size else None
+
+    def _contact_step(self, u: np.ndarray, now: Balance, tolerance: float) -> np.ndarray | None:
+        """Change to the equilibrium of the contact with the bodies linearised here; ``None`` where there is none."""
+        inside = now.residual + now.touch.forces
+        goal = 0.0 if self.is_linear else min(LEFT_OVER_BY_BODIES, now.relative) * now.norm
+        step = self.contact_steps.step(u, inside, self.elastic.stiffness(u), 0.1 * tolerance, goal)
+        if step is None or not (now.residual * step).sum() < 0.0:
+            return None
+        self.iterations += 1
+        return step
 
     def _direction(self, u: np.ndarray, now: Balance, semidefinite: bool) -> tuple[np.ndarray, bool]:
         for is_semidefinite in dict.fromkeys((semidefinite, True)):

@@ -50,9 +50,9 @@ CASES = (
     Case("patch3d"),
     Case("patch3d", "tet4"),
     Case("wedge"),
-    # Its contact normal is the mean over sampled lines. The reference host's last turns swing between two sets of them, each
-    # with its equilibrium; the Python hosts come to rest on a third. With facets of 0.04 all agree to 1e-12.
-    Case("cone", tolerance=1e-3),
+    # Its contact normal is the mean over sampled lines, whose iteration has several fixed points: hosts that come another way may end
+    # on another one, 1e-4 away. These go the same way.
+    Case("cone"),
     Case("punch"),
     Case("ironing"),
     Case("cgs4"),

@@ -1,7 +1,7 @@
 //! What the table of the contact must fulfil.
 
 use super::Check;
-use crate::case::{EstimatorName, Key, LawName};
+use crate::case::{Key, LawName};
 
 impl Check<'_> {
     pub(super) fn contact(&mut self) {
@@ -13,9 +13,6 @@ impl Check<'_> {
         self.maybe_positive(&key.then("smoothing_length"), contact.smoothing_length);
         if (contact.law == LawName::FiberLinear) != contact.smoothing_length.is_some() {
             self.flaw(&key.then("smoothing_length"), "it belongs to the law \"fiber-linear\", and to it alone".into());
-        }
-        if contact.law == LawName::Depth && contact.estimator != EstimatorName::Exact {
-            self.flaw(&key.then("estimator"), "it must be \"exact\" for the law \"depth\"".into());
         }
         self.friction(&key);
         self.maybe_positive(&key.then("spacing"), contact.spacing);
@@ -46,10 +43,6 @@ impl Check<'_> {
         if contact.law == LawName::Volume && contact.friction_stiffness.is_none() {
             let message = "the law \"volume\" has no stiffness by penetration: friction needs one of its own";
             self.flaw(&key.then("friction_stiffness"), message.into());
-        }
-        if contact.law == LawName::Volume && contact.estimator == EstimatorName::Fibers {
-            let message = "with the law \"volume\" friction needs the estimator \"exact\"";
-            self.flaw(&key.then("estimator"), message.into());
         }
     }
 }

@@ -298,8 +298,11 @@ class fmc_contact_step_options(Structure):
         ("full_below", c_double),
         ("most_iterations", c_int32),
         ("most_trials", c_int32),
-        ("soft_start", c_int64),
-        ("reserved", c_uint64 * 7),
+        ("penetration", c_double),
+        ("reach", c_double),
+        ("most_updates", c_int32),
+        ("soft_start", c_int32),
+        ("reserved", c_uint64 * 5),
     ]
 
 
@@ -313,7 +316,9 @@ class fmc_contact_step_result(Structure):
         ("residual_at_start", c_double),
         ("residual", c_double),
         ("scale", c_double),
-        ("reserved", c_uint64 * 8),
+        ("update_count", c_size_t),
+        ("penetration", c_double),
+        ("reserved", c_uint64 * 6),
     ]
 
 

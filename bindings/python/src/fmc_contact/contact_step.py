@@ -16,7 +16,9 @@ from ._signatures import PLACE
 from ._structs import STEP_STATES, fmc_contact_step_options, fmc_contact_step_result
 
 
-OPTIONS = ("tolerance", "goal", "full_below", "most_iterations", "most_trials", "soft_start")
+OPTIONS = (
+    "tolerance", "goal", "full_below", "most_iterations", "most_trials", "penetration", "reach", "most_updates", "soft_start",
+)  # fmt: skip
 """Names of the options of a step."""
 
 
@@ -29,7 +31,7 @@ class ContactStep:
     state: str
     """``"converged"``; ``"outside"``: contact acts on degrees of freedom that are neither on the list nor held, the displacement
     is what was reached when it did, and a longer list is needed; ``"not_converged"``: the iterations have run out, or the
-    residual could not be lowered any more."""
+    residual, or the penetration, could not be lowered any more."""
     iterations: int
     """Dense systems solved."""
     evaluation_count: int
@@ -42,6 +44,10 @@ class ContactStep:
     """Norm of the residual that is left."""
     scale: float
     """What it is compared with: the larger of the norms of the residual given and of the contact forces on the list."""
+    update_count: int = 0
+    """Updates of the pressures of an augmented Lagrangian."""
+    penetration: float = 0.0
+    """Largest mean penetration of a node at the end, where one was asked for; else 0."""
 
 
 def contact_step(
@@ -87,4 +93,6 @@ def contact_step(
         found.residual_at_start,
         found.residual,
         found.scale,
+        found.update_count,
+        found.penetration,
     )

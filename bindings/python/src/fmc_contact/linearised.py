@@ -135,6 +135,9 @@ class Linearised(Obstacles):
         ``place(displacement, coords)`` moves the nodes that follow in ``coords``, (n, dim), to which the displacement was added on the
         list; it is needed where bodies move by more than a part of a cell. ``options``: ``tolerance`` (1e-10, residual by the
         forces), ``goal`` (0, a residual, a force), ``full_below`` (0.1), ``most_iterations`` (80), ``most_trials`` (12).
+        ``penetration`` (0: that of the law): the largest mean penetration of a node that is wanted, by an augmented Lagrangian
+        from the law's equilibrium on, for gaps within ``reach`` (0: a twentieth of the bodies' extent) and in at most
+        ``most_updates`` (20).
 
         With the law ``"fiber"`` after ``keep_patches``. Friction with the current pressure, or frozen. Look at the ``state``
         of what is returned. What is kept of the last evaluation stays.

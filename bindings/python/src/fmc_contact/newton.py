@@ -122,9 +122,9 @@ def newton(
 
     ``two_level``: the bodies are factorised down to the unknowns that feel contact, and the contact is iterated as it is
     (``Contact.contact_step`` with ``soft_start``), without soft iterations of this method; where that leads nowhere, the rest is plain. It takes fewer linear
-    solves where contact opens and closes on bodies that are well held. Where they may slip away sideways, a first overlap of more
-    than some hundredths of a cell may end in another equilibrium than that of the plain method: take smaller load steps there, or the
-    plain method.
+    solves where contact opens and closes, also out of a first overlap of half a cell. It goes where the energy is least: where the
+    plain method stays on an equilibrium that is not stable, as of two columns pressed straight together that hardly anything holds
+    sideways, it finds the stable one, in which they have slipped off.
 
     Errors: ``NotConvergedError``, also where a cell is inverted, the matrix singular or the residual not finite. A
     smaller load step helps; if the matrix is singular, a body must be held. ``ValueError`` for shapes.

@@ -28,7 +28,8 @@ class Options(TypedDict, total=False):
     exponent: float
     """m >= 1, for the law ``"volume"`` only; 1."""
     smoothing_length: float
-    """Smoothing length over which the pressure of the law ``"fiber"`` grows to k; 0: pressure k times penetration."""
+    """Smoothing length over which the pressure of the laws ``"fiber"`` and ``"depth"`` grows to k; 0: pressure k times
+    penetration. With ``"depth"`` on lines, between bodies alone."""
     estimator: str
     """``"auto"``: exact where it can be, sampled with curved obstacles (not with the law ``"depth"``, which is exact with
     them too); the default. ``"exact"``: for straight-sided meshes and flat-sided obstacles. ``"fibers"``: sampled, for any
@@ -51,7 +52,7 @@ class Options(TypedDict, total=False):
     """Whether self-contact, the overlap of each body with itself, is evaluated; False."""
     friction_coefficient: float
     """Coefficient of Coulomb friction of all pairs that have none of their own; 0. With it, steps are begun and committed
-    (``Contact.begin_step``), and the tangent is unsymmetric. With the law ``"volume"`` not on sampled lines."""
+    (``Contact.begin_step``), and the tangent is unsymmetric."""
     friction_stiffness: float
     """Tangential stiffness of the stick, a pressure per length; 0: the stiffness of the law at a first touch, which
     ``"volume"`` does not have."""

@@ -182,7 +182,7 @@ impl<const D: usize> Equilibrium<D> {
                     }
                     length = shortened(length, slope, dot(&next.gradient, direction));
                 }
-                Err(fmc_contact::Error::InvertedCell { .. }) => length *= 0.5,
+                Err(fmc_contact::Error::InvertedCell { .. } | fmc_contact::Error::FoldedCell { .. }) => length *= 0.5,
                 Err(error) => return Err(error.into()),
             }
         }

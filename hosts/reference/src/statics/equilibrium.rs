@@ -226,7 +226,9 @@ impl<const D: usize> Equilibrium<D> {
     /// Forces and energies at a displacement.
     pub(super) fn evaluate(&mut self, displacement: &[[f64; D]], load: f64) -> Result<Balance<D>, StaticsError> {
         let touch = self.touch_at(displacement).map_err(|error| match error {
-            fmc_contact::Error::InvertedCell { cell, .. } => StaticsError::Inverted { load, cell: Some(cell) },
+            fmc_contact::Error::InvertedCell { cell, .. } | fmc_contact::Error::FoldedCell { cell, .. } => {
+                StaticsError::Inverted { load, cell: Some(cell) }
+            }
             error => StaticsError::Contact(error),
         })?;
         let mut internal = vec![[0.0; D]; displacement.len()];

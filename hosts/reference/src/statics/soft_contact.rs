@@ -29,8 +29,15 @@ impl<const D: usize> Equilibrium<D> {
             let start = self.approach(start, load)?;
             return self.newton(start, load, watch);
         };
-        if self.is_supported(&start)? && !self.is_too_deep(&start) {
-            return self.newton(start, load, watch);
+        if self.is_supported(&start)? {
+            // The contact step leads the depth law out of most deep overlaps by itself, in fewer iterations.
+            let is_deep = self.is_too_deep(&start);
+            if !is_deep || self.is_depth() {
+                match self.newton(start.clone(), load, watch) {
+                    Err(error) if is_deep && error.may_yield_to_halving() => {}
+                    ended => return ended,
+                }
+            }
         }
         let settings = self.settings;
         self.settings.tolerance = settings.full_below.max(settings.tolerance);
@@ -99,9 +106,8 @@ impl<const D: usize> Equilibrium<D> {
     /// k of a law whose pressure is k times the penetration.
     fn penalty(&self) -> Option<f64> {
         match self.problem.contact.law {
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
-                Some(k)
-            }
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
+            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Quadratic } => Some(k),
             _ => None,
         }
     }

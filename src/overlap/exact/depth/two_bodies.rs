@@ -1,37 +1,42 @@
 //! The depth of two bodies below each other's surfaces, summed over their overlap.
 
-use super::cell_integrals::{CellMoments, cell_integrals};
-use super::cell_pieces::CellPieces;
 use super::facet_integrals::FacetsInCells;
-use super::piece_moments::{Moments, Products, common_moments};
+use super::piece_moments::{Moments, common_moments};
+use crate::Error;
 use crate::configuration::FacetSide;
-use crate::depth::DepthField;
 use crate::geometry::Vector;
-use crate::geometry::cells::Cells;
+use crate::overlap::depth::DeepBodies;
+use crate::overlap::depth::cell_integrals::{CellMoments, Products};
+use crate::overlap::depth::cell_pieces::CellPieces;
+use crate::overlap::depth::deep_bodies::WEIGHT;
+use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
-use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::partner::Partner;
-use crate::overlap::pair::region::Region;
-use crate::overlap::pair::sides::Pair;
-use crate::overlap::pair::warning::Warning;
+use crate::overlap::pair::region::{Region, common_region};
+use crate::overlap::pair::sides::{Counterpart, Pair};
 
 /// Facets, or pieces, that a thread takes at once.
 const CHUNK: usize = 64;
 
-/// Bodies of cells.
-pub(crate) struct DeepBodies<'a, const D: usize> {
-    pub(crate) pair: &'a Pair<'a, D>,
-    pub(crate) cells: &'a Cells,
-    pub(crate) field: &'a DepthField<D>,
-    pub(crate) request: &'a DepthRequest,
+/// J of a pair, or `None` where the sides are apart.
+///
+/// # Errors
+/// Those of [`DeepBodies::integral`].
+pub(crate) fn depth_integral<const D: usize>(
+    pair: &Pair<D>,
+    request: &DepthRequest,
+) -> Result<Option<DepthIntegral<D>>, Error> {
+    DeepBodies::integral(pair, request, |bodies| {
+        Ok(match &pair.counterpart {
+            Counterpart::Facets(b) => common_region(&pair.a, b).and_then(|region| bodies.two(b, &region)),
+            _ => bodies.one(),
+        })
+    })
 }
-
-/// Part with which the depth of either body counts.
-const WEIGHT: f64 = 0.5;
 
 impl<const D: usize> DeepBodies<'_, D> {
     /// Of two bodies.
-    pub(crate) fn two(&self, b: &FacetSide<D>, region: &Region<D>) -> Option<DepthIntegral<D>> {
+    fn two(&self, b: &FacetSide<D>, region: &Region<D>) -> Option<DepthIntegral<D>> {
         let pair = self.pair;
         let (of_a, of_b) = pair.both(|| self.pieces(0, region), || self.pieces(1, region));
         let rounding = region.aabb.rounding();
@@ -78,7 +83,7 @@ impl<const D: usize> DeepBodies<'_, D> {
     }
 
     /// Of a body with itself: every two of its cells that overlap.
-    pub(crate) fn one(&self) -> Option<DepthIntegral<D>> {
+    fn one(&self) -> Option<DepthIntegral<D>> {
         let a = &self.pair.a;
         let region = Region { aabb: a.aabb, facets: [(0..a.facets.len() as u32).collect(), Vec::new()] };
         let all = self.pieces(0, &region);
@@ -89,51 +94,6 @@ impl<const D: usize> DeepBodies<'_, D> {
             false => CellMoments::weighted(&all, own_moments(&all), weighting),
         };
         self.assemble(vec![facets], &[(&all, &moments)])
-    }
-
-    /// From what the facets of either side have inside the other, and the moments of its pieces.
-    fn assemble(
-        &self,
-        facets: Vec<FacetSums<D>>,
-        cells: &[(&CellPieces<D>, &CellMoments)],
-    ) -> Option<DepthIntegral<D>> {
-        let inside = || facets.iter().filter(|part| part.area > 0.0);
-        let area: f64 = inside().map(|part| part.area).sum();
-        let depth: f64 = inside().map(|part| part.depth / part.area).sum();
-        let sides = inside().count() as f64;
-        let mut sums = FacetSums::of_parts(facets);
-        let (mut volume, mut value) = (0.0, 0.0);
-        for (which, (pieces, moments)) in cells.iter().enumerate() {
-            let FacetSums { gradient, hessian, .. } = &mut sums;
-            let side = (which == 1, WEIGHT);
-            let how = (self.request.second, self.pair.weighting);
-            let found = cell_integrals(self.cells, pieces, moments, side, how, gradient, hessian);
-            value += WEIGHT * found.depth;
-            volume += 0.5 * found.volume;
-        }
-        let mut overlap = sums.overlap(self.pair, volume, 0.5 * area)?;
-        if sums.flush > 0.0 && !self.field.is_surface_told() {
-            let (a, b) = (overlap.a, overlap.b);
-            overlap.warnings.push(Warning::FlushFaces { a, b, area: sums.flush });
-        }
-        let (nodes, of_b, gradient) = sums.gradient.into_nodes();
-        Some(DepthIntegral {
-            value: value.max(0.0),
-            nodes,
-            of_b,
-            gradient,
-            pose_gradient: None,
-            hessian: sums.hessian.into_blocks(),
-            facets: sums.facets,
-            points: sums.points,
-            mean_depth: if sides > 0.0 { depth / sides } else { 0.0 },
-            overlap,
-        })
-    }
-
-    fn pieces(&self, which: usize, region: &Region<D>) -> CellPieces<D> {
-        let body = if let Partner::Body(body) = self.pair.partners[which] { body } else { 0 };
-        CellPieces::new(self.pair, self.cells, self.field, body, &region.facets[which], &region.aabb)
     }
 
     fn facets(

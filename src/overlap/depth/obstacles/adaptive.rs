@@ -8,7 +8,7 @@
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::simplex_rule::{InSimplex, degree_5};
-use crate::overlap::exact::depth::simplex_parts::{Corners, WHOLE, below, between};
+use crate::overlap::depth::simplex_parts::{Corners, WHOLE, below, between};
 use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance};
 use crate::overlap::pair::sides::Pair;
 use std::ops::AddAssign;

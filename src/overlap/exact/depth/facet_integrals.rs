@@ -1,28 +1,24 @@
 //! ∫ over the facets of one body inside another of the other's depth, with its derivatives.
 
-use super::cell_pieces::CellPieces;
 use super::facet_clip::clip;
-use super::point_sums::PointSums;
 use crate::configuration::FacetSide;
-use crate::depth::{DepthPiece, MOST_NODES};
+use crate::depth::DepthPiece;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::convex_piece::Piece;
-use crate::geometry::facet::area_slopes;
 use crate::geometry::{Surface, Weighting};
+use crate::overlap::depth::cell_pieces::CellPieces;
+use crate::overlap::depth::facet_blocks::{FacetBlocks, MOST};
+use crate::overlap::depth::facet_sums::FacetSums;
+use crate::overlap::depth::point_sums::PointSums;
 use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
-use crate::overlap::exact::depth::facet_sums::FacetSums;
-use crate::overlap::pair::body_facet::{BodyFacet, FACET_NODES};
-use crate::overlap::points::block_sum::{BlockSum, product};
+use crate::overlap::pair::body_facet::BodyFacet;
 
 /// Cosine of an angle between normals that is rounding.
 const SAME_WAY: f64 = 1.0 - 1e-9;
 
 /// A facet that is no deeper than this part of its size lies in the other's face.
 const FLAT: f64 = 1e-9;
-
-/// Nodes that take part where a facet lies in a cell.
-const MOST: usize = FACET_NODES + MOST_NODES;
 
 /// The facets of one side, and the other body.
 pub(crate) struct FacetsInCells<'a, const D: usize> {
@@ -67,7 +63,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
             );
             if sums.piece_count > before {
                 let side = (self.of_b, self.weight);
-                sums.add_to_nodes(&facet, &moments.area, &moments.depth, side);
+                sums.add_to_nodes(&facet, &moments.area, &moments.depth, &moments.depth, side);
                 sums.points.extend(moments.points.into_points(&facet, side));
             }
         }
@@ -83,6 +79,12 @@ impl<const D: usize> FacetsInCells<'_, D> {
         moments: &mut Moments<D>,
         sums: &mut FacetSums<D>,
     ) {
+        let blocks = FacetBlocks {
+            cells: self.cells,
+            weight: self.weight,
+            weighting: self.weighting,
+            second: self.request.second,
+        };
         let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
         let Scratch { work, values } = scratch;
         let is_same_way = piece.is_at_surface && facet.normal.dot(&piece.gradient) < -SAME_WAY * piece.gradient.norm();
@@ -135,7 +137,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 }
                 if self.request.second != SecondDerivative::No {
                     let of_corners: [[f64; MOST]; D] =
-                        std::array::from_fn(|c| self.shapes(facet, piece, corners[c], &at[c]));
+                        std::array::from_fn(|c| blocks.shapes(facet, piece, corners[c], &at[c]));
                     add_products(&mut products, &of_corners, count, norm);
                     if !self.weighting.is_plain() {
                         let by = bare * part * g[0];
@@ -152,83 +154,9 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 moments.points.add(piece, &areas, &local, &barycentric);
             }
             if self.request.second != SecondDerivative::No {
-                self.add_blocks(facet, piece, &products, (&local, &moved), values, &mut sums.hessian);
+                blocks.add(facet, piece, &products, (&local, &moved), values, &mut sums.hessian);
             }
         });
-    }
-
-    /// Shape functions of the facet's nodes, then those of the cell's, at a point of both.
-    fn shapes(
-        &self,
-        facet: &BodyFacet<D>,
-        piece: &DepthPiece<D>,
-        on_facet: &[f64; D],
-        in_piece: &[f64; 4],
-    ) -> [f64; MOST] {
-        let mut shapes = [0.0; MOST];
-        for (weights, w) in facet.weights.iter().zip(on_facet) {
-            shapes.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += w * weight);
-        }
-        let of_cell = piece.at_nodes(in_piece);
-        shapes[facet.nodes.len()..].iter_mut().zip(of_cell).for_each(|(shape, value)| *shape = value);
-        shapes
-    }
-
-    /// Adds the second derivative of the integral over a facet inside a piece, given ∫ of products of shape functions
-    /// and ∫ g N_a, in parts of its measure; and ∫ g N_a N_c without the weight, by which the weight counts that changes.
-    fn add_blocks(
-        &self,
-        facet: &BodyFacet<D>,
-        piece: &DepthPiece<D>,
-        products: &[[f64; MOST]; MOST],
-        (moments, moved): (&[f64; D], &[[f64; D]; D]),
-        values: &mut Vec<[[f64; D]; D]>,
-        hessian: &mut BlockSum<D>,
-    ) {
-        let (n, g) = (&facet.normal, &piece.gradient);
-        let semidefinite = self.request.second == SecondDerivative::Semidefinite;
-        if semidefinite && (n.dot(g) <= 0.0 || piece.sign < 0.0) {
-            return;
-        }
-        let mut nodes = facet.nodes.clone();
-        nodes.extend_from_slice(self.cells.nodes(piece.cell as usize));
-        let (own, count) = (facet.nodes.len(), nodes.len());
-        values.clear();
-        for row in 0..count {
-            for col in 0..count {
-                let opposite = if (row < own) == (col < own) { 1.0 } else { -1.0 };
-                let factor = opposite * self.weight * facet.measure * products[row][col];
-                values.push(match () {
-                    () if semidefinite => product(factor * g.norm(), n, n),
-                    () if row < own => product(factor, n, g),
-                    () => product(factor, g, n),
-                });
-            }
-        }
-        if !semidefinite {
-            let outwards = (!self.weighting.is_plain()).then(|| product(facet.measure, n, &self.weighting.gradient()));
-            for (a, &moment) in moments.iter().enumerate() {
-                for (c, slope) in area_slopes(&facet.corners).iter().enumerate() {
-                    for row in 0..own {
-                        for col in 0..own {
-                            let factor = self.weight * moment * facet.weights[a][row] * facet.weights[c][col];
-                            add_to(&mut values[row * count + col], factor, slope);
-                            if let Some(outwards) = &outwards {
-                                let factor = self.weight * moved[a][c] * facet.weights[a][row] * facet.weights[c][col];
-                                add_to(&mut values[row * count + col], factor, outwards);
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        hessian.add_square(&nodes, values);
-    }
-}
-
-fn add_to<const D: usize>(sums: &mut [[f64; D]; D], factor: f64, block: &[[f64; D]; D]) {
-    for (sums, block) in sums.iter_mut().zip(block) {
-        sums.iter_mut().zip(block).for_each(|(sum, x)| *sum += factor * x);
     }
 }
 

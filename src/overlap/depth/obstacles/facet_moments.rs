@@ -3,9 +3,9 @@
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_slopes;
 use crate::geometry::{Vector, Weighting};
+use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
 use crate::overlap::depth_points::{DepthPlace, DepthPoint};
-use crate::overlap::exact::depth::facet_sums::FacetSums;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::points::block_sum::product;
 use std::ops::AddAssign;
@@ -136,7 +136,7 @@ impl<const D: usize> FacetSums<D> {
         self.depth += moments.depth() * facet.measure;
         self.deepest = self.deepest.max(moments.deepest);
         self.piece_count += moments.piece_count;
-        self.add_to_nodes(facet, &moments.area, &moments.depth, (false, 1.0));
+        self.add_to_nodes(facet, &moments.area, &moments.depth, &moments.depth, (false, 1.0));
         if request.points {
             self.points.extend(moments.point(facet));
         }

@@ -2,36 +2,36 @@
 
 /// A type as it is written, with `*` for every level of pointer, a name, and for arrays in structs their length.
 #[derive(Debug)]
-pub(super) struct Variable {
-    pub(super) of_type: String,
-    pub(super) is_const: bool,
-    pub(super) pointers: usize,
-    pub(super) name: String,
-    pub(super) length: Option<usize>,
+pub(crate) struct Variable {
+    pub(crate) of_type: String,
+    pub(crate) is_const: bool,
+    pub(crate) pointers: usize,
+    pub(crate) name: String,
+    pub(crate) length: Option<usize>,
 }
 
 #[derive(Debug)]
-pub(super) struct Function {
-    pub(super) returns: Variable,
-    pub(super) arguments: Vec<Variable>,
+pub(crate) struct Function {
+    pub(crate) returns: Variable,
+    pub(crate) arguments: Vec<Variable>,
 }
 
 #[derive(Debug)]
-pub(super) struct Struct {
-    pub(super) name: String,
-    pub(super) fields: Vec<Variable>,
+pub(crate) struct Struct {
+    pub(crate) name: String,
+    pub(crate) fields: Vec<Variable>,
 }
 
 #[derive(Debug, Default)]
-pub(super) struct Declarations {
-    pub(super) constants: Vec<(String, i64)>,
-    pub(super) structs: Vec<Struct>,
-    pub(super) callbacks: Vec<Function>,
-    pub(super) functions: Vec<Function>,
+pub(crate) struct Declarations {
+    pub(crate) constants: Vec<(String, i64)>,
+    pub(crate) structs: Vec<Struct>,
+    pub(crate) callbacks: Vec<Function>,
+    pub(crate) functions: Vec<Function>,
 }
 
 impl Declarations {
-    pub(super) fn of(header: &str) -> Self {
+    pub(crate) fn of(header: &str) -> Self {
         let mut found = Self::default();
         let mut code = String::new();
         let after_title = header.split_once("*/").expect("a title").1;

@@ -1,7 +1,8 @@
 //! How much of a piece lies inside another, and where.
 
 use crate::depth::DepthPiece;
-use crate::overlap::exact::depth::simplex_parts::measure;
+use crate::overlap::depth::cell_integrals::Products;
+use crate::overlap::depth::simplex_parts::measure;
 
 /// Moments of a part of a simplex, in the simplex' barycentric coordinates.
 pub(crate) trait Moments: Copy + Default + Send {
@@ -49,9 +50,6 @@ impl Moments for [f64; 4] {
         self.iter_mut().zip(other).for_each(|(sum, m)| *sum += m);
     }
 }
-
-/// ∫ of every product of two coordinates.
-pub(crate) type Products = [[f64; 4]; 4];
 
 impl Moments for Products {
     fn add_simplex<const D: usize>(&mut self, measure: f64, x: &[[f64; 4]; 4]) {

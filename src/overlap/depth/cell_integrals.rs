@@ -1,13 +1,15 @@
 //! What the depth of a body sums up to over an overlap, and how that changes as its cells move.
 
 use super::cell_pieces::CellPieces;
-use super::piece_moments::Products;
 use crate::depth::MOST_NODES;
 use crate::geometry::cells::Cells;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::depth_integral::SecondDerivative;
 use crate::overlap::points::block_sum::{BlockSum, product};
 use crate::overlap::points::node_sums::NodeSums;
+
+/// ∫ of every product of two barycentric coordinates.
+pub(crate) type Products = [[f64; 4]; 4];
 
 /// Volume of the overlap and the integral of the depth over it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,12 +24,14 @@ pub(crate) struct CellMoments {
     pub(crate) first: Vec<[f64; 4]>,
     /// ∫ of the products of two, not weighted; empty where there is no weight.
     pub(crate) products: Vec<Products>,
+    /// Of a profile that is not quadratic: ∫ φ, and ∫ 2 φ' of every coordinate.
+    pub(crate) profile: Option<(f64, Vec<[f64; 4]>)>,
 }
 
 impl CellMoments {
     /// Without a weight.
     pub(crate) fn plain(first: Vec<[f64; 4]>) -> Self {
-        Self { first, products: Vec::new() }
+        Self { first, products: Vec::new(), profile: None }
     }
 
     /// With a weight, which is linear in every piece.
@@ -40,7 +44,7 @@ impl CellMoments {
             let weights = piece.corners.map(|x| weighting.at(&x));
             products.map(|row| (0..=D).map(|k| row[k] * weights[k]).sum())
         });
-        Self { first: first.collect(), products }
+        Self { first: first.collect(), products, profile: None }
     }
 }
 
@@ -62,7 +66,7 @@ pub(crate) fn cell_integrals<const D: usize>(
         sums.volume += first.iter().sum::<f64>();
         sums.depth += first.iter().zip(&piece.depths).map(|(m, g)| m * g).sum::<f64>();
         let nodes = cells.nodes(piece.cell as usize);
-        let at_nodes = piece.at_nodes(first);
+        let at_nodes = piece.at_nodes(moments.profile.as_ref().map_or(first, |(_, pressed)| &pressed[number]));
         for (&node, m) in nodes.iter().zip(&at_nodes) {
             gradient.add(node, of_b, &(piece.gradient * (-weight * m)));
         }
@@ -96,6 +100,9 @@ pub(crate) fn cell_integrals<const D: usize>(
             }
             hessian.add_square(nodes, &values);
         }
+    }
+    if let Some((value, _)) = moments.profile {
+        sums.depth = value;
     }
     sums
 }

@@ -13,4 +13,4 @@ mod integral;
 mod least_of;
 mod quadrature;
 
-pub(super) use integral::of_obstacle;
+pub(crate) use integral::of_obstacle;

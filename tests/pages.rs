@@ -1,0 +1,89 @@
+//! Links and pictures of all pages lead somewhere, and the book has all of them.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn in_docs() -> Vec<PathBuf> {
+    let entries = fs::read_dir(root().join("docs")).expect("docs").map(|entry| entry.expect("an entry").path());
+    let mut pages: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
+    pages.sort();
+    pages
+}
+
+/// Text without what stands in code, where brackets and parentheses are no links.
+fn prose(text: &str) -> String {
+    let mut prose = String::new();
+    let mut is_code = false;
+    for line in text.lines() {
+        if line.trim_start().starts_with("```") {
+            is_code = !is_code;
+        } else if !is_code {
+            prose += line;
+            prose.push('\n');
+        }
+    }
+    prose
+}
+
+/// Targets of links and pictures.
+fn targets(text: &str) -> Vec<String> {
+    let text = prose(text);
+    let targets = text.match_indices("](").filter_map(|(place, _)| text[place + 2..].split(')').next());
+    targets.filter(|target| !target.contains("://") && !target.starts_with("mailto:")).map(str::to_owned).collect()
+}
+
+/// What a heading is called in links: words in lower case, joined by hyphens.
+fn anchors(text: &str) -> BTreeSet<String> {
+    let headings = prose(text);
+    let headings =
+        headings.lines().filter(|line| line.starts_with('#')).map(|line| line.trim_start_matches('#').trim());
+    let name = |heading: &str| {
+        let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+        kept.map(|c| if c == ' ' { '-' } else { c }).flat_map(char::to_lowercase).collect()
+    };
+    headings.map(name).collect()
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let named = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"];
+    let nested = ["bindings/python/README.md", "hosts/skfem/README.md", "hosts/dolfinx/README.md"];
+    let pages = named.into_iter().chain(nested).map(|name| root().join(name)).chain(in_docs());
+    let (mut seen, mut broken) = (0, Vec::new());
+    for page in pages {
+        let text = fs::read_to_string(&page).unwrap_or_else(|error| panic!("{}: {error}", page.display()));
+        for target in targets(&text) {
+            let (path, anchor) = target.split_once('#').unwrap_or((&target, ""));
+            let file = if path.is_empty() { page.clone() } else { page.parent().expect("a folder").join(path) };
+            seen += 1;
+            let is_heading = || anchors(&fs::read_to_string(&file).unwrap_or_default()).contains(anchor);
+            if !file.exists() || !anchor.is_empty() && !is_heading() {
+                broken.push(format!("{}: {target}", page.display()));
+            }
+        }
+    }
+    assert!(seen > 150, "only {seen} links were found");
+    assert!(broken.is_empty(), "{broken:#?}");
+}
+
+#[test]
+fn the_book_has_every_page_once() {
+    let summary = fs::read_to_string(root().join("docs/SUMMARY.md")).expect("the summary");
+    let mut listed = targets(&summary);
+    listed.sort();
+    let name = |path: PathBuf| path.file_name().expect("a name").to_string_lossy().into_owned();
+    let pages: Vec<String> = in_docs().into_iter().map(name).filter(|name| name != "SUMMARY.md").collect();
+    assert_eq!(listed, pages);
+}
+
+/// One page that is read in five minutes.
+#[test]
+fn the_readme_is_short() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("the README");
+    assert!(readme.lines().count() <= 150);
+}
