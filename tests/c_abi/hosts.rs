@@ -139,7 +139,11 @@ fn newton_with_the_contact_tangent() {
 #[test]
 fn contact_step_with_condensed_springs() {
     let printed = output("contact_step.c", Link::Shared);
-    assert_eq!(printed, "state 0  u 0.100699301 0.100699301, expected 0.100699301\nwrong 0\n");
+    assert!(
+        printed.starts_with("state 0  u 0.100699301 0.100699301, expected 0.100699301\nstate 0, penetration "),
+        "{printed}"
+    );
+    assert!(printed.ends_with("\nwrong 0\n"), "{printed}");
 }
 
 #[test]
