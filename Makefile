@@ -12,7 +12,7 @@
 # make fuzz      arbitrary input for 60 s
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
-# make install   PREFIX=/usr/local: shared and static library, headers, Fortran modules, pkg-config and CMake files (Linux)
+# make install   PREFIX=/usr/local LIBDIR=lib: shared and static library, stripped, headers, Fortran modules, pkg-config and CMake files (Linux)
 # make book      the documentation as pages that are read in a browser, in out/book (mdbook: cargo install mdbook)
 # make clean
 #
@@ -189,9 +189,15 @@ build:
 	$(CARGO) build --release --lib -p fmc-contact
 endif
 
-LIB = $(DESTDIR)$(PREFIX)/lib
+# Where libraries go below PREFIX, as lib/x86_64-linux-gnu; the pkg-config and CMake files find the prefix from there.
+LIBDIR ?= lib
+LIB = $(DESTDIR)$(PREFIX)/$(LIBDIR)
+EMPTY =
+SPACE = $(EMPTY) $(EMPTY)
+UP_FROM = $(subst $(SPACE),/,$(foreach part,$(subst /,$(SPACE),$(LIBDIR)/$(1)),..))
 INCLUDE = $(DESTDIR)$(PREFIX)/include
-FILL = sed -e 's/@VERSION@/$(VERSION)/; s/@SOVERSION@/$(SOVERSION)/; s/@SOVERSION_PATTERN@/$(subst .,\\\\.,$(SOVERSION))/'
+FILL = sed -e 's/@VERSION@/$(VERSION)/; s/@SOVERSION@/$(SOVERSION)/; s/@SOVERSION_PATTERN@/$(subst .,\\\\.,$(SOVERSION))/; \
+  s|@LIBDIR@|$(LIBDIR)|; s|@UP_FROM_PKGCONFIG@|$(call UP_FROM,pkgconfig)|; s|@UP_FROM_CMAKE@|$(call UP_FROM,cmake/fmc_contact)|'
 
 install: build
 	install -d $(LIB)/pkgconfig $(LIB)/cmake/fmc_contact $(INCLUDE)/fmc_contact
@@ -199,6 +205,10 @@ install: build
 	ln -sf libfmc_contact.so.$(VERSION) $(LIB)/libfmc_contact.so.$(SOVERSION)
 	ln -sf libfmc_contact.so.$(SOVERSION) $(LIB)/libfmc_contact.so
 	install -m 644 $(BUILT)/libfmc_contact.a $(LIB)
+	strip --strip-unneeded $(LIB)/libfmc_contact.so.$(VERSION)
+	strip --strip-debug $(LIB)/libfmc_contact.a
+	install -d $(DESTDIR)$(PREFIX)/share/doc/fmc-contact
+	install -m 644 LICENSE-MIT LICENSE-APACHE README.md CHANGELOG.md CITATION.cff $(DESTDIR)$(PREFIX)/share/doc/fmc-contact
 	install -m 644 include/fmc_contact.h include/fmc_contact.hpp $(INCLUDE)
 	install -m 644 bindings/fortran/fmc_contact_c.f90 bindings/fortran/fmc_contact.f90 $(INCLUDE)
 	install -m 644 include/fmc_contact/*.hpp $(INCLUDE)/fmc_contact

@@ -7,20 +7,21 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Installs into a folder and moves that away, so that no path of the installation itself can be used.
-fn installed() -> PathBuf {
-    let folder = scratch("install");
+fn installed(name: &str, libdir: &str) -> PathBuf {
+    let folder = scratch(name);
     let mut make = Command::new("make");
     make.current_dir(root()).arg("install").arg(format!("BUILT={}", built().display()));
-    make.arg(format!("PREFIX={}", folder.join("before").display()));
+    make.arg(format!("LIBDIR={libdir}")).arg(format!("PREFIX={}", folder.join("before").display()));
     // What a calling make has set is none of this one's business.
     succeed(make.env_remove("MAKEFLAGS").env_remove("MAKELEVEL").env_remove("DESTDIR"));
     fs::rename(folder.join("before"), folder.join("after")).expect("a move");
     folder.join("after")
 }
 
-fn pkg_config(prefix: &Path, argument: &str) -> Vec<String> {
+fn pkg_config(prefix: &Path, arguments: &str) -> Vec<String> {
     let path = prefix.join("lib/pkgconfig");
-    let words = succeed(Command::new("pkg-config").args([argument, "fmc_contact"]).env("PKG_CONFIG_PATH", path));
+    let words =
+        succeed(Command::new("pkg-config").args(arguments.split(' ')).arg("fmc_contact").env("PKG_CONFIG_PATH", path));
     words.split_whitespace().map(str::to_owned).collect()
 }
 
@@ -36,7 +37,7 @@ fn by_cmake(prefix: &Path, language: &str, host: &str) -> String {
 
 #[test]
 fn programs_find_the_installed_library() {
-    let prefix = installed();
+    let prefix = installed("install", "lib");
     let host = root().join("hosts/c/two_squares.c");
 
     let program = prefix.join("by_pkg_config");
@@ -66,6 +67,20 @@ fn programs_find_the_installed_library() {
     succeed(cc.args(["-lpthread", "-ldl", "-lm", "-o"]).arg(&program));
     assert_eq!(succeed(&mut Command::new(&program)), by_pkg_config);
 
+    // Without any shared library, as pkg-config says; glibc warns of what it would still load.
+    let program = prefix.join("all_static");
+    let mut cc = compiler("CC", "cc");
+    cc.arg("-static").arg(&host).args(pkg_config(&prefix, "--cflags")).args(pkg_config(&prefix, "--static --libs"));
+    succeed(cc.arg("-o").arg(&program));
+    assert_eq!(succeed(&mut Command::new(&program)), by_pkg_config);
+
+    let library = prefix.join("lib").join(concat!("libfmc_contact.so.", env!("CARGO_PKG_VERSION")));
+    let sections = succeed(Command::new("readelf").arg("-S").arg(&library));
+    assert!(!sections.contains(".debug_info") && fs::metadata(&library).expect("a file").len() < 20_000_000);
+    for file in ["LICENSE-MIT", "LICENSE-APACHE"] {
+        assert!(prefix.join("share/doc/fmc-contact").join(file).exists());
+    }
+
     let program = prefix.join("in_fortran");
     let mut fortran = compiler("FC", "gfortran");
     fortran.current_dir(&prefix);
@@ -73,4 +88,22 @@ fn programs_find_the_installed_library() {
     fortran.arg(root().join("hosts/fortran/two_squares.f90")).args(pkg_config(&prefix, "--libs"));
     succeed(fortran.arg(format!("-Wl,-rpath,{}/lib", prefix.display())).arg("-o").arg(&program));
     assert!(succeed(&mut Command::new(&program)).starts_with("overlap 0.008\n"));
+}
+
+/// As distributions have it: libraries in a folder of their own by architecture.
+#[test]
+fn libraries_may_lie_deeper() {
+    let machine = succeed(compiler("CC", "cc").arg("-dumpmachine"));
+    let libdir = format!("lib/{}", machine.trim());
+    let prefix = installed("install-deeper", &libdir);
+    let by_cmake = by_cmake(&prefix, "c", "two_squares");
+    assert!(by_cmake.starts_with("overlap 0.008\n"), "{by_cmake}");
+    let path = prefix.join(&libdir).join("pkgconfig");
+    let libs =
+        succeed(Command::new("pkg-config").args(["--libs", "--cflags", "fmc_contact"]).env("PKG_CONFIG_PATH", path));
+    let program = prefix.join("program");
+    let mut cc = compiler("CC", "cc");
+    cc.arg(root().join("hosts/c/two_squares.c")).args(libs.split_whitespace()).arg("-o").arg(&program);
+    succeed(cc.arg(format!("-Wl,-rpath,{}/{libdir}", prefix.display())));
+    assert_eq!(succeed(&mut Command::new(&program)), by_cmake);
 }
