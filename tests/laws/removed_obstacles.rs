@@ -2,7 +2,7 @@
 
 use crate::pairs::{plane_scene, solid_scene};
 use crate::scene::table::exactly;
-use crate::scene::{Scene, lines};
+use crate::scene::{Scene, isotropic, lines};
 use fmc_contact::contact::{PairOptions, TangentPart};
 use fmc_contact::overlap::Partner::{Body, Obstacle as Rigid};
 use fmc_contact::{EnergyLaw, Error, Obstacle, Options, Pose, Shape};
@@ -110,8 +110,8 @@ fn the_options_of_its_pairs_go_with_it() {
     let [wall, ..] = obstacles(false);
     let wall = contact.add_obstacle(wall).unwrap();
     contact.set_pair_options([Rigid(wall), Body(0)], Some(PairOptions::with_law(EnergyLaw::depth(1.0)))).unwrap();
-    let by_lines = lines(0.05, 2);
-    assert!(matches!(contact.set_options(by_lines), Err(Error::OfPair { .. })));
+    let by_segments = isotropic(0.3, 500, 2);
+    assert!(matches!(contact.set_options(by_segments), Err(Error::OfPair { .. })));
     contact.remove_obstacle(wall).unwrap();
-    contact.set_options(by_lines).unwrap();
+    contact.set_options(by_segments).unwrap();
 }
