@@ -24,6 +24,7 @@ mod pairs;
 mod parallel;
 mod pattern;
 mod rigid;
+mod shared_among_ranks;
 mod stable_step;
 mod state;
 mod stateless;

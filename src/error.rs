@@ -282,6 +282,28 @@ pub enum Error {
         /// Its value, infinite or NaN.
         value: f64,
     },
+    /// A communicator's rank is not one of its ranks.
+    BadRank {
+        /// Rank.
+        rank: usize,
+        /// Number of ranks.
+        size: usize,
+    },
+    /// A communicator failed.
+    Communication {
+        /// What it returned.
+        code: i32,
+    },
+    /// The evaluation failed on another rank, which has the cause; so it ends on all.
+    OnOtherRank {
+        /// The first of them.
+        rank: usize,
+    },
+    /// Ranks that share the work were given different coordinates, options or poses of obstacles, or asked for different things.
+    RanksDiffer {
+        /// The first that differs.
+        rank: usize,
+    },
     /// The threads could not be started, or more than 1024 were asked for.
     Threads {
         /// Number asked for.

@@ -19,6 +19,7 @@ mod dimension;
 mod error;
 pub mod geometry;
 pub mod overlap;
+mod ranks;
 pub mod sampling;
 
 #[allow(unsafe_code)]
@@ -31,6 +32,7 @@ pub use geometry::{
     Pose, Shape, SignedDistance, Surface,
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
+pub use ranks::{Communicator, RankCounts};
 pub use sampling::FiberPattern;
 
 /// The documentation's Rust code, run by the tests.

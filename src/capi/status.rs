@@ -111,6 +111,14 @@ pub enum fmc_status {
     FMC_ERROR_NON_FINITE_STIFFNESS = 48,
     /// A host's function that places its nodes failed.
     FMC_ERROR_PLACE = 49,
+    /// The rank of a communicator is not from 0 to one less than its size.
+    FMC_ERROR_BAD_RANK = 50,
+    /// A communicator's function failed.
+    FMC_ERROR_COMMUNICATION = 51,
+    /// The evaluation failed on another rank, which has the cause.
+    FMC_ERROR_ON_OTHER_RANK = 52,
+    /// Ranks that share the work of a context were given different coordinates, options or obstacles, or asked for different things.
+    FMC_ERROR_RANKS_DIFFER = 53,
 }
 
 use fmc_status::*;
@@ -167,6 +175,10 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_REPEATED_FREEDOM, c"FMC_ERROR_REPEATED_FREEDOM"),
     (FMC_ERROR_NON_FINITE_STIFFNESS, c"FMC_ERROR_NON_FINITE_STIFFNESS"),
     (FMC_ERROR_PLACE, c"FMC_ERROR_PLACE"),
+    (FMC_ERROR_BAD_RANK, c"FMC_ERROR_BAD_RANK"),
+    (FMC_ERROR_COMMUNICATION, c"FMC_ERROR_COMMUNICATION"),
+    (FMC_ERROR_ON_OTHER_RANK, c"FMC_ERROR_ON_OTHER_RANK"),
+    (FMC_ERROR_RANKS_DIFFER, c"FMC_ERROR_RANKS_DIFFER"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -214,6 +226,10 @@ impl From<&Error> for fmc_status {
             Error::UnfinishedLines { .. } => FMC_ERROR_UNFINISHED_LINES,
             Error::Overflow { .. } => FMC_ERROR_OVERFLOW,
             Error::Threads { .. } => FMC_ERROR_THREADS,
+            Error::BadRank { .. } => FMC_ERROR_BAD_RANK,
+            Error::Communication { .. } => FMC_ERROR_COMMUNICATION,
+            Error::OnOtherRank { .. } => FMC_ERROR_ON_OTHER_RANK,
+            Error::RanksDiffer { .. } => FMC_ERROR_RANKS_DIFFER,
         }
     }
 }
@@ -283,6 +299,10 @@ mod tests {
             Error::UnfinishedLines { obstacle: 0, lines: 1, steps: 1 },
             Error::Overflow { quantity: "energy", value: f64::INFINITY },
             Error::Threads { threads: 1 },
+            Error::BadRank { rank: 1, size: 1 },
+            Error::Communication { code: 1 },
+            Error::OnOtherRank { rank: 1 },
+            Error::RanksDiffer { rank: 1 },
         ];
         let mut codes: Vec<i32> = errors.iter().map(|error| fmc_status::from(error) as i32).collect();
         assert!(!codes.contains(&(FMC_OK as i32)));

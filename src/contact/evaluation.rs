@@ -16,6 +16,7 @@ use crate::Error;
 use crate::depth::DepthField;
 use crate::geometry::{Basis, BoundaryFacet, PointWeights, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
+use crate::ranks::Ranks;
 use std::sync::{Mutex, OnceLock};
 
 /// Contact between the bodies of one mesh, and with rigid obstacles.
@@ -31,6 +32,8 @@ pub struct Contact<const D: usize> {
     /// Whether tangents have the rotations of the obstacles.
     pub(super) obstacle_rotations: bool,
     pub(super) workers: Option<Workers>,
+    /// Those that share the work with this one.
+    pub(super) ranks: Option<Ranks>,
     pub(super) estimator: Box<dyn OverlapEstimator<D>>,
     /// Of the pairs that have none of their own.
     pub(super) law: Box<dyn PairLaw<D>>,
@@ -64,6 +67,7 @@ impl<const D: usize> Contact<D> {
             options,
             obstacle_rotations: false,
             workers: Workers::new(options.threads)?,
+            ranks: None,
             estimator: estimator(&options)?,
             law: pair_law(&options.law)?,
             pair_table: PairTable::new(),

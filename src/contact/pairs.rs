@@ -7,6 +7,7 @@ use super::state::State;
 use crate::Error;
 use crate::geometry::Shape;
 use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
+use crate::ranks::Sharing;
 use rayon::prelude::*;
 
 impl<const D: usize> Contact<D> {
@@ -30,7 +31,8 @@ impl<const D: usize> Contact<D> {
         self.with_state(coords, |state| {
             let pairs = self.pairs(state, reach);
             let work = |partners: &[Partner; 2]| self.with_pair(state, *partners, &work);
-            let Some(pool) = self.pool() else {
+            // Ranks meet in every pair, one pair after the other.
+            let Some(pool) = self.pool().filter(|_| self.ranks.is_none()) else {
                 return pairs.iter().filter_map(|partners| work(partners).transpose()).collect();
             };
             // A signed distance function belongs to the host and is called on the calling thread.
@@ -137,10 +139,15 @@ impl<const D: usize> Contact<D> {
         let depth = self.depth_field(law, &partners);
         let weighting = self.options.weighting();
         let clearance = if parallel.is_some() { 0.0 } else { -self.pair_table.gap_offset(&partners) };
-        // Outside the pool there is none to share the work with.
-        let shared = self.pool().is_some() && !counterpart.is_marched();
-        let pair =
-            Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, parallel: shared };
+        let sharing = match &self.ranks {
+            // A function of the host is called on the thread that evaluates, on every rank at all points.
+            _ if counterpart.is_marched() => Sharing::Alone,
+            Some(ranks) => Sharing::Ranks { ranks, pool: self.pool() },
+            // Outside the pool there is none to share the work with.
+            None if self.pool().is_some() => Sharing::Threads,
+            None => Sharing::Alone,
+        };
+        let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, sharing };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
         work(&Measured { pair: &pair, law, estimator: &*self.estimator, kept, found })

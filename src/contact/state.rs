@@ -34,7 +34,13 @@ impl<const D: usize> Contact<D> {
             Box::new(State { configuration, placed, found: FoundPatches::default() })
         });
         let brought = self.bring(&mut state, coords).and_then(|()| self.check_radii(&state.configuration));
-        let result = brought.and_then(|()| work(&state));
+        let result = match &self.ranks {
+            None => brought.and_then(|()| work(&state)),
+            Some(ranks) => {
+                let begun = ranks.agree(brought, self.given(coords, std::any::type_name::<T>()));
+                begun.and_then(|()| ranks.agree(work(&state), 0))
+            }
+        };
         *lock() = Some(state);
         result
     }

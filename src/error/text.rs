@@ -137,6 +137,18 @@ impl fmt::Display for Error {
             Error::Overflow { quantity, value } => {
                 write!(f, "the {quantity} is {value}: beyond the range of a double")
             }
+            Error::BadRank { rank, size } => write!(f, "rank {rank} of {size}: ranks are counted from 0"),
+            Error::Communication { code } => write!(f, "the communicator failed with {code}"),
+            Error::OnOtherRank { rank } => {
+                write!(f, "the evaluation failed on rank {rank}, which has the cause, so that it ends on all ranks")
+            }
+            Error::RanksDiffer { rank } => {
+                write!(
+                    f,
+                    "rank {rank} was given other coordinates, options or obstacles, or asked for something else: ranks \
+                     that share the work of a contact make the same calls with the same values"
+                )
+            }
             Error::Threads { threads } => {
                 write!(f, "{threads} threads could not be started; 'threads' may be 1 to 1024")
             }

@@ -5,6 +5,7 @@ use super::pair::overlap::{Overlap, PoseGradient};
 use super::pair::sides::Pair;
 use super::points::block_sum::Block;
 use crate::geometry::Vector;
+use crate::ranks::packed;
 
 /// Which derivatives are asked for beside the gradient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,6 +105,8 @@ pub(crate) struct FacetDepth<const D: usize> {
     pub(crate) areas: [f64; D],
     pub(crate) depths: [f64; D],
 }
+
+packed!(FacetDepth<D> { facet, of_b, areas, depths });
 
 impl<const D: usize> DepthIntegral<D> {
     /// Calls `visit(node, ∫ N dA, ∫ N g dA)` for the nodes of every facet, N being their shape functions.

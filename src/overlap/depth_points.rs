@@ -1,6 +1,7 @@
 //! Where the forces of the law `depth` act.
 
 use crate::geometry::Vector;
+use crate::ranks::{Packed, packed};
 
 /// A facet's part inside a cell of the other side, or inside an obstacle, as a point.
 #[derive(Clone, Copy, Debug)]
@@ -21,9 +22,21 @@ pub(crate) struct DepthPoint<const D: usize> {
     pub(crate) slope: Vector<D>,
 }
 
+packed!(DepthPoint<D> { of_b, facet, pressed, middle, gradients, depth, area, slope });
+
 /// Points in the order in which they were found, in the lists of those who found them: each is large, and there are many.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PointLists<const D: usize>(Vec<Vec<DepthPoint<D>>>);
+
+impl<const D: usize> Packed for PointLists<D> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        self.0.pack(bytes);
+    }
+
+    fn unpack(bytes: &mut &[u8]) -> Option<Self> {
+        Vec::unpack(bytes).map(Self)
+    }
+}
 
 impl<const D: usize> PointLists<D> {
     pub(crate) fn extend(&mut self, points: impl IntoIterator<Item = DepthPoint<D>>) {
@@ -57,6 +70,8 @@ pub(crate) struct DepthPlace<const D: usize> {
     pub(crate) other: Option<PlaceInCell>,
 }
 
+packed!(DepthPlace<D> { weights, other });
+
 /// A place in a cell.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlaceInCell {
@@ -64,3 +79,5 @@ pub(crate) struct PlaceInCell {
     /// Weights of the cell's nodes, in their order.
     pub(crate) weights: [f64; 8],
 }
+
+packed!(PlaceInCell { cell, weights });

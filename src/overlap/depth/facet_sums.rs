@@ -7,6 +7,7 @@ use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::points::block_sum::BlockSum;
 use crate::overlap::points::node_sums::NodeSums;
+use crate::ranks::packed;
 
 /// Sums over facets, in the order in which they come.
 #[derive(Default)]
@@ -25,6 +26,8 @@ pub(crate) struct FacetSums<const D: usize> {
     /// Measure of what lies in a face of the other side that looks the same way.
     pub(crate) flush: f64,
 }
+
+packed!(FacetSums<D> { gradient, hessian, facets, points, area, depth, deepest, piece_count, flush });
 
 impl<const D: usize> FacetSums<D> {
     /// Adds a facet of one side to its nodes, given ∫ N_a, ∫ g N_a and ∫ 2 φ(g) N_a over what it has inside, in parts of its

@@ -20,8 +20,8 @@ use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::pair::warning::Warning;
 use crate::overlap::pair::warning::swallowed;
+use crate::ranks::{Packed, packed};
 use crate::sampling::FiberPattern;
-use rayon::prelude::*;
 
 /// Fewer fibers in an overlap than this are reported as not resolving it.
 pub(crate) const FEWEST_FIBERS: usize = 8;
@@ -36,6 +36,8 @@ struct BundleSum<const D: usize> {
     point_shares: Vec<PointShare<D>>,
 }
 
+packed!(BundleSum<D> { length, square, fibers_met, facet_shares, point_shares });
+
 impl<const D: usize> FiberPair<'_, D> {
     /// The overlap, or `None` where the sides are apart.
     pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
@@ -46,16 +48,13 @@ impl<const D: usize> FiberPair<'_, D> {
     }
 
     /// Results in the order of the bundles. A signed distance function is called from this thread only.
-    pub(crate) fn for_each_bundle<T: Send>(
+    pub(crate) fn for_each_bundle<T: Packed + Send>(
         &self,
         layout: &Layout<D>,
         work: impl Fn(&Bundle<D>) -> Result<T, Error> + Sync,
     ) -> Result<Vec<T>, Error> {
-        if self.pair.parallel {
-            layout.bundles.par_iter().map(&work).collect()
-        } else {
-            layout.bundles.iter().map(work).collect()
-        }
+        let found = self.pair.in_chunks(&layout.bundles, 1, |bundle| work(&bundle[0]));
+        found.into_iter().collect()
     }
 
     /// Calls `visit(fiber, cover at its start, sorted events, passages)` for every fiber that may meet both sides.

@@ -45,7 +45,7 @@ fn of_side<const D: usize>(pair: &Pair<D>, of_b: bool, reach: f64) -> Result<Vec
     let side = pair.side(of_b);
     let surface = NearSurface::of(pair, !of_b, reach);
     let of_facets = |numbers: &[u32]| -> Result<Vec<(BodyFacet<D>, FacetGap<D>)>, Error> {
-        let parts = pair.in_chunks(numbers, CHUNK, |numbers| {
+        let parts = pair.on_threads(numbers, CHUNK, |numbers| {
             let facets = numbers.iter().filter_map(|&number| BodyFacet::new(pair.surface, side, number));
             facets.map(|facet| facet_gap(pair, &facet, &surface).map(|gap| (facet, gap))).collect()
         });

@@ -5,6 +5,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::{area_vector, moment};
 use crate::geometry::{Pose, Surface, Vector};
 use crate::overlap::pair::overlap::PoseGradient;
+use crate::ranks::packed;
 use rustc_hash::FxHashMap;
 
 /// Share of one facet in ∂V/∂x: `shares[a]` times the facet's unit normal belongs to its corner a.
@@ -22,6 +23,9 @@ pub(crate) struct PointShare<const D: usize> {
     pub(crate) normal: Vector<D>,
     pub(crate) share: f64,
 }
+
+packed!(FacetShare<D> { facet, of_b, shares });
+packed!(PointShare<D> { point, normal, share });
 
 /// Sums shares in the order in which they come.
 pub(crate) struct Assembly<const D: usize> {

@@ -1,5 +1,7 @@
 //! A fiber to look at.
 
+use crate::ranks::packed;
+
 /// A fiber, to look at: where it runs and where it crosses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FiberTrace<const D: usize> {
@@ -10,3 +12,5 @@ pub struct FiberTrace<const D: usize> {
     /// Points at which spans begin and end.
     pub crossings: Vec<[f64; D]>,
 }
+
+packed!(FiberTrace<D> { start, end, crossings });

@@ -7,7 +7,7 @@ use crate::depth::DepthField;
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Surface, Vector, Weighting};
-use rayon::prelude::*;
+use crate::ranks::{Packed, Sharing};
 
 /// A rigid shape that is not bounded by facets.
 #[derive(Clone, Copy)]
@@ -63,8 +63,8 @@ pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) clearance: f64,
     /// What its measures count for.
     pub(crate) weighting: Weighting,
-    /// Whether the threads of the pool that calls may share the work.
-    pub(crate) parallel: bool,
+    /// Who shares the work.
+    pub(crate) sharing: Sharing<'a>,
 }
 
 impl<'a, const D: usize> Pair<'a, D> {
@@ -82,18 +82,28 @@ impl<'a, const D: usize> Pair<'a, D> {
         first: impl FnOnce() -> T + Send,
         second: impl FnOnce() -> U + Send,
     ) -> (T, U) {
-        if self.parallel { rayon::join(first, second) } else { (first(), second()) }
+        self.sharing.both(first, second)
     }
 
-    /// What `work` makes of every chunk of some items, in their order. The chunks do not depend on the number of threads, so
-    /// that sums over them do not.
-    pub(crate) fn in_chunks<T: Sync, U: Send>(
+    /// What `work` makes of every chunk of some items, in their order, shared among threads and ranks. The chunks do not depend
+    /// on the number of either, so that sums over them do not.
+    pub(crate) fn in_chunks<T: Sync, U: Packed + Send>(
         &self,
         items: &[T],
         size: usize,
         work: impl Fn(&[T]) -> U + Send + Sync,
     ) -> Vec<U> {
-        if self.parallel { items.par_chunks(size).map(work).collect() } else { items.chunks(size).map(work).collect() }
+        self.sharing.in_chunks(items, size, work)
+    }
+
+    /// The same where there is too little to do for ranks to share it.
+    pub(crate) fn on_threads<T: Sync, U: Send>(
+        &self,
+        items: &[T],
+        size: usize,
+        work: impl Fn(&[T]) -> U + Send + Sync,
+    ) -> Vec<U> {
+        self.sharing.on_threads(items, size, work)
     }
 
     /// Place of a point of the boundary.

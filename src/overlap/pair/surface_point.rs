@@ -1,6 +1,7 @@
 //! A point on the boundary of one side of a pair.
 
 use crate::geometry::Vector;
+use crate::ranks::Packed;
 
 /// One end of a span.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +22,28 @@ pub(crate) enum SurfacePoint<const D: usize> {
         /// Unit outward normal.
         normal: Vector<D>,
     },
+}
+
+impl<const D: usize> Packed for SurfacePoint<D> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        match self {
+            SurfacePoint::Facet { of_b, facet, weights } => (true, (*of_b, *facet, *weights)).pack(bytes),
+            SurfacePoint::Point { point, normal } => (false, (*point, *normal)).pack(bytes),
+        }
+    }
+
+    fn unpack(bytes: &mut &[u8]) -> Option<Self> {
+        Some(match bool::unpack(bytes)? {
+            true => {
+                let (of_b, facet, weights) = Packed::unpack(bytes)?;
+                SurfacePoint::Facet { of_b, facet, weights }
+            }
+            false => {
+                let (point, normal) = Packed::unpack(bytes)?;
+                SurfacePoint::Point { point, normal }
+            }
+        })
+    }
 }
 
 impl<const D: usize> SurfacePoint<D> {

@@ -1,6 +1,7 @@
 //! A sample of the contact of two sides.
 
 use crate::overlap::pair::surface_point::SurfacePoint;
+use crate::ranks::packed;
 
 /// A chord of the overlap, from boundary to boundary.
 pub(crate) struct ContactSample<const D: usize> {
@@ -10,3 +11,5 @@ pub(crate) struct ContactSample<const D: usize> {
     /// From end to end.
     pub(crate) length: f64,
 }
+
+packed!(ContactSample<D> { ends, measures, length });

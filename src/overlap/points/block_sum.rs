@@ -1,6 +1,7 @@
 //! Sums of blocks by row and column.
 
 use crate::geometry::Vector;
+use crate::ranks::{Packed, packed};
 use rustc_hash::FxHashMap;
 
 /// A block ∂²w/∂x_row ∂x_col.
@@ -46,6 +47,20 @@ fn add_to<const D: usize>(sum: &mut [[f64; D]; D], value: &[[f64; D]; D]) {
         for (sum, value) in sum.iter_mut().zip(value) {
             *sum += value;
         }
+    }
+}
+
+packed!(Row<D> { node, cols, values });
+
+impl<const D: usize> Packed for BlockSum<D> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        self.rows.pack(bytes);
+    }
+
+    fn unpack(bytes: &mut &[u8]) -> Option<Self> {
+        let rows: Vec<Row<D>> = Vec::unpack(bytes)?;
+        let place = rows.iter().map(|row| row.node).zip(0..).collect();
+        Some(Self { rows, place })
     }
 }
 

@@ -1,6 +1,7 @@
 //! A contact point.
 
 use crate::overlap::pair::surface_point::SurfacePoint;
+use crate::ranks::packed;
 
 /// A piece of a line inside both sides.
 #[derive(Clone, Copy, Debug)]
@@ -16,3 +17,5 @@ pub(crate) struct ContactPoint<const D: usize> {
     /// Where the line enters and where it leaves.
     pub(crate) ends: [SurfacePoint<D>; 2],
 }
+
+packed!(ContactPoint<D> { weight, across, length, direction, ends });

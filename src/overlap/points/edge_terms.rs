@@ -2,6 +2,7 @@
 
 use crate::geometry::Vector;
 use crate::overlap::points::contact_point::ContactPoint;
+use crate::ranks::{Packed, packed};
 
 /// A point at which L has a kink that moves with the nodes. Only where the integral over the lines is exact; there the
 /// derivative of the force gains weight [ψ'(L) factor + ψ(L) blend] g gᵀ.
@@ -27,6 +28,21 @@ pub(crate) enum Anchor {
     Obstacle,
 }
 
+impl Packed for Anchor {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        match *self {
+            Anchor::Vertex { of_b, vertex } => Some((of_b, vertex)),
+            Anchor::Obstacle => None,
+        }
+        .pack(bytes);
+    }
+
+    fn unpack(bytes: &mut &[u8]) -> Option<Self> {
+        let vertex = Option::<(bool, u32)>::unpack(bytes)?;
+        Some(vertex.map_or(Anchor::Obstacle, |(of_b, vertex)| Anchor::Vertex { of_b, vertex }))
+    }
+}
+
 /// A point of such an edge.
 #[derive(Clone, Debug)]
 pub(crate) struct SilhouettePoint<const D: usize> {
@@ -41,3 +57,6 @@ pub(crate) struct SilhouettePoint<const D: usize> {
     /// The two spans on this side, and the one past the edge, which counts with a minus.
     pub(crate) spans: [ContactPoint<D>; 3],
 }
+
+packed!(GapKink<D> { weight, length, factor, blend, gradient });
+packed!(SilhouettePoint<D> { weights, across, axes, turn, spans });

@@ -33,7 +33,7 @@ pub(super) fn facet_sums<const D: usize>(
     points: &[ContactPoint<D>],
     slope: &(dyn Fn(f64) -> f64 + Sync),
 ) -> Vec<FacetSum<D>> {
-    let chunks = pair.in_chunks(points, CHUNK, |points| of_chunk(pair, directions, points, slope));
+    let chunks = pair.on_threads(points, CHUNK, |points| of_chunk(pair, directions, points, slope));
     let mut all: Vec<FacetSum<D>> = chunks.into_iter().flatten().collect();
     // Stable: what several chunks have of a facet is added in their order.
     all.sort_by_key(|sum| (sum.of_b, sum.facet));

@@ -30,7 +30,6 @@ use super::contact_points::ContactPoints;
 use super::end_motion::EndMotion;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::pair::surface_point::SurfacePoint;
-use rayon::prelude::*;
 
 /// A function of the penetration.
 pub(crate) type OfLength<'a> = &'a (dyn Fn(f64) -> f64 + Sync);
@@ -50,11 +49,7 @@ impl<const D: usize> ContactPoints<D> {
         obstacle_node: u32,
     ) -> Vec<Block<D>> {
         let mut order: Vec<(Key, u32)> = self.points.iter().zip(0..).map(|(p, index)| (key(p, index), index)).collect();
-        if pair.parallel {
-            order.par_sort_unstable();
-        } else {
-            order.sort_unstable();
-        }
+        pair.sharing.sort(&mut order);
         let groups: Vec<&[(Key, u32)]> = order.chunk_by(|p, q| p.0 == q.0).collect();
         let of_chunk = |groups: &[&[(Key, u32)]]| {
             let mut sum = BlockSum::default();

@@ -1,6 +1,7 @@
 //! Sums of vectors at nodes of two sides.
 
 use crate::geometry::Vector;
+use crate::ranks::Packed;
 use rustc_hash::FxHashMap;
 
 /// Vectors at nodes, each summed in the order in which they come; a node that both sides have is two.
@@ -11,6 +12,19 @@ pub(crate) struct NodeSums<const D: usize> {
     values: Vec<Vector<D>>,
     /// Where among these a slot is. Never iterated over: its order is not ours.
     place: FxHashMap<u32, u32>,
+}
+
+impl<const D: usize> Packed for NodeSums<D> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        self.slots.pack(bytes);
+        self.values.pack(bytes);
+    }
+
+    fn unpack(bytes: &mut &[u8]) -> Option<Self> {
+        let (slots, values) = (Vec::unpack(bytes)?, Vec::unpack(bytes)?);
+        let place = slots.iter().copied().zip(0..).collect();
+        Some(Self { slots, values, place })
+    }
 }
 
 impl<const D: usize> NodeSums<D> {

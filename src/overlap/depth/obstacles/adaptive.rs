@@ -124,7 +124,7 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
             let scale = of_sums + of_active;
             let is_last = active.len() > MOST_PARTS.max(MOST_OF_ROOT * roots.len());
             let refine = |parts: &[Part<D, Q>]| self.refined(parts, roots, scale, whole, is_last, &rule);
-            let refined = self.pair.in_chunks(&active, CHUNK, refine);
+            let refined = self.pair.on_threads(&active, CHUNK, refine);
             active.clear();
             for part in refined {
                 let (done, left) = part?;

@@ -7,6 +7,7 @@ use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::pair::assembly::FacetShare;
+use crate::ranks::packed;
 
 /// What a facet has inside the other side.
 pub(crate) struct Clipped<const D: usize> {
@@ -17,6 +18,8 @@ pub(crate) struct Clipped<const D: usize> {
     /// ∫ N_a N_c over the part inside times the size of the weight's gradient; zero where there is no weight.
     pub(crate) spread: [[f64; D]; D],
 }
+
+packed!(Clipped<D> { share, ends, spread });
 
 /// Clips facets one after the other; it keeps memory only.
 #[derive(Default)]

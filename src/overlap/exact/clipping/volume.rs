@@ -27,9 +27,9 @@ use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::common_region;
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
 use crate::overlap::pair::warning::swallowed;
-use rayon::prelude::*;
+use crate::ranks::Sharing;
 
-/// Facets that a thread takes at once.
+/// Facets that a thread, or a rank, takes at once.
 const CHUNK: usize = 16;
 
 /// A pair that is to be clipped.
@@ -177,12 +177,14 @@ impl<const D: usize> ExactPair<'_, D> {
                 Inside::Nothing => whole(facet, &corners),
             }
         };
-        if self.pair.parallel {
-            let work = facets.par_iter().with_min_len(CHUNK).map_init(|| Clipper::new(self.pair.weighting), clip);
-            work.flatten_iter().collect()
-        } else {
+        let of_chunk = |facets: &[u32]| -> Vec<Clipped<D>> {
             let mut clipper = Clipper::new(self.pair.weighting);
             facets.iter().filter_map(|facet| clip(&mut clipper, facet)).collect()
+        };
+        match self.pair.sharing {
+            // One clipper for all.
+            Sharing::Alone => of_chunk(facets),
+            _ => self.pair.in_chunks(facets, CHUNK, of_chunk).into_iter().flatten().collect(),
         }
     }
 

@@ -3,9 +3,10 @@
 use crate::depth::DepthPiece;
 use crate::overlap::depth::cell_integrals::Products;
 use crate::overlap::depth::simplex_parts::measure;
+use crate::ranks::Packed;
 
 /// Moments of a part of a simplex, in the simplex' barycentric coordinates.
-pub(crate) trait Moments: Copy + Default + Send {
+pub(crate) trait Moments: Copy + Default + Send + Packed {
     /// Adds those of a simplex, given the coordinates of its corners.
     fn add_simplex<const D: usize>(&mut self, measure: f64, x: &[[f64; 4]; 4]);
 

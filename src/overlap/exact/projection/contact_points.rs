@@ -24,6 +24,7 @@ use crate::overlap::patches::partition::Patches;
 use crate::overlap::points::contact_point::ContactPoint;
 use crate::overlap::points::contact_points::ContactPoints;
 use crate::overlap::points::edge_terms::GapKink;
+use crate::ranks::Packed;
 use crate::sampling::Family;
 
 /// A facet whose projection is a smaller part of it is seen edge-on: its barycentric coordinates are lost in rounding, and
@@ -60,7 +61,7 @@ impl<const D: usize> ExactPair<'_, D> {
             if let Some(plane) = &plane {
                 self.points_on_plane(&seen, &family, plane, rule, |point| points.points.extend(keep(point)));
             }
-            let between = self.in_order(seen.facets.len(), |entered, scratch, found| {
+            let between = self.in_order(&seen.work, seen.facets.len(), |entered, scratch, found| {
                 let along = (&family, plane.as_ref());
                 self.points_between(&seen, along, entered, rule, scratch, |point| found.extend(keep(point)));
             });
@@ -102,21 +103,29 @@ impl<const D: usize> ExactPair<'_, D> {
             Partner::Body(index) => ("body", index),
             Partner::Obstacle(index) => ("obstacle", index),
         });
-        if work.is_over() { Err(Error::TooManyPieces { sides, limit: work.limit }) } else { Ok(()) }
+        if work.is_over_on_ranks(&self.pair.sharing) {
+            Err(Error::TooManyPieces { sides, limit: work.limit })
+        } else {
+            Ok(())
+        }
     }
 
     /// What `work` finds for each of so many items, in their order.
-    pub(crate) fn in_order<T: Send>(
+    pub(crate) fn in_order<T: Packed + Send>(
         &self,
+        pieces: &Work,
         count: usize,
         work: impl Fn(usize, &mut Scratch<D>, &mut Vec<T>) + Sync,
     ) -> Vec<T> {
         let items: Vec<usize> = (0..count).collect();
-        let chunks = self.pair.in_chunks(&items, CHUNK, |items| {
+        let of_chunk = |items: &[usize]| {
             let (mut scratch, mut found) = (Scratch::default(), Vec::new());
             items.iter().for_each(|item| work(*item, &mut scratch, &mut found));
             found
-        });
+        };
+        let all_chunks = || self.pair.in_chunks(&items, CHUNK, of_chunk);
+        let is_shared = self.pair.sharing.is_shared(items.len().div_ceil(CHUNK));
+        let chunks = if is_shared { all_chunks() } else { pieces.in_common(all_chunks) };
         let mut all = Vec::with_capacity(chunks.iter().map(Vec::len).sum());
         chunks.into_iter().for_each(|mut chunk| all.append(&mut chunk));
         all

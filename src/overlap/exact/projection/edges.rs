@@ -3,6 +3,7 @@
 use super::projected_facets::{ProjectedFacet, Projection};
 use crate::geometry::Vector;
 use crate::overlap::exact::clipping::volume::ExactPair;
+use crate::ranks::packed;
 
 /// An edge as one facet has it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,6 +26,8 @@ pub(crate) struct Edge<const D: usize> {
     /// Unit vector across.
     pub(crate) nu: Vector<D>,
 }
+
+packed!(Edge<D> { of_b, facets, nu });
 
 impl<const D: usize> ExactPair<'_, D> {
     /// All edges of the facets that are seen, the facets of one edge beside one another.

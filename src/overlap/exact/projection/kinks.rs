@@ -25,6 +25,7 @@ use crate::overlap::exact::projection::edges::Edge;
 use crate::overlap::exact::projection::projected_facets::end;
 use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::points::edge_terms::{Anchor, GapKink};
+use crate::ranks::packed;
 use crate::sampling::Family;
 
 /// A straight curve (2D: a point, twice) as seen along the lines, on which L has a kink at one of its ends.
@@ -40,6 +41,8 @@ struct KinkCurve<const D: usize> {
     /// Where it is the edge of a side.
     edge: Option<Edge<D>>,
 }
+
+packed!(KinkCurve<D> { ends, leaves, facets, factor, gradient, edge });
 
 impl<const D: usize> KinkCurve<D> {
     fn at(&self, s: f64) -> [f64; 3] {
@@ -105,11 +108,11 @@ impl<const D: usize> ExactPair<'_, D> {
         finish: impl Fn(GapKink<D>, &[SurfacePoint<D>; 2], Option<&Edge<D>>) -> GapKink<D> + Sync,
     ) -> Vec<GapKink<D>> {
         let mut curves = self.edges(seen, edges, family);
-        curves.extend(self.in_order(seen.facets.len(), |facet, _, found| {
+        curves.extend(self.in_order(&seen.work, seen.facets.len(), |facet, _, found| {
             self.meetings(seen, facet, family, plane, found);
         }));
         let slope_of_plane = plane.map_or(0.0, |plane| plane.normal.dot(family.direction()));
-        self.in_order(curves.len(), |index, _, found| {
+        self.in_order(&seen.work, curves.len(), |index, _, found| {
             let curve = &curves[index];
             let Some(&first) = curve.facets.first() else { return };
             let f = &seen.facets[first as usize];

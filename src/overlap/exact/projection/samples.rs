@@ -39,7 +39,7 @@ impl<const D: usize> ExactPair<'_, D> {
             if let Some(plane) = &plane {
                 self.points_on_plane(&seen, family, plane, Rule::Middle, |point| samples.extend(sample(point)));
             }
-            samples.extend(self.in_order(seen.facets.len(), |entered, scratch, found| {
+            samples.extend(self.in_order(&seen.work, seen.facets.len(), |entered, scratch, found| {
                 let along = (family, plane.as_ref());
                 self.points_between(&seen, along, entered, Rule::Middle, scratch, |point| found.extend(sample(point)));
             }));

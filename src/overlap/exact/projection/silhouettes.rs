@@ -58,7 +58,7 @@ impl<const D: usize> ExactPair<'_, D> {
         plane: Option<&Plane<D>>,
     ) -> Vec<SilhouettePoint<D>> {
         let concave = self.silhouette_edges(seen, edges, family);
-        self.in_order(concave.len(), |index, _, found| {
+        self.in_order(&seen.work, concave.len(), |index, _, found| {
             let edge_seen = &concave[index];
             let projected_area = Aabb::of(&edge_seen.ends.map(|place| flat::<D>(&place)));
             let mut segments: Vec<Segment<D>> = seen

@@ -4,6 +4,7 @@
 //! with their square for a body that is tangled with itself all through. Bodies in contact need a few for each facet.
 //! What needs more than the limit is refused while it is counted, and not after hours.
 
+use crate::ranks::Sharing;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Pieces for every facet that is seen, and pieces that are always allowed, a few seconds' work. Bodies that overlap need
@@ -15,12 +16,18 @@ const LEAST: usize = 4_000_000;
 /// which threads add to it, nor does whether it passes the limit.
 pub(crate) struct Work {
     pieces: AtomicUsize,
+    /// Those of them that every rank counted, of work that was not shared.
+    common: AtomicUsize,
     pub(crate) limit: usize,
 }
 
 impl Work {
     pub(super) fn new(facets: usize) -> Self {
-        Self { pieces: AtomicUsize::new(0), limit: LEAST.max(PER_FACET.saturating_mul(facets)) }
+        Self {
+            pieces: AtomicUsize::new(0),
+            common: AtomicUsize::new(0),
+            limit: LEAST.max(PER_FACET.saturating_mul(facets)),
+        }
     }
 
     /// Adds to the pieces; false once there are more than the limit.
@@ -28,9 +35,23 @@ impl Work {
         self.pieces.fetch_add(pieces, Ordering::Relaxed).saturating_add(pieces) <= self.limit
     }
 
-    /// Whether there are more than the limit.
-    pub(crate) fn is_over(&self) -> bool {
+    /// Whether there are more than the limit already.
+    pub(super) fn is_over(&self) -> bool {
         self.pieces.load(Ordering::Relaxed) > self.limit
+    }
+
+    /// Whether there are more in the end, those of all ranks together.
+    pub(super) fn is_over_on_ranks(&self, sharing: &Sharing) -> bool {
+        let [all, common] = [&self.pieces, &self.common].map(|count| count.load(Ordering::Relaxed));
+        sharing.total(all - common).saturating_add(common) > self.limit
+    }
+
+    /// Does work that every rank does.
+    pub(super) fn in_common<T>(&self, work: impl FnOnce() -> T) -> T {
+        let before = self.pieces.load(Ordering::Relaxed);
+        let found = work();
+        self.common.fetch_add(self.pieces.load(Ordering::Relaxed) - before, Ordering::Relaxed);
+        found
     }
 }
 
@@ -72,13 +93,13 @@ mod tests {
             depth: None,
             clearance: 0.0,
             weighting: Weighting::Plain,
-            parallel: false,
+            sharing: crate::ranks::Sharing::Alone,
         };
         let exact = ExactPair { pair: &pair };
         let reached = exact.reached_facets().expect("facets").expect("an overlap");
         let family = Family::<3>::along(Vector::<3>::new(0.0, 0.0, 1.0), 0, 0);
         let seen = exact.projection(&family, &reached, None);
-        let points = exact.in_order(seen.facets.len(), |entered, scratch, found: &mut Vec<f64>| {
+        let points = exact.in_order(&seen.work, seen.facets.len(), |entered, scratch, found: &mut Vec<f64>| {
             exact.points_between(&seen, (&family, None), entered, Rule::Middle, scratch, |point| {
                 found.push(point.length)
             });

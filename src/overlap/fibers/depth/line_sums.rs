@@ -6,6 +6,7 @@ use crate::geometry::crossing::{for_each_crossing, weights_at};
 use crate::overlap::depth::cell_pieces::CellPieces;
 use crate::overlap::fibers::bundle::Bundle;
 use crate::overlap::pair::sides::Pair;
+use crate::ranks::packed;
 
 /// A part of a line inside a piece of either body at once, as one of the two pieces sees it.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +42,10 @@ pub(super) struct LineSums<const D: usize> {
     pub(super) length: f64,
     pub(super) lines_met: usize,
 }
+
+packed!(Span { of_b, piece, length, ends, depths });
+packed!(Touch<D> { of_b, facet, piece, weights, in_piece, is_inside });
+packed!(LineSums<D> { spans, touches, length, lines_met });
 
 /// The pieces of both sides, those of a body with itself once.
 pub(super) struct Pieces<'a, const D: usize> {

@@ -1,0 +1,69 @@
+//! Ranks that are threads of the test.
+
+use fmc_contact::Communicator;
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::thread;
+
+/// What all ranks have in common: a meeting at which each leaves its bytes and takes all.
+struct Meeting {
+    state: Mutex<(u64, Vec<Option<Vec<u8>>>, Vec<u8>)>,
+    all_here: Condvar,
+}
+
+/// One rank of several. `fails_at` is the number of the call that fails with 7.
+pub(crate) struct ThreadRank {
+    rank: usize,
+    size: usize,
+    meeting: Arc<Meeting>,
+    fails_at: Option<usize>,
+    calls: Mutex<usize>,
+}
+
+impl Communicator for ThreadRank {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    fn all_gather(&self, send: &[u8], counts: &[usize], received: &mut [u8]) -> Result<(), i32> {
+        let mut calls = self.calls.lock().unwrap_or_else(PoisonError::into_inner);
+        *calls += 1;
+        let mut state = self.meeting.state.lock().unwrap();
+        let turn = state.0;
+        state.1[self.rank] = Some(send.to_vec());
+        if state.1.iter().all(Option::is_some) {
+            state.2 = state.1.iter_mut().flat_map(|bytes| bytes.take().unwrap()).collect();
+            state.0 += 1;
+            self.meeting.all_here.notify_all();
+        }
+        while state.0 == turn {
+            state = self.meeting.all_here.wait(state).unwrap();
+        }
+        assert_eq!((counts[self.rank], state.2.len()), (send.len(), counts.iter().sum()));
+        received.copy_from_slice(&state.2);
+        if self.fails_at == Some(*calls) { Err(7) } else { Ok(()) }
+    }
+}
+
+/// What `work` returns on every rank; where the second is given, that rank's communicator fails at a call of this number.
+pub(crate) fn on_ranks<T: Send>(
+    size: usize,
+    failing: Option<(usize, usize)>,
+    work: impl Fn(usize, Box<dyn Communicator>) -> T + Sync,
+) -> Vec<T> {
+    let state = Mutex::new((0, (0..size).map(|_| None).collect(), Vec::new()));
+    let meeting = Arc::new(Meeting { state, all_here: Condvar::new() });
+    let work = &work;
+    thread::scope(|scope| {
+        let start = |rank| {
+            let fails_at = failing.filter(|(failing, _)| *failing == rank).map(|(_, call)| call);
+            let own = ThreadRank { rank, size, meeting: meeting.clone(), fails_at, calls: Mutex::new(0) };
+            scope.spawn(move || work(rank, Box::new(own)))
+        };
+        let ranks: Vec<_> = (0..size).map(start).collect();
+        ranks.into_iter().map(|rank| rank.join().unwrap()).collect()
+    })
+}

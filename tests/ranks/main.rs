@@ -1,0 +1,10 @@
+//! Ranks that share the work of a contact.
+
+#[path = "../scene/scene.rs"]
+mod scene;
+
+mod communicator;
+
+mod failures;
+mod same_bits;
+mod shares;
