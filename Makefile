@@ -209,7 +209,7 @@ install: build
 	strip --strip-debug $(LIB)/libfmc_contact.a
 	install -d $(DESTDIR)$(PREFIX)/share/doc/fmc-contact
 	install -m 644 LICENSE-MIT LICENSE-APACHE README.md CHANGELOG.md CITATION.cff $(DESTDIR)$(PREFIX)/share/doc/fmc-contact
-	install -m 644 include/fmc_contact.h include/fmc_contact.hpp $(INCLUDE)
+	install -m 644 include/fmc_contact.h include/fmc_contact.hpp include/fmc_mpi.h $(INCLUDE)
 	install -m 644 bindings/fortran/fmc_contact_c.f90 bindings/fortran/fmc_contact.f90 $(INCLUDE)
 	install -m 644 include/fmc_contact/*.hpp $(INCLUDE)/fmc_contact
 	$(FILL) hosts/c/package/fmc_contact.pc.in > $(LIB)/pkgconfig/fmc_contact.pc

@@ -164,6 +164,14 @@ typedef enum {
   FMC_ERROR_NON_FINITE_STIFFNESS = 48,
   // A host's function that places its nodes failed.
   FMC_ERROR_PLACE = 49,
+  // The rank of a communicator is not from 0 to one less than its size.
+  FMC_ERROR_BAD_RANK = 50,
+  // A communicator's function failed.
+  FMC_ERROR_COMMUNICATION = 51,
+  // The evaluation failed on another rank, which has the cause.
+  FMC_ERROR_ON_OTHER_RANK = 52,
+  // Ranks that share the work of a context were given different coordinates, options or obstacles, or asked for different things.
+  FMC_ERROR_RANKS_DIFFER = 53,
 } fmc_status;
 
 // Contact energy.
@@ -593,6 +601,44 @@ typedef struct {
   // Zero.
   uint64_t reserved[4];
 } fmc_boundary_facet;
+
+// Sends bytes to all ranks, this one too, and receives what they send: rank r sends `counts[r]` bytes, and `received` gets
+// those of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
+// `fmc_mpi.h` has it.
+//
+// Return 0; any other value makes the evaluation fail with `FMC_ERROR_COMMUNICATION`. It is called on the thread that evaluates,
+// in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
+typedef int32_t (*fmc_all_gather)(void *user, const void *send, const uint64_t *counts, void *received);
+
+// Ranks of a parallel program, as the host's message passing library has them. Initialise it with `fmc_communicator_init`.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_communicator_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Number of this rank, from 0, and of all ranks, at least 1.
+  int32_t rank;
+  int32_t size;
+  // Moves bytes.
+  fmc_all_gather all_gather;
+  // Handed to it.
+  void *user;
+  // Zero. Room for functions of later versions.
+  uint64_t reserved[6];
+} fmc_communicator;
+
+// What ranks did since the communicator was set: of this rank, but for `item_count`.
+typedef struct {
+  // Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks.
+  uint64_t item_count;
+  // Those that this rank measured.
+  uint64_t own_item_count;
+  // Calls of the communicator.
+  uint64_t call_count;
+  // Bytes that this rank sent, and received, its own too.
+  uint64_t sent_bytes;
+  uint64_t received_bytes;
+} fmc_rank_counts;
 
 // When a step of `fmc_context_contact_step` ends. Initialise it with `fmc_contact_step_options_init`.
 //
@@ -1426,6 +1472,30 @@ fmc_status fmc_context_stable_step(fmc_context *context,
                                    const fmc_coords *coords,
                                    const double *masses,
                                    double *step);
+
+// Sets a communicator of one rank without a function.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_communicator_init(fmc_communicator *communicator);
+
+// Shares the work of the context's evaluations with other ranks; NULL: no more. The struct is copied. From then on all ranks
+// make the same calls on their contexts with the same coordinates, options, obstacles and history, and each gets the whole
+// result, with the bits of one rank alone, for any number of ranks. The number of threads may differ. What is divided is the
+// measuring of facets, lines and cells; pairs with a signed distance function are measured on every rank. Where there is too
+// little to be worth sending, every rank does all.
+//
+// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there; ranks that were given different things
+// are all told so, by `FMC_ERROR_RANKS_DIFFER`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_set_communicator(fmc_context *context,
+                                        const fmc_communicator *communicator);
+
+// What ranks did since the communicator was set; zeros without one.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: any number at once.
+fmc_status fmc_context_rank_counts(const fmc_context *context, fmc_rank_counts *counts);
 
 // Sets all options of a contact step to their defaults.
 //

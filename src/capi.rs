@@ -18,6 +18,7 @@ mod basis;
 mod boundary;
 mod boundary_facet;
 mod boundary_facets;
+mod communicator;
 mod compressed_rows;
 mod contact_point;
 mod contact_points;

@@ -69,6 +69,10 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_REPEATED_FREEDOM = 47
   integer(c_int32_t), parameter :: FMC_ERROR_NON_FINITE_STIFFNESS = 48
   integer(c_int32_t), parameter :: FMC_ERROR_PLACE = 49
+  integer(c_int32_t), parameter :: FMC_ERROR_BAD_RANK = 50
+  integer(c_int32_t), parameter :: FMC_ERROR_COMMUNICATION = 51
+  integer(c_int32_t), parameter :: FMC_ERROR_ON_OTHER_RANK = 52
+  integer(c_int32_t), parameter :: FMC_ERROR_RANKS_DIFFER = 53
   integer(c_int32_t), parameter :: FMC_LAW_VOLUME = 0
   integer(c_int32_t), parameter :: FMC_LAW_FIBER = 1
   integer(c_int32_t), parameter :: FMC_LAW_DEPTH = 2
@@ -236,6 +240,23 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_communicator
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: rank
+    integer(c_int32_t) :: size
+    type(c_funptr) :: all_gather
+    type(c_ptr) :: user
+    integer(c_int64_t) :: reserved(6)
+  end type
+
+  type, bind(c) :: fmc_rank_counts
+    integer(c_int64_t) :: item_count
+    integer(c_int64_t) :: own_item_count
+    integer(c_int64_t) :: call_count
+    integer(c_int64_t) :: sent_bytes
+    integer(c_int64_t) :: received_bytes
+  end type
+
   type, bind(c) :: fmc_contact_step_options
     integer(c_size_t) :: struct_size
     real(c_double) :: tolerance
@@ -366,6 +387,14 @@ module fmc_contact_c
       integer(c_int32_t), value :: level
       character(kind=c_char), intent(in) :: text(*)
     end subroutine
+    function fmc_all_gather(user, send, counts, received) bind(c)
+      import
+      type(c_ptr), value :: user
+      type(c_ptr), value :: send
+      integer(c_int64_t), intent(in) :: counts(*)
+      type(c_ptr), value :: received
+      integer(c_int32_t) :: fmc_all_gather
+    end function
     function fmc_place(user, n, displacement, coords) bind(c)
       import
       type(c_ptr), value :: user
@@ -782,6 +811,23 @@ module fmc_contact_c
       real(c_double), intent(in), optional :: masses(*)
       real(c_double), intent(inout), optional :: step
       integer(c_int32_t) :: fmc_context_stable_step
+    end function
+    function fmc_communicator_init(communicator) bind(c)
+      import
+      type(fmc_communicator), intent(inout), optional :: communicator
+      integer(c_int32_t) :: fmc_communicator_init
+    end function
+    function fmc_context_set_communicator(context, communicator) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_communicator), intent(in), optional :: communicator
+      integer(c_int32_t) :: fmc_context_set_communicator
+    end function
+    function fmc_context_rank_counts(context, counts) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_rank_counts), intent(inout), optional :: counts
+      integer(c_int32_t) :: fmc_context_rank_counts
     end function
     function fmc_contact_step_options_init(options) bind(c)
       import

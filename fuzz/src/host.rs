@@ -317,6 +317,30 @@ fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Option<*mut fmc_
     (status == OK).then_some(context)
 }
 
+/// Gathers what this rank sends as if all had sent it.
+///
+/// # Safety
+/// That of `fmc_all_gather`; `user` is the rank and 256 times their number.
+unsafe extern "C" fn echo(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32 {
+    // SAFETY: there is one count for every rank, and all are the same.
+    unsafe {
+        let own = *counts.add(user.addr() % 256) as usize;
+        let mut at = received.cast::<u8>();
+        for rank in 0..user.addr() / 256 {
+            let count = *counts.add(rank) as usize;
+            std::ptr::copy_nonoverlapping(send.cast::<u8>(), at, count.min(own));
+            at = at.add(count);
+        }
+    }
+    0
+}
+
+/// # Safety
+/// That of `fmc_all_gather`.
+unsafe extern "C" fn fails_to_gather(_: *mut c_void, _: *const c_void, _: *const u64, _: *mut c_void) -> i32 {
+    3
+}
+
 impl Host {
     fn make(&mut self, call: &Call) {
         match call {
@@ -331,6 +355,7 @@ impl Host {
                 let on = i32::from(*keep / 3 % 3);
                 assert_eq!(checked(unsafe { fmc_context_set_obstacle_rotations(self.context, on) }) == OK, on < 2);
             }
+            Call::Share { rank, size, fails, hole } => self.share(i32::from(*rank), i32::from(*size), *fails, *hole),
             Call::StableStep { mass, hole } => self.stable_step(mass.0, *hole),
             Call::ContactStep { which, shift, stiffness, coupling, residual, tolerance, fault, hole } => {
                 let numbers = [stiffness.0, coupling.0, residual.0, tolerance.0];
@@ -591,6 +616,45 @@ impl Host {
         }
     }
 
+    /// What is right on one rank is right on ranks that are all the same: what the others should have sent is done here.
+    fn share(&mut self, rank: i32, size: i32, fails: bool, hole: Hole) {
+        // SAFETY: structs of this interface, the host's own context, and functions that keep to their contract.
+        unsafe {
+            let mut given = std::mem::MaybeUninit::<fmc_communicator>::zeroed().assume_init();
+            let set = |given: &fmc_communicator| checked(fmc_context_set_communicator(self.context, given));
+            assert!(set(&given) != OK, "a communicator that was not initialised");
+            assert_eq!(checked(fmc_communicator_init(unless(hole, 0, &raw mut given))) == OK, hole != 0);
+            assert!(set(&given) != OK, "a communicator without a function");
+            (given.rank, given.size) = (rank, size);
+            given.user = std::ptr::without_provenance_mut((rank.max(0) + 256 * size.max(0)) as usize);
+            if fails && self.mesh.is_ordinary() {
+                given.all_gather = Some(fails_to_gather);
+                if set(&given) == OK {
+                    self.evaluate_refused();
+                }
+            }
+            given.all_gather = Some(echo);
+            assert_eq!(set(&given) == OK, hole != 0 && (0..size).contains(&rank), "rank {rank} of {size}");
+            let mut counts = fmc_rank_counts::default();
+            let status = checked(fmc_context_rank_counts(self.context, unless(hole, 1, &raw mut counts)));
+            assert!((status == OK) == (hole != 1) && counts.own_item_count <= counts.item_count);
+            if hole % 2 == 0 {
+                assert_eq!(checked(fmc_context_set_communicator(self.context, std::ptr::null())), OK);
+            }
+        }
+    }
+
+    /// Evaluates where that has to fail.
+    fn evaluate_refused(&self) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let view = coords.view;
+        // SAFETY: as in `evaluate`.
+        let status = checked(unsafe {
+            fmc_context_evaluate(self.context, &raw const view, std::ptr::null(), 0, std::ptr::null_mut())
+        });
+        assert!(status != OK, "nothing was gathered");
+    }
+
     fn stable_step(&mut self, mass: f64, hole: Hole) {
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
         let masses = Guarded::new(&vec![mass; self.mesh.node_count()]);
@@ -618,7 +682,8 @@ impl Host {
         let count = list.len();
         let at = |entry: usize| if entry / count == entry % count { stiffness } else { coupling };
         let matrix: Vec<f64> = (0..count * count).map(at).collect();
-        let given = (Guarded::new(&list), Guarded::new(&held), Guarded::new(&matrix), Guarded::new(&vec![residual; count]));
+        let given =
+            (Guarded::new(&list), Guarded::new(&held), Guarded::new(&matrix), Guarded::new(&vec![residual; count]));
         let found = Guarded::new(&vec![-77.0; count]);
         let user = Placed { context: self.context, fault, width: self.mesh.dim };
         let view = coords.view;
@@ -627,7 +692,8 @@ impl Host {
             let mut options = std::mem::MaybeUninit::<fmc_contact_step_options>::zeroed().assume_init();
             let mut result = std::mem::MaybeUninit::<fmc_contact_step_result>::zeroed().assume_init();
             assert_eq!(checked(fmc_contact_step_options_init(&raw mut options)), OK);
-            (options.tolerance, options.most_iterations, options.soft_start) = (tolerance, 12, i32::from(which & 1 == 1));
+            (options.tolerance, options.most_iterations, options.soft_start) =
+                (tolerance, 12, i32::from(which & 1 == 1));
             if which & 1 << 14 != 0 {
                 (options.penetration, options.most_updates) = (coupling, 3);
             }
@@ -1099,7 +1165,15 @@ impl Host {
                     conn: conn[k].ptr(),
                     facet_count: blocks[k].2,
                 };
-                fmc_context_new_from_facet_blocks_i64(dim, &coords.view, [block(0), block(1)].as_ptr(), 2, null(), o, to)
+                fmc_context_new_from_facet_blocks_i64(
+                    dim,
+                    &coords.view,
+                    [block(0), block(1)].as_ptr(),
+                    2,
+                    null(),
+                    o,
+                    to,
+                )
             } else {
                 let conn =
                     blocks.map(|(_, nodes, _)| Guarded::new(&nodes.iter().map(|&f| f as i32).collect::<Vec<_>>()));

@@ -20,7 +20,7 @@ pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 49;
+pub const LAST: fmc_status = 53;
 
 /// Opaque.
 #[repr(C)]
@@ -29,6 +29,30 @@ pub struct fmc_context {
 }
 
 /// As in the header.
+pub type fmc_all_gather = Option<
+    unsafe extern "C" fn(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32,
+>;
+
+#[repr(C)]
+pub struct fmc_communicator {
+    pub struct_size: usize,
+    pub rank: i32,
+    pub size: i32,
+    pub all_gather: fmc_all_gather,
+    pub user: *mut c_void,
+    pub reserved: [u64; 6],
+}
+
+#[repr(C)]
+#[derive(Default)]
+pub struct fmc_rank_counts {
+    pub item_count: u64,
+    pub own_item_count: u64,
+    pub call_count: u64,
+    pub sent_bytes: u64,
+    pub received_bytes: u64,
+}
+
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_boundary_facet {
@@ -589,6 +613,10 @@ unsafe extern "C" {
         masses: *const f64,
         step: *mut f64,
     ) -> fmc_status;
+    pub fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status;
+    pub fn fmc_context_set_communicator(context: *mut fmc_context, communicator: *const fmc_communicator)
+    -> fmc_status;
+    pub fn fmc_context_rank_counts(context: *const fmc_context, counts: *mut fmc_rank_counts) -> fmc_status;
     pub fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status;
     pub fn fmc_context_contact_step(
         context: *mut fmc_context,

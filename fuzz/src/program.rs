@@ -249,4 +249,11 @@ pub enum Call {
         nodes: Vec<u8>,
         hole: Hole,
     },
+    /// Shares the work with ranks that are all this one; `fails`: with a communicator that fails, for one evaluation.
+    Share {
+        rank: i8,
+        size: i8,
+        fails: bool,
+        hole: Hole,
+    },
 }

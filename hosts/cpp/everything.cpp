@@ -4,6 +4,7 @@
 #include "expect.hpp"
 
 #include <cmath>
+#include <cstring>
 
 namespace {
 
@@ -186,6 +187,19 @@ void tangents() {
   const double limit = contact.stable_step(coords, Numbers(8, 1.0));
   EXPECT(limit > 0 && limit < 1 && close(contact.stable_step(coords, Numbers(8, 4.0)), 2 * limit, 1e-12));
   EXPECT(refused(FMC_ERROR_LENGTH, "masses", [&] { contact.stable_step(coords, Numbers(7, 1.0)); }));
+
+  // One rank that shares with none but itself.
+  fmc::Communicator ranks;
+  EXPECT(ranks.size == 1);
+  EXPECT(refused(FMC_ERROR_NULL_POINTER, "all_gather", [&] { contact.set_communicator(ranks); }));
+  ranks.all_gather = [](void *, const void *send, const uint64_t *counts, void *received) {
+    std::memcpy(received, send, counts[0]);
+    return 0;
+  };
+  contact.set_communicator(ranks);
+  EXPECT(contact.evaluate(coords, forces).energy == both.result.energy && contact.rank_counts().call_count == 2);
+  contact.clear_communicator();
+  EXPECT(contact.rank_counts().call_count == 0);
 
   // A term of rank one: the law "volume" with m = 2.
   options.law = FMC_LAW_VOLUME;

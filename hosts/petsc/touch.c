@@ -1,4 +1,5 @@
 #include "touch.h"
+#include <fmc_mpi.h>
 #include <time.h>
 
 /* A failure on one rank fails all of them, since one that left alone would keep the others waiting. */
@@ -21,6 +22,10 @@ PetscErrorCode touch_create(const Problem *p, Vec like, Touch *t) {
   t->options.estimator = FMC_ESTIMATOR_EXACT;
   t->options.stiffness = p->stiffness;
   PetscCall(together(fmc_context_new_from_cells(2, &coords, &block, 1, NULL, &t->options, &t->context)));
+  PetscCallMPI(MPI_Comm_dup(PETSC_COMM_WORLD, &t->ranks));
+  fmc_communicator ranks;
+  PetscCallMPI(fmc_mpi_communicator(&t->ranks, &ranks));
+  PetscCall(together(fmc_context_set_communicator(t->context, &ranks)));
   for (int k = 0; k < p->half_space_count; k++) {
     fmc_pose pose;
     PetscCall(together(fmc_pose_along(2, p->half_spaces[k], p->half_spaces[k] + 2, &pose)));
@@ -114,6 +119,7 @@ PetscErrorCode touch_add_tangent(Touch *t, Vec u, PetscBool semidefinite, Mat ma
 PetscErrorCode touch_free(Touch *t) {
   PetscFunctionBeginUser;
   fmc_context_free(&t->context);
+  PetscCallMPI(MPI_Comm_free(&t->ranks));
   PetscCall(VecScatterDestroy(&t->scatter));
   PetscCall(VecDestroy(&t->all));
   PetscCall(PetscFree2(t->x, t->force));

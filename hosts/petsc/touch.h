@@ -9,6 +9,7 @@ typedef struct {
   const Problem *problem;
   fmc_context *context;
   fmc_options options;
+  MPI_Comm ranks;     /* those that share the work of the contact */
   Vec all;            /* displacement of all nodes, on every rank */
   VecScatter scatter; /* to it */
   double *x, *force;  /* current coordinates and forces, (nodes, 2) */

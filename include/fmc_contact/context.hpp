@@ -168,6 +168,15 @@ class Context {
   void keep_pattern(bool keep) { call(fmc_context_keep_pattern(get(), keep ? 1 : 0)); }
   void set_obstacle_rotations(bool on) { call(fmc_context_set_obstacle_rotations(get(), on ? 1 : 0)); }
 
+  // Ranks that share the work, as `fmc_mpi.h` or the host fills them in; and what they did.
+  void set_communicator(const fmc_communicator &ranks) { call(fmc_context_set_communicator(get(), &ranks)); }
+  void clear_communicator() { call(fmc_context_set_communicator(get(), nullptr)); }
+  fmc_rank_counts rank_counts() const {
+    fmc_rank_counts counts;
+    check(fmc_context_rank_counts(get(), &counts));
+    return counts;
+  }
+
   // Largest step of central differences for the contact alone; `masses`: one for every node.
   double stable_step(Coords coords, View<const double> masses) {
     double step = 0;

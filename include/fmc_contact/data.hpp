@@ -57,6 +57,11 @@ struct Pose : fmc_pose {
   }
 };
 
+// Ranks that share the work of a context; one without a function at first.
+struct Communicator : fmc_communicator {
+  Communicator() : fmc_communicator() { check(fmc_communicator_init(this)); }
+};
+
 // When a contact step ends.
 struct ContactStepOptions : fmc_contact_step_options {
   ContactStepOptions() : fmc_contact_step_options() { check(fmc_contact_step_options_init(this)); }

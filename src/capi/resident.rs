@@ -16,7 +16,9 @@ use super::shape::{ShapeOf, kind_of};
 use super::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::{CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
 use crate::overlap::Partner;
-use crate::{Basis, Contact, ContactForces, Error, Obstacle, Options, PointWeights, Pose, Surface};
+use crate::{
+    Basis, Communicator, Contact, ContactForces, Error, Obstacle, Options, PointWeights, Pose, RankCounts, Surface,
+};
 
 /// A contact, and room for coordinates that do not lie in dense rows.
 pub(super) struct Resident<const D: usize> {
@@ -171,6 +173,14 @@ impl<const D: usize> Session for Resident<D> {
     fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure> {
         let (rows, _) = slip.as_chunks::<D>();
         Ok(self.contact.set_slip(rows)?)
+    }
+
+    fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Failure> {
+        Ok(self.contact.set_communicator(communicator)?)
+    }
+
+    fn rank_counts(&self) -> RankCounts {
+        self.contact.rank_counts()
     }
 
     fn set_obstacle_rotations(&mut self, on: bool) {

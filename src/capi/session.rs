@@ -14,7 +14,7 @@ use super::shape::ShapeOf;
 use super::view::{fmc_coords, fmc_forces};
 use crate::contact::{CondensedBodies, ContactStep, ContactStepOptions, PairOptions, TangentPart};
 use crate::overlap::Partner;
-use crate::{Basis, Options, PointWeights};
+use crate::{Basis, Communicator, Options, PointWeights, RankCounts};
 
 /// Number of nodes, facets and bodies.
 pub(super) struct Counts {
@@ -90,6 +90,12 @@ pub(super) trait Session: Send + Sync {
 
     /// Sets it.
     fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure>;
+
+    /// Shares the work with other ranks, or with none.
+    fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Failure>;
+
+    /// What was shared.
+    fn rank_counts(&self) -> RankCounts;
 
     /// Whether tangents have the rotations of the obstacles.
     fn set_obstacle_rotations(&mut self, on: bool);

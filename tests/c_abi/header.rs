@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 42] = [
+const SOURCES: [&str; 43] = [
     "version",
     "status",
     "failure",
@@ -30,6 +30,7 @@ const SOURCES: [&str; 42] = [
     "obstacle_rotations",
     "evaluate_tangent",
     "stable_step",
+    "communicator",
     "placement",
     "contact_step",
     "evaluation",

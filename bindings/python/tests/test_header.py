@@ -24,14 +24,14 @@ NUMBERS = {
     "fmc_status": _signatures.STATUS,
 }
 CALLBACKS = {"fmc_signed_distance": _signatures.SIGNED_DISTANCE, "fmc_log_callback": _signatures.LOG}
-CALLBACKS["fmc_place"] = _signatures.PLACE
+CALLBACKS["fmc_place"], CALLBACKS["fmc_all_gather"] = _signatures.PLACE, _signatures.ALL_GATHER
 STRUCTS = {
     name: getattr(_structs, name)
     for name in ("fmc_options", "fmc_coords", "fmc_forces", "fmc_cell_block", "fmc_cell_block_i64", "fmc_result")
     + ("fmc_facet_block", "fmc_facet_block_i64")
     + ("fmc_resultant", "fmc_pair", "fmc_pair_options", "fmc_contact_side", "fmc_contact_point", "fmc_boundary_facet")
     + ("fmc_gap_constraint", "fmc_pose", "fmc_part", "fmc_friction_step")
-    + ("fmc_contact_step_options", "fmc_contact_step_result")
+    + ("fmc_contact_step_options", "fmc_contact_step_result", "fmc_communicator", "fmc_rank_counts")
 }
 # Pointers that stand for an array (by the argument's name) take numpy arrays; the others one struct or number.
 ARRAYS = {"double": _signatures.Float64Array, "int32_t": _signatures.Int32Array, "int64_t": _signatures.Int64Array}
@@ -85,7 +85,7 @@ def test_callbacks_have_their_signatures():
     found = {name: (result, arguments) for result, name, arguments in re.findall(pattern, CODE)}
     assert found.keys() == CALLBACKS.keys()
     for name, (result, arguments) in found.items():
-        of_pointers = {"double": ctypes.POINTER(ctypes.c_double)}
+        of_pointers = {"double": ctypes.POINTER(ctypes.c_double), "uint64_t": ctypes.POINTER(ctypes.c_uint64)}
         expected = []
         for argument in arguments.split(","):
             kind, star = re.match(r"\s*(?:const )?(\w+) ?(\*?)", argument).groups()
@@ -107,7 +107,7 @@ def test_structs_have_the_fields_of_the_header():
             if star:
                 element = ctypes.POINTER(STRUCTS[kind]) if kind in STRUCTS else ctypes.c_void_p
             else:
-                element = STRUCTS.get(kind) or NUMBERS[kind]
+                element = STRUCTS.get(kind) or CALLBACKS.get(kind) or NUMBERS[kind]
             fields.append((field_name, element * int(length) if length else element))
         listed = [field for base in reversed(STRUCTS[name].__mro__) for field in base.__dict__.get("_fields_", [])]
         # Arrays of numbers are given as addresses, with or without their type.

@@ -53,7 +53,11 @@ pub(super) fn module(found: &Declarations) -> String {
         let _ = writeln!(text, "\n  type, bind(c) :: {}", of.name);
         for field in &of.fields {
             let length = field.length.map_or(String::new(), |length| format!("({length})"));
-            let of_type = if field.pointers > 0 { "type(c_ptr)".to_owned() } else { type_of(&field.of_type) };
+            let of_type = match field.pointers {
+                _ if is_callback(&field.of_type) => "type(c_funptr)".to_owned(),
+                0 => type_of(&field.of_type),
+                _ => "type(c_ptr)".to_owned(),
+            };
             let _ = writeln!(text, "    {of_type} :: {}{length}", field.name);
         }
         text += "  end type\n";
@@ -90,9 +94,8 @@ fn argument_of(argument: &Variable, of_callback: bool) -> String {
     let Variable { of_type, is_const, pointers, name, .. } = argument;
     let intent = if *is_const { "in" } else { "inout" };
     let may_lack = if of_callback { "" } else { ", optional" };
-    let is_callback = matches!(of_type.as_str(), "fmc_log_callback" | "fmc_place" | "fmc_signed_distance");
     match (of_type.as_str(), pointers) {
-        _ if is_callback => format!("type(c_funptr), value :: {name}"),
+        _ if is_callback(of_type) => format!("type(c_funptr), value :: {name}"),
         ("void" | "fmc_context", 1) => format!("type(c_ptr), value :: {name}"),
         ("char", 1) => format!("character(kind=c_char), intent(in) :: {name}(*)"),
         (_, 2) => format!("type(c_ptr), intent(inout){may_lack} :: {name}"),
@@ -106,6 +109,10 @@ fn argument_of(argument: &Variable, of_callback: bool) -> String {
             format!("{}, intent({intent}){may_lack} :: {name}{shape}", type_of(of_type))
         }
     }
+}
+
+fn is_callback(c: &str) -> bool {
+    matches!(c, "fmc_all_gather" | "fmc_log_callback" | "fmc_place" | "fmc_signed_distance")
 }
 
 fn type_of(c: &str) -> String {

@@ -7,9 +7,11 @@ from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_size_t, c_
 import numpy as np
 
 from ._structs import (
+    ALL_GATHER,
     fmc_boundary_facet,
     fmc_cell_block,
     fmc_cell_block_i64,
+    fmc_communicator,
     fmc_contact_point,
     fmc_contact_step_options,
     fmc_contact_step_result,
@@ -24,6 +26,7 @@ from ._structs import (
     fmc_pair_options,
     fmc_part,
     fmc_pose,
+    fmc_rank_counts,
     fmc_result,
     fmc_resultant,
 )
@@ -161,6 +164,9 @@ FUNCTIONS = {
         [Context, _COORDS, c_uint32, POINTER(fmc_forces), POINTER(fmc_result), _COUNT, _COUNT],
     ),
     "fmc_context_stable_step": (STATUS, [Context, _COORDS, Float64Array, _NUMBER]),
+    "fmc_communicator_init": (STATUS, [POINTER(fmc_communicator)]),
+    "fmc_context_set_communicator": (STATUS, [Context, POINTER(fmc_communicator)]),
+    "fmc_context_rank_counts": (STATUS, [Context, POINTER(fmc_rank_counts)]),
     "fmc_contact_step_options_init": (STATUS, [POINTER(fmc_contact_step_options)]),
     "fmc_context_contact_step": (
         STATUS,

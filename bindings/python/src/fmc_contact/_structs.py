@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import POINTER, Structure, c_double, c_int32, c_int64, c_size_t, c_ssize_t, c_uint64, c_void_p
+from ctypes import CFUNCTYPE, POINTER, Structure, c_double, c_int32, c_int64, c_size_t, c_ssize_t, c_uint64, c_void_p
 
 ABI_VERSION = 2
 """``FMC_ABI_VERSION`` of the header that these tables were written from."""
@@ -287,6 +287,31 @@ class fmc_friction_step(Structure):
         ("slip_length", c_size_t),
         ("facet_count", c_size_t),
         ("reserved", c_uint64 * 8),
+    ]
+
+
+ALL_GATHER = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_uint64), c_void_p)
+"""``fmc_all_gather``."""
+
+
+class fmc_communicator(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("rank", c_int32),
+        ("size", c_int32),
+        ("all_gather", ALL_GATHER),
+        ("user", c_void_p),
+        ("reserved", c_uint64 * 6),
+    ]
+
+
+class fmc_rank_counts(Structure):
+    _fields_ = [
+        ("item_count", c_uint64),
+        ("own_item_count", c_uint64),
+        ("call_count", c_uint64),
+        ("sent_bytes", c_uint64),
+        ("received_bytes", c_uint64),
     ]
 
 

@@ -22,6 +22,7 @@ from .options import changed, defaults, described
 from .pair_options import PairOptions
 from . import basis
 from .points import PointWeights, point_weights
+from .ranks import Shared
 from .result import Result, gather
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from .options import Options
 
 
-class Contact(PairOptions, Steps, Linearised):
+class Contact(PairOptions, Steps, Linearised, Shared):
     """Boundary, search trees and obstacles of a mesh, kept between evaluations.
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or

@@ -342,6 +342,30 @@ class PlaceError(FmcError, RuntimeError):
     status = 49
 
 
+class BadRankError(FmcError, ValueError):
+    """The rank of a communicator is not from 0 to one less than its size."""
+
+    status = 50
+
+
+class CommunicationError(FmcError, RuntimeError):
+    """A communicator failed."""
+
+    status = 51
+
+
+class OnOtherRankError(FmcError, RuntimeError):
+    """The evaluation failed on another rank, which has the cause."""
+
+    status = 52
+
+
+class RanksDifferError(FmcError, ValueError):
+    """Ranks that share the work were given different coordinates, options or obstacles, or asked for different things."""
+
+    status = 53
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

@@ -28,9 +28,10 @@ class DolfinxContact:
     estimator ``"fibers"`` the boundary. Prisms and pyramids, whose faces are of two shapes, are passed whole, and so are
     cells of second order, with all their nodes; a mesh of second order may be curved.
 
-    Every rank evaluates the whole contact and takes the forces on what it owns; what is gathered is numbered by input
-    numbers, so that nothing depends on the number of ranks. All methods but ``coords`` are collective. An error on one
-    rank is raised on all.
+    The ranks share the work of the contact, and each takes the forces on what it owns; what is gathered is numbered by input
+    numbers, so that nothing depends on the number of ranks. All methods are collective, and so is all that evaluates in
+    ``contact``; ``share_work=False``: every rank does all, and ``contact`` may be evaluated on one. An error on one rank is raised
+    on all.
 
     Errors: ``LayoutError`` for a space of another kind; those of ``fmc_contact.errors``.
     """
@@ -45,6 +46,7 @@ class DolfinxContact:
         stiffness: float,
         bodies: Any = None,
         whole_mesh: bool | None = None,
+        share_work: bool = True,
         **options: Any,
     ) -> None:
         listed = list(spaces) if isinstance(spaces, (list, tuple)) else [spaces]
@@ -71,6 +73,9 @@ class DolfinxContact:
         self._skin: Skin | None = None
         options = {"stiffness": stiffness, **({} if whole_mesh else {"law": "fiber"}), **options}
         self.contact = together(self.comm, lambda: self._made(whole_mesh, options))
+        if share_work and self.comm.size > 1:
+            # Its messages are kept apart from the host's.
+            self.contact.set_communicator(self.comm.Dup())
         self.dim = self.contact.dim
         self._frame = 0
         if any(shown.matrix is not None for shown in self._shown):

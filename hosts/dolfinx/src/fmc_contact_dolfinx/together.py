@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Callable, TypeVar
 
+from fmc_contact.errors import OnOtherRankError
+
 T = TypeVar("T")
 
 
@@ -26,11 +28,15 @@ def together(comm: Any, function: Callable[[], T]) -> T:
         return result
     from mpi4py import MPI
 
-    first = comm.allreduce(comm.size if error is None else comm.rank, MPI.MIN)
+    # One that only says that another rank failed has no cause to tell.
+    is_cause = error is not None and not isinstance(error, OnOtherRankError)
+    first = comm.allreduce(comm.rank if is_cause else comm.size, MPI.MIN)
     if first == comm.size:
+        if error is not None:
+            raise error
         return result
     theirs = comm.bcast(_sendable(error) if comm.rank == first else None, first)
-    if error is not None:
+    if error is not None and is_cause:
         raise error
     raise theirs
 

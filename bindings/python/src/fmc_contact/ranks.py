@@ -1,0 +1,89 @@
+"""Ranks of a parallel program that share the work of a contact."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_uint8
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+from ._library import check, library
+from ._signatures import ALL_GATHER
+from ._structs import fmc_communicator, fmc_rank_counts
+
+if TYPE_CHECKING:
+    from ._handle import Handle
+
+
+class Communicator(Protocol):
+    """What is used of a communicator: one of mpi4py, or anything with the same three."""
+
+    rank: int
+    size: int
+
+    def Allgatherv(self, sendbuf: object, recvbuf: object) -> None:
+        """Gathers ``sendbuf`` of all ranks into ``recvbuf``, ``[buffer, (counts, displacements)]``."""
+
+
+@dataclass(frozen=True)
+class RankCounts:
+    """What ranks did since the communicator was set: of this rank, but for ``item_count``."""
+
+    item_count: int
+    """Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks."""
+    own_item_count: int
+    """Those that this rank measured."""
+    call_count: int
+    """Calls of the communicator."""
+    sent_bytes: int
+    """Bytes that this rank sent."""
+    received_bytes: int
+    """Bytes that it received, its own too."""
+
+
+class Shared:
+    """Work that is shared among ranks."""
+
+    _handle: Handle
+
+    def set_communicator(self, comm: Communicator | None) -> None:
+        """Shares the work of evaluations with the ranks of ``comm``, a communicator of mpi4py (``MPI.COMM_WORLD``, or
+        ``mesh.comm`` of dolfinx); ``None``: no more. From then on every rank makes the same calls with the same coordinates,
+        options, obstacles and history, and gets the whole result, with the bits of one rank alone.
+
+        An evaluation that fails on one rank fails on all, with ``OnOtherRankError`` there; ranks that were given different
+        things are all told so, by ``RanksDifferError``. Errors: ``BadRankError``, ``BusyError``."""
+        if comm is None:
+            with self._handle:
+                self._handle.call(library.fmc_context_set_communicator, None)
+                self._handle.release("communicator")
+            return
+        rank, size = int(comm.rank), int(comm.size)
+
+        def gather(_user: object, send: int, counts: object, received: int) -> None:
+            every = np.ctypeslib.as_array(counts, (size,)).astype(np.int64)
+            displacements = np.concatenate([[0], np.cumsum(every)[:-1]])
+            comm.Allgatherv(_bytes(send, every[rank]), [_bytes(received, every.sum()), (every, displacements)])
+
+        given = fmc_communicator()
+        check(library.fmc_communicator_init(byref(given)))
+        given.rank, given.size = rank, size
+        given.all_gather = callback = ALL_GATHER(self._handle.guarded(gather))
+        with self._handle:
+            self._handle.call(library.fmc_context_set_communicator, byref(given))
+            self._handle.keep("communicator", callback)
+
+    def rank_counts(self) -> RankCounts:
+        """What was shared since the communicator was set; zeros without one. Errors: ``BusyError``."""
+        counts = fmc_rank_counts()
+        with self._handle:
+            self._handle.call(library.fmc_context_rank_counts, byref(counts))
+        return RankCounts(*(getattr(counts, name) for name, _ in counts._fields_))
+
+
+def _bytes(address: int | None, count: int) -> np.ndarray:
+    """The bytes at an address."""
+    if not count:
+        return np.empty(0, np.uint8)
+    return np.ctypeslib.as_array((c_uint8 * int(count)).from_address(address))

@@ -1,0 +1,126 @@
+"""Ranks that share the work of a contact; here they are threads."""
+
+import threading
+
+import numpy as np
+import pytest
+
+import fmc_contact
+
+
+class Meeting:
+    """What the ranks have in common."""
+
+    def __init__(self, size):
+        self.sent = [b""] * size
+        self.barrier = threading.Barrier(size, timeout=60)
+
+
+class Rank:
+    """One of them, as mpi4py has them."""
+
+    def __init__(self, meeting, rank):
+        self.meeting, self.rank, self.size = meeting, rank, len(meeting.sent)
+
+    def Allgatherv(self, sendbuf, recvbuf):
+        received, (counts, displacements) = recvbuf
+        self.meeting.sent[self.rank] = bytes(sendbuf)
+        self.meeting.barrier.wait()
+        for sent, count, at in zip(self.meeting.sent, counts, displacements):
+            assert len(sent) == count
+            received[at : at + count] = np.frombuffer(sent, np.uint8)
+        self.meeting.barrier.wait()
+
+
+def on_ranks(size, work):
+    """What ``work(rank)`` returns or raises on every rank."""
+    meeting, found = Meeting(size), [None] * size
+
+    def run(rank):
+        try:
+            found[rank] = work(Rank(meeting, rank))
+        except Exception as error:
+            found[rank] = error
+
+    threads = [threading.Thread(target=run, args=(rank,)) for rank in range(size)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(120)
+    return found
+
+
+def grid(cells, x, y):
+    """Squares of a rectangle."""
+    nx, ny = cells
+    xs, ys = np.linspace(*x, nx + 1), np.linspace(*y, ny + 1)
+    coords = np.array([[a, b] for b in ys for a in xs])
+    first = np.array([j * (nx + 1) + i for j in range(ny) for i in range(nx)])
+    return coords, np.stack([first, first + 1, first + nx + 2, first + nx + 1], axis=1).astype(np.int32)
+
+
+@pytest.fixture
+def blocks():
+    (a, of_a), (b, of_b) = grid((600, 2), (0, 2), (0, 1)), grid((530, 2), (0.2, 1.7), (0.99, 2))
+    return np.concatenate([a, b]), np.concatenate([of_a, of_b + len(a)])
+
+
+def contact_of(blocks, **options):
+    coords, conn = blocks
+    return fmc_contact.Contact(coords, conn, "quad", stiffness=30.0, **options)
+
+
+@pytest.mark.parametrize("law", ["fiber", "depth", "volume"])
+def test_every_rank_has_the_bits_of_one(blocks, law):
+    alone, matrix = contact_of(blocks, law=law).evaluate_tangent(blocks[0])
+
+    def work(comm):
+        contact = contact_of(blocks, law=law)
+        contact.set_communicator(comm)
+        return *contact.evaluate_tangent(blocks[0]), contact.rank_counts()
+
+    for found, shared, counts in on_ranks(3, work):
+        assert np.array_equal(found.forces, alone.forces) and found.energy == alone.energy
+        assert np.array_equal(shared.toarray(), matrix.toarray())
+        # The exact volume clips few facets here: those near the ends of the contact.
+        assert counts.own_item_count < counts.item_count or law == "volume"
+        assert counts.received_bytes >= counts.sent_bytes
+
+
+def test_one_error_is_told_on_all(blocks):
+    coords = blocks[0]
+
+    def work(comm):
+        contact = contact_of(blocks)
+        contact.set_communicator(comm)
+        wrong = coords.copy()
+        if comm.rank == 1:
+            wrong[7, 1] = np.nan
+        contact.evaluate(wrong)
+
+    kinds = [type(error) for error in on_ranks(2, work)]
+    assert kinds == [fmc_contact.errors.OnOtherRankError, fmc_contact.errors.NonFiniteCoordinateError]
+    shifted = on_ranks(2, lambda comm: shared(comm, blocks).evaluate(coords + 1e-9 * comm.rank))
+    assert all(isinstance(error, fmc_contact.errors.RanksDifferError) for error in shifted)
+
+
+def shared(comm, blocks):
+    contact = contact_of(blocks)
+    contact.set_communicator(comm)
+    return contact
+
+
+def test_what_a_communicator_raises_comes_out(blocks):
+    class Broken:
+        rank, size = 0, 2
+
+        def Allgatherv(self, sendbuf, recvbuf):
+            raise ConnectionError("no other rank")
+
+    contact = shared(Broken(), blocks)
+    with pytest.raises(ConnectionError, match="no other rank"):
+        contact.evaluate(blocks[0])
+    contact.set_communicator(None)
+    assert contact.evaluate(blocks[0]).energy > 0 and contact.rank_counts().call_count == 0
+    with pytest.raises(fmc_contact.errors.BadRankError, match="rank 2 of 2"):
+        shared(type("Nobody", (Broken,), {"rank": 2})(), blocks)
