@@ -24,7 +24,9 @@ use crate::contact::{
     CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, NodalContact, PairOptions, TangentPart,
 };
 use crate::overlap::Partner;
-use crate::{Basis, Bodies, CellBlock, CellType, EnergyLaw, Options, PointWeights, contact_force};
+use crate::{
+    Basis, Bodies, CellBlock, CellType, Communicator, EnergyLaw, Options, PointWeights, RankCounts, contact_force,
+};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
@@ -152,6 +154,14 @@ impl Session for Brittle {
 
     fn set_slip(&mut self, _: &[f64]) -> Result<(), Failure> {
         Ok(())
+    }
+
+    fn set_communicator(&mut self, _: Option<Box<dyn Communicator>>) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn rank_counts(&self) -> RankCounts {
+        RankCounts::default()
     }
 
     fn set_obstacle_rotations(&mut self, _: bool) {}

@@ -8,6 +8,8 @@ mod bodies;
 mod dense;
 mod iterate;
 mod kept;
+#[cfg(feature = "solver")]
+mod large;
 mod multipliers;
 mod newton;
 mod options;

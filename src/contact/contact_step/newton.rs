@@ -1,7 +1,7 @@
 //! Newton's method for the contact, with bodies that are linear.
 
 use super::bodies::Checked;
-use super::dense::{Defect, solve_definite, solve_general};
+use super::dense::{Defect, if_definite, solve_definite, solve_general};
 use super::iterate::Iterate;
 use super::options::{ContactStepOptions, ContactStepState};
 use super::touching::{ROUNDING, Touching};
@@ -92,7 +92,7 @@ pub(super) fn direction(
     }
     if wish == TangentPart::Full {
         let tangent = contact.tangent(&at.displacement, wish)?;
-        if let Ok(found) = solve_definite(&finite(&bodies.symmetric + &tangent)?, &right) {
+        if let Ok(found) = if_definite(&finite(&bodies.symmetric + &tangent)?, &right) {
             return Ok((found, tangent, wish));
         }
     }
