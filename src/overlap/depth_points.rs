@@ -36,6 +36,10 @@ impl<const D: usize> Packed for PointLists<D> {
     fn unpack(bytes: &mut &[u8]) -> Option<Self> {
         Vec::unpack(bytes).map(Self)
     }
+
+    fn blank() -> Self {
+        Self::default()
+    }
 }
 
 impl<const D: usize> PointLists<D> {

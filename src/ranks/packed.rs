@@ -13,6 +13,9 @@ pub(crate) trait Packed: Sized {
     /// Takes its bytes from the front; `None` where they are not those of such a value, or where it was an error, which cannot
     /// be sent: the one who reads finds it again by itself.
     fn unpack(bytes: &mut &[u8]) -> Option<Self>;
+
+    /// Any value, to fill an array with before its bytes are read.
+    fn blank() -> Self;
 }
 
 /// Implements [`Packed`] for a struct, field by field.
@@ -35,6 +38,10 @@ macro_rules! packed {
         fn unpack(bytes: &mut &[u8]) -> Option<Self> {
             Some(Self { $($field: $crate::ranks::Packed::unpack(bytes)?),* })
         }
+
+        fn blank() -> Self {
+            Self { $($field: $crate::ranks::Packed::blank()),* }
+        }
     };
 }
 pub(crate) use packed;
@@ -51,6 +58,10 @@ macro_rules! number {
                 *bytes = rest;
                 Some(Self::from_ne_bytes(*first))
             }
+
+            fn blank() -> Self {
+                Self::default()
+            }
         }
     )* };
 }
@@ -65,6 +76,10 @@ impl Packed for bool {
     fn unpack(bytes: &mut &[u8]) -> Option<Self> {
         u8::unpack(bytes).map(|byte| byte != 0)
     }
+
+    fn blank() -> Self {
+        false
+    }
 }
 
 impl<T: Packed, const N: usize> Packed for [T; N] {
@@ -73,8 +88,18 @@ impl<T: Packed, const N: usize> Packed for [T; N] {
     }
 
     fn unpack(bytes: &mut &[u8]) -> Option<Self> {
-        let entries: Vec<T> = (0..N).map(|_| T::unpack(bytes)).collect::<Option<_>>()?;
-        entries.try_into().ok()
+        let mut is_whole = true;
+        let entries = std::array::from_fn(|_| {
+            T::unpack(bytes).unwrap_or_else(|| {
+                is_whole = false;
+                T::blank()
+            })
+        });
+        is_whole.then_some(entries)
+    }
+
+    fn blank() -> Self {
+        std::array::from_fn(|_| T::blank())
     }
 }
 
@@ -89,6 +114,10 @@ impl<const D: usize> Packed for Vector<D> {
             *entry = f64::unpack(bytes)?;
         }
         Some(vector)
+    }
+
+    fn blank() -> Self {
+        Self::zeros()
     }
 }
 
@@ -107,6 +136,10 @@ impl<T: Packed> Packed for Vec<T> {
         }
         Some(entries)
     }
+
+    fn blank() -> Self {
+        Self::new()
+    }
 }
 
 impl<T: Packed> Packed for Option<T> {
@@ -117,6 +150,10 @@ impl<T: Packed> Packed for Option<T> {
 
     fn unpack(bytes: &mut &[u8]) -> Option<Self> {
         if bool::unpack(bytes)? { T::unpack(bytes).map(Some) } else { Some(None) }
+    }
+
+    fn blank() -> Self {
+        None
     }
 }
 
@@ -129,6 +166,10 @@ impl<T: Packed, E> Packed for Result<T, E> {
     fn unpack(bytes: &mut &[u8]) -> Option<Self> {
         if bool::unpack(bytes)? { T::unpack(bytes).map(Ok) } else { None }
     }
+
+    fn blank() -> Self {
+        Ok(T::blank())
+    }
 }
 
 impl<T: Packed, U: Packed> Packed for (T, U) {
@@ -139,6 +180,10 @@ impl<T: Packed, U: Packed> Packed for (T, U) {
 
     fn unpack(bytes: &mut &[u8]) -> Option<Self> {
         Some((T::unpack(bytes)?, U::unpack(bytes)?))
+    }
+
+    fn blank() -> Self {
+        (T::blank(), U::blank())
     }
 }
 
@@ -151,6 +196,10 @@ impl<T: Packed, U: Packed, V: Packed> Packed for (T, U, V) {
 
     fn unpack(bytes: &mut &[u8]) -> Option<Self> {
         Some((T::unpack(bytes)?, U::unpack(bytes)?, V::unpack(bytes)?))
+    }
+
+    fn blank() -> Self {
+        (T::blank(), U::blank(), V::blank())
     }
 }
 

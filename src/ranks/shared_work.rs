@@ -98,7 +98,9 @@ impl Ranks {
             while let (Some(number), Some(length)) = (usize::unpack(&mut bytes), usize::unpack(&mut bytes)) {
                 let Some((mut value, rest)) = bytes.split_at_checked(length) else { break };
                 bytes = rest;
-                if let Some(place) = values.get_mut(number) {
+                if number % self.size != self.rank
+                    && let Some(place) = values.get_mut(number)
+                {
                     *place = U::unpack(&mut value);
                 }
             }

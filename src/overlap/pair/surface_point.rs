@@ -44,6 +44,10 @@ impl<const D: usize> Packed for SurfacePoint<D> {
             }
         })
     }
+
+    fn blank() -> Self {
+        SurfacePoint::Point { point: Vector::zeros(), normal: Vector::zeros() }
+    }
 }
 
 impl<const D: usize> SurfacePoint<D> {

@@ -62,6 +62,10 @@ impl<const D: usize> Packed for BlockSum<D> {
         let place = rows.iter().map(|row| row.node).zip(0..).collect();
         Some(Self { rows, place })
     }
+
+    fn blank() -> Self {
+        Self::default()
+    }
 }
 
 impl<const D: usize> BlockSum<D> {

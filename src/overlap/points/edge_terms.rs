@@ -41,6 +41,10 @@ impl Packed for Anchor {
         let vertex = Option::<(bool, u32)>::unpack(bytes)?;
         Some(vertex.map_or(Anchor::Obstacle, |(of_b, vertex)| Anchor::Vertex { of_b, vertex }))
     }
+
+    fn blank() -> Self {
+        Anchor::Obstacle
+    }
 }
 
 /// A point of such an edge.

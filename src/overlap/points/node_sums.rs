@@ -25,6 +25,10 @@ impl<const D: usize> Packed for NodeSums<D> {
         let place = slots.iter().copied().zip(0..).collect();
         Some(Self { slots, values, place })
     }
+
+    fn blank() -> Self {
+        Self::default()
+    }
 }
 
 impl<const D: usize> NodeSums<D> {

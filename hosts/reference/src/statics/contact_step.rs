@@ -7,7 +7,9 @@ use super::iteration::Tangent;
 use super::line_search::{FLAT, GAIN, shortened};
 use crate::sparse::{Entries, Lower};
 
-/// Equations on which contact acts, at most: the systems of the iterations have no more, but are dense.
+/// Equations on which contact acts, at most: the systems of the iterations have no more, but are dense. With more, the iterations
+/// are fewer still, and no faster: `hertz3d` with 2 315 kept of 19 398 takes 4 for 7, with 4 719 of 72 751 5 for 15, in the same
+/// time and up to 2.7 times the memory.
 const MOST_KEPT: usize = 1500;
 
 /// Iterations of the contact, at most.
