@@ -172,9 +172,16 @@ compat: host-environment
 bench:
 	$(CARGO) bench -p fmc-benchmarks
 
+# What the pages link to outside of docs is not in the book: there the links lead to the repository, those of a release to its tag.
+REPOSITORY := $(shell sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
+REVISION = $(or $(shell git describe --tags --exact-match 2>/dev/null),main)
+
 book:
 	@mdbook --version >/dev/null 2>&1 || { echo "mdbook is missing: cargo install mdbook" >&2; exit 1; }
 	mdbook build docs
+	sed -i -e 's|href="\.\./README\.html">fmc-contact<|href="index.html">fmc-contact<|g' -e 's|\(href="\.\./[^"]*\)\.html|\1.md|g' \
+	  -e 's|href="\.\./\([^"]*"\)|href="$(REPOSITORY)/tree/$(REVISION)/\1|g' out/book/*.html
+	.ci/book-links out/book $(REPOSITORY)
 
 header:
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header
