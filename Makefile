@@ -13,6 +13,7 @@
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
 # make install   PREFIX=/usr/local LIBDIR=lib: shared and static library, stripped, headers, Fortran modules, pkg-config and CMake files (Linux)
+# make install-command PREFIX=/usr/local: the command fmc and its manual
 # make book      the documentation as pages that are read in a browser, in out/book (mdbook: cargo install mdbook)
 # make clean
 #
@@ -25,7 +26,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -223,6 +224,16 @@ install: build
 	for file in fmc_contactConfig fmc_contactConfigVersion; do \
 	  $(FILL) hosts/c/package/$$file.cmake.in > $(LIB)/cmake/fmc_contact/$$file.cmake || exit 1; \
 	done
+
+# The command, with the pages of the manual, which it writes itself.
+install-command:
+ifndef COMMAND
+	$(CARGO) build --release -p fmc
+endif
+	install -d $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(or $(COMMAND),$(TARGET)/release/fmc) $(DESTDIR)$(PREFIX)/bin/fmc
+	strip $(DESTDIR)$(PREFIX)/bin/fmc
+	$(DESTDIR)$(PREFIX)/bin/fmc man $(DESTDIR)$(PREFIX)/share/man/man1
 
 clean:
 	$(CARGO) clean
