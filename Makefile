@@ -1,7 +1,7 @@
 # make check     the library alone: format, lints, tests; below two minutes after a build
 # make test      what CI runs: format, lints, all tests in release mode, C and C++ hosts, valgrind, installation, the adapters for
 #                scikit-fem, FEniCSx and PETSc, the Python package, arbitrary input for 60 s; seconds of CPU of each suite
-# make release   everything that takes long, step by step: test, compat, peers, agree, sanitizers, mutants; log: docs/release-log.md
+# make release   everything that takes long, step by step: test, packages, compat, peers, agree, sanitizers, mutants; log: docs/release-log.md
 #
 # make demo      forces of two meshes in examples/, printed and written as VTU
 # make python    the Python package, in an environment of its own under target/, and its tests
@@ -14,6 +14,9 @@
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
 # make install   PREFIX=/usr/local LIBDIR=lib: shared and static library, stripped, headers, Fortran modules, pkg-config and CMake files (Linux)
 # make install-command PREFIX=/usr/local: the command fmc and its manual
+# make deb       packages for Debian in out/deb (library, development files, Python, command); make try-deb installs them in a bare one
+# make wheel     the Python package as a wheel in out/wheel, for any Linux since glibc 2.17; make try-wheel installs it without Rust
+# make packages  deb, wheel and book, built and tried
 # make book      the documentation as pages that are read in a browser, in out/book (mdbook: cargo install mdbook)
 # make clean
 #
@@ -26,7 +29,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command deb try-deb wheel try-wheel packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -60,7 +63,7 @@ test: tools
 fuzz:
 	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60
 
-RELEASE_STEPS ?= test compat peers-test peers agree sanitizers mutants
+RELEASE_STEPS ?= test packages compat peers-test peers agree sanitizers mutants
 
 release:
 	.ci/release $(RELEASE_STEPS)
@@ -234,6 +237,49 @@ endif
 	install -m 755 $(or $(COMMAND),$(TARGET)/release/fmc) $(DESTDIR)$(PREFIX)/bin/fmc
 	strip $(DESTDIR)$(PREFIX)/bin/fmc
 	$(DESTDIR)$(PREFIX)/bin/fmc man $(DESTDIR)$(PREFIX)/share/man/man1
+
+# Packages for Debian, of the libraries in the folder LIBRARIES and the program COMMAND where those are given.
+DEB_TOOLS = dpkg-shlibdeps:dpkg-dev lintian:lintian
+
+deb: TOOLS = $(DEB_TOOLS)
+deb: check-tools
+ifndef COMMAND
+	$(CARGO) build --release -p fmc-contact -p fmc
+endif
+	rm -rf out/deb
+	packaging/debian/build.sh $(or $(LIBRARIES),$(TARGET)/release/deps) $(or $(COMMAND),$(TARGET)/release/fmc) out/deb
+	lintian --allow-root --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs out/deb/*.deb
+
+# A root file system of this release of Debian, not older than what the packages were built on.
+DEBIAN ?= bookworm
+
+try-deb:
+	$(SUDO) packaging/debian/try.sh out/deb $(abspath $(TARGET))/debian/$(DEBIAN) $(DEBIAN)
+
+# zig links against a C library as old as is asked for, and comes as a Python package; so the wheel runs where glibc is far older
+# than here. The licences of the crates are in the wheel alone.
+WHEEL_TOOLS = $(abspath $(TARGET))/wheel-tools
+MANYLINUX ?= manylinux_2_17
+CRATES = bindings/python/LICENSES-COMPILED-IN
+
+wheel:
+	@$(WHEEL_TOOLS)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(WHEEL_TOOLS)
+	$(WHEEL_TOOLS)/bin/python -m pip install -q 'maturin>=1.9,<2' ziglang auditwheel cffi
+	packaging/licences fmc-contact >$(CRATES)
+	rm -rf out/wheel
+	cd bindings/python && PATH=$(WHEEL_TOOLS)/bin:$$PATH maturin build --release --zig --compatibility $(MANYLINUX) --out ../../out/wheel
+	rm -f $(CRATES)
+	$(WHEEL_TOOLS)/bin/auditwheel show out/wheel/*.whl
+
+# In an environment of its own, and in a Debian with the oldest Python, numpy and C library that are promised.
+try-wheel:
+	$(SUDO) packaging/try-wheel.sh out/wheel $(abspath $(TARGET))/try-wheel $(abspath $(TARGET))/debian/bullseye bullseye
+
+# A step of the release: everything that is handed out, built and tried.
+packages:
+	$(MAKE) deb try-deb
+	$(MAKE) wheel try-wheel
+	$(MAKE) book
 
 clean:
 	$(CARGO) clean

@@ -57,7 +57,7 @@ mkdir -p "$python/fmc_contact/_native" "$python/fmc_contact-$version.dist-info"
   install -D -m 644 "bindings/python/src/$file" "$python/$file"
 done
 ln -s "../../../../$multiarch/libfmc_contact.so.$soversion" "$python/fmc_contact/_native/libfmc_contact.so"
-printf 'Metadata-Version: 2.1\nName: fmc_contact\nVersion: %s\nHome-page: %s\nLicense: MIT OR Apache-2.0\nRequires-Dist: numpy\n' \
+printf 'Metadata-Version: 2.1\nName: fmc_contact\nVersion: %s\nHome-page: %s\nLicense: MIT OR Apache-2.0\nRequires-Dist: numpy>=1.20\n' \
   "$version" "$repository" >"$python/fmc_contact-$version.dist-info/METADATA"
 
 packaging/licences fmc-contact | gzip -9n >"$work/$lib.crates"
