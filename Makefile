@@ -13,7 +13,7 @@
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
 # make install   PREFIX=/usr/local LIBDIR=lib: shared and static library, stripped, headers, Fortran modules, pkg-config and CMake files (Linux)
-# make install-command PREFIX=/usr/local: the command fmc and its manual
+# make install-command, install-python   the command fmc and its manual; the Python package for the installed library
 # make deb       packages for Debian in out/deb (library, development files, Python, command); make try-deb installs them in a bare one
 # make wheel     the Python package as a wheel in out/wheel, for any Linux since glibc 2.17; make try-wheel installs it without Rust
 # make packages  deb, wheel and book, built and tried
@@ -29,7 +29,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command deb try-deb wheel try-wheel packages clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command install-python deb try-deb wheel try-wheel packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -89,13 +89,15 @@ mutants:
 CHECK_TOOLS = cc:gcc c++:g++ nm:binutils gfortran:gfortran valgrind:valgrind pkg-config:pkg-config cmake:cmake
 TOOLS = $(CHECK_TOOLS) chromium:chromium
 
-check-tools: TOOLS = $(CHECK_TOOLS)
-check-tools tools:
-	@missing=; for tool in $(TOOLS); do command -v $${tool%%:*} >/dev/null || missing="$$missing $${tool##*:}"; done; \
+FETCH_MISSING = missing=; for tool in $(1); do command -v $${tool%%:*} >/dev/null || missing="$$missing $${tool\#\#*:}"; done; \
 	if [ -n "$$missing" ]; then \
 	  echo "installing$$missing"; \
 	  $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $$missing; \
 	fi
+
+check-tools: TOOLS = $(CHECK_TOOLS)
+check-tools tools:
+	@$(call FETCH_MISSING,$(TOOLS))
 	@$(CARGO) clippy --version >/dev/null 2>&1 && $(CARGO) fmt --version >/dev/null 2>&1 \
 	  || rustup component add clippy rustfmt
 
@@ -191,17 +193,21 @@ header:
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi fortran::the_committed
 
+# Where cargo puts them, also if the environment asks for a target by name.
+RELEASE = $(TARGET)$(CARGO_BUILD_TARGET:%=/%)/release
+
 # A folder that holds the built libraries may be given as BUILT; otherwise they are built.
 ifdef BUILT
 build:
 else
-BUILT = $(TARGET)/release
+BUILT = $(RELEASE)
 build:
 	$(CARGO) build --release --lib -p fmc-contact
 endif
 
 # Where libraries go below PREFIX, as lib/x86_64-linux-gnu; the pkg-config and CMake files find the prefix from there.
 LIBDIR ?= lib
+STRIP ?= strip
 LIB = $(DESTDIR)$(PREFIX)/$(LIBDIR)
 EMPTY =
 SPACE = $(EMPTY) $(EMPTY)
@@ -216,8 +222,8 @@ install: build
 	ln -sf libfmc_contact.so.$(VERSION) $(LIB)/libfmc_contact.so.$(SOVERSION)
 	ln -sf libfmc_contact.so.$(SOVERSION) $(LIB)/libfmc_contact.so
 	install -m 644 $(BUILT)/libfmc_contact.a $(LIB)
-	strip --strip-unneeded $(LIB)/libfmc_contact.so.$(VERSION)
-	strip --strip-debug $(LIB)/libfmc_contact.a
+	$(STRIP) --strip-unneeded $(LIB)/libfmc_contact.so.$(VERSION)
+	$(STRIP) --strip-debug $(LIB)/libfmc_contact.a
 	install -d $(DESTDIR)$(PREFIX)/share/doc/fmc-contact
 	install -m 644 LICENSE-MIT LICENSE-APACHE README.md CHANGELOG.md CITATION.cff $(DESTDIR)$(PREFIX)/share/doc/fmc-contact
 	install -m 644 include/fmc_contact.h include/fmc_contact.hpp $(INCLUDE)
@@ -228,26 +234,40 @@ install: build
 	  $(FILL) hosts/c/package/$$file.cmake.in > $(LIB)/cmake/fmc_contact/$$file.cmake || exit 1; \
 	done
 
+# The Python package for the library that `make install` has put below the same prefix: nothing is compiled, a link leads there.
+PYTHONDIR ?= $(shell $(PYTHON) -c 'import sys; print("lib/python%d.%d/site-packages" % sys.version_info[:2])')
+PACKAGES = $(DESTDIR)$(PREFIX)/$(PYTHONDIR)
+METADATA = $(PACKAGES)/fmc_contact-$(VERSION).dist-info
+
+install-python:
+	cd bindings/python/src && find fmc_contact \( -name '*.py' -o -name py.typed \) -exec install -D -m 644 {} $(abspath $(PACKAGES))/{} \;
+	install -d $(PACKAGES)/fmc_contact/_native $(METADATA)
+	ln -sf $$(realpath -m --relative-to=/$(PYTHONDIR)/fmc_contact/_native /$(LIBDIR)/libfmc_contact.so.$(SOVERSION)) \
+	  $(PACKAGES)/fmc_contact/_native/libfmc_contact.so
+	sed -n -e '1i Metadata-Version: 2.1\nName: fmc_contact\nVersion: $(VERSION)\nHome-page: $(REPOSITORY)\nLicense: MIT OR Apache-2.0' \
+	  -e 's/^requires-python = "\(.*\)"/Requires-Python: \1/p; s/^dependencies = \["\(.*\)"\]/Requires-Dist: \1/p' \
+	  bindings/python/pyproject.toml >$(METADATA)/METADATA
+
 # The command, with the pages of the manual, which it writes itself.
 install-command:
 ifndef COMMAND
 	$(CARGO) build --release -p fmc
 endif
 	install -d $(DESTDIR)$(PREFIX)/bin
-	install -m 755 $(or $(COMMAND),$(TARGET)/release/fmc) $(DESTDIR)$(PREFIX)/bin/fmc
-	strip $(DESTDIR)$(PREFIX)/bin/fmc
+	install -m 755 $(or $(COMMAND),$(RELEASE)/fmc) $(DESTDIR)$(PREFIX)/bin/fmc
+	$(STRIP) $(DESTDIR)$(PREFIX)/bin/fmc
 	$(DESTDIR)$(PREFIX)/bin/fmc man $(DESTDIR)$(PREFIX)/share/man/man1
 
 # Packages for Debian, of the libraries in the folder LIBRARIES and the program COMMAND where those are given.
 DEB_TOOLS = dpkg-shlibdeps:dpkg-dev lintian:lintian
 
-deb: TOOLS = $(DEB_TOOLS)
-deb: check-tools
+deb:
+	@$(call FETCH_MISSING,$(DEB_TOOLS))
 ifndef COMMAND
 	$(CARGO) build --release -p fmc-contact -p fmc
 endif
 	rm -rf out/deb
-	packaging/debian/build.sh $(or $(LIBRARIES),$(TARGET)/release/deps) $(or $(COMMAND),$(TARGET)/release/fmc) out/deb
+	packaging/debian/build.sh $(or $(LIBRARIES),$(RELEASE)/deps) $(or $(COMMAND),$(RELEASE)/fmc) out/deb
 	lintian --allow-root --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs out/deb/*.deb
 
 # A root file system of this release of Debian, not older than what the packages were built on.

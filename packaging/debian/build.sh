@@ -35,6 +35,7 @@ fill packaging/debian/copyright | sed -e "/^@MIT@$/ { r $work/mit" -e 'd }' >"$w
 all=$work/all
 make -s install BUILT="$libraries" DESTDIR="$all" PREFIX=/usr LIBDIR="lib/$multiarch"
 make -s install-command COMMAND="$command" DESTDIR="$all" PREFIX=/usr
+make -s install-python DESTDIR="$all" PREFIX=/usr LIBDIR="lib/$multiarch" PYTHONDIR=lib/python3/dist-packages
 gzip -9n "$all"/usr/share/man/man1/*
 move() { # PACKAGE PATH…
   for path in "${@:2}"; do
@@ -43,22 +44,13 @@ move() { # PACKAGE PATH…
 }
 (cd "$all" && ls -d usr/lib/"$multiarch"/*.so.*) >"$work/runtime"
 move "$lib" $(cat "$work/runtime")
+move python3-fmc-contact usr/lib/python3
 move libfmc-contact-dev usr/include usr/lib
 move fmc-tools usr/bin usr/share/man
 for document in README.md CITATION.cff; do
   move libfmc-contact-dev "usr/share/doc/fmc-contact/$document"
 done
 mv "$work/libfmc-contact-dev/usr/share/doc/fmc-contact" "$work/libfmc-contact-dev/usr/share/doc/libfmc-contact-dev"
-
-# The Python package finds the library of its own release in its folder, by a link.
-python=$work/python3-fmc-contact/usr/lib/python3/dist-packages
-mkdir -p "$python/fmc_contact/_native" "$python/fmc_contact-$version.dist-info"
-(cd bindings/python/src && find fmc_contact -name '*.py' -o -name py.typed) | while read -r file; do
-  install -D -m 644 "bindings/python/src/$file" "$python/$file"
-done
-ln -s "../../../../$multiarch/libfmc_contact.so.$soversion" "$python/fmc_contact/_native/libfmc_contact.so"
-printf 'Metadata-Version: 2.1\nName: fmc_contact\nVersion: %s\nHome-page: %s\nLicense: MIT OR Apache-2.0\nRequires-Dist: numpy>=1.20\n' \
-  "$version" "$repository" >"$python/fmc_contact-$version.dist-info/METADATA"
 
 packaging/licences fmc-contact | gzip -9n >"$work/$lib.crates"
 packaging/licences fmc | gzip -9n >"$work/fmc-tools.crates"
