@@ -16,7 +16,7 @@
 # make install-command, install-python   the command fmc and its manual; the Python package for the installed library
 # make deb       packages for Debian in out/deb (library, development files, Python, command); make try-deb installs them in a bare one
 # make wheel     the Python package as a wheel in out/wheel, for any Linux since glibc 2.17; make try-wheel installs it without Rust
-# make packages  deb, wheel and book, built and tried
+# make packages  deb, wheel and book, built and tried; the recipes for conda-forge and Spack, read
 # make book      the documentation as pages that are read in a browser, in out/book (mdbook: cargo install mdbook)
 # make clean
 #
@@ -29,7 +29,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command install-python deb try-deb wheel try-wheel packages clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -295,11 +295,17 @@ wheel:
 try-wheel:
 	$(SUDO) packaging/try-wheel.sh out/wheel $(abspath $(TARGET))/try-wheel $(abspath $(TARGET))/debian/bullseye bullseye
 
+# The recipes for conda-forge and Spack are read, not built.
+recipes:
+	@$(WHEEL_TOOLS)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(WHEEL_TOOLS)
+	$(WHEEL_TOOLS)/bin/python -m pip install -q py-rattler-build
+	$(WHEEL_TOOLS)/bin/python packaging/check-recipes
+
 # A step of the release: everything that is handed out, built and tried.
 packages:
 	$(MAKE) deb try-deb
 	$(MAKE) wheel try-wheel
-	$(MAKE) book
+	$(MAKE) recipes book
 
 clean:
 	$(CARGO) clean
