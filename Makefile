@@ -105,10 +105,12 @@ PYTHON ?= python3
 VENV = $(TARGET)/python
 
 # Debian has the module that makes environments in a package of its own.
+ENVIRONMENT = $(PYTHON) -c 'import ensurepip' 2>/dev/null \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3 python3-venv; }; \
+	$(1)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(1)
+
 python:
-	@$(PYTHON) -c 'import ensurepip' 2>/dev/null \
-	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3 python3-venv; }
-	@$(VENV)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV)
+	@$(call ENVIRONMENT,$(VENV))
 	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
 	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q bindings/python
 
@@ -283,7 +285,7 @@ MANYLINUX ?= manylinux_2_17
 CRATES = bindings/python/LICENSES-COMPILED-IN
 
 wheel:
-	@$(WHEEL_TOOLS)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(WHEEL_TOOLS)
+	@$(call ENVIRONMENT,$(WHEEL_TOOLS))
 	$(WHEEL_TOOLS)/bin/python -m pip install -q 'maturin>=1.9,<2' ziglang auditwheel cffi
 	packaging/licences fmc-contact >$(CRATES)
 	rm -rf out/wheel
@@ -297,7 +299,7 @@ try-wheel:
 
 # The recipes for conda-forge and Spack are read, not built.
 recipes:
-	@$(WHEEL_TOOLS)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(WHEEL_TOOLS)
+	@$(call ENVIRONMENT,$(WHEEL_TOOLS))
 	$(WHEEL_TOOLS)/bin/python -m pip install -q py-rattler-build
 	$(WHEEL_TOOLS)/bin/python packaging/check-recipes
 
