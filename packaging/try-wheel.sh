@@ -16,8 +16,9 @@ trap 'rm -rf "$work"' EXIT
 sed -n '/^```python$/,/^```$/ { /^```/d; p; /^print("overlap/q }' docs/first-contact.md >"$work/squares.py"
 expect() { tee "$work/printed"; grep -q 'force on the second square \[79[34]\.' "$work/printed"; }
 
+python3 -m zipfile -l "$wheel" >"$work/files"
 for file in LICENSE-MIT LICENSE-APACHE LICENSES-COMPILED-IN; do
-  python3 -m zipfile -l "$wheel" | grep -q "\.dist-info/licenses/$file " || { echo "$wheel lacks $file" >&2; exit 1; }
+  grep -q "\.dist-info/licenses/$file " "$work/files" || { echo "$wheel lacks $file" >&2; exit 1; }
 done
 python3 -m venv --clear "$environment"
 "$environment/bin/python" -m pip install -q --only-binary :all: "$wheel" pytest scipy
