@@ -1,7 +1,7 @@
 # make check     the library alone: format, lints, tests; below two minutes after a build
 # make test      what CI runs: format, lints, all tests in release mode, C and C++ hosts, valgrind, installation, the adapters for
 #                scikit-fem, FEniCSx and PETSc, the Python package, arbitrary input for 60 s; seconds of CPU of each suite
-# make release   everything that takes long, step by step: test, compat, peers, agree, sanitizers, mutants; log: docs/release-log.md
+# make release   everything that takes long, step by step: test, packages, compat, peers, agree, sanitizers, mutants; log: docs/release-log.md
 #
 # make demo      forces of two meshes in examples/, printed and written as VTU
 # make python    the Python package, in an environment of its own under target/, and its tests
@@ -13,6 +13,10 @@
 # make bench     benchmarks
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
 # make install   PREFIX=/usr/local LIBDIR=lib: shared and static library, stripped, headers, Fortran modules, pkg-config and CMake files (Linux)
+# make install-command, install-python   the command fmc and its manual; the Python package for the installed library
+# make deb       packages for Debian in out/deb (library, development files, Python, command); make try-deb installs them in a bare one
+# make wheel     the Python package as a wheel in out/wheel, for any Linux since glibc 2.17; make try-wheel installs it without Rust
+# make packages  deb, wheel and book, built and tried; the recipes for conda-forge and Spack, read
 # make book      the documentation as pages that are read in a browser, in out/book (mdbook: cargo install mdbook)
 # make clean
 #
@@ -25,7 +29,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -59,7 +63,7 @@ test: tools
 fuzz:
 	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60
 
-RELEASE_STEPS ?= test compat peers-test peers agree sanitizers mutants
+RELEASE_STEPS ?= test packages compat peers-test peers agree sanitizers mutants
 
 release:
 	.ci/release $(RELEASE_STEPS)
@@ -85,13 +89,15 @@ mutants:
 CHECK_TOOLS = cc:gcc c++:g++ nm:binutils gfortran:gfortran valgrind:valgrind pkg-config:pkg-config cmake:cmake
 TOOLS = $(CHECK_TOOLS) chromium:chromium
 
-check-tools: TOOLS = $(CHECK_TOOLS)
-check-tools tools:
-	@missing=; for tool in $(TOOLS); do command -v $${tool%%:*} >/dev/null || missing="$$missing $${tool##*:}"; done; \
+FETCH_MISSING = missing=; for tool in $(1); do command -v $${tool%%:*} >/dev/null || missing="$$missing $${tool\#\#*:}"; done; \
 	if [ -n "$$missing" ]; then \
 	  echo "installing$$missing"; \
 	  $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $$missing; \
 	fi
+
+check-tools: TOOLS = $(CHECK_TOOLS)
+check-tools tools:
+	@$(call FETCH_MISSING,$(TOOLS))
 	@$(CARGO) clippy --version >/dev/null 2>&1 && $(CARGO) fmt --version >/dev/null 2>&1 \
 	  || rustup component add clippy rustfmt
 
@@ -99,10 +105,12 @@ PYTHON ?= python3
 VENV = $(TARGET)/python
 
 # Debian has the module that makes environments in a package of its own.
+ENVIRONMENT = $(PYTHON) -c 'import ensurepip' 2>/dev/null \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3 python3-venv; }; \
+	$(1)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(1)
+
 python:
-	@$(PYTHON) -c 'import ensurepip' 2>/dev/null \
-	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3 python3-venv; }
-	@$(VENV)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV)
+	@$(call ENVIRONMENT,$(VENV))
 	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
 	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q bindings/python
 
@@ -172,25 +180,36 @@ compat: host-environment
 bench:
 	$(CARGO) bench -p fmc-benchmarks
 
+# What the pages link to outside of docs is not in the book: there the links lead to the repository, those of a release to its tag.
+REPOSITORY := $(shell sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
+REVISION = $(or $(shell git describe --tags --exact-match 2>/dev/null),main)
+
 book:
 	@mdbook --version >/dev/null 2>&1 || { echo "mdbook is missing: cargo install mdbook" >&2; exit 1; }
 	mdbook build docs
+	sed -i -e 's|href="\.\./README\.html">fmc-contact<|href="index.html">fmc-contact<|g' -e 's|\(href="\.\./[^"]*\)\.html|\1.md|g' \
+	  -e 's|href="\.\./\([^"]*"\)|href="$(REPOSITORY)/tree/$(REVISION)/\1|g' out/book/*.html
+	.ci/book-links out/book $(REPOSITORY)
 
 header:
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi fortran::the_committed
 
+# Where cargo puts them, also if the environment asks for a target by name.
+RELEASE = $(TARGET)$(CARGO_BUILD_TARGET:%=/%)/release
+
 # A folder that holds the built libraries may be given as BUILT; otherwise they are built.
 ifdef BUILT
 build:
 else
-BUILT = $(TARGET)/release
+BUILT = $(RELEASE)
 build:
 	$(CARGO) build --release --lib -p fmc-contact
 endif
 
 # Where libraries go below PREFIX, as lib/x86_64-linux-gnu; the pkg-config and CMake files find the prefix from there.
 LIBDIR ?= lib
+STRIP ?= strip
 LIB = $(DESTDIR)$(PREFIX)/$(LIBDIR)
 EMPTY =
 SPACE = $(EMPTY) $(EMPTY)
@@ -205,8 +224,8 @@ install: build
 	ln -sf libfmc_contact.so.$(VERSION) $(LIB)/libfmc_contact.so.$(SOVERSION)
 	ln -sf libfmc_contact.so.$(SOVERSION) $(LIB)/libfmc_contact.so
 	install -m 644 $(BUILT)/libfmc_contact.a $(LIB)
-	strip --strip-unneeded $(LIB)/libfmc_contact.so.$(VERSION)
-	strip --strip-debug $(LIB)/libfmc_contact.a
+	$(STRIP) --strip-unneeded $(LIB)/libfmc_contact.so.$(VERSION)
+	$(STRIP) --strip-debug $(LIB)/libfmc_contact.a
 	install -d $(DESTDIR)$(PREFIX)/share/doc/fmc-contact
 	install -m 644 LICENSE-MIT LICENSE-APACHE README.md CHANGELOG.md CITATION.cff $(DESTDIR)$(PREFIX)/share/doc/fmc-contact
 	install -m 644 include/fmc_contact.h include/fmc_contact.hpp include/fmc_mpi.h $(INCLUDE)
@@ -216,6 +235,79 @@ install: build
 	for file in fmc_contactConfig fmc_contactConfigVersion; do \
 	  $(FILL) hosts/c/package/$$file.cmake.in > $(LIB)/cmake/fmc_contact/$$file.cmake || exit 1; \
 	done
+
+# The Python package for the library that `make install` has put below the same prefix: nothing is compiled, a link leads there.
+PYTHONDIR ?= $(shell $(PYTHON) -c 'import sys; print("lib/python%d.%d/site-packages" % sys.version_info[:2])')
+PACKAGES = $(DESTDIR)$(PREFIX)/$(PYTHONDIR)
+METADATA = $(PACKAGES)/fmc_contact-$(VERSION).dist-info
+
+install-python:
+	cd bindings/python/src && find fmc_contact \( -name '*.py' -o -name py.typed \) -exec install -D -m 644 {} $(abspath $(PACKAGES))/{} \;
+	install -d $(PACKAGES)/fmc_contact/_native $(METADATA)
+	ln -sf $$(realpath -m --relative-to=/$(PYTHONDIR)/fmc_contact/_native /$(LIBDIR)/libfmc_contact.so.$(SOVERSION)) \
+	  $(PACKAGES)/fmc_contact/_native/libfmc_contact.so
+	sed -n -e '1i Metadata-Version: 2.1\nName: fmc_contact\nVersion: $(VERSION)\nHome-page: $(REPOSITORY)\nLicense: MIT OR Apache-2.0' \
+	  -e 's/^requires-python = "\(.*\)"/Requires-Python: \1/p; s/^dependencies = \["\(.*\)"\]/Requires-Dist: \1/p' \
+	  bindings/python/pyproject.toml >$(METADATA)/METADATA
+
+# The command, with the pages of the manual, which it writes itself.
+install-command:
+ifndef COMMAND
+	$(CARGO) build --release -p fmc
+endif
+	install -d $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(or $(COMMAND),$(RELEASE)/fmc) $(DESTDIR)$(PREFIX)/bin/fmc
+	$(STRIP) $(DESTDIR)$(PREFIX)/bin/fmc
+	$(DESTDIR)$(PREFIX)/bin/fmc man $(DESTDIR)$(PREFIX)/share/man/man1
+
+# Packages for Debian, of the libraries in the folder LIBRARIES and the program COMMAND where those are given.
+DEB_TOOLS = dpkg-shlibdeps:dpkg-dev lintian:lintian
+
+deb:
+	@$(call FETCH_MISSING,$(DEB_TOOLS))
+ifndef COMMAND
+	$(CARGO) build --release -p fmc-contact -p fmc
+endif
+	rm -rf out/deb
+	packaging/debian/build.sh $(or $(LIBRARIES),$(RELEASE)/deps) $(or $(COMMAND),$(RELEASE)/fmc) out/deb
+	lintian --allow-root --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs out/deb/*.deb
+
+# A root file system of this release of Debian, not older than what the packages were built on.
+DEBIAN ?= bookworm
+
+try-deb:
+	$(SUDO) packaging/debian/try.sh out/deb $(abspath $(TARGET))/debian/$(DEBIAN) $(DEBIAN)
+
+# zig links against a C library as old as is asked for, and comes as a Python package; so the wheel runs where glibc is far older
+# than here. The licences of the crates are in the wheel alone.
+WHEEL_TOOLS = $(abspath $(TARGET))/wheel-tools
+MANYLINUX ?= manylinux_2_17
+CRATES = bindings/python/LICENSES-COMPILED-IN
+
+wheel:
+	@$(call ENVIRONMENT,$(WHEEL_TOOLS))
+	$(WHEEL_TOOLS)/bin/python -m pip install -q 'maturin>=1.9,<2' ziglang auditwheel cffi
+	packaging/licences fmc-contact >$(CRATES)
+	rm -rf out/wheel
+	cd bindings/python && PATH=$(WHEEL_TOOLS)/bin:$$PATH maturin build --release --zig --compatibility $(MANYLINUX) --out ../../out/wheel
+	rm -f $(CRATES)
+	$(WHEEL_TOOLS)/bin/auditwheel show out/wheel/*.whl
+
+# In an environment of its own, and in a Debian with the oldest Python, numpy and C library that are promised.
+try-wheel:
+	$(SUDO) packaging/try-wheel.sh out/wheel $(abspath $(TARGET))/try-wheel $(abspath $(TARGET))/debian/bullseye bullseye
+
+# The recipes for conda-forge and Spack are read, not built.
+recipes:
+	@$(call ENVIRONMENT,$(WHEEL_TOOLS))
+	$(WHEEL_TOOLS)/bin/python -m pip install -q py-rattler-build
+	$(WHEEL_TOOLS)/bin/python packaging/check-recipes
+
+# A step of the release: everything that is handed out, built and tried.
+packages:
+	$(MAKE) deb try-deb
+	$(MAKE) wheel try-wheel
+	$(MAKE) recipes book
 
 clean:
 	$(CARGO) clean

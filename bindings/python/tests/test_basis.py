@@ -1,5 +1,7 @@
 """Unknowns of a host in place of nodes."""
 
+from importlib.util import find_spec
+
 import numpy as np
 import pytest
 from fmc_contact import Contact, errors
@@ -41,8 +43,8 @@ def test_forces_and_tangent_come_back_through_the_matrix(index_base, is_sparse):
     np.testing.assert_allclose(weights.to_points(unknowns), SQUARES, atol=1e-15)
     assert found.nodal_contact(unknowns).pressure.shape == (8,)
     assert np.isfinite(found.stable_step(unknowns, np.ones(6)))
-    tangent = found.tangent(unknowns)
-    assert tangent.shape == (12, 12)
+    if find_spec("scipy"):
+        assert found.tangent(unknowns).shape == (12, 12)
     found.set_basis(None)
     np.testing.assert_array_equal(found.evaluate(SQUARES).forces, expected.forces)
 

@@ -39,8 +39,8 @@ def test_facets_are_outward_faces_of_their_cells(cell_type, base):
     coords, cells = MESHES[cell_type][0], np.array(MESHES[cell_type][1])
     contact = Contact(coords, cells + base, cell_type, stiffness=K, index_base=base)
     facets = contact.boundary_facets()
-    assert len(facets) == contact.facet_count
-    for cell, face, nodes in zip(facets.cell, facets.local_face, facets.nodes, strict=True):
+    assert len(facets) == contact.facet_count == len(facets.cell) == len(facets.local_face) == len(facets.nodes)
+    for cell, face, nodes in zip(facets.cell, facets.local_face, facets.nodes):
         assert set(nodes[nodes >= 0] - base) == set(cells[cell][FACES[cell_type][face]])
     facets.nodes[facets.nodes >= 0] -= base
     areas, corner = area_vectors(facets, coords), coords[facets.nodes[:, 0]]

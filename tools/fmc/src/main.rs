@@ -1,12 +1,13 @@
 //! The command `fmc`: contact forces of mesh files, and the benchmarks of the paper.
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 
 #[cfg(feature = "statics")]
 mod commands;
 mod estimator_args;
 mod force;
+mod man;
 
 /// Contact forces from overlap volume, by Fiber Monte Carlo
 #[derive(Parser)]
@@ -34,6 +35,7 @@ enum Command {
     Force(force::ForceArgs),
     #[cfg(feature = "statics")]
     Verify(commands::verify::VerifyArgs),
+    Man(man::ManArgs),
 }
 
 fn main() -> ExitCode {
@@ -51,6 +53,7 @@ fn main() -> ExitCode {
         Command::Force(args) => force::run(&args).map(|()| ExitCode::SUCCESS),
         #[cfg(feature = "statics")]
         Command::Verify(args) => commands::verify::run(&args),
+        Command::Man(args) => man::run(Cli::command(), &args).map(|()| ExitCode::SUCCESS),
     };
     result.unwrap_or_else(|error| {
         // Who reads no further, as `head` does, has what it wants.
