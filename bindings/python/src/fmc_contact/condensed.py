@@ -8,7 +8,8 @@ import numpy as np
 
 from .contact import Contact
 from .contact_step import ContactStep
-from .schur import Condense, condense
+from . import mumps
+from .schur import Condense, SuperLU
 
 # Times that the unknowns are found to be too few in one step: contact spreads over more of them each time.
 _MOST_GROWTHS = 8
@@ -45,11 +46,17 @@ class Unknowns:
         return np.union1d(rows, cols)
 
 
+def chosen() -> Condense:
+    """MUMPS where the program has imported petsc4py that has it, else SuperLU."""
+    return mumps.Mumps() if mumps.is_there() else SuperLU()
+
+
 class Condensed:
-    """Steps to the equilibrium of contact with bodies that are linear, for any number of iterations and load steps."""
+    """Steps to the equilibrium of contact with bodies that are linear, for any number of iterations and load steps. ``by`` is what
+    factorises them; ``None``: ``chosen()``."""
 
     def __init__(self, contact: Any, size: int, free: np.ndarray, by: Condense | None = None) -> None:
-        self.unknowns, self.by = Unknowns(contact, size), by or condense
+        self.unknowns, self.by = Unknowns(contact, size), by or chosen()
         self.free = np.zeros(size, bool)
         self.free[free] = True
         (self.held,) = np.nonzero(~self.free[self.unknowns.of_freedom])
