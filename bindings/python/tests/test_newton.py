@@ -41,7 +41,7 @@ def pushed(coords, by):
 def test_two_columns_and_the_contact_between_them_are_springs_in_series(column):
     coords, contact, host = column
     start = coords.copy()
-    found = newton(host, contact, coords, FREE, pushed(coords, 0.15), young=YOUNG)
+    found = newton(host, contact, coords, FREE, pushed(coords, 0.15), young=YOUNG, two_level=False)
     # 0.05 is shared by two columns of E and the contact of k. At its rims contact bears less than k δ, and walls that
     # are sunk in are pressed sideways: both by a part of the order of δ / h, 0.0024.
     in_series = 0.05 / (2 / YOUNG + 1 / K)
@@ -64,10 +64,10 @@ def test_the_next_load_step_carries_bodies_in_contact_along(column):
 
 def test_a_deep_overlap_is_met_softly_and_the_solution_is_that_of_the_full_stiffness(column):
     coords, contact, host = column
-    gently = newton(host, contact, coords, FREE, pushed(coords, 0.12), young=YOUNG)
-    gently = newton(host, contact, gently.x, FREE, pushed(coords, 0.2), young=YOUNG)
+    gently = newton(host, contact, coords, FREE, pushed(coords, 0.12), young=YOUNG, two_level=False)
+    gently = newton(host, contact, gently.x, FREE, pushed(coords, 0.2), young=YOUNG, two_level=False)
     contact.set_options(stiffness=K)
-    at_once = newton(host, contact, coords, FREE, pushed(coords, 0.2), young=YOUNG)
+    at_once = newton(host, contact, coords, FREE, pushed(coords, 0.2), young=YOUNG, two_level=False)
     assert at_once.soft_iterations > 0
     assert np.abs(at_once.x - gently.x).max() < 1e-7 and contact.options["stiffness"] == K
 
@@ -140,7 +140,7 @@ def test_two_levels_find_the_same_equilibrium_in_fewer_iterations(column):
     sparse = pytest.importorskip("scipy.sparse")
     coords, contact, host = column
     for push in (0.101, 0.102):
-        plain = newton(host, contact, coords, FREE, pushed(coords, push), young=YOUNG)
+        plain = newton(host, contact, coords, FREE, pushed(coords, push), young=YOUNG, two_level=False)
         for kind in (np.asarray, sparse.csr_matrix):
             found = newton(
                 lambda x, kind=kind: (host(x)[0], kind(host(x)[1])), contact, coords, FREE, pushed(coords, push),
@@ -156,7 +156,7 @@ def small_steps(coords, contact, host, push):
     """The equilibrium at the end of load steps of a hundredth of a cell."""
     x = coords
     for by in np.arange(0.1, push, 0.01)[1:].tolist() + [push]:
-        x = newton(host, contact, x, FREE, pushed(coords, by), young=YOUNG).x
+        x = newton(host, contact, x, FREE, pushed(coords, by), young=YOUNG, two_level=False).x
     return x
 
 
@@ -207,3 +207,22 @@ def test_a_contact_whose_freedoms_are_not_unknowns_is_refused(column):
 
     with pytest.raises(ValueError, match="moved by one unknown, alone"):
         newton(host, Half(), coords.ravel(), FREE, young=YOUNG, two_level=True)
+
+
+def test_the_method_is_plain_for_a_reason(column):
+    coords, contact, host = column
+    target = pushed(coords, 0.102)
+    two_level = newton(host, contact, coords, FREE, target, young=YOUNG)
+    assert two_level.plain_because == "" and two_level.iterations <= 3
+    asked = newton(host, contact, coords, FREE, target, young=YOUNG, two_level=False)
+    own = newton(host, contact, coords, FREE, target, young=YOUNG, solve=np.linalg.solve)
+    assert "asked" in asked.plain_because and "solver" in own.plain_because
+    for plain in (asked, own):
+        assert plain.x == pytest.approx(two_level.x, abs=1e-9)
+
+
+def test_more_unknowns_in_contact_than_are_kept_are_a_reason(column, monkeypatch):
+    coords, contact, host = column
+    monkeypatch.setattr("fmc_contact.condensed.MOST_KEPT", 3)
+    found = newton(host, contact, coords, FREE, pushed(coords, 0.15), young=YOUNG)
+    assert found.plain_because == "8 unknowns feel contact, more than 3"

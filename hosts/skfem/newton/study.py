@@ -57,7 +57,7 @@ def load_steps(problem, contact, recipe="soft"):
             contact.keep_patches(u)
         try:
             if recipe in ("soft", "anew"):
-                found = newton(host, contact, u, problem.free, prescribed, young=problem.young, max_iterations=LIMIT)
+                found = newton(host, contact, u, problem.free, prescribed, young=problem.young, max_iterations=LIMIT, two_level=False)
                 u, count, pressed = found.x, found.iterations, found.reactions[problem.moved].sum()
             else:
                 u, count, inside = plainly(host, contact, u, problem, prescribed, SEMIDEFINITE[recipe])

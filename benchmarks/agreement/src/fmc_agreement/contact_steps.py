@@ -5,11 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from fmc_contact.condensed import Condensed
+from fmc_contact.condensed import MOST_KEPT, Condensed
 from fmc_contact.errors import IndefiniteStiffnessError, InvertedCellError, SingularStiffnessError
-
-MOST_KEPT = 1500
-"""Unknowns on which contact acts, at most: what is left of the bodies is dense. The reference host's choice."""
 
 FAILURES = (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, IndefiniteStiffnessError, InvertedCellError)
 

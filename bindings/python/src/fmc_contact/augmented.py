@@ -83,7 +83,7 @@ def augmented(
     law = _Multipliers(contact, reach, float(inner.options["stiffness"]))  # type: ignore[arg-type]
     law.update(start.x)
     # The multipliers' contact is linear where it is closed, and has no step of its own.
-    options.pop("two_level", None)
+    options["two_level"] = False
     found, iterations, penetrations = start, [start.iterations], [law.penetration]
     while penetrations[-1] > penetration:
         if len(penetrations) > max_updates:

@@ -14,6 +14,9 @@ from .schur import Condense, SuperLU
 # Times that the unknowns are found to be too few in one step: contact spreads over more of them each time.
 _MOST_GROWTHS = 8
 
+MOST_KEPT = 5000
+"""Unknowns that feel contact, at most: what is left of the bodies is dense, 200 MB then, and takes half a second to solve."""
+
 
 class Unknowns:
     """Which unknown moves which degree of freedom of the contact."""
@@ -81,7 +84,8 @@ class Condensed:
         """Change of all unknowns from ``x``, (size,), with what is prescribed moved by ``moved``, (size,); ``inside`` and
         ``matrix`` are internal less external forces at ``x`` and their derivative, without contact.
 
-        Errors: those of ``Contact.contact_step``; ``RuntimeError`` where the bodies are not held where they do not touch."""
+        Errors: those of ``Contact.contact_step``; ``RuntimeError`` where the bodies are not held where they do not touch, or
+        where too many unknowns feel contact."""
         self.grow(x)
         for _ in range(_MOST_GROWTHS):
             change, found = self._step(x, moved, inside, matrix, tolerance, goal)
@@ -118,6 +122,8 @@ class Condensed:
 
     def _condense(self, matrix: Any) -> None:
         """Factorises the bodies on all free unknowns but those that are kept, if that was not done yet."""
+        if len(self.freedoms) > MOST_KEPT:
+            raise RuntimeError(f"{len(self.freedoms)} unknowns feel contact, more than {MOST_KEPT}")
         if self.matrix is not None and _same(self.matrix, matrix):
             return
         self.kept = self.unknowns.of_freedom[self.freedoms]

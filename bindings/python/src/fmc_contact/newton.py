@@ -1,4 +1,4 @@
-"""Newton's method for bodies in contact, one load step a call, the plain method as a rule.
+"""Newton's method for bodies in contact, one load step a call: in two levels where it can, else plain.
 
 Three things make the plain method converge, and none needs anything of the host but its residual and tangent:
 
@@ -82,6 +82,8 @@ class Equilibrium:
     """Contact at the solution."""
     reactions: np.ndarray
     """Residual at the solution, in the shape of ``x``: the forces that hold the unknowns that are not free."""
+    plain_because: str = ""
+    """Why the method was plain, from some iteration on; empty where it was in two levels to the end."""
 
 
 def newton(
@@ -96,10 +98,9 @@ def newton(
     max_iterations: int = 30,
     lagged: bool = False,
     solve: Callable[[Any, np.ndarray], np.ndarray] | None = None,
-    two_level: bool = False,
+    two_level: bool | None = None,
 ) -> Equilibrium:
-    """Equilibrium of bodies in contact at the end of a load step, by Newton's method, which is plain up to
-    the eighth iteration.
+    """Equilibrium of bodies in contact at the end of a load step, by Newton's method.
 
     ``residual_and_tangent(x)``: internal less external forces of the host, without contact, in the shape of ``x``, and
     their derivative, (size, size), a matrix of scipy or an array; degree of freedom ``node * dim + axis`` for
@@ -120,8 +121,10 @@ def newton(
     a ``solve`` that asks for it, and the method goes on where that of the current pressure does not converge, but takes
     more solves. The equilibrium is the same. Friction is released afterwards.
 
-    ``two_level``: the bodies are factorised down to the unknowns that feel contact, and the contact is iterated as it is
-    (``Contact.contact_step`` with ``soft_start``), without soft iterations of this method; where that leads nowhere, the rest is plain. It takes fewer linear
+    ``two_level``, where ``None``, the default, means wherever it can be (not with a ``solve`` of your own, nor ``lagged``), and ``False``
+    never: the bodies are factorised down to the unknowns that feel contact, and the contact is iterated as it is
+    (``Contact.contact_step`` with ``soft_start``), without soft iterations of this method; where that leads nowhere, or more than 5 000 unknowns feel contact, the rest is plain, and
+    ``Equilibrium.plain_because`` says why. It takes fewer linear
     solves where contact opens and closes, also out of a first overlap of half a cell. It goes where the energy is least: where the
     plain method stays on an equilibrium that is not stable, as of two columns pressed straight together that hardly anything holds
     sideways, it finds the stable one, in which they have slipped off.
@@ -130,8 +133,8 @@ def newton(
     smaller load step helps; if the matrix is singular, a body must be held. ``ValueError`` for shapes.
     """
     search = _Search(residual_and_tangent, contact, np.array(x, np.float64), free, prescribed, young, solve or _solved)
-    if two_level:
-        search.condensed = Condensed(contact, search.x.size, search.free)
+    # That of an adapter is no wish of the user's.
+    search.begin_levels(two_level, solve is not None and not getattr(solve, "is_of_adapter", False), lagged)
     try:
         if lagged:
             contact.freeze_friction(search.x)
@@ -167,6 +170,23 @@ class _Search:
         self.residuals: list[float] = []
         self.has_touched = False
         self.condensed: Condensed | None = None
+        self.plain_because = "it was asked for"
+
+    def begin_levels(self, wanted: bool | None, has_solve: bool, lagged: bool) -> None:
+        """Chooses the method: two levels where they are wanted, or where nothing stands in their way."""
+        if wanted is False:
+            return
+        if wanted is None and (has_solve or lagged):
+            self.plain_because = "the linear solver was given" if has_solve else "friction is frozen and frozen anew"
+            return
+        try:
+            self.condensed = Condensed(self.contact, self.x.size, self.free)
+        except (ValueError, ImportError) as error:
+            if wanted:
+                raise
+            self.plain_because = str(error)
+            return
+        self.plain_because = ""
 
     def forces(self) -> np.ndarray:
         """Contact forces on all unknowns, (size,)."""
@@ -227,7 +247,9 @@ class _Search:
             self.residuals.append(float("nan") if is_moving else relative)
             if relative <= tolerance and not is_soft and not is_moving:
                 reactions = residual.reshape(self.x.shape)
-                return Equilibrium(self.x, iteration, soft_count, self.residuals, self.result, reactions)
+                return Equilibrium(
+                    self.x, iteration, soft_count, self.residuals, self.result, reactions, self.plain_because
+                )
             if iteration == max_iterations:
                 break
             soft_count += is_soft
@@ -264,11 +286,13 @@ class _Search:
         rest of the load step is plain."""
         condensed = self.condensed
         assert condensed is not None
+        found, why = None, ""
         try:
             step, found = condensed.step(self.x.ravel(), self.step, inside, matrix, _FINER * tolerance)
-        except (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, IndefiniteStiffnessError, InvertedCellError):
-            found = None
+        except (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, IndefiniteStiffnessError, InvertedCellError) as error:
+            why = str(error)
         if found is None or found.state == "not_converged" and found.residual >= found.residual_at_start:
+            self.plain_because = why or "the iterations of the contact led nowhere"
             self.condensed = None
             return False
         self.taken = step.reshape(self.x.shape)
