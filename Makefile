@@ -11,6 +11,7 @@
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make fuzz      arbitrary input for 60 s
 # make bench     benchmarks
+# make gallery   docs/gallery.md: cases with their pictures, and what comes out beside the references
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
 # make install   PREFIX=/usr/local LIBDIR=lib: shared and static library, stripped, headers, Fortran modules, pkg-config and CMake files (Linux)
 # make install-command, install-python   the command fmc and its manual; the Python package for the installed library
@@ -29,7 +30,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench gallery book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -183,6 +184,11 @@ bench:
 # What the pages link to outside of docs is not in the book: there the links lead to the repository, those of a release to its tag.
 REPOSITORY := $(shell sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
 REVISION = $(or $(shell git describe --tags --exact-match 2>/dev/null),main)
+
+# Runs the cases, half a minute, and writes what came out.
+gallery:
+	$(CARGO) build --release -p fmc
+	python3 benchmarks/gallery/gallery.py $(TARGET)/release/fmc docs/gallery.md
 
 book:
 	@mdbook --version >/dev/null 2>&1 || { echo "mdbook is missing: cargo install mdbook" >&2; exit 1; }
