@@ -6,8 +6,16 @@ use std::thread;
 
 /// What all ranks have in common: a meeting at which each leaves its bytes and takes all.
 struct Meeting {
-    state: Mutex<(u64, Vec<Option<Vec<u8>>>, Vec<u8>)>,
+    state: Mutex<State>,
     all_here: Condvar,
+}
+
+struct State {
+    /// Number of the gathering.
+    turn: u64,
+    sent: Vec<Option<Vec<u8>>>,
+    /// Of the last gathering.
+    all: Vec<u8>,
 }
 
 /// One rank of several. `fails_at` is the number of the call that fails with 7.
@@ -32,18 +40,18 @@ impl Communicator for ThreadRank {
         let mut calls = self.calls.lock().unwrap_or_else(PoisonError::into_inner);
         *calls += 1;
         let mut state = self.meeting.state.lock().unwrap();
-        let turn = state.0;
-        state.1[self.rank] = Some(send.to_vec());
-        if state.1.iter().all(Option::is_some) {
-            state.2 = state.1.iter_mut().flat_map(|bytes| bytes.take().unwrap()).collect();
-            state.0 += 1;
+        let turn = state.turn;
+        state.sent[self.rank] = Some(send.to_vec());
+        if state.sent.iter().all(Option::is_some) {
+            state.all = state.sent.iter_mut().flat_map(|bytes| bytes.take().unwrap()).collect();
+            state.turn += 1;
             self.meeting.all_here.notify_all();
         }
-        while state.0 == turn {
+        while state.turn == turn {
             state = self.meeting.all_here.wait(state).unwrap();
         }
-        assert_eq!((counts[self.rank], state.2.len()), (send.len(), counts.iter().sum()));
-        received.copy_from_slice(&state.2);
+        assert_eq!((counts[self.rank], state.all.len()), (send.len(), counts.iter().sum()));
+        received.copy_from_slice(&state.all);
         if self.fails_at == Some(*calls) { Err(7) } else { Ok(()) }
     }
 }
@@ -54,7 +62,7 @@ pub(crate) fn on_ranks<T: Send>(
     failing: Option<(usize, usize)>,
     work: impl Fn(usize, Box<dyn Communicator>) -> T + Sync,
 ) -> Vec<T> {
-    let state = Mutex::new((0, (0..size).map(|_| None).collect(), Vec::new()));
+    let state = Mutex::new(State { turn: 0, sent: (0..size).map(|_| None).collect(), all: Vec::new() });
     let meeting = Arc::new(Meeting { state, all_here: Condvar::new() });
     let work = &work;
     thread::scope(|scope| {
