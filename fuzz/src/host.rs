@@ -623,7 +623,9 @@ impl Host {
             let mut given = std::mem::MaybeUninit::<fmc_communicator>::zeroed().assume_init();
             let set = |given: &fmc_communicator| checked(fmc_context_set_communicator(self.context, given));
             assert!(set(&given) != OK, "a communicator that was not initialised");
-            assert_eq!(checked(fmc_communicator_init(unless(hole, 0, &raw mut given))) == OK, hole != 0);
+            let to = unless(hole, 0, &raw mut given);
+            let is_set = !to.is_null();
+            assert_eq!(checked(fmc_communicator_init(to)) == OK, is_set);
             assert!(set(&given) != OK, "a communicator without a function");
             (given.rank, given.size) = (rank, size);
             given.user = std::ptr::without_provenance_mut((rank.max(0) + 256 * size.max(0)) as usize);
@@ -634,10 +636,11 @@ impl Host {
                 }
             }
             given.all_gather = Some(echo);
-            assert_eq!(set(&given) == OK, hole != 0 && (0..size).contains(&rank), "rank {rank} of {size}");
+            assert_eq!(set(&given) == OK, is_set && (0..size).contains(&rank), "rank {rank} of {size}");
             let mut counts = fmc_rank_counts::default();
-            let status = checked(fmc_context_rank_counts(self.context, unless(hole, 1, &raw mut counts)));
-            assert!((status == OK) == (hole != 1) && counts.own_item_count <= counts.item_count);
+            let to = unless(hole, 1, &raw mut counts);
+            let status = checked(fmc_context_rank_counts(self.context, to));
+            assert!((status == OK) != to.is_null() && counts.own_item_count <= counts.item_count);
             if hole % 2 == 0 {
                 assert_eq!(checked(fmc_context_set_communicator(self.context, std::ptr::null())), OK);
             }
