@@ -10,6 +10,7 @@
 # make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make fuzz      arbitrary input for 60 s
+# make dealii    Hertz and a punch in deal.II beside the reference host; installs libdeal.ii-dev through apt
 # make bench     benchmarks
 # make gallery   docs/gallery.md: cases with their pictures, and what comes out beside the references
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
@@ -30,7 +31,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat bench gallery book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat dealii bench gallery book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -64,7 +65,7 @@ test: tools
 fuzz:
 	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60
 
-RELEASE_STEPS ?= test packages compat peers-test peers agree sanitizers mutants
+RELEASE_STEPS ?= test packages compat peers-test peers agree dealii sanitizers mutants
 
 release:
 	.ci/release $(RELEASE_STEPS)
@@ -184,6 +185,16 @@ bench:
 # What the pages link to outside of docs is not in the book: there the links lead to the repository, those of a release to its tag.
 REPOSITORY := $(shell sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
 REVISION = $(or $(shell git describe --tags --exact-match 2>/dev/null),main)
+
+# deal.II is built with Debian's MPI and UMFPACK; some 700 MB.
+DEALII = $(abspath $(TARGET))/dealii
+
+dealii: host-environment
+	@test -e /usr/include/deal.II/base/config.h \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends libdeal.ii-dev cmake g++; }
+	cmake -S hosts/dealii -B $(DEALII) -DCMAKE_PREFIX_PATH=$(HOSTS) -DCMAKE_BUILD_TYPE=Release
+	cmake --build $(DEALII)
+	$(RUN_HOSTS) $(HOSTS)/bin/python hosts/dealii/compare.py $(DEALII)/press out/dealii
 
 # Runs the cases, half a minute, and writes what came out.
 gallery:
