@@ -1,15 +1,14 @@
 /* Bodies that press each other, in deal.II: press PROBLEM SOLUTION, with a table as problem.h says. Newton's method of its own on load
- * steps that are halved where it fails; the solution has displacement and contact force of every node. */
+ * steps that are halved where it fails, or with friction on those that are given; the solution has displacement and contact
+ * force of every node. Cells may be refined: nodes hang, and AffineConstraints hold them. */
 #include "contact.h"
-#include "problem.h"
+#include "mesh.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/sparse_direct.h>
 
@@ -17,23 +16,7 @@
 #include <iostream>
 
 using namespace dealii;
-constexpr int dim = 2;
 constexpr int MOST = 14; /* solves of a load step */
-
-static void make_mesh(const Problem &problem, Triangulation<dim> &mesh) {
-  std::vector<Point<dim>> points;
-  for (const auto &x : problem.nodes) points.emplace_back(x[0], x[1]);
-  std::vector<CellData<dim>> cells;
-  for (const auto &row : problem.cells) {
-    CellData<dim> cell;
-    const unsigned order[4] = {1, 2, 4, 3};
-    for (unsigned v = 0; v < 4; ++v) cell.vertices[v] = static_cast<unsigned>(row[order[v]]);
-    cell.material_id = static_cast<types::material_id>(row[0]);
-    cells.push_back(cell);
-  }
-  GridTools::consistently_order_cells(cells);
-  mesh.create_triangulation(points, cells, SubCellData());
-}
 
 class Press {
  public:
@@ -44,7 +27,10 @@ class Press {
     for (const auto &cell : handler_.active_cell_iterators())
       for (const auto v : cell->vertex_indices())
         for (unsigned axis = 0; axis < dim; ++axis) dof_[dim * cell->vertex_index(v) + axis] = cell->vertex_dof_index(v, axis);
+    DoFTools::make_hanging_node_constraints(handler_, hanging_);
+    hanging_.close();
     options_.law = problem.law, options_.estimator = FMC_ESTIMATOR_EXACT;
+    options_.friction_coefficient = problem.friction;
     contact_ = std::make_unique<Contact<dim>>(handler_, options_);
     for (const auto &row : problem.half_spaces) {
       const std::vector<double> point(row.begin(), row.begin() + dim), normal(row.begin() + dim, row.end());
@@ -53,25 +39,30 @@ class Press {
     u_.reinit(handler_.n_dofs());
   }
 
-  /* To the end of the load; the number of linear solves. The first touch is that of a soft contact, which is then made stiff. */
+  /* To the end of the load; the number of linear solves. The first touch is that of a soft contact, which is then made stiff. With
+   * friction the way counts: load steps are those that are given, each committed once. */
   unsigned run() {
-    double done = 0, step = 1. / 64, soft = 1e-4;
+    const bool slides = problem_.friction > 0;
+    const double last = static_cast<double>(problem_.steps);
+    double done = 0, step = slides ? 1 : 1. / 64, soft = slides ? 1 : 1e-4;
     unsigned solves = 0;
-    while (done < 1 || soft < 1) {
-      const auto to = soft < 1 && done > 0 ? done : std::min(done + step, 1.);
+    while (done < last || soft < 1) {
+      const auto to = soft < 1 && done > 0 ? done : std::min(done + step, last);
       const auto before = u_;
       options_.stiffness = soft * problem_.stiffness;
       contact_->context().set_options(options_);
+      if (slides) contact_->context().begin_step(contact_->moved(u_));
       const auto taken = solve(done, to);
       solves += std::abs(taken);
       if (taken > 0) {
         std::cout << "load " << to << ", stiffness " << options_.stiffness << ": " << taken << " solves" << std::endl;
-        if (soft < 1) soft = std::min(4 * soft, 1.);
+        if (slides) contact_->context().commit_step(contact_->moved(u_));
+        else if (soft < 1) soft = std::min(4 * soft, 1.);
         else step = std::min(2 * step, 0.125);
         done = to;
       } else {
         u_ = before, step /= 2;
-        if (step < 1e-6) throw std::runtime_error("no equilibrium");
+        if (slides || step < 1e-6) throw std::runtime_error("no equilibrium");
       }
     }
     return solves;
@@ -101,17 +92,21 @@ class Press {
         return -solves - 1;
       }
       AffineConstraints<double> held;
+      DoFTools::make_hanging_node_constraints(handler_, held);
       for (const auto &row : problem_.held) {
         const auto dof = dof_[dim * static_cast<std::size_t>(row[0]) + static_cast<std::size_t>(row[1])];
         held.add_line(dof);
-        held.set_inhomogeneity(dof, solves == 0 ? (to - from) * row[2] : 0);
+        held.set_inhomogeneity(dof, solves == 0 ? problem_.prescribed(row, to) - problem_.prescribed(row, from) : 0);
       }
       held.close();
+      /* What is left at a node that hangs is its neighbours'. */
       auto left = residual;
+      hanging_.condense(left);
       held.set_zero(left);
       if (!std::isfinite(left.l2_norm())) return -solves - 1;
+      /* Of a first small load the contact leaves some 1e-11: the last bit of coordinates, times its stiffness. */
       const double rounding = 1e-15 * matrix.linfty_norm() * u_.l2_norm();
-      if (solves > 0 && left.l2_norm() <= std::max(1e-11 * size, rounding)) return solves;
+      if (solves > 0 && left.l2_norm() <= std::max(1e-10 * size, rounding)) return solves;
       held.condense(matrix, residual);
       SparseDirectUMFPACK direct;
       direct.initialize(matrix);
@@ -127,6 +122,7 @@ class Press {
     DynamicSparsityPattern places(handler_.n_dofs());
     DoFTools::make_sparsity_pattern(handler_, places);
     contact_->add_places(places);
+    hanging_.condense(places);
     pattern.copy_from(places);
     matrix.reinit(pattern);
     Vector<double> inside(u_.size()), outside(u_.size());
@@ -172,6 +168,7 @@ class Press {
   Triangulation<dim> mesh_;
   FESystem<dim> fe_;
   DoFHandler<dim> handler_;
+  AffineConstraints<double> hanging_;
   std::vector<types::global_dof_index> dof_; /* of node and axis */
   fmc::Options options_;
   std::unique_ptr<Contact<dim>> contact_;
