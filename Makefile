@@ -11,9 +11,9 @@
 # make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make fuzz      arbitrary input for 60 s
-# make dealii    Hertz and a punch in deal.II beside the reference host; installs libdeal.ii-dev through apt
+# make dealii    Hertz, a punch, hanging nodes and friction in deal.II beside the reference host; installs libdeal.ii-dev through apt
 # make bench     benchmarks
-# make gallery   docs/gallery.md: cases with their pictures, and what comes out beside the references
+# make figures   runs the cases that pages name; writes docs/results.json, from it the tables of README and docs, and docs/gallery.md
 # make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
 # make install   PREFIX=/usr/local LIBDIR=lib: shared and static library, stripped, headers, Fortran modules, pkg-config and CMake files (Linux)
 # make install-command, install-python   the command fmc and its manual; the Python package for the installed library
@@ -32,7 +32,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo examples test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat dealii bench gallery book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
+.PHONY: check demo examples test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat dealii bench figures figures-check book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -53,6 +53,7 @@ AS_SUITES = $(shell echo CARGO_TARGET_$(TRIPLE)_RUNNER | tr 'a-z-' 'A-Z_')=$(SUI
 test: tools
 	@mkdir -p $(TARGET) && rm -f $(SUITES)
 	$(CARGO) fmt --all --check
+	$(SUITE_OF) "figures of the pages" $(MAKE) figures-check
 	$(SUITE_OF) "lints (clippy)" $(CARGO) clippy --workspace --all-targets --release -- -D warnings
 	$(SUITE_OF) "fmc with force alone" $(CARGO) check --release -p fmc --no-default-features
 	$(SUITE_OF) "build of the tests" $(CARGO) test --workspace --release $(TESTS) --no-run
@@ -205,10 +206,16 @@ dealii: host-environment
 	cmake --build $(DEALII)
 	$(RUN_HOSTS) $(HOSTS)/bin/python hosts/dealii/compare.py $(DEALII)/press out/dealii
 
-# Runs the cases, half a minute, and writes what came out.
-gallery:
+# The cases that pages name, two minutes; what agree, peers and bench have left is taken too.
+figures:
 	$(CARGO) build --release -p fmc
-	python3 benchmarks/gallery/gallery.py $(TARGET)/release/fmc docs/gallery.md
+	python3 benchmarks/results record $(TARGET)/release/fmc
+	python3 benchmarks/results write
+
+# Seconds: nothing is run.
+figures-check:
+	python3 -m unittest discover benchmarks/results
+	python3 benchmarks/results check
 
 book:
 	@mdbook --version >/dev/null 2>&1 || { echo "mdbook is missing: cargo install mdbook" >&2; exit 1; }

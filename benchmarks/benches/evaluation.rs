@@ -81,7 +81,10 @@ fn measure<const D: usize>(criterion: &mut Criterion, case: &Case<D>, what: &str
     let crossings = contact.evaluate(&case.coords).expect("valid coordinates").crossing_count;
     let mut group = criterion.benchmark_group(case.name);
     group.throughput(Throughput::Elements(crossings as u64));
-    group.bench_function(what, |b| b.iter(|| contact.evaluate(&case.coords)));
+    // In turn, as a host's coordinates change: at those of the last call a contact need not be brought to them.
+    let moved: Vec<[f64; D]> = case.coords.iter().map(|x| x.map(|x| x + 1e-9)).collect();
+    let mut turns = [&case.coords, &moved].into_iter().cycle();
+    group.bench_function(what, |b| b.iter(|| contact.evaluate(turns.next().expect("without end"))));
     group.finish();
 }
 

@@ -1,12 +1,5 @@
-"""Writes docs/gallery.md: cases with their pictures, their files, and what came out beside the references.
+"""The page docs/gallery.md: cases with their pictures, their files, and what came out beside the references."""
 
-    python3 benchmarks/gallery/gallery.py target/release/fmc docs/gallery.md
-"""
-
-import json
-import subprocess
-import sys
-import tempfile
 import tomllib
 from pathlib import Path
 
@@ -29,39 +22,34 @@ SHOWN = [
 ]
 
 
-def figure(number: float) -> str:
-    """Four digits."""
-    return f"{number:.4g}"
+def run_name(name, variant):
+    return f"{name} --variant {variant}" if variant else name
 
 
-def chapter(fmc: str, name: str, variant: str, picture: str, about: str) -> list[str]:
-    case = tomllib.loads((CASES / f"{name}.toml").read_text())
-    with tempfile.TemporaryDirectory() as folder:
-        command = [fmc, "run", str(CASES / f"{name}.toml"), "--json", "--out", folder] + (["--variant", variant] if variant else [])
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
-    found = json.loads(run.stdout)
+def runs():
+    return {run_name(name, variant) for name, variant, *_ in SHOWN}
+
+
+def chapter(results, name, variant, picture, about):
+    case = tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))
     lines = [f"## {case['title']}", "", about]
     lines += [f"Source: {case['source']}."] if case.get("source") else []
-    command = f"`fmc run {name}{f' --variant {variant}' if variant else ''}`"
-    lines += [f"[{name}.toml](../benchmarks/cases/{name}.toml) · {command}", ""]
+    run = run_name(name, variant)
+    lines += [f"[{name}.toml](../benchmarks/cases/{name}.toml) · `fmc run {run}`", ""]
     if picture:
         lines += [f"![{case['title']}]({picture})", ""]
     lines += ["| figure | found | reference | from |", "| --- | --- | --- | --- |"]
-    for check in found["checks"]:
+    for check in results.run(run)["checks"]:
         missed = "" if check["ok"] else " (missed)"
         label = check["name"].replace("_", " ")
-        lines.append(f"| {label} | {figure(check['value'])}{missed} | {figure(check['reference'])} | {check['source']} |")
+        lines.append(f"| {label} | {check['value']:.4g}{missed} | {check['reference']:.4g} | {check['source']} |")
     return lines + [""]
 
 
-def main(fmc: str, page: str) -> None:
-    lines = ["# Gallery", "", "Part of the documentation of [fmc-contact](../README.md). Written by `make gallery`.", ""]
+def page(results):
+    """The text of the page."""
+    lines = ["# Gallery", "", "Part of the documentation of [fmc-contact](../README.md). Written by `make figures`.", ""]
     lines += ["Every case is a file; the figures are those of the reference host, in the units of the file.", ""]
-    for number, shown in enumerate(SHOWN):
-        print(f"{number + 1} of {len(SHOWN)}: {shown[0]}", file=sys.stderr, flush=True)
-        lines += chapter(fmc, *shown)
-    Path(page).write_text("\n".join(lines).rstrip() + "\n")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    for shown in SHOWN:
+        lines += chapter(results, *shown)
+    return "\n".join(lines).rstrip() + "\n"
