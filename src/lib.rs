@@ -19,6 +19,7 @@ mod dimension;
 mod error;
 pub mod geometry;
 pub mod overlap;
+mod partition;
 mod ranks;
 pub mod sampling;
 
@@ -32,6 +33,7 @@ pub use geometry::{
     Pose, Shape, SignedDistance, Surface,
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
+pub use partition::{MeshPart, PartitionCounts, PartitionedContact};
 pub use ranks::{Communicator, RankCounts};
 pub use sampling::FiberPattern;
 

@@ -6,5 +6,7 @@ mod scene;
 mod communicator;
 
 mod failures;
+mod partition;
+mod parts;
 mod same_bits;
 mod shares;
