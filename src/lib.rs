@@ -33,7 +33,7 @@ pub use geometry::{
     Pose, Shape, SignedDistance, Surface,
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
-pub use partition::{MeshPart, PartitionCounts, PartitionedContact};
+pub use partition::{CarriedSlip, MeshPart, PartitionCounts, PartitionedContact};
 pub use ranks::{Communicator, RankCounts};
 pub use sampling::FiberPattern;
 

@@ -6,7 +6,7 @@
 //!
 //! `mesh_part` (what a rank gives) · `own_mesh` (what it keeps) · `border` (faces between ranks) · `places` (where bodies are,
 //! and where they may be in contact) · `selection` (which cells that takes) · `anchors` (facets from which depths are measured)
-//! · `zone` (the cells gathered) · `partitioned_contact` (all of it)
+//! · `zone` (the cells gathered) · `partitioned_contact` (all of it) · `slip` (what a restart needs)
 
 mod anchors;
 mod border;
@@ -15,7 +15,9 @@ mod own_mesh;
 mod partitioned_contact;
 mod places;
 mod selection;
+mod slip;
 mod zone;
 
 pub use mesh_part::MeshPart;
 pub use partitioned_contact::{PartitionCounts, PartitionedContact};
+pub use slip::CarriedSlip;

@@ -5,7 +5,8 @@ use crate::communicator::on_ranks;
 use crate::parts::{Part, compare, of_whole, told};
 use crate::same_bits::{options, plane_blocks, solid_blocks};
 use crate::scene::{Scene, exact};
-use fmc_contact::{Contact, EnergyLaw, Obstacle, Options, PartitionedContact, Pose, Shape};
+use fmc_contact::contact::Friction;
+use fmc_contact::{CarriedSlip, Contact, EnergyLaw, Obstacle, Options, PartitionedContact, Pose, Shape};
 use fmc_shapes::{rectangle_quad4, second_order};
 
 /// Two answers of every step of a path.
@@ -53,7 +54,7 @@ fn same_in_parts<const D: usize>(
 ) {
     let friction = options.friction.is_active();
     let mut whole = scene.contact(options);
-    obstacles.iter().for_each(|obstacle| drop(whole.add_obstacle(obstacle.clone()).unwrap()));
+    obstacles.iter().for_each(|obstacle| assert!(whole.add_obstacle(obstacle.clone()).is_ok()));
     let expected = along(path, friction, |coords, step| {
         take(&mut whole, coords, step);
         if step == Step::Ask { of_whole(&whole, coords) } else { Vec::new() }
@@ -62,7 +63,7 @@ fn same_in_parts<const D: usize>(
         let part = Part::of(scene, |cell, x| owner(cell, x) == rank);
         let blocks = part.blocks();
         let mut parts = PartitionedContact::new(own, &part.given(&blocks), options, 0.02).unwrap();
-        obstacles.iter().for_each(|obstacle| drop(parts.contact_mut().add_obstacle(obstacle.clone()).unwrap()));
+        obstacles.iter().for_each(|obstacle| assert!(parts.contact_mut().add_obstacle(obstacle.clone()).is_ok()));
         along(path, friction, |coords, step| {
             parts.bring(&part.here(coords)).unwrap();
             let here = parts.coords().to_vec();
@@ -153,17 +154,141 @@ fn with_obstacles_and_a_body_that_may_touch_itself() {
 /// A small zone in a large mesh: few facets are gathered, and the same few on all ranks.
 #[test]
 fn little_is_gathered() {
-    let a = rectangle_quad4([0.0, 0.0], [20.0, 1.0], [2000, 20]);
+    let a = rectangle_quad4([0.0, 0.0], [60.0, 1.0], [6000, 20]);
     let b = rectangle_quad4([0.2, 0.995], [0.7, 1.5], [47, 40]);
     let scene = Scene::of(&[&a, &b]);
     let options = Options { law: EnergyLaw::depth(50.0), ..exact() };
-    same_in_parts(&scene, &[scene.coords.clone()], options, &[], 4, stripes(4, 20.0));
+    same_in_parts(&scene, &[scene.coords.clone()], options, &[], 4, stripes(4, 60.0));
     let counts = on_ranks(4, None, |rank, own| {
-        let part = Part::of(&scene, |cell, x| stripes(4, 20.0)(cell, x) == rank);
+        let part = Part::of(&scene, |cell, x| stripes(4, 60.0)(cell, x) == rank);
         PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.0).unwrap().counts()
     });
     for counts in counts {
-        assert_eq!(counts.facet_count, 2 * (2000 + 20 + 47 + 40));
+        assert_eq!(counts.facet_count, 2 * (6000 + 20 + 47 + 40));
         assert!(counts.gathered_facet_count < counts.facet_count / 20, "{counts:?}");
+    }
+}
+
+/// A body inside another, whose depth is measured from facets that are nowhere near.
+#[test]
+fn swallowed() {
+    let a = rectangle_quad4([0.0, 0.0], [2.0, 2.0], [80, 80]);
+    let b = rectangle_quad4([0.9, 0.8], [1.13, 1.04], [7, 6]).rotated(0.01);
+    let scene = Scene::of(&[&a, &b]);
+    for law in [EnergyLaw::volume(40.0), EnergyLaw::depth(50.0)] {
+        let options = Options { law, ..exact() };
+        same_in_parts(&scene, &[scene.coords.clone()], options, &[], 4, |_, x| {
+            usize::from(x[0] > 0.3) * 2 + usize::from(x[1] > 1.7)
+        });
+    }
+}
+
+/// Faces in a plane of symmetry, from which no depth is measured, and an axis.
+#[test]
+fn symmetry_and_an_axis() {
+    let a = rectangle_quad4([0.0, 0.0], [2.0, 1.0], [40, 10]);
+    let b = rectangle_quad4([0.0, 0.98], [0.5, 1.5], [11, 9]);
+    let scene = Scene::of(&[&a, &b]);
+    let in_plane = |x: &[f64; 2]| x[0] == 0.0;
+    let nodes =
+        |coords: &[[f64; 2]]| (0..coords.len() as u32).filter(|&n| in_plane(&coords[n as usize])).collect::<Vec<_>>();
+    for axisymmetric in [false, true] {
+        let options = Options { law: EnergyLaw::depth(50.0), axisymmetric, ..exact() };
+        let mut whole = scene.contact(options);
+        whole.set_symmetry_nodes(&nodes(&scene.coords)).unwrap();
+        let expected = of_whole(&whole, &scene.coords);
+        let found = on_ranks(3, None, |rank, own| {
+            let part = Part::of(&scene, |cell, _| cell % 3 == rank);
+            let mut parts = PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.02).unwrap();
+            parts.set_symmetry_nodes(&nodes(&part.coords)).unwrap();
+            parts.bring(&part.coords).unwrap();
+            told(parts.contact(), parts.coords(), parts.node_numbers(), scene.coords.len())
+        });
+        found.iter().for_each(|found| compare(found, &expected, "symmetry"));
+    }
+}
+
+/// Kept patches and frozen friction stay where other cells are gathered, and so does a step that began elsewhere.
+#[test]
+fn what_was_kept_and_frozen_stays() {
+    let a = rectangle_quad4([0.0, 0.0], [20.0, 1.0], [2000, 10]);
+    let b = rectangle_quad4([0.2, 0.995], [0.7, 1.5], [47, 40]);
+    let scene = Scene::of(&[&a, &b]);
+    let path = sliding(&scene, 0.02);
+    for law in [EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)] {
+        let friction = Friction { coefficient: 0.4, stiffness: Some(20.0), ..Friction::default() };
+        let options = Options { law, friction, ..exact() };
+        let do_all = |contact: &mut Contact<2>, coords: &[[f64; 2]], number: usize| match number {
+            0 => contact.begin_step(coords).unwrap(),
+            1 => {
+                contact.commit_step(coords).unwrap();
+                contact.freeze_friction(coords).unwrap();
+                contact.keep_patches(coords).map(drop).unwrap();
+            }
+            _ => {}
+        };
+        let mut whole = scene.contact(options);
+        let mut expected = Vec::new();
+        for (number, coords) in path.iter().enumerate() {
+            do_all(&mut whole, coords, number);
+            expected.push(of_whole(&whole, coords));
+        }
+        let found = on_ranks(3, None, |rank, own| {
+            let part = Part::of(&scene, |cell, x| stripes(3, 20.0)(cell, x) == rank);
+            let mut parts = PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.02).unwrap();
+            let mut found = Vec::new();
+            for (number, coords) in path.iter().enumerate() {
+                parts.bring(&part.here(coords)).unwrap();
+                let here = parts.coords().to_vec();
+                do_all(parts.contact_mut(), &here, number);
+                found.push(told(parts.contact(), &here, parts.node_numbers(), coords.len()));
+            }
+            assert!(parts.counts().gather_count > 2);
+            found
+        });
+        for found in found {
+            for (number, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                compare(found, expected, &format!("step {number}, {law:?}"));
+            }
+        }
+    }
+}
+
+/// A run with friction on three ranks goes on with two, and ends with the bits of one.
+#[test]
+fn a_restart_on_another_number_of_ranks() {
+    let scene = Scene::of(&plane_blocks().each_ref());
+    let path = sliding(&scene, 7e-3);
+    let friction = Friction { coefficient: 0.4, stiffness: Some(20.0), ..Friction::default() };
+    let options = Options { law: EnergyLaw::depth(50.0), friction, ..exact() };
+    let mut whole = scene.contact(options);
+    whole.begin_step(&path[0]).unwrap();
+    whole.commit_step(&path[1]).unwrap();
+    whole.commit_step(&path[2]).unwrap();
+    let expected = of_whole(&whole, &path[3]);
+    let run = |size: usize, from: Option<&[CarriedSlip<2>]>, steps: &[usize]| {
+        on_ranks(size, None, |rank, own| {
+            let part = Part::of(&scene, |cell, x| stripes(size, 2.0)(cell, x) == rank);
+            let mut parts = PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.02).unwrap();
+            for (number, &step) in steps.iter().enumerate() {
+                parts.bring(&part.here(&path[step])).unwrap();
+                let here = parts.coords().to_vec();
+                match number {
+                    0 => parts.contact_mut().begin_step(&here).unwrap(),
+                    _ => parts.contact_mut().commit_step(&here).unwrap(),
+                }
+                if let (Some(slip), 0) = (from, number) {
+                    parts.set_slip(slip).unwrap();
+                }
+            }
+            parts.bring(&part.here(&path[3])).unwrap();
+            let told = told(parts.contact(), parts.coords(), parts.node_numbers(), scene.coords.len());
+            (parts.slip().unwrap(), told)
+        })
+    };
+    let before = run(3, None, &[0, 1]);
+    assert!(before[0].0.len() > 100 && before.iter().all(|(slip, _)| *slip == before[0].0));
+    for (_, found) in run(2, Some(&before[0].0), &[1, 2]) {
+        compare(&found, &expected, "after a restart");
     }
 }
