@@ -4,10 +4,10 @@
 use crate::communicator::on_ranks;
 use crate::parts::{Part, compare, of_whole, told};
 use crate::same_bits::{options, plane_blocks, solid_blocks};
-use crate::scene::{Scene, exact};
+use crate::scene::{Scene, consistent_lines, exact};
 use fmc_contact::contact::Friction;
 use fmc_contact::{CarriedSlip, Contact, EnergyLaw, Obstacle, Options, PartitionedContact, Pose, Shape};
-use fmc_shapes::{rectangle_quad4, second_order};
+use fmc_shapes::{ball_tet4, disc_tri3, rectangle_quad4, second_order};
 
 /// Two answers of every step of a path.
 fn along<const D: usize>(
@@ -214,14 +214,19 @@ fn what_was_kept_and_frozen_stays() {
     let a = rectangle_quad4([0.0, 0.0], [20.0, 1.0], [2000, 10]);
     let b = rectangle_quad4([0.2, 0.995], [0.7, 1.5], [47, 40]);
     let scene = Scene::of(&[&a, &b]);
-    let path = sliding(&scene, 0.02);
-    for law in [EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)] {
+    // In the end by some thirty cells, farther than what was gathered for where it began.
+    let path = sliding(&scene, 0.2);
+    for (law, commits) in
+        [(EnergyLaw::fiber(30.0), true), (EnergyLaw::depth(50.0), true), (EnergyLaw::depth(5.0), false)]
+    {
         let friction = Friction { coefficient: 0.4, stiffness: Some(20.0), ..Friction::default() };
         let options = Options { law, friction, ..exact() };
         let do_all = |contact: &mut Contact<2>, coords: &[[f64; 2]], number: usize| match number {
             0 => contact.begin_step(coords).unwrap(),
             1 => {
-                contact.commit_step(coords).unwrap();
+                if commits {
+                    contact.commit_step(coords).unwrap();
+                }
                 contact.freeze_friction(coords).unwrap();
                 contact.keep_patches(coords).map(drop).unwrap();
             }
@@ -290,5 +295,26 @@ fn a_restart_on_another_number_of_ranks() {
     assert!(before[0].0.len() > 100 && before.iter().all(|(slip, _)| *slip == before[0].0));
     for (_, found) in run(2, Some(&before[0].0), &[1, 2]) {
         compare(&found, &expected, "after a restart");
+    }
+}
+
+/// Round bodies, whose boxes meet beside the contact, apart and together; lines whose spacing follows from the boxes; and
+/// depth below a ball, which is summed over all facets that are seen through it from the middle of the body.
+#[test]
+fn round_bodies() {
+    let a = disc_tri3(1.0, 160);
+    let b = disc_tri3(0.8, 130).translated([0.3, 1.75]);
+    let scene = Scene::of(&[&a, &b]);
+    let ball = Obstacle { shape: Shape::Ball { radius: 0.5 }, pose: Pose::at([-1.3, 0.65]) };
+    for law in [EnergyLaw::volume(40.0), EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)] {
+        for options in [exact(), Options::new(law), consistent_lines(1e-3, 5)] {
+            let options = Options { law, ..options };
+            same_in_parts(&scene, &sliding(&scene, 0.01), options, &[ball.clone()], 3, stripes(3, 1.5));
+        }
+    }
+    let [a, b] = [ball_tet4(1.0, 3, 6), ball_tet4(0.7, 3, 5).translated([0.3, 0.2, 1.6])];
+    let scene = Scene::of(&[&a, &b]);
+    for law in [EnergyLaw::volume(40.0), EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)] {
+        same_in_parts(&scene, &sliding(&scene, 0.01)[..1], Options { law, ..exact() }, &[], 3, |cell, _| cell % 3);
     }
 }
