@@ -82,7 +82,10 @@ impl<const D: usize> Contact<D> {
             Some(parallel) => (&parallel.shape, parallel.pose(own)),
             None => (rigid.implicit(), *own),
         };
+        let has_depth = self.law_of(&partners).needs_depth() || self.friction_of(&partners).is_active();
         let within = match (shape, parallel.is_none().then(|| rigid.facets()).flatten()) {
+            // The depth below their faces is summed along lines that run through all of the body.
+            (_, Some(_)) if has_depth => Some(*aabb),
             (_, Some((_, points))) => {
                 let placed: Vec<Vector<D>> = points.iter().map(|x| own.place(x)).collect();
                 Some(Aabb::of(&placed).inflated(reach).intersection(aabb)).filter(|within| !within.is_empty())

@@ -6,8 +6,11 @@ use crate::parts::{Part, compare, of_whole, told};
 use crate::same_bits::{options, plane_blocks, solid_blocks};
 use crate::scene::{Scene, consistent_lines, exact};
 use fmc_contact::contact::Friction;
-use fmc_contact::{CarriedSlip, Contact, EnergyLaw, Obstacle, Options, PartitionedContact, Pose, Shape};
+use fmc_contact::{
+    CarriedSlip, Contact, EnergyLaw, Obstacle, Options, PartitionedContact, Pose, Shape, SignedDistance,
+};
 use fmc_shapes::{ball_tet4, disc_tri3, rectangle_quad4, second_order};
+use std::sync::Arc;
 
 /// Two answers of every step of a path.
 fn along<const D: usize>(
@@ -316,5 +319,46 @@ fn round_bodies() {
     let scene = Scene::of(&[&a, &b]);
     for law in [EnergyLaw::volume(40.0), EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)] {
         same_in_parts(&scene, &sliding(&scene, 0.01)[..1], Options { law, ..exact() }, &[], 3, |cell, _| cell % 3);
+    }
+}
+
+/// A distance that a host gives: of a bar.
+#[derive(Debug)]
+struct Bar;
+
+impl SignedDistance<2> for Bar {
+    fn evaluate(&self, x: &[[f64; 2]], phi: &mut [f64], gradient: &mut [[f64; 2]]) -> Result<(), usize> {
+        for ((x, phi), gradient) in x.iter().zip(phi).zip(gradient) {
+            *phi = x[1] + 0.1 * (3.0 * x[0]).sin();
+            *gradient = [0.3 * (3.0 * x[0]).cos(), 1.0];
+        }
+        Ok(())
+    }
+}
+
+/// A tall body, of which little is gathered, on obstacles of all kinds one by one.
+#[test]
+fn a_tall_body_on_obstacles() {
+    let scene = Scene::of(&[&rectangle_quad4([0.0, 0.0], [2.0, 5.0], [40, 100]).rotated(0.01)]);
+    let pentagon = (0..5).map(|k| f64::from(k) * std::f64::consts::TAU / 5.0).map(|a| [0.5 * a.cos(), 0.5 * a.sin()]);
+    let shapes = [
+        (Shape::HalfSpace, [0.0, 0.03]),
+        (Shape::Cuboid { half_extents: [0.4, 0.2] }, [1.0, -0.16]),
+        (Shape::Cuboid { half_extents: [3.0, 0.2] }, [1.0, -0.16]),
+        (Shape::ConvexHull { points: pentagon.collect() }, [1.0, -0.42]),
+        (Shape::Ball { radius: 0.5 }, [1.0, -0.45]),
+        (Shape::Capsule { radius: 0.3, half_height: 0.4 }, [1.0, -0.65]),
+        (Shape::SignedDistance(Arc::new(Bar)), [0.0, 0.03]),
+    ];
+    for (shape, at) in shapes {
+        let obstacle = [Obstacle { shape, pose: Pose::at(at) }];
+        for law in [EnergyLaw::volume(40.0), EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)] {
+            for options in [exact(), Options::new(law)] {
+                let options = Options { law, ..options };
+                same_in_parts(&scene, &[scene.coords.clone()], options, &obstacle, 3, |_, x| {
+                    usize::from(x[1] > 0.07) + usize::from(x[1] > 2.0)
+                });
+            }
+        }
     }
 }
