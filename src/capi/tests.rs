@@ -13,6 +13,7 @@ use super::mesh::{fmc_cell_block, fmc_cell_type};
 use super::nodal_lists::NodalLists;
 use super::options::fmc_options;
 use super::part::fmc_shape;
+use super::parts::InParts;
 use super::placement::Placement;
 use super::pose::fmc_pose;
 use super::session::{Counts, Session};
@@ -85,6 +86,14 @@ struct Brittle {
 }
 
 impl Session for Brittle {
+    fn parts(&self) -> Option<&dyn InParts> {
+        None
+    }
+
+    fn parts_mut(&mut self) -> Option<&mut dyn InParts> {
+        None
+    }
+
     fn counts(&self) -> Counts {
         Counts { nodes: 8, unknowns: 8, facets: 8, bodies: 2 }
     }

@@ -152,6 +152,27 @@ impl<const D: usize> PartitionedContact<D> {
         &mut self.contact
     }
 
+    /// Number of own nodes.
+    pub fn own_node_count(&self) -> usize {
+        self.own.node_count()
+    }
+
+    /// Takes part in [`Self::new`] on a rank that cannot, so that the others do not wait: they are told that it failed.
+    pub(crate) fn refuse(communicator: Box<dyn Communicator>) {
+        if let Ok(ranks) = Ranks::new(communicator) {
+            // What it returns is the failure that is known here.
+            let _: Result<(), Error> = ranks.agree(Err(Error::Empty), 0);
+        }
+    }
+
+    /// Makes a call that cannot be made here, so that the others do not wait: they are told that it failed.
+    pub(crate) fn fail_elsewhere(&self) {
+        if let Some(ranks) = self.contact.ranks() {
+            // What it returns is the failure that is known here.
+            let _: Result<(), Error> = ranks.agree(Err(Error::Empty), 0);
+        }
+    }
+
     /// Coordinates of the nodes gathered.
     pub fn coords(&self) -> &[[f64; D]] {
         &self.coords

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 43] = [
+const SOURCES: [&str; 46] = [
     "version",
     "status",
     "failure",
@@ -31,6 +31,9 @@ const SOURCES: [&str; 43] = [
     "evaluate_tangent",
     "stable_step",
     "communicator",
+    "parts_creation",
+    "parts",
+    "parts_getters",
     "placement",
     "contact_step",
     "evaluation",
