@@ -34,6 +34,7 @@ mod friction;
 mod gap_constraint;
 mod gap_constraints;
 mod getters;
+mod in_parts;
 mod kept_tangent;
 mod last_error;
 mod mesh;

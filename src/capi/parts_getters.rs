@@ -3,7 +3,7 @@
 use super::boundary::entry;
 use super::context::{fmc_context, read};
 use super::failure::Failure;
-use super::parts::{fmc_carried_slip, no_parts};
+use super::in_parts::{fmc_carried_slip, no_parts};
 use super::pointer::{Output, check, copy_list};
 use super::status::fmc_status;
 use super::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;

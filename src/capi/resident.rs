@@ -5,11 +5,11 @@ use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
 use super::gap_constraint::KeptGaps;
+use super::in_parts::InParts;
 use super::kept_tangent::Kept;
 use super::mesh::Numbering;
 use super::nodal_lists::NodalLists;
 use super::part::fmc_shape;
-use super::parts::InParts;
 use super::placement::Placement;
 use super::pose::fmc_pose;
 use super::session::{Counts, Session};
@@ -30,7 +30,7 @@ pub(super) struct Resident<const D: usize> {
 
 /// A contact of a whole mesh, or of the part of one that ranks have gathered.
 enum Held<const D: usize> {
-    Whole(Contact<D>),
+    Whole(Box<Contact<D>>),
     InParts(Box<PartitionedContact<D>>),
 }
 
@@ -52,7 +52,7 @@ impl<const D: usize> Held<D> {
 
 impl<const D: usize> Resident<D> {
     pub(super) fn new(surface: Surface<D>, options: Options) -> Result<Self, Failure> {
-        Ok(Self { held: Held::Whole(Contact::new(surface, options)?), scratch: Vec::new() })
+        Ok(Self { held: Held::Whole(Box::new(Contact::new(surface, options)?)), scratch: Vec::new() })
     }
 
     /// Of a mesh in parts.

@@ -1,5 +1,6 @@
 //! Faces between cells of different ranks: they are no surface.
 
+use super::mesh_part::MeshPart;
 use super::own_mesh::OwnMesh;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
@@ -8,8 +9,41 @@ use crate::geometry::{Surface, Vector};
 use crate::ranks::Ranks;
 use std::collections::{BTreeMap, BTreeSet};
 
+impl<const D: usize> OwnMesh<D> {
+    /// Takes a part of a mesh, on all ranks together.
+    ///
+    /// # Errors
+    /// As [`Surface::from_cells`], on the rank whose part is at fault; on others [`Error::OnOtherRank`].
+    pub(super) fn new(part: &MeshPart<D>, ranks: &Ranks) -> Result<Self, Error> {
+        let mut own = ranks.agree(Self::of(part), D as u64)?;
+        let mut ids: Vec<i64> = own.surface.iter().flat_map(|surface| surface.body_ids()).copied().collect();
+        ids = ranks
+            .gather_lists(&ids.iter().map(|id| *id as u64).collect::<Vec<_>>())?
+            .concat()
+            .iter()
+            .map(|id| *id as i64)
+            .collect();
+        ids.sort_unstable();
+        ids.dedup();
+        ranks.agree(if ids.is_empty() { Err(Error::Empty) } else { Ok(()) }, 0)?;
+        own.body = part.body_ids.iter().map(|id| ids.partition_point(|other| other < id) as u32).collect();
+        own.body_ids = ids;
+        let lone = own.surface.as_ref().map_or(Ok(Vec::new()), Surface::lone_faces);
+        let lone = ranks.agree(lone, 1)?;
+        let Border { surface_faces, whole } = find(&own, &lone, ranks)?;
+        (own.surface_faces, own.whole) = (surface_faces, whole);
+        let own_surface =
+            own.surface.as_mut().map_or(Ok(()), |surface| surface.make_submesh(&own.surface_faces, &own.whole));
+        ranks.agree(own_surface, 2)?;
+        own.surface_vertices = own.vertices();
+        let sizes = ranks.gather_lists(&[own.mean_extent()])?;
+        own.cell_size = sizes.into_iter().flatten().fold(0.0, f64::max);
+        Ok(own)
+    }
+}
+
 /// What is known where the parts of all ranks have been held against one another.
-pub(super) struct Border<const D: usize> {
+struct Border<const D: usize> {
     /// Bit f of an own cell: its face f is surface of the whole mesh.
     pub(super) surface_faces: Vec<u8>,
     pub(super) whole: Whole<D>,
@@ -22,7 +56,7 @@ type Key = (u32, Vec<u64>);
 ///
 /// # Errors
 /// [`Error::NonManifold`] for a face of more than two cells.
-pub(super) fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> Result<Border<D>, Error> {
+fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> Result<Border<D>, Error> {
     let place = |node: u32| Vector::<D>::from(own.reference[node as usize]);
     let mut own_box = Aabb::empty();
     lone.iter().flat_map(|face| &face.corners).for_each(|&node| own_box.include(&place(node)));

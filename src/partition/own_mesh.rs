@@ -1,12 +1,11 @@
 //! The cells of this rank.
 
-use super::border::{self, Border};
 use super::mesh_part::MeshPart;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::submesh::Whole;
 use crate::geometry::{Bodies, CellType, Surface, Vector};
-use crate::ranks::{Ranks, packed};
+use crate::ranks::packed;
 use rustc_hash::FxHashMap;
 
 /// Types of cells, as they are numbered where they are sent.
@@ -42,7 +41,7 @@ pub(super) struct OwnMesh<const D: usize> {
     /// Bit f of a cell: its face f, as VTK counts them, is surface of the whole mesh.
     pub(super) surface_faces: Vec<u8>,
     /// By body of the whole mesh, the vertices of its surface that are here.
-    surface_vertices: Vec<Vec<u32>>,
+    pub(super) surface_vertices: Vec<Vec<u32>>,
     /// Of all ranks.
     pub(super) body_ids: Vec<i64>,
     pub(super) whole: Whole<D>,
@@ -65,38 +64,8 @@ pub(super) struct SentCell {
 packed!(SentCell { number, kind, body, surface_faces, nodes });
 
 impl<const D: usize> OwnMesh<D> {
-    /// Takes a part of a mesh, on all ranks together.
-    ///
-    /// # Errors
-    /// As [`Surface::from_cells`], on the rank whose part is at fault; on others [`Error::OnOtherRank`].
-    pub(super) fn new(part: &MeshPart<D>, ranks: &Ranks) -> Result<Self, Error> {
-        let mut own = ranks.agree(Self::of(part), D as u64)?;
-        let mut ids: Vec<i64> = own.surface.iter().flat_map(|surface| surface.body_ids()).copied().collect();
-        ids = ranks
-            .gather_lists(&ids.iter().map(|id| *id as u64).collect::<Vec<_>>())?
-            .concat()
-            .iter()
-            .map(|id| *id as i64)
-            .collect();
-        ids.sort_unstable();
-        ids.dedup();
-        ranks.agree(if ids.is_empty() { Err(Error::Empty) } else { Ok(()) }, 0)?;
-        own.body = part.body_ids.iter().map(|id| ids.partition_point(|other| other < id) as u32).collect();
-        own.body_ids = ids;
-        let lone = own.surface.as_ref().map_or(Ok(Vec::new()), Surface::lone_faces);
-        let lone = ranks.agree(lone, 1)?;
-        let Border { surface_faces, whole } = border::find(&own, &lone, ranks)?;
-        (own.surface_faces, own.whole) = (surface_faces, whole);
-        let own_surface =
-            own.surface.as_mut().map_or(Ok(()), |surface| surface.make_submesh(&own.surface_faces, &own.whole));
-        ranks.agree(own_surface, 2)?;
-        own.surface_vertices = own.vertices();
-        let sizes = ranks.gather_lists(&[own.mean_extent()])?;
-        own.cell_size = sizes.into_iter().flatten().fold(0.0, f64::max);
-        Ok(own)
-    }
-
-    fn of(part: &MeshPart<D>) -> Result<Self, Error> {
+    /// A part of a mesh by itself.
+    pub(super) fn of(part: &MeshPart<D>) -> Result<Self, Error> {
         let MeshPart { coords, node_numbers, blocks, cell_numbers, body_ids } = *part;
         let (mut types, mut offsets, mut conn) = (Vec::new(), vec![0], Vec::new());
         for block in blocks {
@@ -218,7 +187,7 @@ impl<const D: usize> OwnMesh<D> {
         Ok(self.surface_vertices.iter().map(of_body).collect())
     }
 
-    fn vertices(&self) -> Vec<Vec<u32>> {
+    pub(super) fn vertices(&self) -> Vec<Vec<u32>> {
         let mut vertices = vec![Vec::new(); self.body_ids.len()];
         for surface in self.surface.iter() {
             for (body, range) in surface.ranges.iter().enumerate() {
@@ -232,7 +201,7 @@ impl<const D: usize> OwnMesh<D> {
         vertices
     }
 
-    fn mean_extent(&self) -> f64 {
+    pub(super) fn mean_extent(&self) -> f64 {
         let sum: f64 = (0..self.len()).map(|cell| self.cell_box(cell, &self.reference).extent().max()).sum();
         if self.len() == 0 { 0.0 } else { sum / self.len() as f64 }
     }

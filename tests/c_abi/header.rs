@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 46] = [
+const SOURCES: [&str; 47] = [
     "version",
     "status",
     "failure",
@@ -32,6 +32,7 @@ const SOURCES: [&str; 46] = [
     "stable_step",
     "communicator",
     "parts_creation",
+    "in_parts",
     "parts",
     "parts_getters",
     "placement",

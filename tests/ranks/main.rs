@@ -5,6 +5,8 @@ mod scene;
 
 mod communicator;
 
+mod bodies_in_parts;
+mod carried_over;
 mod failures;
 mod partition;
 mod parts;
