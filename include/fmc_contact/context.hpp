@@ -210,7 +210,7 @@ class Context {
   }
   GatheredNodes gathered_nodes() const {
     const std::size_t count = counts().nodes;
-    GatheredNodes found{std::vector<int64_t>(count), std::vector<int32_t>(count), std::vector<double>(count * dim_)};
+    GatheredNodes found{std::vector<int64_t>(count), std::vector<int32_t>(count), std::vector<double>(count * static_cast<std::size_t>(dim_))};
     check(fmc_context_gathered_nodes(get(), found.numbers.data(), found.own_nodes.data(), found.coords.data(), count));
     return found;
   }
