@@ -249,7 +249,7 @@ void a_mesh_in_parts() {
   parts.evaluate(parts.gathered_nodes().coords, of_parts);
   for (std::size_t n = 0; n < 8; ++n)
     for (std::size_t axis = 0; axis < 2; ++axis)
-      EXPECT(close(of_parts[2 * n + axis], forces[2 * nodes.own_nodes[n] + axis], 1e-12));
+      EXPECT(close(of_parts[2 * n + axis], forces[2 * static_cast<std::size_t>(nodes.own_nodes[n]) + axis], 1e-12));
   EXPECT(refused(FMC_ERROR_UNSUPPORTED, "fmc_context_new_from_part", [&] { whole.bring(coords); }));
   EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { parts.bring(Numbers(14, 0.0)); }));
   EXPECT(refused(FMC_ERROR_NON_FINITE_COORDINATE, "node 2", [&] { auto bad = coords; bad[5] = NAN; parts.bring(bad); }));
