@@ -1,0 +1,144 @@
+"""The bodies of a case in a model of GetFEM: each has a mesh and a variable of its own, since GetFEM takes nodes at one place for
+one. Quadrature is that of the reference host."""
+
+from __future__ import annotations
+
+import getfem as gf
+import numpy as np
+from fmc_agreement.faces import loads
+from fmc_agreement.problem import Problem
+from fmc_contact_getfem.cells import element, mesh_from_cells
+from fmc_contact_getfem.system import is_linear, residual_and_tangent
+from scipy.sparse import csr_matrix
+
+# One point in triangles and tetrahedra, two along every axis of the others; of second order three in triangles, four in
+# tetrahedra, three along every axis of the others.
+QUADRATURE = {
+    "triangle": "IM_TRIANGLE(1)",
+    "quad": "IM_GAUSS_PARALLELEPIPED(2,3)",
+    "tetra": "IM_TETRAHEDRON(1)",
+    "hexahedron": "IM_GAUSS_PARALLELEPIPED(3,3)",
+    "triangle6": "IM_TRIANGLE(2)",
+    "quad9": "IM_GAUSS_PARALLELEPIPED(2,5)",
+    "tetra10": "IM_TETRAHEDRON(2)",
+    "hexahedron27": "IM_GAUSS_PARALLELEPIPED(3,5)",
+}
+
+
+def neo_hookean(variable: str, dim: int) -> str:
+    """W = G/2 (J^(-2/3) I1 - 3) + K/2 (J - 1)^2, in plane strain where there are two axes, in GetFEM's language."""
+    f = f"(Id({dim})+Grad_{variable})"
+    return f"(shear_{variable}/2)*(pow(Det{f},-2/3)*(Norm_sqr{f}+{3 - dim})-3)+(bulk_{variable}/2)*sqr(Det{f}-1)"
+
+
+class Model:
+    """A model without supports, loads and contact. Displacements and forces of its functions are (nodes, dim), in the case's
+    numbering, matrices have the unknown ``node * dim + axis``."""
+
+    def __init__(self, problem: Problem) -> None:
+        gf.util("trace level", 0)
+        gf.util("warning level", 0)
+        self.problem, self.model = problem, gf.Model("real")
+        self.variables = [f"u{number}" for number in range(len(problem.bodies))]
+        self.meshes, self.spaces, self.quadratures, self.energies = [], [], [], []
+        for variable, body in zip(self.variables, problem.bodies):
+            mesh = mesh_from_cells(problem.coords[body.nodes], np.searchsorted(body.nodes, body.conn), body.cell_type)
+            space = gf.MeshFem(mesh, problem.dim)
+            space.set_fem(element(body.cell_type))
+            quadrature = gf.MeshIm(mesh, gf.Integ(QUADRATURE[body.cell_type]))
+            self.model.add_fem_variable(variable, space)
+            material = body.material
+            for name in ("lame", "shear", "bulk"):
+                self.model.add_initialized_data(f"{name}_{variable}", [getattr(material, name)])
+            if material.law == "linear-elastic":
+                self.model.add_isotropic_linearized_elasticity_brick(
+                    quadrature, variable, f"lame_{variable}", f"shear_{variable}"
+                )
+                strain = f"Sym(Grad_{variable})"
+                energy = f"(lame_{variable}/2)*sqr(Trace({strain}))+shear_{variable}*Norm_sqr({strain})"
+            else:
+                energy = neo_hookean(variable, problem.dim)
+                self.model.add_nonlinear_term(quadrature, energy)
+            for kept, one in zip((self.meshes, self.spaces, self.quadratures, self.energies), (mesh, space, quadrature, energy)):
+                kept.append(one)
+        self.is_linear = is_linear(self.model)
+        self.dofs = self._dofs()
+        self._last: tuple[np.ndarray, np.ndarray, csr_matrix] | None = None
+
+    def _dofs(self) -> np.ndarray:
+        """Unknowns of the state, (nodes, dim); nodes and points of a mesh have the same numbers."""
+        dim = self.problem.dim
+        dofs = np.empty(self.problem.coords.shape, int)
+        for variable, space, mesh, body in zip(self.variables, self.spaces, self.meshes, self.problem.bodies):
+            first, _ = self.model.interval_of_variable(variable)
+            points = mesh.pid_from_cvid()[0].reshape(len(body.conn), -1)
+            found = space.basic_dof_from_cvid()[0].reshape(*points.shape, dim)
+            dofs[body.nodes[points]] = int(first) + found
+        return dofs
+
+    def state(self, u: np.ndarray) -> np.ndarray:
+        """From (nodes, dim) to the state of the model."""
+        found = np.zeros(self.model.nbdof())
+        found[self.dofs] = u
+        return found
+
+    def displacement(self) -> np.ndarray:
+        """That of the model, (nodes, dim)."""
+        return self.model.from_variables()[self.dofs]
+
+    def add_loads(self) -> list[tuple[str, int, str]]:
+        """Regions of loaded faces, as variable, number and the name of the data that has the traction on it."""
+        found, dim = [], self.problem.dim
+        for one, (faces, traction) in zip(self.problem.raw["loads"], loads(self.problem)):
+            if np.ptp(traction, axis=0).max() > 1e-12 * np.abs(traction).max():
+                raise NotImplementedError("a load on faces that are not in one plane")
+            variable, body, mesh = (of[one["body"]] for of in (self.variables, self.problem.bodies, self.meshes))
+            number, data = 1 + len(found), f"traction{1 + len(found)}"
+            wanted = np.searchsorted(body.nodes, faces)
+            loaded = np.flatnonzero(np.isin(np.arange(len(body.nodes)), wanted))
+            mesh.set_region(number, mesh.faces_from_pid(loaded))
+            self.model.add_initialized_data(data, traction[0])
+            found.append((variable, number, data))
+        return found
+
+    def load(self) -> np.ndarray:
+        """Forces of the tractions on faces."""
+        total = np.zeros(self.model.nbdof())
+        for variable, region, data in self.add_loads():
+            quadrature = self.quadratures[self.variables.index(variable)]
+            total += gf.asm_generic(quadrature, 1, f"{data}.Test_{variable}", region, self.model)
+        return total[self.dofs]
+
+    def internal(self, u: np.ndarray) -> tuple[np.ndarray, float]:
+        """Internal forces and strain energy; not finite where a cell is inverted."""
+        residual, _ = self._at(u)
+        energy = sum(
+            gf.asm_generic(quadrature, 0, energy, -1, self.model) for quadrature, energy in zip(self.quadratures, self.energies)
+        )
+        return residual[self.dofs], float(energy)
+
+    def stiffness(self, u: np.ndarray) -> csr_matrix:
+        """Derivative of the internal forces."""
+        dofs = self.dofs.ravel()
+        return self._at(u)[1][dofs][:, dofs]
+
+    def _at(self, u: np.ndarray) -> tuple[np.ndarray, csr_matrix]:
+        self.model.to_variables(self.state(u))
+        if self._last is None or not np.array_equal(self._last[0], u):
+            self._last = (u.copy(), *residual_and_tangent(self.model, self.is_linear))
+        return self._last[1:]
+
+    def stresses_along(self, u: np.ndarray, axis: int) -> np.ndarray:
+        """Normal stress of linear elastic bodies along an axis, the mean of every cell."""
+        self.model.to_variables(self.state(u))
+        found = []
+        for variable, mesh, quadrature in zip(self.variables, self.meshes, self.quadratures):
+            cells = gf.MeshFem(mesh, 1)
+            cells.set_fem(gf.Fem(f"FEM_PK_DISCONTINUOUS({self.problem.dim},0)"))
+            stress = f"lame_{variable}*Trace(Grad_{variable})+2*shear_{variable}*Grad_{variable}({axis + 1},{axis + 1})"
+            over = [
+                gf.asm_generic(quadrature, 1, f"({what})*Test_mean", -1, self.model, "mean", 1, cells, np.zeros(cells.nbdof()))
+                for what in (stress, "1")
+            ]
+            found.append((over[0] / over[1])[-cells.nbdof() :])
+        return np.concatenate(found)
