@@ -61,9 +61,8 @@ class Model:
                 self.model.add_nonlinear_term(quadrature, energy)
             for kept, one in zip((self.meshes, self.spaces, self.quadratures, self.energies), (mesh, space, quadrature, energy)):
                 kept.append(one)
-        self.is_linear = is_linear(self.model)
         self.dofs = self._dofs()
-        self._last: tuple[np.ndarray, np.ndarray, csr_matrix] | None = None
+        self._linear = residual_and_tangent(self.model, True)[1] if is_linear(self.model) else None
 
     def _dofs(self) -> np.ndarray:
         """Unknowns of the state, (nodes, dim); nodes and points of a mesh have the same numbers."""
@@ -88,18 +87,32 @@ class Model:
 
     def add_loads(self) -> list[tuple[str, int, str]]:
         """Regions of loaded faces, as variable, number and the name of the data that has the traction on it."""
-        found, dim = [], self.problem.dim
+        found = []
         for one, (faces, traction) in zip(self.problem.raw["loads"], loads(self.problem)):
             if np.ptp(traction, axis=0).max() > 1e-12 * np.abs(traction).max():
                 raise NotImplementedError("a load on faces that are not in one plane")
-            variable, body, mesh = (of[one["body"]] for of in (self.variables, self.problem.bodies, self.meshes))
             number, data = 1 + len(found), f"traction{1 + len(found)}"
-            wanted = np.searchsorted(body.nodes, faces)
-            loaded = np.flatnonzero(np.isin(np.arange(len(body.nodes)), wanted))
-            mesh.set_region(number, mesh.faces_from_pid(loaded))
+            self.meshes[one["body"]].set_region(number, self._of_surface(one["body"], faces))
             self.model.add_initialized_data(data, traction[0])
-            found.append((variable, number, data))
+            found.append((self.variables[one["body"]], number, data))
         return found
+
+    def _of_surface(self, number: int, wanted: np.ndarray) -> np.ndarray:
+        """Faces of a body as GetFEM names them, by cell and number in it, (2, faces), from their corners in the case."""
+        body, mesh = self.problem.bodies[number], self.meshes[number]
+        outer, points = mesh.outer_faces(), mesh.pid_from_cvid()[0].reshape(len(body.conn), -1)
+        local = [np.isin(points[0], mesh.pid_in_faces([[0], [face]])) for face in range(outer[1].max() + 1)]
+        keys = {frozenset(face) for face in wanted.tolist()}
+        corners = np.isin(np.arange(len(self.problem.coords)), wanted)
+        chosen = []
+        for cell, face in outer.T:
+            nodes = body.nodes[points[cell][local[face]]]
+            # Middles of faces of second order are in none of those that are wanted.
+            chosen.append(frozenset(nodes[corners[nodes]].tolist()) in keys)
+        chosen = outer[:, chosen]
+        if chosen.shape[1] != len(keys):
+            raise ValueError("a loaded face is not of the surface")
+        return chosen
 
     def load(self) -> np.ndarray:
         """Forces of the tractions on faces."""
@@ -109,24 +122,37 @@ class Model:
             total += gf.asm_generic(quadrature, 1, f"{data}.Test_{variable}", region, self.model)
         return total[self.dofs]
 
+    def mass(self) -> np.ndarray:
+        """Lumped mass of every unknown of the state."""
+        total = np.zeros(self.model.nbdof())
+        for variable, quadrature, body in zip(self.variables, self.quadratures, self.problem.bodies):
+            every = ",".join([repr(body.material.density)] * self.problem.dim)
+            total += gf.asm_generic(quadrature, 1, f"[{every}].Test_{variable}", -1, self.model)
+        return total
+
+    def elastic(self, state: np.ndarray) -> tuple[np.ndarray, float]:
+        """Internal forces on the state, and strain energy; not finite where a cell is inverted."""
+        self.model.to_variables(state)
+        if self._linear is not None:
+            force = self._linear @ state
+            return force, float(0.5 * force @ state)
+        self.model.assembly("build_rhs")
+        each = zip(self.quadratures, self.energies)
+        energy = sum(gf.asm_generic(quadrature, 0, energy, -1, self.model) for quadrature, energy in each)
+        return -self.model.rhs(), float(energy)
+
     def internal(self, u: np.ndarray) -> tuple[np.ndarray, float]:
-        """Internal forces and strain energy; not finite where a cell is inverted."""
-        residual, _ = self._at(u)
-        energy = sum(
-            gf.asm_generic(quadrature, 0, energy, -1, self.model) for quadrature, energy in zip(self.quadratures, self.energies)
-        )
-        return residual[self.dofs], float(energy)
+        """Internal forces and strain energy at displacements of nodes."""
+        force, energy = self.elastic(self.state(u))
+        return force[self.dofs], energy
 
     def stiffness(self, u: np.ndarray) -> csr_matrix:
         """Derivative of the internal forces."""
-        dofs = self.dofs.ravel()
-        return self._at(u)[1][dofs][:, dofs]
-
-    def _at(self, u: np.ndarray) -> tuple[np.ndarray, csr_matrix]:
-        self.model.to_variables(self.state(u))
-        if self._last is None or not np.array_equal(self._last[0], u):
-            self._last = (u.copy(), *residual_and_tangent(self.model, self.is_linear))
-        return self._last[1:]
+        dofs, matrix = self.dofs.ravel(), self._linear
+        if matrix is None:
+            self.model.to_variables(self.state(u))
+            matrix = residual_and_tangent(self.model, False)[1]
+        return matrix[dofs][:, dofs]
 
     def stresses_along(self, u: np.ndarray, axis: int) -> np.ndarray:
         """Normal stress of linear elastic bodies along an axis, the mean of every cell."""
@@ -134,7 +160,7 @@ class Model:
         found = []
         for variable, mesh, quadrature in zip(self.variables, self.meshes, self.quadratures):
             cells = gf.MeshFem(mesh, 1)
-            cells.set_fem(gf.Fem(f"FEM_PK_DISCONTINUOUS({self.problem.dim},0)"))
+            cells.set_classical_discontinuous_fem(0)
             stress = f"lame_{variable}*Trace(Grad_{variable})+2*shear_{variable}*Grad_{variable}({axis + 1},{axis + 1})"
             over = [
                 gf.asm_generic(quadrature, 1, f"({what})*Test_mean", -1, self.model, "mean", 1, cells, np.zeros(cells.nbdof()))
