@@ -61,19 +61,25 @@ class Model:
                 self.model.add_nonlinear_term(quadrature, energy)
             for kept, one in zip((self.meshes, self.spaces, self.quadratures, self.energies), (mesh, space, quadrature, energy)):
                 kept.append(one)
-        self.dofs = self._dofs()
+        self._in_body, self._of_body = self._numbered()
+        self.loaded = self._loads()
+        """Regions of loaded faces: variable, number, and name of the data with the traction."""
         self._linear = residual_and_tangent(self.model, True)[1] if is_linear(self.model) else None
 
-    def _dofs(self) -> np.ndarray:
-        """Unknowns of the state, (nodes, dim); nodes and points of a mesh have the same numbers."""
-        dim = self.problem.dim
-        dofs = np.empty(self.problem.coords.shape, int)
-        for variable, space, mesh, body in zip(self.variables, self.spaces, self.meshes, self.problem.bodies):
-            first, _ = self.model.interval_of_variable(variable)
+    def _numbered(self) -> tuple[np.ndarray, np.ndarray]:
+        """Unknowns of every node in its variable, (nodes, dim), and its body; nodes and points of a mesh have the same numbers."""
+        in_body, of_body = np.empty(self.problem.coords.shape, int), np.empty((len(self.problem.coords), 1), int)
+        for number, (space, mesh, body) in enumerate(zip(self.spaces, self.meshes, self.problem.bodies)):
             points = mesh.pid_from_cvid()[0].reshape(len(body.conn), -1)
-            found = space.basic_dof_from_cvid()[0].reshape(*points.shape, dim)
-            dofs[body.nodes[points]] = int(first) + found
-        return dofs
+            in_body[body.nodes[points]] = space.basic_dof_from_cvid()[0].reshape(*points.shape, self.problem.dim)
+            of_body[body.nodes] = number
+        return in_body, of_body
+
+    @property
+    def dofs(self) -> np.ndarray:
+        """Unknowns of the state, (nodes, dim), which move where the model gets another variable."""
+        first = np.array([self.interval(variable)[0] for variable in self.variables])
+        return first[self._of_body] + self._in_body
 
     def state(self, u: np.ndarray) -> np.ndarray:
         """From (nodes, dim) to the state of the model."""
@@ -85,8 +91,7 @@ class Model:
         """That of the model, (nodes, dim)."""
         return self.model.from_variables()[self.dofs]
 
-    def add_loads(self) -> list[tuple[str, int, str]]:
-        """Regions of loaded faces, as variable, number and the name of the data that has the traction on it."""
+    def _loads(self) -> list[tuple[str, int, str]]:
         found = []
         for one, (faces, traction) in zip(self.problem.raw["loads"], loads(self.problem)):
             if np.ptp(traction, axis=0).max() > 1e-12 * np.abs(traction).max():
@@ -114,10 +119,33 @@ class Model:
             raise ValueError("a loaded face is not of the surface")
         return chosen
 
+    def add_loads(self) -> None:
+        """The tractions, as bricks, for a model that GetFEM solves by itself."""
+        for variable, region, data in self.loaded:
+            quadrature = self.quadratures[self.variables.index(variable)]
+            self.model.add_source_term_brick(quadrature, variable, data, region)
+
+    def add_supports(self) -> None:
+        """What is held, at the end of the first stage, by multipliers, for the same."""
+        for variable, body in zip(self.variables, self.problem.bodies):
+            first, count = self.interval(variable)
+            held = self.problem.held[body.nodes]
+            rows = gf.Spmat("empty", int(held.sum()), count)
+            for row, dof in enumerate(self.dofs[body.nodes][held] - first):
+                rows.add([row], [int(dof)], 1.0)
+            self.model.add_variable(f"support_{variable}", int(held.sum()))
+            values = self.problem.prescribed[body.nodes][held]
+            self.model.add_constraint_with_multipliers(variable, f"support_{variable}", rows, values)
+
+    def interval(self, variable: str) -> tuple[int, int]:
+        """First unknown of a variable in the state, and how many it has."""
+        first, count = (int(number) for number in self.model.interval_of_variable(variable))
+        return first, count
+
     def load(self) -> np.ndarray:
         """Forces of the tractions on faces."""
         total = np.zeros(self.model.nbdof())
-        for variable, region, data in self.add_loads():
+        for variable, region, data in self.loaded:
             quadrature = self.quadratures[self.variables.index(variable)]
             total += gf.asm_generic(quadrature, 1, f"{data}.Test_{variable}", region, self.model)
         return total[self.dofs]
