@@ -23,6 +23,7 @@ ELEMENTS = {
     "FEM_QK(3,2)": CUBES,
     "FEM_Q2_INCOMPLETE(3)": CUBES,
     "FEM_PK_PRISM(3,1)": "GT_PRISM(3,1)",
+    "FEM_PYRAMID_QK(1)": "GT_PYRAMID(3,1)",
 }
 OPTIONS = dict(stiffness=1e4, estimator="exact", momentum_correction=False)
 
@@ -35,14 +36,31 @@ class Scene(NamedTuple):
     meshes: list[gf.Mesh]
     contact: GetfemContact
 
+    def regions(self) -> None:
+        """Bottom of the lower body and top of the upper one: region 1 of their meshes."""
+        for mesh, of in zip(self.meshes, (np.min, np.max)):
+            height = mesh.pts()[-1]
+            mesh.set_region(1, mesh.faces_from_pid(np.flatnonzero(np.abs(height - of(height)) < 1e-9)))
+
+    def supports(self, push):
+        """Unknowns that are held, and what they are at the end, in the state of the model."""
+        self.regions()
+        values, held = np.zeros(self.model.nbdof()), []
+        for name, move in (("u", 0.0), ("v", push)):
+            dofs = self.contact.dofs[self.contact.nodes(name, 1)]
+            values[dofs[:, -1]] = move
+            held.append(dofs.ravel())
+        return np.concatenate(held), values
+
 
 def grid(transform, cells, low, high):
     """A block of cells of one kind."""
-    mesh = gf.Mesh("regular simplices" if "PK" in transform else "cartesian", *_ticks(cells, low, high))
-    if "PRISM" in transform:
-        mesh = gf.Mesh("prismatic", gf.Mesh("regular simplices", *_ticks(cells[:2], low[:2], high[:2])), cells[2])
-        mesh.transform(np.diag([1.0, 1.0, high[2] - low[2]]))
-        mesh.translate([0.0, 0.0, low[2]])
+    kind = {"PK": "regular simplices", "QK": "cartesian", "PY": "pyramidal", "PR": "prismatic"}[transform[3:5]]
+    if kind != "prismatic":
+        return gf.Mesh(kind, *_ticks(cells, low, high))
+    mesh = gf.Mesh(kind, gf.Mesh("regular simplices", *_ticks(cells[:2], low[:2], high[:2])), cells[2])
+    mesh.transform(np.diag([1.0, 1.0, high[2] - low[2]]))
+    mesh.translate([0.0, 0.0, low[2]])
     return mesh
 
 
@@ -87,3 +105,14 @@ def moved(model, size=0.003, seed=1):
     model.to_variables(state)
     return state
 
+
+
+def add_supports(scene, push):
+    """The same by multipliers: the bottom held, the top moved down."""
+    scene.regions()
+    for name, mesh, space, move in zip("uv", scene.meshes, scene.spaces, (0.0, push)):
+        value = np.zeros(space.qdim())
+        value[-1] = move
+        scene.model.add_initialized_data("move_" + name, value)
+        quadrature = gf.MeshIm(mesh, 3)
+        scene.model.add_Dirichlet_condition_with_multipliers(quadrature, name, space, 1, "move_" + name)

@@ -27,7 +27,7 @@ class Case:
     changes: tuple[str, ...] = ()
     tolerance: float = 1e-8
     """How far displacements may be apart, by the largest."""
-    hosts: tuple[tuple[str, int], ...] = (("skfem", 1), ("dolfinx", 1))
+    hosts: tuple[tuple[str, int], ...] = (("skfem", 1), ("dolfinx", 1), ("getfem", 1))
     snes: bool = False
     """Whether dolfinx solves it by PETSc's SNES, as its adapter offers, instead of the solver that the hosts share."""
 
@@ -43,7 +43,7 @@ class Case:
 CASES = (
     Case(
         "hertz",
-        hosts=(("skfem", 1), *[("dolfinx", n) for n in (1, 2, 3, 4)], *[("petsc", n) for n in (1, 2, 4)]),
+        hosts=(("skfem", 1), ("getfem", 1), *[("dolfinx", n) for n in (1, 2, 3, 4)], *[("petsc", n) for n in (1, 2, 4)]),
         snes=True,
     ),
     Case("hertz3d"),

@@ -15,20 +15,15 @@ from .system import is_linear, residual_and_tangent, to_getfem
 
 class Bricks:
     """Adds contact to the model by ``add_explicit_rhs`` and ``add_explicit_matrix``, for every variable and every pair. One
-    ``model.solve`` of one iteration after ``update`` is then one iteration of Newton's method, whatever else the model has:
-
-        bricks = Bricks(contact)
-        for _ in range(20):
-            bricks.update()
-            if bricks.residual() < 1e-9:
-                break
-            model.solve("max_iter", 1, "lsearch", "simplest", "alpha min", 1.0)
-
-    GetFEM calls nobody back, so a longer ``solve`` is that of contact linearised at the last ``update``.
+    ``model.solve`` of one iteration after ``update`` is then one iteration of Newton's method, whatever else the model has;
+    ``newton_by_bricks`` makes as many as it takes. GetFEM calls nobody back, so a longer ``solve`` is that of contact
+    linearised at the last ``update``.
     """
 
     def __init__(self, contact: GetfemContact) -> None:
         self.contact, model = contact, contact.model
+        self.force = np.zeros(contact.size)
+        """Contact forces of the last ``update``, (size,)."""
         counts = {name: contact.interval(name)[1] for name in contact.variables}
         self._sides = {name: model.add_explicit_rhs(name, np.zeros(count)) for name, count in counts.items()}
         self._matrices = {}
@@ -48,9 +43,9 @@ class Bricks:
         contact, model = self.contact, self.contact.model
         state = model.from_variables()
         result, matrix = contact.evaluate(state), contact.tangent(state, semidefinite)
-        self._force = contact.on_dofs(result.forces)
+        self.force = contact.on_dofs(result.forces)
         # A matrix counts as T u in the balance of GetFEM, so that F is what stands there at u.
-        side = self._force + matrix @ state
+        side = self.force + matrix @ state
         slices = {}
         for name in contact.variables:
             first, count = contact.interval(name)
@@ -60,11 +55,14 @@ class Bricks:
             model.set_private_matrix(brick, to_getfem(matrix[slices[row], slices[col]]))
         return result
 
-    def residual(self) -> float:
-        """What is left of the balance after ``update``, by the forces of the bodies or of contact, whichever are larger."""
-        left, _ = residual_and_tangent(self.contact.model, is_linear(self.contact.model))
-        size = max(np.linalg.norm(self._force), np.linalg.norm(left + self._force))
-        return float(np.linalg.norm(left) / size) if size > 0.0 else 0.0
+    def residual(self) -> np.ndarray:
+        """Internal less external forces and those of contact after ``update``, (size,)."""
+        return residual_and_tangent(self.contact.model, is_linear(self.contact.model))[0]
+
+    def relative(self, residual: np.ndarray) -> float:
+        """What is left of the balance, by the forces of the bodies or of contact, whichever are larger."""
+        size = max(np.linalg.norm(self.force), np.linalg.norm(residual + self.force))
+        return float(np.linalg.norm(residual) / size) if size > 0.0 else 0.0
 
     @contextmanager
     def left_out(self) -> Iterator[None]:

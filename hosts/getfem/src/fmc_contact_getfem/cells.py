@@ -54,6 +54,14 @@ def _places() -> dict[str, np.ndarray]:
 
 _PLACES = _places()
 
+TYPES = tuple(_PLACES)
+"""Cell types that GetFEM has elements for."""
+
+
+def reference_places(cell_type: str) -> np.ndarray:
+    """Places of the nodes of a cell type in GetFEM's reference cell, (nodes, dim)."""
+    return _PLACES[cell_type].copy()
+
 
 def nearest(wanted: np.ndarray, places: np.ndarray) -> tuple[np.ndarray, bool]:
     """Which of the ``places`` (n, dim) each of those ``wanted`` (m, dim) is, (m,), and whether all of them are there."""
