@@ -6,7 +6,7 @@
 # make demo      forces of two meshes in examples/, printed and written as VTU
 # make python    the Python package, in an environment of its own under target/, and its tests
 # make hosts     the adapters for scikit-fem, FEniCSx, GetFEM and PETSc, and their tests, against the reference host too
-# make agree     the cases in all hosts, side by side: table and pictures in out/agree
+# make agree     the cases in all hosts, deal.II too, side by side: table and pictures in out/agree
 # make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make fuzz      arbitrary input for 60 s
@@ -32,7 +32,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat getfem dealii bench gallery book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
+.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat getfem dealii-program dealii bench gallery book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -156,8 +156,8 @@ hosts: host-environment
 getfem: host-environment
 	$(RUN_GETFEM) $(HOSTS)/bin/python hosts/getfem/compare.py out/getfem
 
-agree: host-environment
-	$(RUN_HOSTS) $(HOSTS)/bin/python -m fmc_agreement out/agree
+agree: dealii-program
+	$(RUN_HOSTS) FMC_DEALII=$(DEALII)/press $(HOSTS)/bin/python -m fmc_agreement out/agree
 
 # GetFEM is a package for the system's own Python. Its BLAS is unpacked here for it alone: installed, OpenBLAS would change every
 # other program's.
@@ -197,12 +197,14 @@ REVISION = $(or $(shell git describe --tags --exact-match 2>/dev/null),main)
 # deal.II is built with Debian's MPI and UMFPACK; some 700 MB.
 DEALII = $(abspath $(TARGET))/dealii
 
-dealii: host-environment
+dealii-program: host-environment
 	@test -e /usr/include/deal.II/base/config.h \
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends libdeal.ii-dev cmake g++; }
 	cmake -S hosts/dealii -B $(DEALII) -DCMAKE_PREFIX_PATH=$(HOSTS) -DCMAKE_BUILD_TYPE=Release
 	cmake --build $(DEALII)
-	$(RUN_HOSTS) $(HOSTS)/bin/python hosts/dealii/compare.py $(DEALII)/press out/dealii
+
+dealii: dealii-program
+	$(RUN_HOSTS) FMC_DEALII=$(DEALII)/press $(HOSTS)/bin/python hosts/dealii/compare.py out/dealii
 
 # Runs the cases, half a minute, and writes what came out.
 gallery:
