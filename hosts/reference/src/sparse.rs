@@ -5,6 +5,7 @@ mod dissection;
 mod factorisation;
 mod graph;
 mod lower;
+mod near;
 mod order;
 mod schur;
 mod triangle;

@@ -32,10 +32,15 @@ pub(super) fn eliminate(factors: &SupernodalLltRef<usize, f64>, count: usize, y:
     }
 }
 
-/// Backward substitution of the same, the others being solved.
-pub(super) fn follow(factors: &SupernodalLltRef<usize, f64>, count: usize, y: &mut [f64]) {
+/// Backward substitution of the same, the others being solved; of those supernodes alone that `is_wanted`.
+pub(super) fn follow(
+    factors: &SupernodalLltRef<usize, f64>,
+    count: usize,
+    y: &mut [f64],
+    is_wanted: impl Fn(usize) -> bool,
+) {
     let mut local = Vec::new();
-    for number in (0..factors.symbolic().n_supernodes()).rev() {
+    for number in (0..factors.symbolic().n_supernodes()).rev().filter(|number| is_wanted(*number)) {
         let supernode = factors.supernode(number);
         let (block, start, below) = (supernode.val(), supernode.start(), supernode.pattern());
         if start >= count {

@@ -2,6 +2,7 @@
 
 use super::Lower;
 use super::condensed::{Condensed, eliminate, follow};
+use super::near::supernodes_near;
 use super::order::order;
 use super::schur::Schur;
 use super::triangle::column;
@@ -34,7 +35,7 @@ pub struct Factorisation {
     pub analyses: usize,
     /// Matrices factorised.
     pub count: usize,
-    /// Forward and backward substitutions: two are a solution.
+    /// Forward and backward substitutions through all of the factors: two are a solution.
     pub passes: Cell<usize>,
 }
 
@@ -43,6 +44,8 @@ struct Analysed {
     symbolic: SymbolicCholesky<usize>,
     /// Equations in the order of elimination.
     order: Vec<usize>,
+    /// Supernodes by which the equations near those that are kept follow them.
+    near: Vec<bool>,
 }
 
 impl Factorisation {
@@ -58,9 +61,7 @@ impl Factorisation {
         if !known || self.kept != kept {
             self.analyses += 1;
             self.kept = kept.to_vec();
-            let order = order(matrix, kept, &self.places);
-            let symbolic = analyse(matrix, &order);
-            self.analysed = symbolic.map(|symbolic| Analysed { pattern: matrix.clone(), symbolic, order });
+            self.analysed = analyse(matrix, kept, &self.places);
         }
         let Some(Analysed { symbolic, .. }) = &self.analysed else { return false };
         self.values.resize(symbolic.len_val(), 0.0);
@@ -87,7 +88,8 @@ impl Factorisation {
     /// Solution of the system with the last matrix; `None` if it had no factors.
     pub fn solve(&self, right: &[f64]) -> Option<Vec<f64>> {
         let (mut y, order) = self.eliminated(right, right.len())?;
-        self.substitute(&mut y, right.len())?;
+        follow(&self.factors()?, right.len(), &mut y, |_| true);
+        self.passes.set(self.passes.get() + 1);
         Some(in_place_of(order, &y))
     }
 
@@ -106,9 +108,21 @@ impl Factorisation {
     /// Solution on all equations, of the right side whose condensation on the others this is, and the kept ones' solution.
     pub fn follow(&self, inner: impl Iterator<Item = f64>, kept: &[f64]) -> Option<Vec<f64>> {
         let mut y: Vec<f64> = inner.chain(kept.iter().copied()).collect();
-        let count = y.len() - kept.len();
-        self.substitute(&mut y, count)?;
+        follow(&self.factors()?, y.len() - kept.len(), &mut y, |_| true);
+        self.passes.set(self.passes.get() + 1);
         Some(in_place_of(&self.analysed.as_ref()?.order, &y))
+    }
+
+    /// The same near the kept equations alone, at a part of the cost; elsewhere `solution` stays what it is.
+    pub fn follow_near(&self, inner: impl Iterator<Item = f64>, kept: &[f64], solution: &mut [f64]) -> Option<()> {
+        let mut y: Vec<f64> = inner.chain(kept.iter().copied()).collect();
+        let (factors, Analysed { order, near, .. }) = (self.factors()?, self.analysed.as_ref()?);
+        follow(&factors, y.len() - kept.len(), &mut y, |number| near[number]);
+        let (starts, ends) = (factors.symbolic().supernode_begin(), factors.symbolic().supernode_end());
+        for number in (0..near.len()).filter(|number| near[*number]) {
+            (starts[number]..ends[number]).for_each(|place| solution[order[place]] = y[place]);
+        }
+        Some(())
     }
 
     fn eliminated(&self, right: &[f64], count: usize) -> Option<(Vec<f64>, &[usize])> {
@@ -117,12 +131,6 @@ impl Factorisation {
         eliminate(&self.factors()?, count, &mut y);
         self.passes.set(self.passes.get() + 1);
         Some((y, order))
-    }
-
-    fn substitute(&self, y: &mut [f64], count: usize) -> Option<()> {
-        follow(&self.factors()?, count, y);
-        self.passes.set(self.passes.get() + 1);
-        Some(())
     }
 
     fn factors(&self) -> Option<SupernodalLltRef<'_, usize, f64>> {
@@ -165,13 +173,19 @@ fn in_place_of(order: &[usize], values: &[f64]) -> Vec<f64> {
     placed
 }
 
-fn analyse(matrix: &Lower, order: &[usize]) -> Option<SymbolicCholesky<usize>> {
+fn analyse(matrix: &Lower, kept: &[usize], places: &[[f64; 3]]) -> Option<Analysed> {
+    let order = order(matrix, kept, places);
     let mut inverse = vec![0; order.len()];
     order.iter().enumerate().for_each(|(place, &equation)| inverse[equation] = place);
     let supernodal_flop_ratio_threshold = SupernodalThreshold::FORCE_SUPERNODAL;
     let params = CholeskySymbolicParams { supernodal_flop_ratio_threshold, ..Default::default() };
-    let order = SymmetricOrdering::Custom(PermRef::new_checked(order, &inverse, order.len()));
-    factorize_symbolic_cholesky(matrix.pattern(), Side::Lower, order, params).ok()
+    let custom = SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, order.len()));
+    let symbolic = factorize_symbolic_cholesky(matrix.pattern(), Side::Lower, custom, params).ok()?;
+    let near = match symbolic.raw() {
+        SymbolicCholeskyRaw::Supernodal(factors) => supernodes_near(matrix, kept, &order, factors),
+        SymbolicCholeskyRaw::Simplicial(_) => return None,
+    };
+    Some(Analysed { pattern: matrix.clone(), symbolic, order, near })
 }
 
 #[cfg(test)]

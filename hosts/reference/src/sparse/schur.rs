@@ -1,7 +1,7 @@
 //! What elimination leaves of a matrix on the equations that were kept.
 
 use super::Entries;
-use super::triangle::{axpy, backward, column, dot, forward};
+use super::triangle::{backward, column, forward, times};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
@@ -50,12 +50,7 @@ impl Schur {
 
     /// S x.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
-        let mut product = vec![0.0; x.len()];
-        for j in 0..x.len() {
-            let column = &column(self.factor.as_ref(), j)[j..];
-            axpy(dot(column, &x[j..]), column, &mut product[j..]);
-        }
-        product
+        times(self.factor.as_ref(), x)
     }
 
     /// Solution of the system with S changed by entries (row, column, value), each of a pair that mirror each other once;

@@ -1,21 +1,36 @@
-//! Passes through a lower triangle, column after column.
+//! Substitutions with lower triangles, by faer's products and solutions on one thread.
 
-use faer::MatRef;
+use faer::linalg::matmul::matmul;
+use faer::linalg::matmul::triangular::{self, BlockStructure};
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::{Accum, MatMut, MatRef, Par};
 
-/// y += a x.
-pub(super) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y += a * x);
+/// Forward substitution of the first `count` columns of L: x becomes L⁻¹ x there, and what is left of x below.
+pub(super) fn forward(lower: MatRef<f64>, count: usize, x: &mut [f64]) {
+    let (above, below) = x.split_at_mut(count);
+    let (mut above, below) = (of(above), of(below));
+    solve_lower_triangular_in_place(lower.get(..count, ..count), above.as_mut(), Par::Seq);
+    matmul(below, Accum::Add, lower.get(count.., ..count), above.as_ref(), -1.0, Par::Seq);
 }
 
-/// x·y, as eight sums: one alone would wait for itself.
-pub(super) fn dot(x: &[f64], y: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (mut left, mut right) = (x.chunks_exact(8), y.chunks_exact(8));
-    for (x, y) in left.by_ref().zip(right.by_ref()) {
-        (0..8).for_each(|k| sums[k] += x[k] * y[k]);
-    }
-    let rest: f64 = left.remainder().iter().zip(right.remainder()).map(|(x, y)| x * y).sum();
-    sums.iter().sum::<f64>() + rest
+/// Backward substitution of the first `count` columns of L: with x below as it is, x becomes L⁻ᵀ x there.
+pub(super) fn backward(lower: MatRef<f64>, count: usize, x: &mut [f64]) {
+    let (above, below) = x.split_at_mut(count);
+    let (mut above, below) = (of(above), of(below));
+    let transposed = lower.get(count.., ..count).transpose();
+    matmul(above.as_mut(), Accum::Add, transposed, below.as_ref(), -1.0, Par::Seq);
+    solve_upper_triangular_in_place(lower.get(..count, ..count).transpose(), above, Par::Seq);
+}
+
+/// L Lᵀ x.
+pub(super) fn times(lower: MatRef<f64>, x: &[f64]) -> Vec<f64> {
+    let (mut half, mut whole) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+    let x = MatRef::from_column_major_slice(x, x.len(), 1);
+    let [low, up, all] = [BlockStructure::TriangularLower, BlockStructure::TriangularUpper, BlockStructure::Rectangular];
+    let mut to = of(&mut half);
+    triangular::matmul(to.as_mut(), all, Accum::Replace, lower.transpose(), up, x, all, 1.0, Par::Seq);
+    triangular::matmul(of(&mut whole), all, Accum::Replace, lower, low, to.as_ref(), all, 1.0, Par::Seq);
+    whole
 }
 
 /// A column of a matrix whose columns lie in one piece.
@@ -23,21 +38,7 @@ pub(super) fn column<'a>(matrix: MatRef<'a, f64>, number: usize) -> &'a [f64] {
     matrix.col(number).try_as_col_major().map_or(&[], |column| column.as_slice())
 }
 
-/// Forward substitution of the first `count` columns of L: x becomes L⁻¹ x there, and what is left of x below.
-pub(super) fn forward(lower: MatRef<f64>, count: usize, x: &mut [f64]) {
-    for j in 0..count {
-        let (from, below) = x[j..].split_at_mut(1);
-        let column = &column(lower, j)[j..];
-        from[0] /= column[0];
-        axpy(-from[0], &column[1..], below);
-    }
-}
-
-/// Backward substitution of the first `count` columns of L: with x below as it is, x becomes L⁻ᵀ x there.
-pub(super) fn backward(lower: MatRef<f64>, count: usize, x: &mut [f64]) {
-    for j in (0..count).rev() {
-        let (to, below) = x[j..].split_at_mut(1);
-        let column = &column(lower, j)[j..];
-        to[0] = (to[0] - dot(&column[1..], below)) / column[0];
-    }
+fn of(x: &mut [f64]) -> MatMut<'_, f64> {
+    let count = x.len();
+    MatMut::from_column_major_slice_mut(x, count, 1)
 }

@@ -17,6 +17,8 @@ const LEFT_OVER: f64 = 1e-2;
 /// Trials along a direction.
 const MOST_TRIALS: usize = 12;
 
+type Touch<const D: usize> = Result<ContactForces<D>, fmc_contact::Error>;
+
 /// A step, and what finding it took.
 pub(super) struct ContactStep<const D: usize> {
     pub(super) direction: Vec<[f64; D]>,
@@ -109,7 +111,9 @@ impl<const D: usize> Equilibrium<D> {
             iterations += 1;
         }
         self.contact_iterations += iterations;
-        let direction = self.on_nodes(&at.step);
+        let inner = model.condensed.inner.iter().map(|y| at.part * y);
+        let Some(step) = self.bulk.follow(inner, &at.kept) else { return Ok(None) };
+        let direction = self.on_nodes(&step);
         Ok((balance.slope(&direction) < 0.0).then_some(ContactStep { direction, iterations }))
     }
 
@@ -190,10 +194,8 @@ impl<const D: usize> Equilibrium<D> {
             };
             let (kept, pull) = (along(&at.kept, &direction.kept), along(&at.pull, &direction.pull));
             let part = at.part + length * (1.0 - at.part);
-            let Some(step) = self.bulk.follow(model.condensed.inner.iter().map(|y| part * y), &kept) else {
-                return Ok(None);
-            };
-            match self.touch_at(&self.stepped(model.u, &step)) {
+            let Some((step, touch)) = self.followed(model, at, &kept, part) else { return Ok(None) };
+            match touch {
                 Ok(touch) => {
                     let next = self.at(model, (kept, part, step), pull, &touch);
                     let is_flat = (next.energy - at.energy).abs() <= FLAT * model.magnitude;
@@ -207,6 +209,29 @@ impl<const D: usize> Equilibrium<D> {
             }
         }
         Ok(None)
+    }
+
+    /// The step on all equations and the contact there. After the first iteration only what is near the kept equations follows
+    /// them; what is far away does so where that would turn cells inside out.
+    fn followed(
+        &mut self,
+        model: &Model<D>,
+        at: &At,
+        kept: &[f64],
+        part: f64,
+    ) -> Option<(Vec<f64>, Touch<D>)> {
+        let inner = || model.condensed.inner.iter().map(|y| part * y);
+        if at.part > 0.0 {
+            let mut step = at.step.clone();
+            self.bulk.follow_near(inner(), kept, &mut step)?;
+            let touch = self.touch_at(&self.stepped(model.u, &step));
+            if touch.is_ok() {
+                return Some((step, touch));
+            }
+        }
+        let step = self.bulk.follow(inner(), kept)?;
+        let touch = self.touch_at(&self.stepped(model.u, &step));
+        Some((step, touch))
     }
 
     fn stepped(&self, u: &[[f64; D]], step: &[f64]) -> Vec<[f64; D]> {
