@@ -105,7 +105,14 @@ impl<const D: usize> Equilibrium<D> {
             let is_far = at.norm > self.settings.full_below * model.scale;
             let wish = if is_far || full_failed { Tangent::Semidefinite } else { Tangent::Full };
             let Some(direction) = self.contact_direction(&model, &at, wish)? else { break };
-            let Some(next) = self.search_in(&model, &at, &direction)? else { break };
+            let Some(next) = self.search_in(&model, &at, &direction)? else {
+                // The semidefinite tangent has not been tried here.
+                if direction.tangent == Tangent::Full {
+                    full_failed = true;
+                    continue;
+                }
+                break;
+            };
             full_failed = direction.tangent == Tangent::Full && next.norm > 0.5 * at.norm;
             at = next;
             iterations += 1;

@@ -38,6 +38,8 @@ pub struct Equilibrium<const D: usize> {
     pub(super) before: Option<(Vec<[f64; D]>, f64)>,
     /// See [`Equilibrium::unturned`].
     pub(super) unturned: Option<f64>,
+    /// See [`Equilibrium::stalled_turn`].
+    pub(super) stalled_turn: Option<f64>,
     /// Added to the coordinates that the contact is shown; empty for none. See [`Equilibrium::augment`].
     pub(super) offset: Vec<[f64; D]>,
     /// Iterations: with each, the bodies have been linearised anew.
@@ -121,6 +123,7 @@ impl<const D: usize> Equilibrium<D> {
             before: None,
             halvings: 0,
             unturned: None,
+            stalled_turn: None,
             offset: Vec::new(),
             iterations: 0,
             contact_iterations: 0,

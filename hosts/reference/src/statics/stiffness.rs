@@ -48,7 +48,9 @@ impl<const D: usize> Equilibrium<D> {
         self.contact_seconds += clock.elapsed().as_secs_f64();
         let touch = touch?;
         let linearised = self.problem.linearised.iter().flat_map(|l| l.tangent(&self.problem.contact.law, u));
-        Ok(touch.triplets().chain(linearised).filter_map(|entry| self.on_both(entry)).collect())
+        // What touches at its side alone, as a plane of symmetry does below another body, has places in the pattern, but no stiffness.
+        let entries = touch.triplets().chain(linearised).filter(|(.., value)| *value != 0.0);
+        Ok(entries.filter_map(|entry| self.on_both(entry)).collect())
     }
 
     /// Factorises the tangent at a displacement. `false` if it is not positive definite.
