@@ -32,6 +32,7 @@ mod error;
 mod fixed_point;
 mod friction;
 mod iteration;
+mod kept;
 mod line_search;
 mod linearised;
 mod motion;

@@ -48,7 +48,9 @@ impl<const D: usize> Equilibrium<D> {
         self.contact_seconds += clock.elapsed().as_secs_f64();
         let touch = touch?;
         let linearised = self.problem.linearised.iter().flat_map(|l| l.tangent(&self.problem.contact.law, u));
-        Ok(touch.triplets().chain(linearised).filter_map(|entry| self.on_both(entry)).collect())
+        // What touches at its side alone, as a plane of symmetry does below another body, has places in the pattern, but no stiffness.
+        let entries = touch.triplets().chain(linearised).filter(|(.., value)| *value != 0.0);
+        Ok(entries.filter_map(|entry| self.on_both(entry)).collect())
     }
 
     /// Factorises the tangent at a displacement. `false` if it is not positive definite.
@@ -56,6 +58,23 @@ impl<const D: usize> Equilibrium<D> {
         let (elastic, touching) = (self.elastic(u), self.touching(u, tangent)?);
         let whole = Lower::new(self.equation_count, elastic.entries().chain(touching));
         Ok(self.system.factorise(&whole, &[]))
+    }
+
+    /// Solution of the system with the semidefinite tangent at a displacement: by factors that there are of linear bodies, else by
+    /// new ones. `None` if it is not positive definite.
+    pub(super) fn semidefinite_step(
+        &mut self,
+        u: &[[f64; D]],
+        right: &[f64],
+    ) -> Result<Option<Vec<f64>>, StaticsError> {
+        if self.is_linear() && self.ground.is_empty() && self.bulk.is_factorised() {
+            let entries = self.touching(u, Tangent::Semidefinite)?;
+            if let (Some(change), Some(condensed)) = (self.kept.placed(entries.into_iter()), self.bulk.condense(right)) {
+                let kept = self.bulk.schur().solve_changed(&change, &condensed.kept);
+                return Ok(kept.and_then(|kept| self.bulk.follow(condensed.inner.iter().copied(), &kept)));
+            }
+        }
+        Ok(if self.factorise(u, Tangent::Semidefinite)? { self.system.solve(right) } else { None })
     }
 
     /// An entry by degrees of freedom on the equations, if it is of their lower triangle.
