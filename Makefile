@@ -1,10 +1,11 @@
 # make check     the library alone: format, lints, tests; below two minutes after a build
 # make test      what CI runs: format, lints, all tests in release mode, C and C++ hosts, valgrind, installation, the adapters for
 #                scikit-fem, FEniCSx, GetFEM and PETSc, the Python package, arbitrary input for 60 s; seconds of CPU of each suite
-# make release   everything that takes long, step by step: test, packages, compat, peers, agree, sanitizers, mutants; log: docs/release-log.md
+# make release   everything that takes long, step by step: test, packages, compat, peers, agree, dealii, examples, sanitizers, mutants; log: docs/release-log.md
 #
 # make demo      forces of two meshes in examples/, printed and written as VTU
 # make python    the Python package, in an environment of its own under target/, and its tests
+# make examples  NGSolve and FElupe with contact, and the notebook, in an environment of their own
 # make hosts     the adapters for scikit-fem, FEniCSx, GetFEM and PETSc, and their tests, against the reference host too
 # make agree     the cases in all hosts, deal.II too, side by side: table and pictures in out/agree
 # make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
@@ -32,7 +33,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat getfem dealii-program dealii bench gallery book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
+.PHONY: check demo examples test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat getfem dealii-program dealii bench gallery book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -66,7 +67,7 @@ test: tools
 fuzz:
 	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60
 
-RELEASE_STEPS ?= test packages compat peers-test peers agree dealii sanitizers mutants
+RELEASE_STEPS ?= test packages compat peers-test peers agree dealii examples sanitizers mutants
 
 release:
 	.ci/release $(RELEASE_STEPS)
@@ -116,6 +117,14 @@ python:
 	@$(call ENVIRONMENT,$(VENV))
 	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
 	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q bindings/python
+
+# What is stored in the notebook is renewed with UPDATE_NOTEBOOK=1.
+EXAMPLES = $(abspath $(TARGET))/examples
+
+examples:
+	@$(call ENVIRONMENT,$(EXAMPLES))
+	$(EXAMPLES)/bin/python -m pip install -q ./bindings/python ./hosts/skfem matplotlib ngsolve felupe nbclient ipykernel pytest
+	$(SUITE_OF) "examples" $(EXAMPLES)/bin/python -m pytest -q -p no:cacheprovider examples/python
 
 # dolfinx and GetFEM are for the system's own Python, and scikit-fem has to use that one's numpy: a second one beside it would not
 # fit their compiled parts. So the environment sees the system's packages, and nothing is installed that brings numpy.
