@@ -10,5 +10,6 @@ mod carried_over;
 mod failures;
 mod partition;
 mod parts;
+mod refused_in_parts;
 mod same_bits;
 mod shares;

@@ -220,13 +220,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// The step on all equations and the contact there. After the first iteration only what is near the kept equations follows
     /// them; what is far away does so where that would turn cells inside out.
-    fn followed(
-        &mut self,
-        model: &Model<D>,
-        at: &At,
-        kept: &[f64],
-        part: f64,
-    ) -> Option<(Vec<f64>, Touch<D>)> {
+    fn followed(&mut self, model: &Model<D>, at: &At, kept: &[f64], part: f64) -> Option<(Vec<f64>, Touch<D>)> {
         let inner = || model.condensed.inner.iter().map(|y| part * y);
         if at.part > 0.0 {
             let mut step = at.step.clone();

@@ -69,7 +69,8 @@ impl<const D: usize> Equilibrium<D> {
     ) -> Result<Option<Vec<f64>>, StaticsError> {
         if self.is_linear() && self.ground.is_empty() && self.bulk.is_factorised() {
             let entries = self.touching(u, Tangent::Semidefinite)?;
-            if let (Some(change), Some(condensed)) = (self.kept.placed(entries.into_iter()), self.bulk.condense(right)) {
+            if let (Some(change), Some(condensed)) = (self.kept.placed(entries.into_iter()), self.bulk.condense(right))
+            {
                 let kept = self.bulk.schur().solve_changed(&change, &condensed.kept);
                 return Ok(kept.and_then(|kept| self.bulk.follow(condensed.inner.iter().copied(), &kept)));
             }
