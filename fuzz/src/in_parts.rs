@@ -50,7 +50,8 @@ fn of_part(mesh: &Mesh, ids: &[i64], options: &fmc_options, reach: f64, hole: Ho
     unsafe {
         let mut ranks = std::mem::MaybeUninit::<fmc_communicator>::zeroed().assume_init();
         assert_eq!(checked(fmc_communicator_init(&raw mut ranks)), OK);
-        (ranks.all_gather, ranks.user) = (Some(echo), std::ptr::without_provenance_mut(256));
+        ranks.all_gather = Some(echo);
+        ranks.user = std::ptr::without_provenance_mut(256);
         let part = fmc_mesh_part {
             struct_size: size_of::<fmc_mesh_part>(),
             coords: coords.view,
