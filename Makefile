@@ -153,8 +153,9 @@ RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibr
   FMC_DRIVERS=$(CURDIR)/benchmarks/agreement/drivers \
   OMP_NUM_THREADS=1
 
-# GetFEM's programs: the case as a model, and its own contact.
-RUN_GETFEM = $(RUN_HOSTS) PYTHONPATH=$(subst $(SPACE),:,$(addprefix $(CURDIR)/,hosts/getfem benchmarks/agreement/drivers/getfem benchmarks/peers))
+# Its programs: the host's, the case as a model, and GetFEM's own contact.
+GETFEM_FOLDERS = hosts/getfem benchmarks/agreement/drivers/getfem benchmarks/peers
+RUN_GETFEM = $(RUN_HOSTS) PYTHONPATH=$(subst $(SPACE),:,$(addprefix $(CURDIR)/,$(GETFEM_FOLDERS)))
 
 hosts: host-environment
 	$(RUN_HOSTS) $(SUITE_OF) "scikit-fem" $(HOSTS)/bin/python -m pytest -q hosts/skfem

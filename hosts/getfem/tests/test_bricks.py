@@ -8,17 +8,10 @@ from scenes import ELEMENTS, add_supports, moved, touching, with_materials
 from scipy.sparse import random as random_matrix
 
 
-@pytest.mark.parametrize("nonlinear", [False, True])
-@pytest.mark.parametrize("element", ELEMENTS)
-def test_matrix_is_the_slope_of_the_residual(element, nonlinear):
-    """Through GetFEM's own assembly, of a model with the bricks."""
-    scene = touching(element)
-    model, contact = scene.model, scene.contact
-    with_materials(scene, nonlinear)
-    state = moved(model)
-    contact.keep_patches()
-    bricks = Bricks(contact)
-    assert is_linear(model) != nonlinear
+def is_slope(scene, state, linear):
+    """Whether the matrix of the model, bricks of contact included, is the slope of its residual."""
+    model, bricks = scene.model, Bricks(scene.contact)
+    scene.contact.keep_patches()
 
     def residual(at):
         model.to_variables(at)
@@ -27,12 +20,22 @@ def test_matrix_is_the_slope_of_the_residual(element, nonlinear):
 
     direction, step = np.random.default_rng(2).standard_normal(len(state)), 1e-7
     slope = (residual(state + step * direction) - residual(state - step * direction)) / (2 * step)
-    model.to_variables(state)
-    bricks.update()
-    _, matrix = residual_and_tangent(model, not nonlinear)
+    residual(state)
     assert np.abs(bricks.force).max() > 0.1
+    _, matrix = residual_and_tangent(model, linear)
     # Forces have kinks in their slope where facets cross, so differences are good to the part of them in a step.
-    assert np.linalg.norm(slope - matrix @ direction) < 1e-5 * np.linalg.norm(slope)
+    return np.linalg.norm(slope - matrix @ direction) < 1e-5 * np.linalg.norm(slope)
+
+
+@pytest.mark.parametrize("nonlinear", [False, True])
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_matrix_is_the_slope_of_the_residual(element, nonlinear):
+    """Through GetFEM's own assembly."""
+    scene = touching(element)
+    with_materials(scene, nonlinear)
+    state = moved(scene.model)
+    assert is_linear(scene.model) != nonlinear
+    assert is_slope(scene, state, not nonlinear)
 
 
 @pytest.mark.parametrize("nonlinear", [False, True])
@@ -64,6 +67,28 @@ def test_both_methods_find_one_equilibrium(nonlinear):
     for other in found[1:]:
         # Residuals of 1e-9 of the forces.
         assert np.abs(other - found[0]).max() < 1e-8 * largest
+
+
+def test_friction_drags_the_upper_block_alike_by_both_methods():
+    """Pressed and pulled along until all of it slides, in steps that are committed; the matrix is unsymmetric."""
+    found = []
+    for by_bricks in (False, True):
+        scene = touching("FEM_QK(2,1)", stiffness=1e5, estimator="auto", friction_coefficient=0.3)
+        with_materials(scene)
+        model, contact = scene.model, scene.contact
+        add_supports(scene, 0.0)
+        bricks = Bricks(contact) if by_bricks else None
+        contact.begin_step()
+        for part in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0):
+            model.set_variable("move_v", [0.05 * part, -0.01 * part])
+            newton_by_bricks(bricks, young=1e3) if bricks else newton(contact, young=1e3)
+            matrix, force = contact.tangent(), contact.evaluate().bodies[1].force
+            contact.commit_step()
+        assert abs(matrix - matrix.T).max() > 1e-2 * abs(matrix).max()
+        # The sides of the upper block reach into the lower one, which pushes back there.
+        assert force[1] > 1.0 and 0.25 < -force[0] / force[1] < 0.3
+        found.append(force)
+    assert found[1] == pytest.approx(found[0], rel=1e-7)
 
 
 def test_a_step_that_fails_leaves_the_model_where_it_was():
