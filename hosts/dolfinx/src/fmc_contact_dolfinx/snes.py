@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Any, Sequence
 
 import dolfinx.fem.petsc as fpetsc
+import numpy as np
 import ufl
 from dolfinx import fem
 from fmc_contact.errors import InvertedCellError
 from petsc4py import PETSc
 
 from .adapter import DolfinxContact
+from .filtered_multigrid import FilteredMultigrid
 from .versions import create_vector, vector_of
 
 FAR = 0.1
@@ -40,6 +42,8 @@ class ContactProblem:
         )
         self.semidefinite: bool | None = None
         self._is_far = True
+        self.touched = np.empty(0, np.int64)
+        """Unknowns of this rank that felt contact when the matrix was made last."""
         self.vector = create_vector(self.residual, space)
         self.matrix = fpetsc.create_matrix(self.jacobian)
 
@@ -76,6 +80,7 @@ class ContactProblem:
         semidefinite = self._is_far if self.semidefinite is None else self.semidefinite
         tangent = self.contact.tangent(x, semidefinite=semidefinite)
         self.contact.add_tangent(preconditioner, tangent, self.bcs)
+        self.touched = self.contact.touched(tangent, self.bcs)
         if matrix != preconditioner:
             matrix.assemble()
 
@@ -93,6 +98,19 @@ class ContactProblem:
         if self.u.function_space.mesh.comm.size > 1 or PETSc.Sys.hasExternalPackage("mumps"):
             solver.getPC().setFactorSolverType("mumps")
         solver.setErrorIfNotConverged(True)
+        return snes
+
+    def iterative_solver(self, rtol: float = 1e-8) -> Any:
+        """A SNES with conjugate gradients for its linear systems, preconditioned by algebraic multigrid with the contact solved
+        directly (``FilteredMultigrid``), on any number of ranks: for problems that are too large for a direct solver.
+
+        The matrix has to be symmetric and positive definite: no friction but frozen; near a stable equilibrium it is, and far from
+        one, where of the contact only what is semidefinite is taken."""
+        snes = self.solver()
+        solver = snes.getKSP()
+        solver.setType("cg")
+        solver.setTolerances(rtol=rtol, max_it=500)
+        FilteredMultigrid(self.u.function_space, lambda: self.touched).attach(solver.getPC())
         return snes
 
     def solve(self, snes: Any = None) -> int:
