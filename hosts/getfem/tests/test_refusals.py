@@ -48,6 +48,15 @@ def test_meshes_of_lines_and_meshes_that_are_gone_are_refused():
         GetfemContact(model, "v", stiffness=1.0)
 
 
+def test_meshes_are_kept_by_the_contact():
+    model, space, mesh = variable("FEM_PK(2,1)")
+    mesh.set_region(3, mesh.faces_from_pid(np.flatnonzero(mesh.pts()[1] == 0.0)))
+    contact = GetfemContact(model, "u", stiffness=1.0)
+    del space, mesh
+    assert len(contact.nodes("u", 3)) == 3
+    assert (contact.coords()[contact.nodes("u", 3)][:, 1] == 0.0).all()
+
+
 def test_unknowns_that_are_combined_are_refused():
     model, space, mesh = variable("FEM_PK(2,1)")
     part = gf.MeshFem("partial", space, [0, 1, 2, 3])

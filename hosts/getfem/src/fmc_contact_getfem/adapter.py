@@ -24,7 +24,7 @@ class GetfemContact:
     after variable, in the order of the cells' numbers; default: bodies are the connected components. ``stiffness`` and
     the other keywords are those of ``fmc_contact.Contact``.
 
-    The Python objects of mesh and mesh_fem have to live as long as this one: GetFEM finds neither without.
+    The Python objects of mesh and mesh_fem have to be there when this one is made, which keeps them: GetFEM finds neither without.
 
     A displacement ``u`` is the state of the whole model, as ``from_variables`` has it; default: that of now.
 
@@ -95,7 +95,7 @@ class GetfemContact:
         one = self._fields[variable]
         if region is None:
             return first + np.arange(len(one.coords))
-        chosen = self.model.mesh_fem_of_variable(variable).basic_dof_on_region(region)
+        chosen = one.space.basic_dof_on_region(region)
         return first + np.flatnonzero(np.isin(one.dofs[:, 0], chosen))
 
     def coords(self, u: np.ndarray | None = None) -> np.ndarray:

@@ -55,9 +55,11 @@ class Bricks:
             model.set_private_matrix(brick, to_getfem(matrix[slices[row], slices[col]]))
         return result
 
-    def residual(self) -> np.ndarray:
-        """Internal less external forces and those of contact after ``update``, (size,)."""
-        return residual_and_tangent(self.contact.model, is_linear(self.contact.model))[0]
+    def residual(self, linear: bool | None = None) -> np.ndarray:
+        """Internal less external forces and those of contact after ``update``, (size,). ``linear``: whether all bricks of the
+        model are; default: that is found out."""
+        model = self.contact.model
+        return residual_and_tangent(model, is_linear(model) if linear is None else linear)[0]
 
     def relative(self, residual: np.ndarray) -> float:
         """What is left of the balance, by the forces of the bodies or of contact, whichever are larger."""

@@ -9,6 +9,7 @@ from fmc_contact.errors import FmcError
 from fmc_contact.newton import NotConvergedError
 
 from .bricks import Bricks
+from .system import is_linear
 
 # Pressure, by Young's modulus, down to which a deep overlap is softened; factor by which stiffness is raised at every iteration
 # then; pressure by that of the start, up to which nothing is softened; residual at the nodes in contact, by the contact
@@ -35,7 +36,7 @@ def newton_by_bricks(
     model, inner = bricks.contact.model, bricks.contact.contact
     start, residuals = model.from_variables(), []
     stiffness = k = float(inner.options["stiffness"])
-    allowed, has_touched = _BEARABLE * young, False
+    allowed, has_touched, linear = _BEARABLE * young, False, is_linear(model)
 
     def failed(why: str) -> NotConvergedError:
         model.to_variables(start)
@@ -44,7 +45,7 @@ def newton_by_bricks(
     try:
         for iteration in range(max_iterations + 1):
             depth = bricks.update().penetration
-            if iteration == 0 and _is_balanced(bricks):
+            if iteration == 0 and _is_balanced(bricks, linear):
                 allowed = max(allowed, _GROWTH * k * depth)
             wanted = min(stiffness, allowed / depth) if depth > 0.0 else stiffness
             if iteration > 1 and has_touched:
@@ -54,7 +55,7 @@ def newton_by_bricks(
                 k = wanted
                 inner.set_options(stiffness=k)
                 bricks.update(semidefinite=is_soft)
-            residuals.append(bricks.relative(bricks.residual()))
+            residuals.append(bricks.relative(bricks.residual(linear)))
             if residuals[-1] <= tolerance and not is_soft:
                 return iteration
             if iteration < max_iterations:
@@ -66,8 +67,8 @@ def newton_by_bricks(
     raise failed(f"the residual is {residuals[-1]:.1e}, {tolerance:.1e} is wanted")
 
 
-def _is_balanced(bricks: Bricks) -> bool:
+def _is_balanced(bricks: Bricks, linear: bool) -> bool:
     """Whether the nodes in contact are in equilibrium; a load that grows acts on others."""
     (touching,) = np.nonzero(bricks.force)
-    left = np.linalg.norm(bricks.residual()[touching])
+    left = np.linalg.norm(bricks.residual(linear)[touching])
     return bool(left < _BALANCED * np.linalg.norm(bricks.force[touching]))

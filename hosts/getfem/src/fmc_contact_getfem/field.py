@@ -10,11 +10,14 @@ import numpy as np
 from .cells import nearest, of_places
 from .errors import LayoutError
 
+
 class Field(NamedTuple):
     """One variable, as contact sees it. Its nodes are the points of the mesh that have unknowns, then the other places with
     unknowns, each in the order of GetFEM's numbers."""
 
-    variable: str
+    space: gf.MeshFem
+    mesh: gf.Mesh
+    """Kept: GetFEM finds neither once their last Python object is gone."""
     cells: list[tuple[str, np.ndarray, np.ndarray]]
     """Type, nodes (cells, nodes) in the order of ``fmc_contact``, and numbers of the cells among those of the variable."""
     dofs: np.ndarray
@@ -34,7 +37,6 @@ def field(model: gf.Model, variable: str) -> Field:
         space = model.mesh_fem_of_variable(variable)
         mesh = space.mesh()
     except RuntimeError as error:
-        # GetFEM knows no mesh whose Python object is gone, though the model goes on with it.
         raise LayoutError(
             f"GetFEM has no mesh_fem or no mesh of '{variable}' (are their Python objects still there?): {error}"
         ) from None
@@ -70,7 +72,7 @@ def field(model: gf.Model, variable: str) -> Field:
         for name, parts in cells.items()
     ]
     coords = np.ascontiguousarray(space.basic_dof_nodes()[:, ::dim].T[order_of_nodes])
-    return Field(variable, blocks, dim * order_of_nodes[:, None] + np.arange(dim), coords)
+    return Field(space, mesh, blocks, dim * order_of_nodes[:, None] + np.arange(dim), coords)
 
 
 def _of_cells(found: tuple, numbers: np.ndarray) -> list[tuple[object, np.ndarray]]:
