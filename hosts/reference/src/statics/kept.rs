@@ -75,11 +75,11 @@ impl<const D: usize> Equilibrium<D> {
         }
     }
 
-    /// Equations of some entries and forces, those of the nodes that are nearest to being free first: by their force over the stiffness of
+    /// Equations of some entries, those of the nodes that are nearest to being free first: by their force over the stiffness of
     /// the contact along it.
     fn by_depth(&self, entries: &Entries, forces: &[[f64; D]]) -> Vec<usize> {
         let mut stiffness = vec![[[0.0; D]; D]; forces.len()];
-        let mut is_there: Vec<bool> = self.on_equations(forces).iter().map(|force| *force != 0.0).collect();
+        let mut is_there = vec![false; self.equation_count];
         for &(row, column, value) in entries {
             (is_there[row], is_there[column]) = (true, true);
             let [(node, i), (other, j)] = [row, column].map(|equation| self.freedom(equation));

@@ -1,4 +1,5 @@
 use super::*;
+use crate::sparse::Entries;
 
 /// A chain of springs, held at one end, with entries in pieces and out of order.
 fn chain(size: usize, stiffness: f64) -> Vec<(usize, usize, f64)> {
