@@ -26,11 +26,16 @@ pub(super) fn supernodes_near(
         }
     }
     let (starts, ends) = (factors.supernode_begin(), factors.supernode_end());
-    let mut is_wanted: Vec<bool> =
-        starts.iter().zip(ends).map(|(&start, &end)| order[start..end].iter().any(|&equation| is_near[equation])).collect();
+    let mut is_wanted: Vec<bool> = starts
+        .iter()
+        .zip(ends)
+        .map(|(&start, &end)| order[start..end].iter().any(|&equation| is_near[equation]))
+        .collect();
     for number in 0..is_wanted.len() {
         // All that it depends on is beyond the next one of these, or is that.
-        if is_wanted[number] && let Some(&row) = factors.supernode(number).pattern().first() {
+        if is_wanted[number]
+            && let Some(&row) = factors.supernode(number).pattern().first()
+        {
             is_wanted[starts.partition_point(|start| *start <= row) - 1] = true;
         }
     }

@@ -121,17 +121,7 @@ impl Schur {
         renew(&mut self.product, size);
         let last = self.factor.as_ref().get(first.., first..);
         let [low, up] = [BlockStructure::TriangularLower, BlockStructure::TriangularUpper];
-        triangular::matmul(
-            self.product.as_mut(),
-            low,
-            Accum::Replace,
-            last,
-            low,
-            last.transpose(),
-            up,
-            1.0,
-            Par::Seq,
-        );
+        triangular::matmul(self.product.as_mut(), low, Accum::Replace, last, low, last.transpose(), up, 1.0, Par::Seq);
         size
     }
 }

@@ -26,7 +26,8 @@ pub(super) fn backward(lower: MatRef<f64>, count: usize, x: &mut [f64]) {
 pub(super) fn times(lower: MatRef<f64>, x: &[f64]) -> Vec<f64> {
     let (mut half, mut whole) = (vec![0.0; x.len()], vec![0.0; x.len()]);
     let x = MatRef::from_column_major_slice(x, x.len(), 1);
-    let [low, up, all] = [BlockStructure::TriangularLower, BlockStructure::TriangularUpper, BlockStructure::Rectangular];
+    let [low, up, all] =
+        [BlockStructure::TriangularLower, BlockStructure::TriangularUpper, BlockStructure::Rectangular];
     let mut to = of(&mut half);
     triangular::matmul(to.as_mut(), all, Accum::Replace, lower.transpose(), up, x, all, 1.0, Par::Seq);
     triangular::matmul(of(&mut whole), all, Accum::Replace, lower, low, to.as_ref(), all, 1.0, Par::Seq);

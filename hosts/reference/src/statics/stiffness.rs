@@ -8,9 +8,6 @@ use crate::sparse::{Entries, Lower};
 use fmc_contact::contact::TangentPart;
 use std::sync::Arc;
 
-/// Part of the largest entry of the contact's stiffness below which another one is rounding.
-const ROUNDING: f64 = 1e-14;
-
 impl<const D: usize> Equilibrium<D> {
     /// Stiffness of the bodies at a displacement. That of linear materials is computed once.
     pub(super) fn elastic(&mut self, u: &[[f64; D]]) -> Arc<Lower> {
@@ -51,11 +48,7 @@ impl<const D: usize> Equilibrium<D> {
         self.contact_seconds += clock.elapsed().as_secs_f64();
         let touch = touch?;
         let linearised = self.problem.linearised.iter().flat_map(|l| l.tangent(&self.problem.contact.law, u));
-        let entries: Entries = touch.triplets().chain(linearised).filter_map(|entry| self.on_both(entry)).collect();
-        // What touches at its side alone, as a plane of symmetry does below another body, has places in the pattern, and for
-        // stiffness nothing or rounding.
-        let least = ROUNDING * entries.iter().fold(0.0, |most: f64, (.., value)| most.max(value.abs()));
-        Ok(entries.into_iter().filter(|(.., value)| value.abs() > least).collect())
+        Ok(touch.triplets().chain(linearised).filter_map(|entry| self.on_both(entry)).collect())
     }
 
     /// Factorises the tangent at a displacement. `false` if it is not positive definite.
@@ -74,7 +67,7 @@ impl<const D: usize> Equilibrium<D> {
     ) -> Result<Option<Vec<f64>>, StaticsError> {
         if self.is_linear() && self.ground.is_empty() && self.bulk.is_factorised() {
             let entries = self.touching(u, Tangent::Semidefinite)?;
-            if let (Some(change), Some(condensed)) = (self.kept.placed(entries.into_iter()), self.bulk.condense(right)) {
+            if let (Some(change), Some(condensed)) = (self.kept.placed(&entries), self.bulk.condense(right)) {
                 let kept = self.bulk.schur().solve_changed(&change, &condensed.kept);
                 return Ok(kept.and_then(|kept| self.bulk.follow(condensed.inner.iter().copied(), &kept)));
             }

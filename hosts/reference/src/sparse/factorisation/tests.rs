@@ -3,9 +3,8 @@ use crate::sparse::Entries;
 
 /// A chain of springs, held at one end, with entries in pieces and out of order.
 fn chain(size: usize, stiffness: f64) -> Vec<(usize, usize, f64)> {
-    let springs = (1..size).flat_map(|k| {
-        [(k, k, stiffness), (k - 1, k, -stiffness), (k, k - 1, -stiffness), (k - 1, k - 1, stiffness)]
-    });
+    let springs = (1..size)
+        .flat_map(|k| [(k, k, stiffness), (k - 1, k, -stiffness), (k, k - 1, -stiffness), (k - 1, k - 1, stiffness)]);
     springs.chain([(0, 0, stiffness)]).collect()
 }
 
@@ -50,7 +49,8 @@ fn solved(
 #[test]
 fn a_change_on_kept_equations_gives_the_solution_of_the_changed_matrix() {
     let right: Vec<f64> = (0..8).map(|k| (k as f64).sin()).collect();
-    let is_right = |left: &[f64]| left.iter().zip(&right).for_each(|(l, r)| assert!((l - r).abs() < 1e-13, "{l} is not {r}"));
+    let is_right =
+        |left: &[f64]| left.iter().zip(&right).for_each(|(l, r)| assert!((l - r).abs() < 1e-13, "{l} is not {r}"));
     // In either order: what changes is eliminated first or last, or both are.
     for kept in [[2, 5], [5, 2]] {
         let at = |equation: usize| usize::from(equation == kept[1]);
@@ -107,7 +107,12 @@ fn a_block_that_is_cut_in_two_again_and_again_is_solved() {
         let at: Vec<f64> = kept.iter().map(|equation| found[*equation]).collect();
         system.follow_near(condensed.inner.iter().copied(), &at, &mut near).unwrap();
         for k in 0..matrix.size() {
-            assert!((near[k] - found[k]).abs() < 1e-12 || near[k].is_nan() && k >= 3 * 144, "{k}: {} is not {}", near[k], found[k]);
+            assert!(
+                (near[k] - found[k]).abs() < 1e-12 || near[k].is_nan() && k >= 3 * 144,
+                "{k}: {} is not {}",
+                near[k],
+                found[k]
+            );
         }
         for x in [found, parts] {
             matrix.product(&x).iter().zip(&right).for_each(|(l, r)| assert!((l - r).abs() < 1e-12, "{l} is not {r}"));
@@ -122,7 +127,10 @@ fn a_block_that_is_cut_in_two_again_and_again_is_solved() {
             let whole = whole.map(|(row, column, value)| (row.max(column), row.min(column), value));
             let whole = Lower::new(matrix.size(), matrix.entries().chain(whole));
             whole.product(&x).iter().zip(&right).for_each(|(l, r)| assert!((l - r).abs() < 1e-12, "{l} is not {r}"));
-            assert!(system.schur().changed >= 144 - from && system.schur().changed <= 1 + (1.3 * (144.0 - from as f64)) as usize);
+            assert!(
+                system.schur().changed >= 144 - from
+                    && system.schur().changed <= 1 + (1.3 * (144.0 - from as f64)) as usize
+            );
         }
     }
 }
