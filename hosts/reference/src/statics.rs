@@ -24,6 +24,7 @@
 mod approach;
 mod augmented;
 mod balance;
+mod contact_model;
 mod contact_step;
 mod continuation;
 mod current_pressure;

@@ -1,11 +1,11 @@
 //! Steps for which the bodies are linear and the contact is as it is.
 
 use super::balance::Balance;
+use super::contact_model::{At, Direction, Model};
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Tangent;
 use super::line_search::{FLAT, GAIN, shortened};
-use crate::sparse::Condensed;
 use fmc_contact::ContactForces;
 
 /// Iterations of the contact, at most.
@@ -24,55 +24,6 @@ pub(super) struct ContactStep<const D: usize> {
     pub(super) direction: Vec<[f64; D]>,
     /// Iterations of the contact.
     pub(super) iterations: usize,
-}
-
-/// Least energy over steps d, with r the residual of the bodies and K their stiffness at u:
-/// r·d + ½ d·K d + contact energy(u + d).
-///
-/// With b = −r condensed to b̂ on the kept equations, and the others in the part s of their way to balance,
-///
-/// ```text
-/// energy = ½ d·S d − b̂·d − (s − ½ s²) |L⁻¹ b|² + contact      d, S on the kept equations; |…| over the others
-/// ```
-struct Model<'a, const D: usize> {
-    u: &'a [[f64; D]],
-    condensed: Condensed,
-    /// b̂ − b on the kept equations.
-    change: Vec<f64>,
-    /// |L⁻¹ b|² and |b|² of the others.
-    inner: [f64; 2],
-    scale: f64,
-    /// Magnitude of the energies, for rounding.
-    magnitude: f64,
-}
-
-/// A step and its place in the model.
-struct At {
-    kept: Vec<f64>,
-    /// s.
-    part: f64,
-    /// S d.
-    pull: Vec<f64>,
-    energy: f64,
-    /// Derivative of the energy by d.
-    gradient: Vec<f64>,
-    /// Of the residual on all equations.
-    norm: f64,
-    step: Vec<f64>,
-}
-
-/// Where to go from there: d, and S d.
-struct Direction {
-    kept: Vec<f64>,
-    pull: Vec<f64>,
-    tangent: Tangent,
-}
-
-impl<const D: usize> Model<'_, D> {
-    /// Derivative of the energy along a direction from `from`, at `at`.
-    fn slope(&self, from: &At, direction: &Direction, at: &At) -> f64 {
-        dot(&at.gradient, &direction.kept) - (1.0 - from.part) * (1.0 - at.part) * self.inner[0]
-    }
 }
 
 impl<const D: usize> Equilibrium<D> {
@@ -124,38 +75,6 @@ impl<const D: usize> Equilibrium<D> {
         Ok((balance.slope(&direction) < 0.0).then_some(ContactStep { direction, iterations }))
     }
 
-    fn contact_model<'a>(&self, u: &'a [[f64; D]], balance: &Balance<D>) -> Option<Model<'a, D>> {
-        let touch = self.on_equations(&balance.contact.forces);
-        let right: Vec<f64> = self.on_equations(&balance.residual).iter().zip(&touch).map(|(r, f)| -r - f).collect();
-        let condensed = self.bulk.condense(&right)?;
-        let own = self.kept.of(&right);
-        let change = condensed.kept.iter().zip(&own).map(|(condensed, own)| condensed - own).collect();
-        let others = right.iter().enumerate().filter(|(equation, _)| self.kept.place(*equation).is_none());
-        let inner = [dot(&condensed.inner, &condensed.inner), others.map(|(_, b)| b * b).sum()];
-        Some(Model { u, condensed, change, inner, scale: balance.scale, magnitude: balance.magnitude() })
-    }
-
-    /// Place of a step: of the kept equations, the part of the others' way, and the step on all; and S times the first.
-    fn at(
-        &self,
-        model: &Model<D>,
-        (kept, part, step): (Vec<f64>, f64, Vec<f64>),
-        pull: Vec<f64>,
-        touch: &ContactForces<D>,
-    ) -> At {
-        let Model { condensed, change, inner, .. } = model;
-        let forces = self.on_equations(&touch.forces);
-        let outside = forces.iter().enumerate().filter(|(equation, _)| self.kept.place(*equation).is_none());
-        let outside: f64 = outside.map(|(_, f)| f * f).sum();
-        let forces = self.kept.of(&forces);
-        let gradient: Vec<f64> = (0..kept.len()).map(|k| pull[k] - condensed.kept[k] - forces[k]).collect();
-        let residual: f64 = gradient.iter().zip(change).map(|(g, c)| (g + (1.0 - part) * c).powi(2)).sum();
-        let norm = (residual + (1.0 - part).powi(2) * inner[1] + outside).sqrt();
-        let bodies = 0.5 * dot(&pull, &kept) - dot(&condensed.kept, &kept) - (part - 0.5 * part * part) * inner[0];
-        let energy = bodies + touch.energy + touch.friction.stored + touch.friction.dissipated;
-        At { kept, part, pull, energy, gradient, norm, step }
-    }
-
     /// Newton step in the model with the contact's stiffness; `None` if contact acts where it did not, or there is none.
     fn contact_direction(
         &mut self,
@@ -166,9 +85,9 @@ impl<const D: usize> Equilibrium<D> {
         let right: Vec<f64> = at.gradient.iter().map(|g| -g).collect();
         let place = self.stepped(model.u, &at.step);
         for tangent in [wish, Tangent::Semidefinite] {
-            let entries = self.touching(&place, tangent)?;
-            let ground = self.ground.iter().map(|(row, column, value)| (*row, *column, -value));
-            let Some(change) = self.kept.placed(entries.into_iter().chain(ground)) else { return Ok(None) };
+            let mut entries = self.touching(&place, tangent)?;
+            entries.extend(self.ground.iter().map(|(row, column, value)| (*row, *column, -value)));
+            let Some(change) = self.kept.placed(&entries) else { return Ok(None) };
             let Some(kept) = self.bulk.schur().solve_changed(&change, &right) else { continue };
             let pull = self.pull(&kept);
             let direction = Direction { kept, pull, tangent };
@@ -182,7 +101,7 @@ impl<const D: usize> Equilibrium<D> {
     /// Force of the bodies condensed on the kept equations, for a step of these.
     fn pull(&mut self, kept: &[f64]) -> Vec<f64> {
         let mut pull = self.bulk.schur().times(kept);
-        for (row, column, value) in self.kept.placed(self.ground.iter().copied()).into_iter().flatten() {
+        for (row, column, value) in self.kept.placed(&self.ground).into_iter().flatten() {
             pull[row] -= value * kept[column];
             if row != column {
                 pull[column] -= value * kept[row];
@@ -239,8 +158,4 @@ impl<const D: usize> Equilibrium<D> {
         let step = self.on_nodes(step);
         u.iter().zip(step).map(|(u, d)| std::array::from_fn(|i| u[i] + d[i])).collect()
     }
-}
-
-fn dot(x: &[f64], y: &[f64]) -> f64 {
-    x.iter().zip(y).map(|(x, y)| x * y).sum()
 }

@@ -64,7 +64,7 @@ impl<const D: usize> Equilibrium<D> {
             let stood_on = self.ground.iter().flat_map(|&(row, column, value)| {
                 [(row, column, -value), (column, row, -value)].into_iter().take(if row == column { 1 } else { 2 })
             });
-            let change = self.kept.placed(touching.iter().copied().chain(stood_on));
+            let change = self.kept.placed(&touching.iter().copied().chain(stood_on).collect());
             if let (Some(change), Some(condensed)) = (change, self.bulk.condense(&right))
                 && let Some(kept) = self.bulk.schur().solve_changed_unsymmetric(&change, &condensed.kept)
                 && let Some(step) = self.bulk.follow(condensed.inner.iter().copied(), &kept)

@@ -6,6 +6,13 @@ use crate::sparse::{Entries, Lower};
 /// Equations on which contact acts, at most.
 const MOST_KEPT: usize = 6000;
 
+/// Part of all equations up to which those are kept as well that contact touches without stiffness. What touches at its side alone,
+/// as a plane of symmetry does below another body, may get some later, or never.
+const IDLE: f64 = 0.05;
+
+/// Part of the largest entry of the contact's stiffness below which another one is rounding.
+const ROUNDING: f64 = 1e-14;
+
 /// Where every equation is among those that are kept.
 #[derive(Default)]
 pub(super) struct Kept {
@@ -31,9 +38,11 @@ impl Kept {
         self.places.get(equation).copied().filter(|place| *place != u32::MAX).map(|place| place as usize)
     }
 
-    /// Entries by the places of their equations; `None` if one is not kept.
-    pub(super) fn placed(&self, entries: impl Iterator<Item = (usize, usize, f64)>) -> Option<Entries> {
-        entries.map(|(row, column, value)| Some((self.place(row)?, self.place(column)?, value))).collect()
+    /// Entries by the places of their equations, without those that are rounding; `None` if one of the others is not kept.
+    pub(super) fn placed(&self, entries: &Entries) -> Option<Entries> {
+        let least = rounding(entries);
+        let entries = entries.iter().filter(|(.., value)| value.abs() > least);
+        entries.map(|&(row, column, value)| Some((self.place(row)?, self.place(column)?, value))).collect()
     }
 
     /// Components of a vector on the equations.
@@ -43,6 +52,21 @@ impl Kept {
 }
 
 impl<const D: usize> Equilibrium<D> {
+    /// Equations that are kept for the contact, of the last factors.
+    pub fn kept_count(&self) -> usize {
+        self.kept.equations.len()
+    }
+
+    /// Sparse matrices factorised.
+    pub fn factorisations(&self) -> usize {
+        self.system.count + self.bulk.count
+    }
+
+    /// Substitutions through the whole factors of the bodies; two are a solution.
+    pub fn passes(&self) -> usize {
+        self.system.passes.get() + self.bulk.passes.get()
+    }
+
     /// Factorises the bodies down to the equations on which contact acts by some entries and forces, if that is of use.
     ///
     /// What contact acts on in a deep overlap is more than what it will act on in the end: bodies give way. So equations come in
@@ -75,13 +99,17 @@ impl<const D: usize> Equilibrium<D> {
         }
     }
 
-    /// Equations of some entries and forces, those of the nodes that are nearest to being free first: by their force over the stiffness of
+    /// Equations of some entries, those of the nodes that are nearest to being free first: by their force over the stiffness of
     /// the contact along it.
     fn by_depth(&self, entries: &Entries, forces: &[[f64; D]]) -> Vec<usize> {
         let mut stiffness = vec![[[0.0; D]; D]; forces.len()];
-        let mut is_there: Vec<bool> = self.on_equations(forces).iter().map(|force| *force != 0.0).collect();
+        let (mut is_there, mut is_stiff) = (vec![false; self.equation_count], vec![false; self.equation_count]);
+        let least = rounding(entries);
         for &(row, column, value) in entries {
             (is_there[row], is_there[column]) = (true, true);
+            if value.abs() > least {
+                (is_stiff[row], is_stiff[column]) = (true, true);
+            }
             let [(node, i), (other, j)] = [row, column].map(|equation| self.freedom(equation));
             if node == other {
                 stiffness[node][i][j] += value;
@@ -97,7 +125,9 @@ impl<const D: usize> Equilibrium<D> {
             if along > 0.0 { square.sqrt() * square / along } else { 0.0 }
         };
         let depths: Vec<f64> = (0..forces.len()).map(depth).collect();
-        let mut equations: Vec<usize> = (0..self.equation_count).filter(|equation| is_there[*equation]).collect();
+        let few = (IDLE * self.equation_count as f64) as usize;
+        let is_wanted = if is_there.iter().filter(|is| **is).count() <= few { is_there } else { is_stiff };
+        let mut equations: Vec<usize> = (0..self.equation_count).filter(|equation| is_wanted[*equation]).collect();
         equations.sort_by(|a, b| depths[self.freedom(*a).0].total_cmp(&depths[self.freedom(*b).0]));
         equations
     }
@@ -106,4 +136,9 @@ impl<const D: usize> Equilibrium<D> {
     fn freedom(&self, equation: usize) -> (usize, usize) {
         (self.freedoms[equation] as usize / D, self.freedoms[equation] as usize % D)
     }
+}
+
+/// Largest of some entries' values that counts for none.
+fn rounding(entries: &Entries) -> f64 {
+    ROUNDING * entries.iter().fold(0.0, |most: f64, (.., value)| most.max(value.abs()))
 }

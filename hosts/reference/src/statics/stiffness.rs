@@ -48,9 +48,7 @@ impl<const D: usize> Equilibrium<D> {
         self.contact_seconds += clock.elapsed().as_secs_f64();
         let touch = touch?;
         let linearised = self.problem.linearised.iter().flat_map(|l| l.tangent(&self.problem.contact.law, u));
-        // What touches at its side alone, as a plane of symmetry does below another body, has places in the pattern, but no stiffness.
-        let entries = touch.triplets().chain(linearised).filter(|(.., value)| *value != 0.0);
-        Ok(entries.filter_map(|entry| self.on_both(entry)).collect())
+        Ok(touch.triplets().chain(linearised).filter_map(|entry| self.on_both(entry)).collect())
     }
 
     /// Factorises the tangent at a displacement. `false` if it is not positive definite.
@@ -69,8 +67,7 @@ impl<const D: usize> Equilibrium<D> {
     ) -> Result<Option<Vec<f64>>, StaticsError> {
         if self.is_linear() && self.ground.is_empty() && self.bulk.is_factorised() {
             let entries = self.touching(u, Tangent::Semidefinite)?;
-            if let (Some(change), Some(condensed)) = (self.kept.placed(entries.into_iter()), self.bulk.condense(right))
-            {
+            if let (Some(change), Some(condensed)) = (self.kept.placed(&entries), self.bulk.condense(right)) {
                 let kept = self.bulk.schur().solve_changed(&change, &condensed.kept);
                 return Ok(kept.and_then(|kept| self.bulk.follow(condensed.inner.iter().copied(), &kept)));
             }
