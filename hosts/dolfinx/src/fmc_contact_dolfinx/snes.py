@@ -42,8 +42,7 @@ class ContactProblem:
         )
         self.semidefinite: bool | None = None
         self._is_far = True
-        self.touched = np.empty(0, np.int64)
-        """Unknowns of this rank that felt contact when the matrix was made last."""
+        self._tangent: Any = None
         self.vector = create_vector(self.residual, space)
         self.matrix = fpetsc.create_matrix(self.jacobian)
 
@@ -80,9 +79,14 @@ class ContactProblem:
         semidefinite = self._is_far if self.semidefinite is None else self.semidefinite
         tangent = self.contact.tangent(x, semidefinite=semidefinite)
         self.contact.add_tangent(preconditioner, tangent, self.bcs)
-        self.touched = self.contact.touched(tangent, self.bcs)
+        self._tangent = tangent
         if matrix != preconditioner:
             matrix.assemble()
+
+    @property
+    def touched(self) -> np.ndarray:
+        """Unknowns of this rank that felt contact when the matrix was made last. Collective."""
+        return np.empty(0, np.int64) if self._tangent is None else self.contact.touched(self._tangent, self.bcs)
 
     def solver(self) -> Any:
         """A SNES with Newton's method and a direct solver; change it by its methods or by options."""
