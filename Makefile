@@ -1,16 +1,17 @@
 # make check     the library alone: format, lints, tests; below two minutes after a build
 # make test      what CI runs: format, lints, all tests in release mode, C and C++ hosts, valgrind, installation, the adapters for
-#                scikit-fem, FEniCSx and PETSc, the Python package, arbitrary input for 60 s; seconds of CPU of each suite
+#                scikit-fem, FEniCSx, GetFEM and PETSc, the Python package, arbitrary input for 60 s; seconds of CPU of each suite
 # make release   everything that takes long, step by step: test, packages, compat, peers, agree, dealii, examples, sanitizers, mutants; log: docs/release-log.md
 #
 # make demo      forces of two meshes in examples/, printed and written as VTU
 # make python    the Python package, in an environment of its own under target/, and its tests
 # make examples  NGSolve and FElupe with contact, and the notebook, in an environment of their own
-# make hosts     the adapters for scikit-fem, FEniCSx and PETSc, and their tests, against the reference host too
-# make agree     the cases in all hosts, side by side: table and pictures in out/agree
+# make hosts     the adapters for scikit-fem, FEniCSx, GetFEM and PETSc, and their tests, against the reference host too
+# make agree     the cases in all hosts, deal.II too, side by side: table and pictures in out/agree
 # make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make fuzz      arbitrary input for 60 s
+# make getfem    Hertz and a punch in GetFEM beside the reference host, and beside GetFEM's own contact in the same run
 # make dealii    Hertz, a punch, hanging nodes and friction in deal.II beside the reference host; installs libdeal.ii-dev through apt
 # make bench     benchmarks
 # make figures   runs the cases that pages name; writes docs/results.json, from it the tables of README and docs, and docs/gallery.md
@@ -32,7 +33,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo examples test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat dealii bench figures figures-check book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
+.PHONY: check demo examples test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat getfem dealii-program dealii bench figures figures-check book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -126,12 +127,12 @@ examples:
 	$(EXAMPLES)/bin/python -m pip install -q ./bindings/python ./hosts/skfem matplotlib ngsolve felupe nbclient ipykernel pytest
 	$(SUITE_OF) "examples" $(EXAMPLES)/bin/python -m pytest -q -p no:cacheprovider examples/python
 
-# dolfinx is for the system's own Python, and scikit-fem has to use that one's numpy: a second one beside it would not fit
-# the compiled parts of dolfinx. So the environment sees the system's packages, and nothing is installed that brings numpy.
+# dolfinx and GetFEM are for the system's own Python, and scikit-fem has to use that one's numpy: a second one beside it would not
+# fit their compiled parts. So the environment sees the system's packages, and nothing is installed that brings numpy.
 SYSTEM_PYTHON ?= /usr/bin/python3
 HOSTS = $(abspath $(TARGET))/hosts
 PAGE_PACKAGES = python3-jinja2 python3-matplotlib
-HOST_PACKAGES = python3-dolfinx python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc $(PAGE_PACKAGES)
+HOST_PACKAGES = python3-dolfinx python3-getfem python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc $(PAGE_PACKAGES)
 
 # fmc comes first: the build of the Python package strips the library, after which cargo would build everything again.
 # After the tests of the workspace it is there, and BUILD_FMC is empty.
@@ -139,7 +140,7 @@ BUILD_FMC = $(CARGO) build --release -p fmc-contact -p fmc
 
 host-environment:
 	$(BUILD_FMC)
-	@{ $(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip, jinja2, matplotlib' && mpicc --version && pkg-config PETSc; } >/dev/null 2>&1 \
+	@{ $(SYSTEM_PYTHON) -c 'import dolfinx, ensurepip, getfem, jinja2, matplotlib' && mpicc --version && pkg-config PETSc; } >/dev/null 2>&1 \
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $(HOST_PACKAGES); }
 	@$(HOSTS)/bin/python -m pip --version >/dev/null 2>&1 \
 	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
@@ -147,19 +148,27 @@ host-environment:
 	$(MAKE) -C hosts/petsc PREFIX=$(HOSTS) OUT=$(HOSTS)/bin
 	$(HOSTS)/bin/python -m pip install -q pytest
 	$(HOSTS)/bin/python -m pip install -q --no-deps \
-	  scikit-fem ./bindings/python ./benchmarks/agreement ./hosts/skfem ./hosts/dolfinx
+	  scikit-fem ./bindings/python ./benchmarks/agreement ./hosts/skfem ./hosts/dolfinx ./hosts/getfem
 
 RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibrium \
   FMC_DRIVERS=$(CURDIR)/benchmarks/agreement/drivers \
   OMP_NUM_THREADS=1
 
+# Its programs: the host's, the case as a model, and GetFEM's own contact.
+GETFEM_FOLDERS = hosts/getfem benchmarks/agreement/drivers/getfem benchmarks/peers
+RUN_GETFEM = $(RUN_HOSTS) PYTHONPATH=$(subst $(SPACE),:,$(addprefix $(CURDIR)/,$(GETFEM_FOLDERS)))
+
 hosts: host-environment
 	$(RUN_HOSTS) $(SUITE_OF) "scikit-fem" $(HOSTS)/bin/python -m pytest -q hosts/skfem
 	$(RUN_HOSTS) $(SUITE_OF) "FEniCSx" $(HOSTS)/bin/python -m pytest -q hosts/dolfinx
+	$(RUN_GETFEM) $(SUITE_OF) "GetFEM" $(HOSTS)/bin/python -m pytest -q hosts/getfem
 	$(RUN_HOSTS) $(SUITE_OF) "agreement of the hosts" $(HOSTS)/bin/python -m pytest -q benchmarks/agreement
 
-agree: host-environment
-	$(RUN_HOSTS) $(HOSTS)/bin/python -m fmc_agreement out/agree
+getfem: host-environment
+	$(RUN_GETFEM) $(HOSTS)/bin/python hosts/getfem/compare.py out/getfem
+
+agree: dealii-program
+	$(RUN_HOSTS) FMC_DEALII=$(DEALII)/press $(HOSTS)/bin/python -m fmc_agreement out/agree
 
 # GetFEM is a package for the system's own Python. Its BLAS is unpacked here for it alone: installed, OpenBLAS would change every
 # other program's.
@@ -199,12 +208,14 @@ REVISION = $(or $(shell git describe --tags --exact-match 2>/dev/null),main)
 # deal.II is built with Debian's MPI and UMFPACK; some 700 MB.
 DEALII = $(abspath $(TARGET))/dealii
 
-dealii: host-environment
+dealii-program: host-environment
 	@test -e /usr/include/deal.II/base/config.h \
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends libdeal.ii-dev cmake g++; }
 	cmake -S hosts/dealii -B $(DEALII) -DCMAKE_PREFIX_PATH=$(HOSTS) -DCMAKE_BUILD_TYPE=Release
 	cmake --build $(DEALII)
-	$(RUN_HOSTS) $(HOSTS)/bin/python hosts/dealii/compare.py $(DEALII)/press out/dealii
+
+dealii: dealii-program
+	$(RUN_HOSTS) FMC_DEALII=$(DEALII)/press $(HOSTS)/bin/python hosts/dealii/compare.py out/dealii
 
 # The cases that pages name, two minutes; what agree, peers and bench have left is taken too.
 figures:

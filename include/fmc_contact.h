@@ -172,6 +172,8 @@ typedef enum {
   FMC_ERROR_ON_OTHER_RANK = 52,
   // Ranks that share the work of a context were given different coordinates, options or obstacles, or asked for different things.
   FMC_ERROR_RANKS_DIFFER = 53,
+  // Coordinates at which a part of a mesh that was not gathered may be in contact.
+  FMC_ERROR_NOT_GATHERED = 54,
 } fmc_status;
 
 // Contact energy.
@@ -639,6 +641,53 @@ typedef struct {
   uint64_t sent_bytes;
   uint64_t received_bytes;
 } fmc_rank_counts;
+
+// The cells of one rank, with their nodes. Every cell of the mesh is given by one rank, and only by that one; nodes between
+// ranks are given by all that have a cell there. A rank may have none.
+typedef struct {
+  // sizeof(fmc_mesh_part), set by the host.
+  size_t struct_size;
+  // Coordinates of the rank's own nodes without deformation.
+  fmc_coords coords;
+  // Number of each in the whole mesh, the same on all ranks that have it; not negative. Results are those of one rank alone whose
+  // mesh has its nodes in the order of these numbers; they need not be without gaps.
+  const int64_t *node_numbers;
+  // Cells, of own nodes counted from the option `index_base`.
+  const fmc_cell_block *blocks;
+  size_t block_count;
+  // Number of each cell in the whole mesh, over all blocks. Results are those of a mesh with its cells in the order of these.
+  const int64_t *cell_numbers;
+  // Body of each cell, as all ranks name it.
+  const int32_t *body_ids;
+  // How far `fmc_context_gap_constraints` may reach; 0 where it is not asked for.
+  double reach;
+} fmc_mesh_part;
+
+// Elastic slip of a boundary facet, by the numbers of the whole mesh.
+typedef struct {
+  // Number of its cell in the whole mesh.
+  int64_t cell;
+  // Face of that cell, as VTK counts them, from 0.
+  int32_t face;
+  // Which of the facets of that face, from 0.
+  int32_t part;
+  // Elastic slip; in 2D the last is 0.
+  double slip[3];
+} fmc_carried_slip;
+
+// How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
+typedef struct {
+  // Nodes and cells that every rank has.
+  uint64_t node_count;
+  uint64_t cell_count;
+  // Boundary facets that every rank has, and those of the whole mesh.
+  uint64_t facet_count;
+  uint64_t whole_facet_count;
+  // Cells that this rank gave.
+  uint64_t own_cell_count;
+  // How often cells were gathered.
+  uint64_t gather_count;
+} fmc_gathered_counts;
 
 // When a step of `fmc_context_contact_step` ends. Initialise it with `fmc_contact_step_options_init`.
 //
@@ -1496,6 +1545,84 @@ fmc_status fmc_context_set_communicator(fmc_context *context,
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: any number at once.
 fmc_status fmc_context_rank_counts(const fmc_context *context, fmc_rank_counts *counts);
+
+// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
+// only those that may be in contact: `fmc_context_bring` takes the coordinates of the own nodes, and after it the other
+// functions of the context are used as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, by all ranks
+// together, which share the work. Results have the bits of one rank with the whole mesh, for any number of ranks.
+//
+// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_bring` is called again after it. A body that may
+// touch itself, and one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole.
+// Refused are nodes that hang, another reference, a basis, and another communicator. It begins at the coordinates of the part.
+//
+// Errors: as `fmc_context_new_from_cells` and `fmc_context_set_communicator`, naming own nodes and cells; `FMC_ERROR_ON_OTHER_RANK`
+// where it failed on another rank. Threads: any, also at once.
+fmc_status fmc_context_new_from_part(int32_t dim,
+                                     const fmc_communicator *communicator,
+                                     const fmc_mesh_part *part,
+                                     const fmc_options *options,
+                                     fmc_context **context);
+
+// Brings a mesh in parts to coordinates of its nodes: `coords` are those of this rank's own nodes, as many as were given to
+// `fmc_context_new_from_part`. Every rank calls it before it evaluates at these coordinates, after its options and obstacles
+// were set. Then the nodes, facets and cells of the context are those gathered: those that may be in contact, the same on all
+// ranks. `fmc_context_gathered_nodes` tells which and where they are.
+//
+// `renumbered`, which may be NULL, becomes 1 where other cells were gathered than before, so that their numbers have changed,
+// else 0. Slip, kept patches and frozen friction are carried over; tangents, patterns and points of the last evaluation are not.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_UNSUPPORTED`; naming own nodes and cells
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; `FMC_ERROR_RANKS_DIFFER` for a node in two
+// places, `FMC_ERROR_ON_OTHER_RANK`, `FMC_ERROR_COMMUNICATION`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_bring(fmc_context *context,
+                             const fmc_coords *coords,
+                             int32_t *renumbered);
+
+// Sets the elastic slip that was carried into the step that has begun, of a mesh in parts: that of `count` facets, as
+// `fmc_context_carried_slip` writes them, zero for all others. All ranks give the same, after `fmc_context_begin_step`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_UNSUPPORTED` for a facet that was not
+// gathered, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_carried_slip(fmc_context *context,
+                                        const fmc_carried_slip *carried,
+                                        size_t count);
+
+// How much of a mesh in parts was gathered.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of a whole mesh, `FMC_ERROR_BUSY`. Threads: several at once
+// on one context, as long as no call changes it.
+fmc_status fmc_context_gathered_counts(const fmc_context *context,
+                                       fmc_gathered_counts *counts);
+
+// The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
+// `own_nodes`, which of this rank's own nodes each is, counted from the option `index_base`, or one less than that where it is a
+// node of other ranks alone; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for
+// `capacity` nodes, of which there are as many as `fmc_context_counts` says. Evaluations are at these coordinates; forces, rows
+// and columns are those of these nodes.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
+// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_gathered_nodes(const fmc_context *context,
+                                      int64_t *numbers,
+                                      int32_t *own_nodes,
+                                      double *coords,
+                                      size_t capacity);
+
+// The numbers in the whole mesh of the cells gathered, ascending, to `numbers`, which has room for `capacity`.
+//
+// Errors: as `fmc_context_gathered_nodes`. Threads: as that.
+fmc_status fmc_context_gathered_cells(const fmc_context *context, int64_t *numbers, size_t capacity);
+
+// The elastic slip that was carried into the step, of all facets of a mesh in parts where it is not zero: the same list on all
+// ranks, ascending by cell, face and part. `count` becomes its length; `carried`, which may be NULL to ask for that alone, has room
+// for `capacity`. With the coordinates and poses at which the step began it is all that a restart needs, on any number of ranks.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`, `FMC_ERROR_BUSY`. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_carried_slip(const fmc_context *context,
+                                    fmc_carried_slip *carried,
+                                    size_t capacity,
+                                    size_t *count);
 
 // Sets all options of a contact step to their defaults.
 //

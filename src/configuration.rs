@@ -12,6 +12,7 @@ mod self_contact;
 mod upright;
 
 pub(crate) use bodies::Configuration;
+pub(crate) use body_tree::BodyTree;
 pub(crate) use cell_check::CellCheck;
 pub(crate) use facet_side::FacetSide;
 pub(crate) use facet_tree::FacetTree;

@@ -29,6 +29,7 @@ mod stable_step;
 mod state;
 mod stateless;
 mod stiffness;
+mod submesh;
 mod tangent;
 mod workers;
 
@@ -46,4 +47,5 @@ pub use pair_options::PairOptions;
 pub use pattern::Pattern;
 pub use stateless::{FrictionStep, contact_force, contact_force_step};
 pub use stiffness::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
+pub(crate) use submesh::{Earlier, Needed};
 pub use tangent::{RankOne, Tangent, TangentPart};

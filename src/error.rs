@@ -304,6 +304,11 @@ pub enum Error {
         /// The first that differs.
         rank: usize,
     },
+    /// Coordinates at which a part of a mesh that was not gathered may be in contact.
+    NotGathered {
+        /// Index of its body.
+        body: usize,
+    },
     /// The threads could not be started, or more than 1024 were asked for.
     Threads {
         /// Number asked for.

@@ -32,6 +32,7 @@ pub(crate) mod second_order;
 pub(crate) mod shapes;
 mod signed_distance;
 pub(crate) mod simplex_rule;
+pub(crate) mod submesh;
 mod surface;
 mod surface_division;
 mod surface_of_facets;

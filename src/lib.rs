@@ -6,7 +6,7 @@
 //! Carlo, Wang, Xu and Xue, "Solving contact problems using Fiber Monte Carlo").
 //!
 //! The layers of the code, each of which imports only from those after it:
-//! [`contact`] (energy law, forces) · [`overlap`] (volume and contact points, sampled or exact) · `configuration` (the
+//! `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · [`overlap`] (volume and contact points, sampled or exact) · `configuration` (the
 //! bodies at given coordinates) · `depth` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) ·
 //! [`Error`]. `ARCHITECTURE.md` has the drawing, the way of a coordinate and a glossary.
 //!
@@ -19,6 +19,7 @@ mod dimension;
 mod error;
 pub mod geometry;
 pub mod overlap;
+mod partition;
 mod ranks;
 pub mod sampling;
 
@@ -32,6 +33,7 @@ pub use geometry::{
     Pose, Shape, SignedDistance, Surface,
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
+pub use partition::{CarriedSlip, MeshPart, PartitionCounts, PartitionedContact};
 pub use ranks::{Communicator, RankCounts};
 pub use sampling::FiberPattern;
 

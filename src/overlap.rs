@@ -23,6 +23,7 @@ pub(crate) use estimator::{Imbalance, OverlapEstimator};
 pub(crate) use gaps::{NodalGap, nodal_gaps};
 pub use pair::fiber_trace::FiberTrace;
 pub(crate) use pair::obstacle_distance::distance_from_facets;
+pub(crate) use pair::obstacle_region::region as obstacle_region;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
 pub use pair::overlap::{Overlap, PoseGradient};
 pub use pair::partner::Partner;

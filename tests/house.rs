@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 34] = [
+const ROOMS: [&str; 35] = [
     "error",
     "dimension",
     "geometry",
@@ -40,6 +40,7 @@ const ROOMS: [&str; 34] = [
     "contact/friction",
     "contact/fields",
     "contact",
+    "partition",
     "capi",
 ];
 

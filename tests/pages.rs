@@ -52,7 +52,8 @@ fn anchors(text: &str) -> BTreeSet<String> {
 #[test]
 fn links_lead_somewhere() {
     let named = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"];
-    let nested = ["bindings/python/README.md", "hosts/skfem/README.md", "hosts/dolfinx/README.md"];
+    let nested =
+        ["bindings/python/README.md", "hosts/skfem/README.md", "hosts/dolfinx/README.md", "hosts/getfem/README.md"];
     let pages = named.into_iter().chain(nested).map(|name| root().join(name)).chain(in_docs());
     let (mut seen, mut broken) = (0, Vec::new());
     for page in pages {

@@ -1,12 +1,14 @@
-"""Marked blocks of the pages: <!-- begin: NAME --> and <!-- end -->, filled from tables/NAME.md."""
+"""Marked blocks of the pages: <!-- begin: NAME --> and <!-- end -->, filled from tables/NAME.md, or by a program that stands in BUILT."""
 
 import re
 from pathlib import Path
 
 import fields
+import hosts
 
 ROOT = Path(__file__).parents[2]
 TABLES = Path(__file__).parent / "tables"
+BUILT = {"hosts": hosts.table}
 BLOCK = re.compile(r"(<!-- begin: ([\w-]+) -->\n)(.*?)(<!-- end -->\n)", re.S)
 
 
@@ -22,7 +24,7 @@ def filled(path, results):
     def block(match):
         begin, name, _, end = match.groups()
         try:
-            return begin + fields.filled((TABLES / f"{name}.md").read_text(encoding="utf-8"), results) + end
+            return begin + (BUILT[name](results) if name in BUILT else from_table(name, results)) + end
         except (ValueError, OSError) as error:
             raise ValueError(f"{path.name}, block {name}: {error}") from error
 
@@ -31,6 +33,10 @@ def filled(path, results):
     if count != text.count("<!-- begin: ") or count != text.count("<!-- end -->"):
         raise ValueError(f"{path.name}: a block is not closed, or not opened")
     return new
+
+
+def from_table(name, results):
+    return fields.filled((TABLES / f"{name}.md").read_text(encoding="utf-8"), results)
 
 
 def unused_tables():

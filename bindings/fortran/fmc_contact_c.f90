@@ -73,6 +73,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_COMMUNICATION = 51
   integer(c_int32_t), parameter :: FMC_ERROR_ON_OTHER_RANK = 52
   integer(c_int32_t), parameter :: FMC_ERROR_RANKS_DIFFER = 53
+  integer(c_int32_t), parameter :: FMC_ERROR_NOT_GATHERED = 54
   integer(c_int32_t), parameter :: FMC_LAW_VOLUME = 0
   integer(c_int32_t), parameter :: FMC_LAW_FIBER = 1
   integer(c_int32_t), parameter :: FMC_LAW_DEPTH = 2
@@ -255,6 +256,33 @@ module fmc_contact_c
     integer(c_int64_t) :: call_count
     integer(c_int64_t) :: sent_bytes
     integer(c_int64_t) :: received_bytes
+  end type
+
+  type, bind(c) :: fmc_mesh_part
+    integer(c_size_t) :: struct_size
+    type(fmc_coords) :: coords
+    type(c_ptr) :: node_numbers
+    type(c_ptr) :: blocks
+    integer(c_size_t) :: block_count
+    type(c_ptr) :: cell_numbers
+    type(c_ptr) :: body_ids
+    real(c_double) :: reach
+  end type
+
+  type, bind(c) :: fmc_carried_slip
+    integer(c_int64_t) :: cell
+    integer(c_int32_t) :: face
+    integer(c_int32_t) :: part
+    real(c_double) :: slip(3)
+  end type
+
+  type, bind(c) :: fmc_gathered_counts
+    integer(c_int64_t) :: node_count
+    integer(c_int64_t) :: cell_count
+    integer(c_int64_t) :: facet_count
+    integer(c_int64_t) :: whole_facet_count
+    integer(c_int64_t) :: own_cell_count
+    integer(c_int64_t) :: gather_count
   end type
 
   type, bind(c) :: fmc_contact_step_options
@@ -828,6 +856,59 @@ module fmc_contact_c
       type(c_ptr), value :: context
       type(fmc_rank_counts), intent(inout), optional :: counts
       integer(c_int32_t) :: fmc_context_rank_counts
+    end function
+    function fmc_context_new_from_part(dim, communicator, part, options, context) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      type(fmc_communicator), intent(in), optional :: communicator
+      type(fmc_mesh_part), intent(in), optional :: part
+      type(fmc_options), intent(in), optional :: options
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_new_from_part
+    end function
+    function fmc_context_bring(context, coords, renumbered) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t), intent(inout), optional :: renumbered(*)
+      integer(c_int32_t) :: fmc_context_bring
+    end function
+    function fmc_context_set_carried_slip(context, carried, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_carried_slip), intent(in), optional :: carried
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_carried_slip
+    end function
+    function fmc_context_gathered_counts(context, counts) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_gathered_counts), intent(inout), optional :: counts
+      integer(c_int32_t) :: fmc_context_gathered_counts
+    end function
+    function fmc_context_gathered_nodes(context, numbers, own_nodes, coords, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int64_t), intent(inout), optional :: numbers(*)
+      integer(c_int32_t), intent(inout), optional :: own_nodes(*)
+      real(c_double), intent(inout), optional :: coords(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_gathered_nodes
+    end function
+    function fmc_context_gathered_cells(context, numbers, capacity) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int64_t), intent(inout), optional :: numbers(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_context_gathered_cells
+    end function
+    function fmc_context_carried_slip(context, carried, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_carried_slip), intent(inout), optional :: carried
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_carried_slip
     end function
     function fmc_contact_step_options_init(options) bind(c)
       import

@@ -4,6 +4,7 @@
 //! is none, the same bits when asked again, and nothing written beside the entries asked for.
 
 use crate::guarded::Guarded;
+use crate::in_parts;
 use crate::interface::*;
 use crate::mesh::Mesh;
 use crate::number::Number;
@@ -15,7 +16,7 @@ use std::ptr::{null, null_mut};
 const CANARY: u64 = 0x7ff8_dead_beef_cafe;
 
 /// The statuses that exist, but for a panic.
-fn checked(status: fmc_status) -> fmc_status {
+pub(crate) fn checked(status: fmc_status) -> fmc_status {
     if status == PANIC {
         // SAFETY: a text that is valid until the next failure.
         panic!("{}", unsafe { CStr::from_ptr(fmc_last_error()) }.to_string_lossy());
@@ -25,19 +26,19 @@ fn checked(status: fmc_status) -> fmc_status {
 }
 
 /// NULL in the place of pointer number `which` if the hole is there; holes are rare.
-fn unless<T>(hole: Hole, which: u8, pointer: *mut T) -> *mut T {
+pub(crate) fn unless<T>(hole: Hole, which: u8, pointer: *mut T) -> *mut T {
     if hole == which + 1 { null_mut() } else { pointer }
 }
 
 /// Numbers of a host, laid out as it likes, with canaries in the gaps.
-struct Array {
+pub(crate) struct Array {
     memory: Guarded<f64>,
-    view: fmc_view,
+    pub(crate) view: fmc_view,
     places: Vec<usize>,
 }
 
 impl Array {
-    fn new(rows: &[f64], dim: usize, layout: Layout) -> Self {
+    pub(crate) fn new(rows: &[f64], dim: usize, layout: Layout) -> Self {
         let n = rows.len() / dim;
         let (node_stride, axis_stride, first, len) = match layout {
             Layout::Rows => (dim as isize, 1, 0, n * dim),
@@ -63,7 +64,7 @@ impl Array {
     }
 
     /// The numbers, in rows; whatever lies between them must be as it was.
-    fn rows(&self) -> Vec<f64> {
+    pub(crate) fn rows(&self) -> Vec<f64> {
         let values = self.memory.values();
         let asked: std::collections::BTreeSet<usize> = self.places.iter().copied().collect();
         assert!((0..values.len()).all(|n| asked.contains(&n) || values[n].to_bits() == CANARY), "padding is written");
@@ -256,7 +257,7 @@ pub fn run(program: &Program) {
 }
 
 /// Nodes of a cell of a type.
-fn cell_size(cell_type: i32) -> usize {
+pub(crate) fn cell_size(cell_type: i32) -> usize {
     const SIZES: [(i32, usize); 14] = [
         (5, 3),
         (9, 4),
@@ -276,7 +277,7 @@ fn cell_size(cell_type: i32) -> usize {
     SIZES.iter().find(|(number, _)| *number == cell_type).map_or(4, |(_, size)| *size)
 }
 
-fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Option<*mut fmc_context> {
+pub(crate) fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Option<*mut fmc_context> {
     let coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
     let mut context = null_mut();
     let base = i64::from(options.index_base);
@@ -321,7 +322,12 @@ fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Option<*mut fmc_
 ///
 /// # Safety
 /// That of `fmc_all_gather`; `user` is the rank and 256 times their number.
-unsafe extern "C" fn echo(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32 {
+pub(crate) unsafe extern "C" fn echo(
+    user: *mut c_void,
+    send: *const c_void,
+    counts: *const u64,
+    received: *mut c_void,
+) -> i32 {
     // SAFETY: there is one count for every rank, and all are the same.
     unsafe {
         let own = *counts.add(user.addr() % 256) as usize;
@@ -356,6 +362,7 @@ impl Host {
                 assert_eq!(checked(unsafe { fmc_context_set_obstacle_rotations(self.context, on) }) == OK, on < 2);
             }
             Call::Share { rank, size, fails, hole } => self.share(i32::from(*rank), i32::from(*size), *fails, *hole),
+            Call::InParts { reach, hole } => in_parts::beside_the_whole(&self.mesh, &self.options, reach.0, *hole),
             Call::StableStep { mass, hole } => self.stable_step(mass.0, *hole),
             Call::ContactStep { which, shift, stiffness, coupling, residual, tolerance, fault, hole } => {
                 let numbers = [stiffness.0, coupling.0, residual.0, tolerance.0];

@@ -20,7 +20,7 @@ pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 53;
+pub const LAST: fmc_status = 54;
 
 /// Opaque.
 #[repr(C)]
@@ -51,6 +51,29 @@ pub struct fmc_rank_counts {
     pub call_count: u64,
     pub sent_bytes: u64,
     pub received_bytes: u64,
+}
+
+#[repr(C)]
+pub struct fmc_mesh_part {
+    pub struct_size: usize,
+    pub coords: fmc_view,
+    pub node_numbers: *const i64,
+    pub blocks: *const fmc_cell_block,
+    pub block_count: usize,
+    pub cell_numbers: *const i64,
+    pub body_ids: *const i32,
+    pub reach: f64,
+}
+
+#[repr(C)]
+#[derive(Default)]
+pub struct fmc_gathered_counts {
+    pub node_count: u64,
+    pub cell_count: u64,
+    pub facet_count: u64,
+    pub whole_facet_count: u64,
+    pub own_cell_count: u64,
+    pub gather_count: u64,
 }
 
 #[repr(C)]
@@ -617,6 +640,23 @@ unsafe extern "C" {
     pub fn fmc_context_set_communicator(context: *mut fmc_context, communicator: *const fmc_communicator)
     -> fmc_status;
     pub fn fmc_context_rank_counts(context: *const fmc_context, counts: *mut fmc_rank_counts) -> fmc_status;
+    pub fn fmc_context_new_from_part(
+        dim: i32,
+        communicator: *const fmc_communicator,
+        part: *const fmc_mesh_part,
+        options: *const fmc_options,
+        context: *mut *mut fmc_context,
+    ) -> fmc_status;
+    pub fn fmc_context_bring(context: *mut fmc_context, coords: *const fmc_view, renumbered: *mut i32) -> fmc_status;
+    pub fn fmc_context_gathered_counts(context: *const fmc_context, counts: *mut fmc_gathered_counts) -> fmc_status;
+    pub fn fmc_context_gathered_nodes(
+        context: *const fmc_context,
+        numbers: *mut i64,
+        own_nodes: *mut i32,
+        coords: *mut f64,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_gathered_cells(context: *const fmc_context, numbers: *mut i64, capacity: usize) -> fmc_status;
     pub fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status;
     pub fn fmc_context_contact_step(
         context: *mut fmc_context,

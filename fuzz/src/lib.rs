@@ -3,6 +3,7 @@
 
 pub mod guarded;
 pub mod host;
+mod in_parts;
 pub mod interface;
 pub mod mesh;
 pub mod number;

@@ -256,4 +256,9 @@ pub enum Call {
         fails: bool,
         hole: Hole,
     },
+    /// The mesh in one part, beside the same whole.
+    InParts {
+        reach: Number,
+        hole: Hole,
+    },
 }

@@ -211,6 +211,51 @@ void tangents() {
   EXPECT(term.factor == 2 * options.stiffness && close(g[0] + g[2] + g[4] + g[6], 0.8, 1e-9));
 }
 
+// A mesh in one part is the whole mesh, its nodes and cells in the order of their numbers.
+void a_mesh_in_parts() {
+  fmc::Communicator ranks;
+  ranks.all_gather = [](void *, const void *send, const uint64_t *counts, void *received) {
+    if (counts[0] > 0) std::memcpy(received, send, counts[0]);
+    return 0;
+  };
+  fmc::Options options(1e5);
+  options.law = FMC_LAW_DEPTH;
+  options.friction_coefficient = 0.3;
+  options.friction_stiffness = 1e5;
+  const std::vector<int64_t> numbers = {17, 16, 15, 14, 13, 12, 11, 10}, cells = {1, 0};
+  const std::vector<int32_t> ids = {0, 1};
+  const std::vector<fmc::Cells<int32_t>> blocks = {{FMC_QUAD4, quads}};
+  fmc::MeshPart part{coords, numbers, blocks, cells, ids, 0.5};
+  auto parts = fmc::Context::from_part(2, ranks, part, options);
+  EXPECT(!parts.bring(coords));
+  auto nodes = parts.gathered_nodes();
+  EXPECT(nodes.numbers.size() == 8 && nodes.numbers[0] == 10 && nodes.own_nodes[0] == 7 && nodes.coords[0] == coords[14]);
+  const auto counts = parts.gathered_counts();
+  EXPECT(counts.facet_count == 8 && counts.whole_facet_count == 8 && counts.own_cell_count == 2 && counts.gather_count == 1);
+  EXPECT((parts.gathered_cells() == std::vector<int64_t>{0, 1}));
+  fmc::Context whole(2, coords, {{FMC_QUAD4, quads}}, options, ids);
+  Numbers slid = coords, forces(16), of_parts(16);
+  for (std::size_t n = 4; n < 8; ++n) slid[2 * n + 1] += 0.01;
+  whole.begin_step(coords);
+  parts.begin_step(nodes.coords);
+  whole.commit_step(slid);
+  parts.bring(slid);
+  parts.commit_step(parts.gathered_nodes().coords);
+  const auto carried = parts.carried_slip();
+  EXPECT(carried.size() == 2 && carried[0].slip[1] * carried[1].slip[1] < 0);
+  parts.bring(coords);
+  parts.set_carried_slip(carried);
+  whole.evaluate(coords, forces);
+  parts.evaluate(parts.gathered_nodes().coords, of_parts);
+  for (std::size_t n = 0; n < 8; ++n)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      EXPECT(close(of_parts[2 * n + axis], forces[2 * static_cast<std::size_t>(nodes.own_nodes[n]) + axis], 1e-12));
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "fmc_context_new_from_part", [&] { whole.bring(coords); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { parts.bring(Numbers(14, 0.0)); }));
+  EXPECT(refused(FMC_ERROR_NON_FINITE_COORDINATE, "node 2", [&] { auto bad = coords; bad[5] = NAN; parts.bring(bad); }));
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "not gathered", [&] { parts.set_carried_slip(std::vector<fmc_carried_slip>{{7, 0, 0, {}}}); }));
+}
+
 void friction_and_patches() {
   fmc::Options options(1e3);
   options.friction_coefficient = 0.3;
@@ -326,6 +371,7 @@ int main() try {
   of_the_library();
   forces_and_getters();
   tangents();
+  a_mesh_in_parts();
   friction_and_patches();
   obstacles();
   // A rigid square on springs sinks onto another that is held, as in hosts/c/contact_step.c: u = 100.8 / 1001.

@@ -1,6 +1,7 @@
 /* Bodies that press each other, in deal.II: press PROBLEM SOLUTION, with a table as problem.h says. Newton's method of its own on load
- * steps that are halved where it fails, or with friction on those that are given; the solution has displacement and contact
- * force of every node. Cells may be refined: nodes hang, and AffineConstraints hold them. */
+ * steps that are halved where it fails, or with friction on those that are given. Cells may be refined: nodes hang, and
+ * AffineConstraints hold them. The solution has a line of linear solves, seconds of the processor and those in contact, then
+ * displacement and contact force of every node. */
 #include "contact.h"
 #include "mesh.h"
 
@@ -12,11 +13,14 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/sparse_direct.h>
 
+#include <ctime>
 #include <iomanip>
 #include <iostream>
 
 using namespace dealii;
 constexpr int MOST = 14; /* solves of a load step */
+
+static double seconds() { return double(std::clock()) / CLOCKS_PER_SEC; } /* of the processor */
 
 class Press {
  public:
@@ -38,6 +42,8 @@ class Press {
     }
     u_.reinit(handler_.n_dofs());
   }
+
+  double contact_seconds() const { return in_contact_; }
 
   /* To the end of the load; the number of linear solves. The first touch is that of a soft contact, which is then made stiff. With
    * friction the way counts: load steps are those that are given, each committed once. */
@@ -71,7 +77,6 @@ class Press {
   void write(std::ostream &out) {
     Vector<double> force(u_.size());
     contact_->add_forces(u_, force);
-    out << std::setprecision(17);
     for (std::size_t k = 0; k < dof_.size(); k += dim)
       out << u_(dof_[k]) << ' ' << u_(dof_[k + 1]) << ' ' << force(dof_[k]) << ' ' << force(dof_[k + 1]) << '\n';
   }
@@ -85,7 +90,9 @@ class Press {
       Vector<double> residual(u_.size()), change(u_.size());
       double size;
       try {
+        const auto begun = seconds();
         contact_->find_tangent(u_);
+        in_contact_ += seconds() - begun;
         size = assemble(pattern, matrix, residual);
       } catch (const fmc::Error &error) {
         if (error.status() != FMC_ERROR_INVERTED_CELL && error.status() != FMC_ERROR_NON_FINITE_COORDINATE) throw;
@@ -127,8 +134,10 @@ class Press {
     matrix.reinit(pattern);
     Vector<double> inside(u_.size()), outside(u_.size());
     add_bodies(matrix, inside);
+    const auto begun = seconds();
     contact_->add_tangent(matrix);
     contact_->add_forces(u_, outside);
+    in_contact_ += seconds() - begun;
     residual = outside;
     residual -= inside;
     return std::max(inside.l2_norm(), outside.l2_norm());
@@ -173,15 +182,17 @@ class Press {
   fmc::Options options_;
   std::unique_ptr<Contact<dim>> contact_;
   Vector<double> u_;
+  double in_contact_ = 0;
 };
 
 int main(int count, char **given) try {
   if (count != 3) throw std::runtime_error("press PROBLEM SOLUTION");
   const Problem problem(given[1]);
   Press press(problem);
+  const auto begun = seconds();
   const auto solves = press.run();
   std::ofstream out(given[2]);
-  out << solves << '\n';
+  out << std::setprecision(17) << solves << ' ' << seconds() - begun << ' ' << press.contact_seconds() << '\n';
   press.write(out);
 } catch (const std::exception &error) {
   std::cerr << error.what() << std::endl;

@@ -1,4 +1,4 @@
-/* Bodies of quadrilaterals as a table of numbers, which compare.py writes:
+/* Bodies of quadrilaterals as a table of numbers, which fmc_agreement (quadrilaterals.py) writes:
  *
  *   nodes N         x y
  *   cells M         body, then four nodes around

@@ -45,6 +45,25 @@ class Context {
     return of_facet_blocks(dim, coords, facets, options, body_ids);
   }
 
+  // Context of a mesh that ranks hold in parts. All ranks make the same calls: `bring` with the coordinates of their own nodes, then
+  // the others with the coordinates of the nodes gathered.
+  static Context from_part(int dim, const fmc_communicator &ranks, const MeshPart &part, const Options &options) {
+    return Context(dim, [&](fmc_context **made) {
+      std::vector<fmc_cell_block> blocks;
+      std::size_t count = 0;
+      for (const auto &block : part.cells) {
+        blocks.push_back({block.type, block.conn.data(), detail::rows_of(block.conn, detail::nodes_of(block.type), "cells")});
+        count += blocks.back().cell_count;
+      }
+      const auto x = part.coords.as_c(dim);
+      const auto *nodes = detail::one_for_each(part.node_numbers, x.node_count, "node_numbers");
+      const auto *cells = detail::one_for_each(part.cell_numbers, count, "cell_numbers");
+      const auto *ids = detail::one_for_each(part.body_ids, count, "body_ids");
+      const fmc_mesh_part given{sizeof given, x, nodes, blocks.data(), blocks.size(), cells, ids, part.reach};
+      return fmc_context_new_from_part(dim, &ranks, &given, &options, made);
+    });
+  }
+
   int dim() const noexcept { return dim_; }
   // For calls of the C interface. The context stays owned; callbacks that throw are for the methods here.
   fmc_context *get() const noexcept { return context_.get(); }
@@ -175,6 +194,41 @@ class Context {
     fmc_rank_counts counts;
     check(fmc_context_rank_counts(get(), &counts));
     return counts;
+  }
+
+  // Brings a mesh in parts to the coordinates of the own nodes; true where other cells were gathered, with other numbers.
+  bool bring(Coords own) {
+    int32_t renumbered = 0;
+    const auto x = own.as_c(dim_);
+    call(fmc_context_bring(get(), &x, &renumbered));
+    return renumbered != 0;
+  }
+  fmc_gathered_counts gathered_counts() const {
+    fmc_gathered_counts counts;
+    check(fmc_context_gathered_counts(get(), &counts));
+    return counts;
+  }
+  GatheredNodes gathered_nodes() const {
+    const std::size_t count = counts().nodes;
+    GatheredNodes found{std::vector<int64_t>(count), std::vector<int32_t>(count), std::vector<double>(count * static_cast<std::size_t>(dim_))};
+    check(fmc_context_gathered_nodes(get(), found.numbers.data(), found.own_nodes.data(), found.coords.data(), count));
+    return found;
+  }
+  std::vector<int64_t> gathered_cells() const {
+    std::vector<int64_t> numbers(gathered_counts().cell_count);
+    check(fmc_context_gathered_cells(get(), numbers.data(), numbers.size()));
+    return numbers;
+  }
+  // Slip that was carried into the step, of all facets where it is not zero: what a restart on any number of ranks needs.
+  std::vector<fmc_carried_slip> carried_slip() const {
+    std::size_t count = 0;
+    check(fmc_context_carried_slip(get(), nullptr, 0, &count));
+    std::vector<fmc_carried_slip> carried(count);
+    check(fmc_context_carried_slip(get(), carried.data(), carried.size(), &count));
+    return carried;
+  }
+  void set_carried_slip(View<const fmc_carried_slip> carried) {
+    call(fmc_context_set_carried_slip(get(), carried.data(), carried.size()));
   }
 
   // Largest step of central differences for the contact alone; `masses`: one for every node.

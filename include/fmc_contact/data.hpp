@@ -80,6 +80,23 @@ struct Cells {
   View<const Int> conn;
 };
 
+// What this rank has of a mesh: own nodes and their numbers in the whole mesh, cells of own nodes, their numbers and bodies.
+struct MeshPart {
+  Coords coords;
+  View<const int64_t> node_numbers;
+  View<const Cells<int32_t>> cells;
+  View<const int64_t> cell_numbers;
+  View<const int32_t> body_ids;
+  double reach = 0;
+};
+
+// The nodes gathered of a mesh in parts: numbers in the whole mesh, the own node of each, and where they are.
+struct GatheredNodes {
+  std::vector<int64_t> numbers;
+  std::vector<int32_t> own_nodes;
+  std::vector<double> coords;
+};
+
 // Facets of one type, of surfaces that are given without cells; `conn` as of `Cells`, (facets, nodes per facet).
 template <class Int>
 struct Facets {

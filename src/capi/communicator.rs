@@ -128,7 +128,7 @@ pub unsafe extern "C" fn fmc_context_rank_counts(
 }
 
 /// A communicator of the host.
-struct HostRanks {
+pub(super) struct HostRanks {
     rank: usize,
     size: usize,
     function: unsafe extern "C" fn(*mut c_void, *const c_void, *const u64, *mut c_void) -> i32,
@@ -142,7 +142,7 @@ unsafe impl Send for HostRanks {}
 unsafe impl Sync for HostRanks {}
 
 impl HostRanks {
-    fn new(given: &fmc_communicator) -> Result<Self, Failure> {
+    pub(super) fn new(given: &fmc_communicator) -> Result<Self, Failure> {
         if given.struct_size != size_of::<fmc_communicator>() || given.reserved != [0; 6] {
             let text = "the communicator was not set by fmc_communicator_init";
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));

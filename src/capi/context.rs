@@ -75,6 +75,15 @@ impl State {
         }
     }
 
+    /// Forgets what was kept of nodes and facets, which have other numbers now.
+    pub(super) fn renumber(&mut self) {
+        (self.evaluation, self.tangent, self.gaps) = (Evaluation::default(), Kept::default(), KeptGaps::default());
+        self.points = Vec::new();
+        if let Some(pattern) = &mut self.pattern {
+            *pattern = Pattern::default();
+        }
+    }
+
     /// Keeps a tangent until the next one, and its places if the pattern is kept.
     pub(super) fn keep_tangent(&mut self, tangent: Kept) {
         if let Some(pattern) = &mut self.pattern {

@@ -171,7 +171,25 @@ pub(super) unsafe fn surface_of_cells<B: Block, const D: usize>(
     body_ids: *const B::Id,
     index_base: i32,
 ) -> Result<Surface<D>, Failure> {
-    let numbering = Numbering { index_base, node_count: coords.len() };
+    // SAFETY: passed on to the caller.
+    let conn = unsafe { blocks_of::<B, D>(coords.len(), blocks, index_base) }?;
+    let count = conn.iter().map(|(cell_type, conn)| conn.len() / cell_type.node_count()).sum();
+    let blocks: Vec<_> = conn.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
+    // SAFETY: the caller guarantees one id per cell.
+    let ids = unsafe { ids(body_ids, count) }?;
+    Surface::from_cells(coords, &blocks, bodies(&ids)).map_err(Failure::counted_from(index_base))
+}
+
+/// Type and nodes of every block of cells, counted from zero.
+///
+/// # Safety
+/// The host guarantees the arrays of every block.
+pub(super) unsafe fn blocks_of<B: Block, const D: usize>(
+    node_count: usize,
+    blocks: &[B],
+    index_base: i32,
+) -> Result<Vec<(CellType, Vec<u32>)>, Failure> {
+    let numbering = Numbering { index_base, node_count };
     let mut conn = Vec::with_capacity(blocks.len());
     let mut count = 0_usize;
     for (index, block) in blocks.iter().enumerate() {
@@ -186,10 +204,7 @@ pub(super) unsafe fn surface_of_cells<B: Block, const D: usize>(
         conn.push((cell_type, numbering.zero_based(given, width, count)?));
         count += cell_count;
     }
-    let blocks: Vec<_> = conn.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
-    // SAFETY: the caller guarantees one id per cell.
-    let ids = unsafe { ids(body_ids, count) }?;
-    Surface::from_cells(coords, &blocks, bodies(&ids)).map_err(Failure::counted_from(index_base))
+    Ok(conn)
 }
 
 /// Surface given by facets of D nodes.

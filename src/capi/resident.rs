@@ -5,6 +5,7 @@ use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
 use super::gap_constraint::KeptGaps;
+use super::in_parts::InParts;
 use super::kept_tangent::Kept;
 use super::mesh::Numbering;
 use super::nodal_lists::NodalLists;
@@ -17,23 +18,51 @@ use super::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::{CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
 use crate::overlap::Partner;
 use crate::{
-    Basis, Communicator, Contact, ContactForces, Error, Obstacle, Options, PointWeights, Pose, RankCounts, Surface,
+    Basis, Communicator, Contact, ContactForces, Error, Obstacle, Options, PartitionedContact, PointWeights, Pose,
+    RankCounts, Surface,
 };
 
 /// A contact, and room for coordinates that do not lie in dense rows.
 pub(super) struct Resident<const D: usize> {
-    contact: Contact<D>,
+    held: Held<D>,
     scratch: Vec<[f64; D]>,
+}
+
+/// A contact of a whole mesh, or of the part of one that ranks have gathered.
+enum Held<const D: usize> {
+    Whole(Box<Contact<D>>),
+    InParts(Box<PartitionedContact<D>>),
+}
+
+impl<const D: usize> Held<D> {
+    fn contact(&self) -> &Contact<D> {
+        match self {
+            Held::Whole(contact) => contact,
+            Held::InParts(parts) => parts.contact(),
+        }
+    }
+
+    fn contact_mut(&mut self) -> &mut Contact<D> {
+        match self {
+            Held::Whole(contact) => contact,
+            Held::InParts(parts) => parts.contact_mut(),
+        }
+    }
 }
 
 impl<const D: usize> Resident<D> {
     pub(super) fn new(surface: Surface<D>, options: Options) -> Result<Self, Failure> {
-        Ok(Self { contact: Contact::new(surface, options)?, scratch: Vec::new() })
+        Ok(Self { held: Held::Whole(Box::new(Contact::new(surface, options)?)), scratch: Vec::new() })
+    }
+
+    /// Of a mesh in parts.
+    pub(super) fn of_parts(parts: PartitionedContact<D>) -> Self {
+        Self { held: Held::InParts(Box::new(parts)), scratch: Vec::new() }
     }
 
     /// Nodes that stand for obstacles in tangents: their translations, then, where asked for, their rotations.
     fn obstacle_nodes(&self) -> usize {
-        self.contact.obstacle_count() * if self.contact.obstacle_rotations() { 2 } else { 1 }
+        self.held.contact().obstacle_count() * if self.held.contact().obstacle_rotations() { 2 } else { 1 }
     }
 
     /// What `work` makes of the contact at the host's coordinates.
@@ -46,10 +75,10 @@ impl<const D: usize> Resident<D> {
         index_base: i32,
         work: impl FnOnce(&mut Contact<D>, &[[f64; D]]) -> Result<T, Error>,
     ) -> Result<T, Failure> {
-        check_node_count(coords.node_count, self.contact.surface().unknown_count())?;
+        check_node_count(coords.node_count, self.held.contact().surface().unknown_count())?;
         // SAFETY: passed on to the caller.
         let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
-        work(&mut self.contact, rows).map_err(Failure::counted_from(index_base))
+        work(self.held.contact_mut(), rows).map_err(Failure::counted_from(index_base))
     }
 
     /// Evaluates by `work`, and writes the forces, if wanted, on success.
@@ -64,7 +93,7 @@ impl<const D: usize> Resident<D> {
         index_base: i32,
         work: impl FnOnce(&mut Contact<D>, &[[f64; D]]) -> Result<(ContactForces<D>, T), Error>,
     ) -> Result<(Evaluation, T), Failure> {
-        let node_count = self.contact.surface().unknown_count();
+        let node_count = self.held.contact().surface().unknown_count();
         check_node_count(coords.node_count, node_count)?;
         let output = forces.map(|forces| forces.output::<D>(node_count)).transpose()?;
         // SAFETY: passed on to the caller.
@@ -80,7 +109,7 @@ impl<const D: usize> Resident<D> {
 
 impl<const D: usize> Session for Resident<D> {
     fn counts(&self) -> Counts {
-        let surface = self.contact.surface();
+        let surface = self.held.contact().surface();
         Counts {
             nodes: surface.node_count(),
             unknowns: surface.unknown_count(),
@@ -89,51 +118,65 @@ impl<const D: usize> Session for Resident<D> {
         }
     }
 
+    fn parts(&self) -> Option<&dyn InParts> {
+        match &self.held {
+            Held::Whole(_) => None,
+            Held::InParts(parts) => Some(&**parts),
+        }
+    }
+
+    fn parts_mut(&mut self) -> Option<&mut dyn InParts> {
+        match &mut self.held {
+            Held::Whole(_) => None,
+            Held::InParts(parts) => Some(&mut **parts),
+        }
+    }
+
     fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet> {
-        let facets = self.contact.boundary_facets();
+        let facets = self.held.contact().boundary_facets();
         facets.iter().map(|facet| fmc_boundary_facet::new(facet, index_base)).collect()
     }
 
     fn point_weights(&self) -> PointWeights {
-        self.contact.point_weights()
+        self.held.contact().point_weights()
     }
 
     fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Failure> {
-        Ok(self.contact.set_basis(basis)?)
+        Ok(self.held.contact_mut().set_basis(basis)?)
     }
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure> {
-        Ok(self.contact.set_options(options)?)
+        Ok(self.held.contact_mut().set_options(options)?)
     }
 
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure> {
-        Ok(self.contact.set_pose(obstacle, pose.to_pose())?)
+        Ok(self.held.contact_mut().set_pose(obstacle, pose.to_pose())?)
     }
 
     fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure> {
-        Ok(self.contact.remove_obstacle(obstacle)?)
+        Ok(self.held.contact_mut().remove_obstacle(obstacle)?)
     }
 
     fn obstacle(&self, obstacle: usize) -> Result<(fmc_shape, fmc_pose), Failure> {
-        let found = self.contact.obstacle(obstacle)?;
+        let found = self.held.contact().obstacle(obstacle)?;
         Ok((kind_of(&found.shape), (&found.pose).into()))
     }
 
     fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Failure> {
-        Ok(self.contact.set_pair_options(partners, options)?)
+        Ok(self.held.contact_mut().set_pair_options(partners, options)?)
     }
 
     fn pair_options(&self, partners: [Partner; 2]) -> Result<PairOptions, Failure> {
-        let is_left_out = partners[0] == partners[1] && !self.contact.options().self_contact;
+        let is_left_out = partners[0] == partners[1] && !self.held.contact().options().self_contact;
         let by_default = PairOptions { excluded: is_left_out, ..PairOptions::default() };
-        Ok(self.contact.pair_options(partners)?.unwrap_or(by_default))
+        Ok(self.held.contact().pair_options(partners)?.unwrap_or(by_default))
     }
 
     unsafe fn add_obstacle(&mut self, shape: ShapeOf, pose: fmc_pose, index_base: i32) -> Result<usize, Failure> {
         // SAFETY: passed on to the caller.
         let shape = unsafe { shape.in_dimension(index_base) }?;
         let pose: Pose<D> = pose.to_pose();
-        self.contact.add_obstacle(Obstacle { shape, pose }).map_err(Failure::counted_from(index_base))
+        self.held.contact_mut().add_obstacle(Obstacle { shape, pose }).map_err(Failure::counted_from(index_base))
     }
 
     unsafe fn set_reference(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
@@ -142,9 +185,16 @@ impl<const D: usize> Session for Resident<D> {
     }
 
     fn set_symmetry_nodes(&mut self, nodes: &[i64], index_base: i32) -> Result<(), Failure> {
-        let numbering = Numbering { index_base, node_count: self.contact.surface().node_count() };
-        let nodes = numbering.zero_based(nodes, 1, 0)?;
-        self.contact.set_symmetry_nodes(&nodes).map_err(Failure::counted_from(index_base))
+        let node_count = match &self.held {
+            Held::Whole(contact) => contact.surface().node_count(),
+            Held::InParts(parts) => parts.own_node_count(),
+        };
+        let nodes = Numbering { index_base, node_count }.zero_based(nodes, 1, 0)?;
+        let named = match &mut self.held {
+            Held::Whole(contact) => contact.set_symmetry_nodes(&nodes),
+            Held::InParts(parts) => parts.set_symmetry_nodes(&nodes),
+        };
+        named.map_err(Failure::counted_from(index_base))
     }
 
     unsafe fn begin_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
@@ -159,7 +209,7 @@ impl<const D: usize> Session for Resident<D> {
 
     unsafe fn freeze_friction(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<(), Failure> {
         let Some(coords) = coords else {
-            self.contact.release_friction();
+            self.held.contact_mut().release_friction();
             return Ok(());
         };
         // SAFETY: passed on to the caller.
@@ -167,29 +217,29 @@ impl<const D: usize> Session for Resident<D> {
     }
 
     fn slip(&self) -> Result<&[f64], Failure> {
-        Ok(self.contact.slip()?.as_flattened())
+        Ok(self.held.contact().slip()?.as_flattened())
     }
 
     fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure> {
         let (rows, _) = slip.as_chunks::<D>();
-        Ok(self.contact.set_slip(rows)?)
+        Ok(self.held.contact_mut().set_slip(rows)?)
     }
 
     fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Failure> {
-        Ok(self.contact.set_communicator(communicator)?)
+        Ok(self.held.contact_mut().set_communicator(communicator)?)
     }
 
     fn rank_counts(&self) -> RankCounts {
-        self.contact.rank_counts()
+        self.held.contact().rank_counts()
     }
 
     fn set_obstacle_rotations(&mut self, on: bool) {
-        self.contact.set_obstacle_rotations(on);
+        self.held.contact_mut().set_obstacle_rotations(on);
     }
 
     unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure> {
         let Some(coords) = coords else {
-            self.contact.release_patches();
+            self.held.contact_mut().release_patches();
             return Ok(0);
         };
         // SAFETY: passed on to the caller.
@@ -234,7 +284,7 @@ impl<const D: usize> Session for Resident<D> {
         add: bool,
         index_base: i32,
     ) -> Result<(Evaluation, Kept), Failure> {
-        let [nodes, obstacles] = [self.contact.surface().unknown_count(), self.obstacle_nodes()];
+        let [nodes, obstacles] = [self.held.contact().surface().unknown_count(), self.obstacle_nodes()];
         // SAFETY: passed on to the caller.
         unsafe {
             self.evaluated(coords, forces, add, index_base, |contact, rows| {

@@ -5,6 +5,7 @@ use super::contact_point::fmc_contact_point;
 use super::evaluation::Evaluation;
 use super::failure::Failure;
 use super::gap_constraint::KeptGaps;
+use super::in_parts::InParts;
 use super::kept_tangent::Kept;
 use super::nodal_lists::NodalLists;
 use super::part::fmc_shape;
@@ -29,6 +30,10 @@ pub(super) struct Counts {
 /// another.
 pub(super) trait Session: Send + Sync {
     fn counts(&self) -> Counts;
+
+    /// The mesh in parts, if it is.
+    fn parts(&self) -> Option<&dyn InParts>;
+    fn parts_mut(&mut self) -> Option<&mut dyn InParts>;
 
     /// The boundary facets.
     fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet>;

@@ -119,6 +119,8 @@ pub enum fmc_status {
     FMC_ERROR_ON_OTHER_RANK = 52,
     /// Ranks that share the work of a context were given different coordinates, options or obstacles, or asked for different things.
     FMC_ERROR_RANKS_DIFFER = 53,
+    /// Coordinates at which a part of a mesh that was not gathered may be in contact.
+    FMC_ERROR_NOT_GATHERED = 54,
 }
 
 use fmc_status::*;
@@ -179,6 +181,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_COMMUNICATION, c"FMC_ERROR_COMMUNICATION"),
     (FMC_ERROR_ON_OTHER_RANK, c"FMC_ERROR_ON_OTHER_RANK"),
     (FMC_ERROR_RANKS_DIFFER, c"FMC_ERROR_RANKS_DIFFER"),
+    (FMC_ERROR_NOT_GATHERED, c"FMC_ERROR_NOT_GATHERED"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -230,6 +233,7 @@ impl From<&Error> for fmc_status {
             Error::Communication { .. } => FMC_ERROR_COMMUNICATION,
             Error::OnOtherRank { .. } => FMC_ERROR_ON_OTHER_RANK,
             Error::RanksDiffer { .. } => FMC_ERROR_RANKS_DIFFER,
+            Error::NotGathered { .. } => FMC_ERROR_NOT_GATHERED,
         }
     }
 }
@@ -252,7 +256,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_RANKS_DIFFER);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NOT_GATHERED);
     }
 
     #[test]
@@ -303,6 +307,7 @@ mod tests {
             Error::Communication { code: 1 },
             Error::OnOtherRank { rank: 1 },
             Error::RanksDiffer { rank: 1 },
+            Error::NotGathered { body: 1 },
         ];
         let mut codes: Vec<i32> = errors.iter().map(|error| fmc_status::from(error) as i32).collect();
         assert!(!codes.contains(&(FMC_OK as i32)));

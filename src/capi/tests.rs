@@ -8,6 +8,7 @@ use super::evaluation::{Evaluation, fmc_result, fmc_resultant};
 use super::failure::Failure;
 use super::gap_constraint::KeptGaps;
 use super::getters::fmc_context_body;
+use super::in_parts::InParts;
 use super::kept_tangent::Kept;
 use super::mesh::{fmc_cell_block, fmc_cell_type};
 use super::nodal_lists::NodalLists;
@@ -85,6 +86,14 @@ struct Brittle {
 }
 
 impl Session for Brittle {
+    fn parts(&self) -> Option<&dyn InParts> {
+        None
+    }
+
+    fn parts_mut(&mut self) -> Option<&mut dyn InParts> {
+        None
+    }
+
     fn counts(&self) -> Counts {
         Counts { nodes: 8, unknowns: 8, facets: 8, bodies: 2 }
     }

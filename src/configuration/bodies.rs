@@ -15,8 +15,12 @@ pub(crate) struct Configuration<const D: usize> {
     points: Vec<Vector<D>>,
     /// Facets of every body.
     trees: Vec<FacetTree<D>>,
-    /// Their boxes.
+    /// Boxes of the whole bodies.
+    boxes: Vec<Aabb<D>>,
+    /// A tree over them.
     bodies: BodyTree<D>,
+    /// Which boxes of a larger mesh they are.
+    turn: u64,
     cell_check: Option<CellCheck<D>>,
     /// Whether no cell is known to be inverted here.
     is_checked: bool,
@@ -31,7 +35,9 @@ impl<const D: usize> Configuration<D> {
             coords: Vec::new(),
             points: Vec::new(),
             trees: Vec::new(),
+            boxes: Vec::new(),
             bodies: BodyTree::default(),
+            turn: 0,
             cell_check: None,
             is_checked: false,
             is_upright: false,
@@ -50,7 +56,8 @@ impl<const D: usize> Configuration<D> {
         check_cells: bool,
         parallel: bool,
     ) -> Result<bool, Error> {
-        let is_here = !self.trees.is_empty() && same_bits(&self.coords, coords);
+        let turn = surface.submesh.as_ref().map_or(0, |submesh| submesh.turn);
+        let is_here = !self.trees.is_empty() && self.turn == turn && same_bits(&self.coords, coords);
         self.is_upright = check_cells && surface.cells.is_some();
         if is_here && (self.is_checked || !check_cells) {
             return Ok(false);
@@ -82,7 +89,17 @@ impl<const D: usize> Configuration<D> {
                 tree.update(&surface.facets[range.clone()], of_body, points, parallel);
             }
         }
-        self.bodies.update(self.trees.iter().map(FacetTree::aabb));
+        self.turn = turn;
+        self.boxes.clear();
+        match &surface.submesh {
+            // As far as they were brought here; else they are no smaller than what is there of them.
+            Some(submesh) => {
+                let boxes = submesh.body_boxes.iter().zip(&self.trees);
+                self.boxes.extend(boxes.map(|(whole, tree)| whole.union(&tree.aabb())));
+            }
+            None => self.boxes.extend(self.trees.iter().map(FacetTree::aabb)),
+        }
+        self.bodies.update(self.boxes.iter().copied());
         Ok(true)
     }
 
@@ -98,14 +115,14 @@ impl<const D: usize> Configuration<D> {
             facets: &surface.facets[surface.ranges[body].clone()],
             points: &self.points,
             tree,
-            aabb: tree.aabb(),
+            aabb: self.boxes[body],
             is_upright: self.is_upright,
         }
     }
 
     /// Box of a body.
     pub(crate) fn body_box(&self, body: usize) -> Aabb<D> {
-        self.trees[body].aabb()
+        self.boxes[body]
     }
 
     /// Pairs (i, j) with i < j of bodies whose boxes are no farther apart than `reach` along every axis, ascending.

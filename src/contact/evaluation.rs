@@ -10,6 +10,7 @@ use super::options::Options;
 use super::pair_table::PairTable;
 use super::rigid::Rigid;
 use super::state::State;
+use super::submesh::Turns;
 use super::tangent::{Tangent, TangentPart};
 use super::workers::Workers;
 use crate::Error;
@@ -40,6 +41,8 @@ pub struct Contact<const D: usize> {
     pub(super) pair_table: PairTable<D>,
     /// Patches of the fiber law that are kept, by pair.
     pub(super) kept: Vec<([Partner; 2], Patches<D>)>,
+    /// When patches were kept and friction was frozen, for meshes that are given in parts.
+    pub(super) turns: Turns<D>,
     /// Where the step began, once one has begun.
     pub(super) step: Option<Step<D>>,
     /// Facets and pressures at which friction is frozen.
@@ -72,6 +75,7 @@ impl<const D: usize> Contact<D> {
             law: pair_law(&options.law)?,
             pair_table: PairTable::new(),
             kept: Vec::new(),
+            turns: Turns::default(),
             step: None,
             frozen: None,
             state: Mutex::new(None),
@@ -87,6 +91,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Unsupported`] for a surface without cells, [`Error::Length`], [`Error::NonFiniteCoordinate`],
     /// [`Error::InvertedCell`], [`Error::ZeroMeasure`]; the old ones then stay.
     pub fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        self.surface.refuse_submesh("reference coordinates of a part of a mesh by itself")?;
         self.surface.set_reference(coords)?;
         self.depth = OnceLock::new();
         Ok(())
@@ -101,6 +106,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Length`] for arrays of other lengths than the rows say, [`Error::UnknownOutOfRange`], [`Error::Overflow`] for a
     /// weight that is not finite, [`Error::Unsupported`] for rows that do not begin at 0 or descend; nothing changes then.
     pub fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Error> {
+        self.surface.refuse_submesh("unknowns that move a part of a mesh")?;
         self.surface.set_basis(basis)
     }
 
@@ -114,6 +120,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NodeOutOfRange`], naming the index in `nodes` as its cell; [`Error::Unsupported`] for a body that would
     /// have no surface left. What was named before then stays.
     pub fn set_symmetry_nodes(&mut self, nodes: &[u32]) -> Result<(), Error> {
+        self.surface.refuse_submesh("planes of symmetry of a part of a mesh by itself")?;
         let node_count = self.surface.node_count();
         let mut marked = vec![false; node_count];
         for (cell, &node) in nodes.iter().enumerate() {
@@ -127,6 +134,12 @@ impl<const D: usize> Contact<D> {
         if has_surface.contains(&false) {
             return Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" });
         }
+        self.mark_symmetry(marked);
+        Ok(())
+    }
+
+    /// The same by node.
+    pub(super) fn mark_symmetry(&mut self, mut marked: Vec<bool>) {
         if let Some(division) = self.surface.division() {
             let map = &division.interpolation;
             let of_point = |point| map.row(point).all(|(node, _)| marked[node as usize]);
@@ -134,7 +147,6 @@ impl<const D: usize> Contact<D> {
         }
         self.in_symmetry_plane = Some(marked);
         self.depth = OnceLock::new();
-        Ok(())
     }
 
     /// Replaces the options, not those that pairs have of their own ([`Self::set_pair_options`]). Kept patches stay kept with another law, and are released with another estimator.

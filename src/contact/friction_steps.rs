@@ -17,6 +17,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`]; with friction, of which what bears is measured here, as
     /// [`Self::evaluate`]. Nothing has then changed.
     pub fn begin_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        self.check_brought(coords)?;
         let points = self.surface.mesh_points(coords)?;
         self.surface.check_coords(&points, true)?;
         let before = self.step.take();
@@ -45,6 +46,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NoStep`]; else as [`Self::evaluate`].
     pub fn commit_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.step.as_ref().ok_or(Error::NoStep)?;
+        self.check_brought(coords)?;
         let mut sums = vec![(0.0, Vector::<D>::zeros()); self.surface.facets.len()];
         let pairs = kernels::slip_facets(self, coords)?;
         for pair in &pairs {
@@ -100,7 +102,9 @@ impl<const D: usize> Contact<D> {
     pub fn freeze_friction(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.step.as_ref().ok_or(Error::NoStep)?;
         let pairs = kernels::slip_facets(self, coords)?;
+        self.check_brought(coords)?;
         self.frozen = Some(FrozenFriction::new(pairs, &self.surface.mesh_points(coords)?, self.poses()));
+        self.turns.frozen = self.turn();
         Ok(())
     }
 
@@ -110,7 +114,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Where the obstacles are; `None` for one that was removed.
-    fn poses(&self) -> Vec<Option<Pose<D>>> {
+    pub(super) fn poses(&self) -> Vec<Option<Pose<D>>> {
         self.obstacles.iter().map(|rigid| rigid.as_ref().map(|rigid| rigid.obstacle.pose)).collect()
     }
 

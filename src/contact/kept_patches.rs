@@ -13,7 +13,9 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::evaluate`]; patches kept before are then still kept.
     pub fn keep_patches(&mut self, coords: &[[f64; D]]) -> Result<usize, Error> {
+        self.check_brought(coords)?;
         self.kept = kernels::patches(self, coords)?;
+        self.turns.kept = (self.turn(), self.poses());
         Ok(self.kept.iter().map(|(_, patches)| patches.directions.len()).sum())
     }
 

@@ -252,6 +252,7 @@ fn gap_constraints_in<const D: usize>(
     coords: &[[f64; D]],
     reach: f64,
 ) -> Result<GapConstraints<D>, Error> {
+    contact.check_reach(reach)?;
     let gaps = contact.for_each_pair_within(coords, reach, |measured| {
         let gaps = overlap::nodal_gaps(measured.pair, reach)?;
         Ok((!gaps.is_empty()).then_some((measured.pair.partners, gaps)))

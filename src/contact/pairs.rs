@@ -91,7 +91,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The law that a pair follows.
-    fn law_of(&self, partners: &[Partner; 2]) -> &dyn PairLaw<D> {
+    pub(super) fn law_of(&self, partners: &[Partner; 2]) -> &dyn PairLaw<D> {
         self.pair_table.law(partners).unwrap_or(&*self.law)
     }
 

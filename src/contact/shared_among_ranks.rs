@@ -16,8 +16,19 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::BadRank`]; what was set before then stays.
     pub fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Error> {
+        self.surface.refuse_submesh("another communicator for a mesh that is given in parts")?;
         self.ranks = communicator.map(Ranks::new).transpose()?;
         Ok(())
+    }
+
+    /// The same of ranks that have met before.
+    pub(crate) fn take_ranks(&mut self, ranks: Ranks) {
+        self.ranks = Some(ranks);
+    }
+
+    /// Those that share the work.
+    pub(crate) fn ranks(&self) -> Option<&Ranks> {
+        self.ranks.as_ref()
     }
 
     /// What was shared since the communicator was set; zeros without one.
@@ -26,7 +37,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Hash of what ranks must have in common, and of what is asked for.
-    pub(super) fn given(&self, coords: &[[f64; D]], asked: &str) -> u64 {
+    pub(crate) fn given(&self, coords: &[[f64; D]], asked: &str) -> u64 {
         let mut hasher = rustc_hash::FxHasher::default();
         let mut add = |x: f64| hasher.write_u64(x.to_bits());
         coords.as_flattened().iter().for_each(|x| add(*x));

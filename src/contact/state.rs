@@ -33,7 +33,10 @@ impl<const D: usize> Contact<D> {
             let (configuration, placed) = (Configuration::new(), Vec::new());
             Box::new(State { configuration, placed, found: FoundPatches::default() })
         });
-        let brought = self.bring(&mut state, coords).and_then(|()| self.check_radii(&state.configuration));
+        let brought = self
+            .bring(&mut state, coords)
+            .and_then(|()| self.check_radii(&state.configuration))
+            .and_then(|()| self.check_gathered(&state.configuration, coords));
         let result = match &self.ranks {
             None => brought.and_then(|()| work(&state)),
             Some(ranks) => {

@@ -4,7 +4,6 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::nearest_on_facet::squared_distance;
 use crate::geometry::tree::Tree;
 use crate::geometry::{Surface, Vector};
-use std::cell::Cell;
 
 /// The facets of every body that are surface, to be found by place.
 pub(super) struct Distances<'a, const D: usize> {
@@ -35,21 +34,28 @@ impl<'a, const D: usize> Distances<'a, D> {
     /// Distance of a point from the surface of a body, which is known to be at most `limit`, and the nearest facet.
     pub(super) fn of_point(&self, body: usize, x: &Vector<D>, limit: f64) -> (f64, u32) {
         let (facets, boxes, tree) = &self.bodies[body];
-        let found = Cell::new(facets.first().copied().unwrap_or(0));
-        let nearer = |item: u32, least: f64| {
-            if boxes[item as usize].squared_distance(x) >= least {
-                return None;
-            }
+        let squared = |item: u32| {
             let facet = facets[item as usize];
-            let corners = self.surface.facets[facet as usize].map(|v| self.points[v as usize]);
-            let squared = Some(squared_distance(&corners, x)).filter(|squared| *squared < least);
-            if squared.is_some() {
-                found.set(facet);
-            }
-            squared
+            let squared = squared_distance(&self.surface.facets[facet as usize].map(|v| self.points[v as usize]), x);
+            // As rounding has it a facet may be nearer than its box: then who is looked at first would tell.
+            squared.max(boxes[item as usize].squared_distance(x))
+        };
+        let nearer = |item: u32, least: f64| {
+            let may_be = boxes[item as usize].squared_distance(x) < least;
+            may_be.then(|| squared(item)).filter(|squared| *squared < least)
         };
         let limit = limit * WIDER;
-        let distance = tree.least_squared_distance(x, limit * limit, nearer).sqrt();
-        (distance, found.get())
+        let least = tree.least_squared_distance(x, limit * limit, nearer);
+        // Of several that are as near the first, whatever the tree: facets share their edges and corners.
+        let mut nearest = u32::MAX;
+        tree.visit(
+            |aabb| aabb.squared_distance(x) <= least,
+            |item| {
+                if item < nearest && squared(item) <= least {
+                    nearest = item;
+                }
+            },
+        );
+        (least.sqrt(), facets.get(nearest as usize).or(facets.first()).copied().unwrap_or(0))
     }
 }

@@ -45,13 +45,19 @@ impl<const D: usize> DepthField<D> {
         let marks = in_symmetry_plane.unwrap_or_default();
         let rounding = match weighting {
             Weighting::Plain => 0.0,
-            Weighting::Axisymmetric => Aabb::of(&surface.points(coords)).rounding(),
+            Weighting::Axisymmetric => match &surface.submesh {
+                Some(submesh) => submesh.reference_box.rounding(),
+                None => Aabb::of(&surface.points(coords)).rounding(),
+            },
         };
         let is_marked = |node: u32| {
             let is_told = marks.get(node as usize).copied().unwrap_or(false);
             is_told || weighting.is_axis([&Vector::<D>::from(coords[node as usize])], rounding)
         };
-        let is_surface = |cell: usize, face: usize| !cells.face_nodes(cell, face).into_iter().all(is_marked);
+        let is_cut =
+            |cell: usize, face: usize| surface.submesh.as_ref().is_some_and(|submesh| submesh.is_cut_face(cell, face));
+        let is_surface =
+            |cell: usize, face: usize| !is_cut(cell, face) && !cells.face_nodes(cell, face).into_iter().all(is_marked);
         let surface_faces: Vec<u8> = (0..cells.len())
             .map(|cell| {
                 let boundary = (0..8).filter(|face| cells.boundary[cell] >> face & 1 == 1);
@@ -59,8 +65,9 @@ impl<const D: usize> DepthField<D> {
             })
             .collect();
         let facet_is_surface = |facet: usize| {
+            let is_surface = surface.is_surface_facet(facet);
             let mut nodes = surface.facets[facet].iter().flat_map(|&v| surface.nodes_of_vertex(v));
-            !nodes.all(|(node, _)| is_marked(node))
+            is_surface && !nodes.all(|(node, _)| is_marked(node))
         };
         let distances = Distances::new(surface, coords, facet_is_surface);
         let (nodes, anchors) = node_depths(cells, coords, &surface_faces, &distances);

@@ -137,6 +137,13 @@ impl fmt::Display for Error {
             Error::Overflow { quantity, value } => {
                 write!(f, "the {quantity} is {value}: beyond the range of a double")
             }
+            Error::NotGathered { body } => {
+                write!(
+                    f,
+                    "body {body} may be in contact where its cells were not gathered: bring the parts of the mesh to "
+                )?;
+                f.write_str("these coordinates first")
+            }
             Error::BadRank { rank, size } => write!(f, "rank {rank} of {size}: ranks are counted from 0"),
             Error::Communication { code } => write!(f, "the communicator failed with {code}"),
             Error::OnOtherRank { rank } => {

@@ -3,6 +3,7 @@
 use super::cells::Cells;
 use super::components::Components;
 use super::second_order::Division;
+use super::submesh::Submesh;
 use super::{Bodies, CellBlock, Vector};
 use crate::Error;
 use crate::dimension::{recast, rows};
@@ -39,6 +40,8 @@ pub struct Surface<const D: usize> {
     reference: Vec<[f64; D]>,
     /// Where there are cells of second order, their division: all nodes named here are then its points.
     pub(super) division: Option<Division>,
+    /// Where these are some cells of a larger mesh, what lies outside of them.
+    pub(crate) submesh: Option<Box<Submesh<D>>>,
 }
 
 impl<const D: usize> Surface<D> {
@@ -125,6 +128,7 @@ impl<const D: usize> Surface<D> {
             cells: None,
             reference: Vec::new(),
             division: None,
+            submesh: None,
         }
     }
 
@@ -263,6 +267,9 @@ impl<const D: usize> Surface<D> {
 
     /// Number of nodes on the surface of a body; where cells are of second order, of points at which its faces are divided.
     pub fn surface_node_count(&self, body: usize) -> usize {
+        if let Some(submesh) = &self.submesh {
+            return submesh.surface_node_counts[body];
+        }
         self.vertices[body].partition_point(|&v| (v as usize) < self.nodes.len())
     }
 

@@ -115,6 +115,29 @@ impl Ranks {
         values.into_iter().flatten().collect()
     }
 
+    /// Number of this rank.
+    pub(crate) fn rank(&self) -> usize {
+        self.rank
+    }
+
+    /// Lists of all ranks, by rank.
+    ///
+    /// # Errors
+    /// [`Error::Communication`], [`Error::RanksDiffer`].
+    pub(crate) fn gather_lists<T: Packed>(&self, own: &[T]) -> Result<Vec<Vec<T>>, Error> {
+        let mut send = Vec::new();
+        own.len().pack(&mut send);
+        own.iter().for_each(|item| item.pack(&mut send));
+        let received = self.gather(&send, tag::<T>(0, 0));
+        let failed = || {
+            let failure = self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
+            failure.unwrap_or(Error::RanksDiffer { rank: self.rank })
+        };
+        let received = received.ok_or_else(failed)?;
+        let mut bytes = &received[..];
+        (0..self.size).map(|_| Vec::unpack(&mut bytes).ok_or(Error::RanksDiffer { rank: self.rank })).collect()
+    }
+
     /// The sum of a number that every rank gives.
     pub(super) fn total(&self, count: usize) -> usize {
         if self.size == 1 {

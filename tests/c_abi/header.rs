@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 43] = [
+const SOURCES: [&str; 47] = [
     "version",
     "status",
     "failure",
@@ -31,6 +31,10 @@ const SOURCES: [&str; 43] = [
     "evaluate_tangent",
     "stable_step",
     "communicator",
+    "parts_creation",
+    "in_parts",
+    "parts",
+    "parts_getters",
     "placement",
     "contact_step",
     "evaluation",

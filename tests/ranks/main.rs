@@ -5,6 +5,11 @@ mod scene;
 
 mod communicator;
 
+mod bodies_in_parts;
+mod carried_over;
 mod failures;
+mod partition;
+mod parts;
+mod refused_in_parts;
 mod same_bits;
 mod shares;

@@ -8,18 +8,18 @@ use fmc_contact::{Communicator, Contact, EnergyLaw, Estimator, Obstacle, Options
 use fmc_shapes::{Mesh, cuboid_hex8, cuboid_tet4, rectangle_quad4, second_order};
 
 /// Blocks that press each other over a face, with meshes that do not match; enough for all to have something to do.
-fn plane_blocks() -> [Mesh<2>; 2] {
+pub(crate) fn plane_blocks() -> [Mesh<2>; 2] {
     let a = rectangle_quad4([0.0, 0.0], [2.0, 1.0], [300, 3]);
     [a, rectangle_quad4([0.21, 0.99], [1.73, 1.9], [257, 2]).rotated(0.001)]
 }
 
-fn solid_blocks() -> [Mesh<3>; 2] {
+pub(crate) fn solid_blocks() -> [Mesh<3>; 2] {
     let a = cuboid_hex8([0.0; 3], [2.0, 1.9, 0.6], [22, 21, 2]);
     let b = cuboid_tet4([0.2, 0.13, 0.583], [1.71, 1.64, 1.3], [17, 16, 2]);
     [a, b.rotated([1.0, 0.3, 0.2], 0.003)]
 }
 
-fn options<const D: usize>() -> Vec<Options> {
+pub(crate) fn options<const D: usize>() -> Vec<Options> {
     let spacing = if D == 2 { 2e-3 } else { 4e-2 };
     let laws = [EnergyLaw::volume(40.0), EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)];
     let mut all: Vec<Options> = laws

@@ -12,8 +12,9 @@ if "FMC" not in os.environ:
     pytest.skip("the environment variable FMC does not name the command fmc", allow_module_level=True)
 
 COARSE = "bodies.disc.mesh.finest=0.1134"
+EVERY = (("skfem", 1), ("getfem", 1), ("dolfinx", 1), ("dolfinx", 3), ("petsc", 1), ("petsc", 2))
 SHORT = [
-    Case("hertz", None, (COARSE,), 1e-8, (("skfem", 1), ("dolfinx", 1), ("dolfinx", 3), ("petsc", 1), ("petsc", 2)), True),
+    Case("hertz", None, (COARSE,), 1e-8, EVERY, True),
     Case("patch3d"),
     Case("wedge", None, ("bodies.block.mesh.cells=8", "bodies.block.mesh.shells=11")),
     Case("cone", None, ("bodies.block.mesh.cells=3", "bodies.block.mesh.shells=6", "contact.spacing=0.02")),
@@ -43,7 +44,7 @@ def test_hosts_agree_node_by_node(tmp_path, case):
     rows = table.rows(case, tmp_path)
     for row in rows:
         assert table.is_met(row), row
-    assert all(row["same_bits"] for row in rows if row["host"].startswith(("skfem", "dolfinx")))
+    assert all(row["same_bits"] for row in rows if row["host"].startswith(("skfem", "dolfinx", "getfem")))
     if problem.is_static:
         for row in rows:
             # The die's figures are of equilibria on the way, on patches that are found on it.
@@ -68,9 +69,9 @@ def test_hosts_agree_at_second_order(tmp_path, case):
     for host, ranks in case.hosts:
         runs.run(host, ranks, case, problem, tmp_path)
     rows = table.rows(case, tmp_path)
-    assert len(rows) == 3
+    assert len(rows) == 4
     assert all(row["displacement"] <= 1e-8 and row["force"] <= 1e-8 for row in rows), rows
-    for host in ("skfem", "dolfinx"):
+    for host in ("skfem", "dolfinx", "getfem"):
         arrays = outcome.read(tmp_path, host)[1]
         found, wanted = arrays["force_at_reference"], arrays["one_shot"]
         # scikit-fem counts vertices first, and may turn cells: sums are made in another order.

@@ -141,9 +141,11 @@ fn run_in<const D: usize>(
     summary.residuals = log.iter().map(|iteration| iteration.residual).collect();
     summary.warnings = contact.warnings.iter().map(ToString::to_string).collect();
     summary.warnings.extend(equilibrium.unturned().map(|residual| {
+        let stalled = equilibrium.stalled_turn();
+        let stalled = stalled.map(|at| format!(", and turning them came to a halt at {at:.1e}")).unwrap_or_default();
         format!(
             "the equilibrium is one along contact normals of its way; along those found where it is, the residual is \
-             {residual:.1e}"
+             {residual:.1e}{stalled}"
         )
     }));
     write("summary.json", &(serde_json::to_string_pretty(&summary)? + "\n"))?;

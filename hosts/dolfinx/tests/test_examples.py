@@ -20,6 +20,22 @@ def test_the_block_falls_and_rebounds(count):
     assert run.returncode == 0 and "rebound 1.00" in run.stdout, run.stdout + run.stderr
 
 
+def test_a_mesh_in_parts_has_the_same_force_on_any_number_of_ranks():
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    said = []
+    for count in (1, 3, 4):
+        command = ["timeout", "60", "mpirun", "--oversubscribe", "-n", str(count), sys.executable]
+        run = subprocess.run(
+            [*command, HERE / "examples" / "in_parts.py"], capture_output=True, text=True, env=environment
+        )
+        assert run.returncode == 0, run.stdout + run.stderr
+        said.append(run.stdout.splitlines())
+    assert len({force for force, *_ in said}) == 1
+    for _, facets, _ in said:
+        gathered, whole = int(facets.split()[0]), int(facets.split()[2])
+        assert whole == 2 * (400 + 100 + 70 + 60) and gathered < whole / 4
+
+
 def test_the_first_force_of_the_pages_runs_in_ten_lines():
     root = Path(__file__).parents[3]
     texts = [path.read_text() for path in (root / "docs" / "first-contact.md", root / "hosts" / "dolfinx" / "README.md")]

@@ -24,6 +24,7 @@
 mod approach;
 mod augmented;
 mod balance;
+mod contact_model;
 mod contact_step;
 mod continuation;
 mod current_pressure;
@@ -32,6 +33,7 @@ mod error;
 mod fixed_point;
 mod friction;
 mod iteration;
+mod kept;
 mod line_search;
 mod linearised;
 mod motion;

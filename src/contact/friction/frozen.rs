@@ -47,6 +47,11 @@ impl<const D: usize> FrozenFriction<D> {
         pairs
     }
 
+    /// Where the obstacles stood.
+    pub(crate) fn poses(&self) -> &[Option<Pose<D>>] {
+        &self.poses
+    }
+
     /// How far a point of an obstacle has moved.
     fn moved_with(&self, obstacle: usize, pose: &Option<Pose<D>>, x: &Vector<D>) -> Vector<D> {
         match (&self.poses.get(obstacle).copied().flatten(), pose) {

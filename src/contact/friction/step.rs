@@ -13,6 +13,8 @@ pub(crate) struct Step<const D: usize> {
     pub(crate) coords: Vec<[f64; D]>,
     /// Places of the surface's vertices.
     pub(crate) points: Vec<Vector<D>>,
+    /// Which coordinates these are, of a mesh that is given in parts.
+    pub(crate) turn: u64,
     /// Poses of the obstacles; `None` for one that was removed.
     pub(crate) poses: Vec<Option<Pose<D>>>,
     /// Elastic slip of every facet against what it faces.
@@ -28,7 +30,8 @@ impl<const D: usize> Step<D> {
         poses: Vec<Option<Pose<D>>>,
         slip: Vec<[f64; D]>,
     ) -> Self {
-        Self { coords: coords.to_vec(), points: surface.points(coords), poses, slip, bearings: None }
+        let turn = surface.submesh.as_ref().map_or(0, |submesh| submesh.turn);
+        Self { coords: coords.to_vec(), points: surface.points(coords), turn, poses, slip, bearings: None }
     }
 
     /// How a facet bore; `None` where that is not known.

@@ -39,7 +39,7 @@ impl<'a, const D: usize> NearSurface<'a, D> {
     pub(crate) fn facets_opposite(&self) -> Vec<u32> {
         let opposite = self.pair.side(!self.of_b);
         match self.shape {
-            Some(_) => (0..opposite.facets.len() as u32).collect(),
+            Some(_) => self.pair.surface_facets(!self.of_b).collect(),
             None => opposite.facets_in(&self.pair.side(self.of_b).aabb.inflated(self.reach)),
         }
     }

@@ -68,6 +68,16 @@ pub(crate) struct Pair<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Pair<'a, D> {
+    /// All facets of a side that are surface: of some cells of a larger mesh others end there.
+    pub(crate) fn surface_facets(&self, of_b: bool) -> impl Iterator<Item = u32> + use<'_, D> {
+        let first = match self.partners[usize::from(of_b)] {
+            Partner::Body(body) => Some(self.surface.ranges[body].start),
+            Partner::Obstacle(_) => None,
+        };
+        let is_surface = move |facet: usize| first.is_none_or(|first| self.surface.is_surface_facet(first + facet));
+        (0..self.side(of_b).facets.len()).filter(move |&facet| is_surface(facet)).map(|facet| facet as u32)
+    }
+
     /// The side to which a facet belongs.
     pub(crate) fn side(&self, of_b: bool) -> &FacetSide<'a, D> {
         match &self.counterpart {

@@ -80,7 +80,7 @@ pub(crate) fn find<const D: usize>(
         let side = pair.side(of_b);
         let facets: Vec<u32> = match &region {
             Some(Region { facets, .. }) => facets[usize::from(of_b)].clone(),
-            None => (0..side.facets.len() as u32).collect(),
+            None => pair.surface_facets(of_b).collect(),
         };
         let seeds: Vec<Option<u32>> = facets
             .iter()

@@ -6,23 +6,23 @@ from pathlib import Path
 from typing import Callable
 
 import numpy as np
-from fmc_contact import Contact
+from fmc_contact import Contact, Result
 
 from . import outcome
 from .equilibrium import Touching
 from .problem import Problem
 
 
-def package_force(problem: Problem, displacement: np.ndarray) -> np.ndarray:
-    """Contact forces (nodes, dim) of the package alone, with patches found where the bodies are; with friction after one
-    step from the start."""
+def package(problem: Problem, displacement: np.ndarray) -> Result:
+    """What the package alone finds, with patches found where the bodies are; with friction after one step from the
+    start."""
     coords = problem.coords + displacement
     blocks = [(body.cell_type, body.conn) for body in problem.bodies]
     contact = Contact(problem.coords, blocks, bodies=problem.body_of_cell, **problem.contact_options())
     problem.add_obstacles(contact)
     if problem.has_friction:
         contact.begin_step(problem.coords)
-    return contact.evaluate(coords).forces
+    return contact.evaluate(coords)
 
 
 def begun_anew(problem: Problem, touching: Touching) -> None:
@@ -42,5 +42,5 @@ def compared(folder: Path, problem: Problem, force: Callable[[np.ndarray], np.nd
         return {}
     _, arrays = outcome.read(folder, "reference")
     at = arrays["at_displacement"]
-    wanted = arrays["at_force"] if "at_force" in arrays else package_force(problem, at)
+    wanted = arrays["at_force"] if "at_force" in arrays else package(problem, at).forces
     return {"force_at_reference": force(at), "one_shot": wanted}

@@ -49,7 +49,7 @@ def share(contact: Any, adapted: Callable[[], Any], repeats: int = 9) -> tuple[f
 def measured() -> str:
     """A line for every adapter."""
     lines = []
-    for host, ranks in (("skfem", 1), ("dolfinx", 1), ("dolfinx", 2)):
+    for host, ranks in (("skfem", 1), ("getfem", 1), ("dolfinx", 1), ("dolfinx", 2)):
         command = [sys.executable, str(drivers() / host / "overhead.py")]
         if host == "dolfinx":
             command = [*mpirun(ranks), *command]

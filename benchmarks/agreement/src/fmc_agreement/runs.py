@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from . import figures, outcome, plain
+from . import bits, figures, outcome, plain, quadrilaterals
 from .problem import Problem
+from .solved import Solved, Step
 
 DRIVERS = Path(__file__).parents[2] / "drivers"
 """The folder of the drivers in the checkout; ``FMC_DRIVERS`` where this package is installed elsewhere."""
+
+SHARED = (("skfem", 1), ("dolfinx", 1), ("getfem", 1))
+"""Hosts that run every case: name and number of ranks."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +32,7 @@ class Case:
     changes: tuple[str, ...] = ()
     tolerance: float = 1e-8
     """How far displacements may be apart, by the largest."""
-    hosts: tuple[tuple[str, int], ...] = (("skfem", 1), ("dolfinx", 1))
+    hosts: tuple[tuple[str, int], ...] = SHARED
     snes: bool = False
     """Whether dolfinx solves it by PETSc's SNES, as its adapter offers, instead of the solver that the hosts share."""
 
@@ -36,6 +41,16 @@ class Case:
         words = [self.name, *([self.variant] if self.variant else []), *self.changes]
         return ", ".join(words)
 
+    @property
+    def folder(self) -> str:
+        """Name of the folder for its outcomes."""
+        words = [self.name, *([self.variant] if self.variant else []), *self.changes]
+        return "-".join(re.sub(r"[^\w.-]+", "-", word) for word in words)
+
+    def only(self, *names: str) -> Case:
+        """The same with some of its hosts."""
+        return replace(self, hosts=tuple(host for host in self.hosts if host[0] in names))
+
 
 # With the stiffness of the case file the star's impact multiplies what differs by 1e11: a change of Young's modulus
 # in its thirteenth digit moves nodes of one and the same host by 1.5 %. Softer contact does not, and needs longer to
@@ -43,7 +58,7 @@ class Case:
 CASES = (
     Case(
         "hertz",
-        hosts=(("skfem", 1), *[("dolfinx", n) for n in (1, 2, 3, 4)], *[("petsc", n) for n in (1, 2, 4)]),
+        hosts=(("skfem", 1), ("getfem", 1), *[("dolfinx", n) for n in (1, 2, 3, 4)], *[("petsc", n) for n in (1, 2, 4)]),
         snes=True,
     ),
     Case("hertz3d"),
@@ -54,8 +69,11 @@ CASES = (
     # on another one, 1e-4 away. These go the same way.
     Case("cone"),
     Case("punch"),
+    # What deal.II's program reads: quadrilaterals.
+    Case("hertz", None, ("bodies.disc.mesh.cell=quad4",), hosts=(*SHARED, ("dealii", 1))),
+    Case("punch", "depth", hosts=(*SHARED, ("dealii", 1))),
     Case("ironing"),
-    Case("cgs4"),
+    Case("cgs4", hosts=(*SHARED, ("dealii", 1))),
     Case("hertz", "depth"),
     Case("hertz", "tri6"),
     Case("bar", tolerance=1e-6),
@@ -73,6 +91,9 @@ def run(host: str, ranks: int, case: Case, problem: Problem, folder: Path) -> fl
     begin = time.perf_counter()
     if host == "petsc":
         _petsc(ranks, problem, folder)
+        return time.perf_counter() - begin
+    if host == "dealii":
+        _dealii(problem, folder)
         return time.perf_counter() - begin
     command = [sys.executable, str(drivers() / host / "run_case.py"), case.name, "--out", str(folder)]
     command += ["--variant", case.variant] if case.variant else []
@@ -108,6 +129,30 @@ def _petsc(ranks: int, problem: Problem, folder: Path) -> None:
     outcome.write(
         folder, label("petsc", ranks), problem, found, displacement, force, curve, int(iterations), seconds,
         contact_seconds, ranks=ranks,
+    )  # fmt: skip
+
+
+def _dealii(problem: Problem, folder: Path) -> None:
+    solved = in_dealii(problem, folder)
+    outcome.of_equilibrium(folder, "dealii", problem, solved, {}, {})
+
+
+def in_dealii(problem: Problem, folder: Path, is_refined: quadrilaterals.Where | None = None) -> Solved:
+    """What deal.II's program finds where the reference host has been, at the nodes of the case. With friction the way counts, and
+    the load steps are those of the reference host."""
+    table, solution = folder / "problem-dealii.txt", folder / "dealii.txt"
+    _, theirs = outcome.read(folder, "reference")
+    displacements = theirs["way_displacement"] if problem.has_friction else theirs["displacement"][np.newaxis]
+    quadrilaterals.write(problem, displacements, table, is_refined)
+    _call([os.environ["FMC_DEALII"], str(table), str(solution)])
+    with open(solution) as file:
+        solves, seconds, contact_seconds = map(float, file.readline().split())
+        rows = np.loadtxt(file)[: len(problem.coords)]  # those of divided cells come after them
+    displacement, force = rows[:, :2], rows[:, 2:]
+    penetration = bits.package(problem, displacement).penetration
+    return Solved(
+        [Step(0, 1.0, displacement, force, penetration)],
+        iterations=int(solves), seconds=seconds, contact_seconds=contact_seconds,
     )  # fmt: skip
 
 

@@ -21,6 +21,7 @@ from .contact_step import ContactStep
 from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options
 from .part import Part
+from .partition import CARRIED_SLIP, GatheredCounts, PartitionedContact
 from .points import PointWeights
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
@@ -37,6 +38,7 @@ def has_feature(name: str) -> bool:
 
 
 __all__ = [
+    "CARRIED_SLIP",
     "Augmented",
     "BoundaryFacets",
     "Contact",
@@ -47,11 +49,13 @@ __all__ = [
     "FmcError",
     "Friction",
     "GapConstraints",
+    "GatheredCounts",
     "NodalContact",
     "NotConvergedError",
     "Options",
     "Pair",
     "Part",
+    "PartitionedContact",
     "PointWeights",
     "Pose",
     "RankOne",

@@ -16,17 +16,33 @@ def _free(pointer: Context) -> None:
     library.fmc_context_free(byref(pointer))
 
 
+def guarded(function: Callable[..., None], raised: list[BaseException]) -> Callable[..., int]:
+    """The function for the library to call: 0 when it returns, -1 when it raises, which goes to ``raised``."""
+
+    def guard(*arguments: object) -> int:
+        try:
+            function(*arguments)
+        except BaseException as error:
+            raised.append(error)
+            return -1
+        return 0
+
+    return guard
+
+
 class Handle:
     """Owner of a context. ``with handle:`` claims it for several calls that belong together."""
 
-    def __init__(self, create: Callable[..., int]) -> None:
+    def __init__(self, create: Callable[..., int], raised: list[BaseException] | None = None) -> None:
         self.pointer = Context()
-        check(create(byref(self.pointer)))
+        self._raised = [] if raised is None else raised
+        status = create(byref(self.pointer))
+        self._raise_again()
+        check(status)
         finalizer = weakref.finalize(self, _free, self.pointer)
         # At exit a daemon thread may still be inside; the system takes the memory back.
         finalizer.atexit = False
         self._lock = threading.Lock()
-        self._raised: list[BaseException] = []
         self._callbacks: dict[object, object] = {}
 
     def __enter__(self) -> None:
@@ -39,25 +55,18 @@ class Handle:
     def call(self, function: Callable[..., int], *arguments: object) -> None:
         """Calls a function of the library. A callback's exception takes precedence over the status that it caused."""
         status = function(self.pointer, *arguments)
+        self._raise_again()
+        check(status)
+
+    def _raise_again(self) -> None:
         if self._raised:
             raised = self._raised[0]
             self._raised.clear()
             raise raised
-        check(status)
 
     def guarded(self, function: Callable[..., None]) -> Callable[..., int]:
         """The function for the library to call: 0 when it returns, -1 when it raises, which ``call`` raises again."""
-        raised = self._raised
-
-        def guard(*arguments: object) -> int:
-            try:
-                function(*arguments)
-            except BaseException as error:
-                raised.append(error)
-                return -1
-            return 0
-
-        return guard
+        return guarded(function, self._raised)
 
     def message_callback(self, function: Callable[[str], None]) -> Callable[..., None]:
         """The function for the library to call with messages; what it raises, ``call`` raises again."""

@@ -315,6 +315,34 @@ class fmc_rank_counts(Structure):
     ]
 
 
+class fmc_mesh_part(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("coords", fmc_coords),
+        ("node_numbers", POINTER(c_int64)),
+        ("blocks", POINTER(fmc_cell_block)),
+        ("block_count", c_size_t),
+        ("cell_numbers", POINTER(c_int64)),
+        ("body_ids", POINTER(c_int32)),
+        ("reach", c_double),
+    ]
+
+
+class fmc_carried_slip(Structure):
+    _fields_ = [("cell", c_int64), ("face", c_int32), ("part", c_int32), ("slip", c_double * 3)]
+
+
+class fmc_gathered_counts(Structure):
+    _fields_ = [
+        ("node_count", c_uint64),
+        ("cell_count", c_uint64),
+        ("facet_count", c_uint64),
+        ("whole_facet_count", c_uint64),
+        ("own_cell_count", c_uint64),
+        ("gather_count", c_uint64),
+    ]
+
+
 class fmc_contact_step_options(Structure):
     _fields_ = [
         ("struct_size", c_size_t),

@@ -366,6 +366,12 @@ class RanksDifferError(FmcError, ValueError):
     status = 53
 
 
+class NotGatheredError(FmcError, RuntimeError):
+    """Coordinates at which a part of a mesh that was not gathered may be in contact."""
+
+    status = 54
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

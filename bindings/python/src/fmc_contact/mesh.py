@@ -27,7 +27,8 @@ class Start(NamedTuple):
     is_columns: bool
 
 
-def _named_blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, ArrayLike]]:
+def named_blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, ArrayLike]]:
+    """Cells with their types."""
     if cell_type is not None:
         return [(cell_type, cast(ArrayLike, conn))]
     blocks: list = list(conn) if isinstance(conn, (list, tuple)) else [conn]
@@ -38,7 +39,7 @@ def _named_blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, ArrayLi
 
 
 def _blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, np.ndarray]]:
-    blocks = _named_blocks(conn, cell_type)
+    blocks = named_blocks(conn, cell_type)
     if not blocks:
         raise EmptyError("there are no cells and no facets")
     for name, _ in blocks:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ctypes import byref, c_uint8
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Callable, Protocol
 
 import numpy as np
 
@@ -59,20 +59,10 @@ class Shared:
                 self._handle.call(library.fmc_context_set_communicator, None)
                 self._handle.release("communicator")
             return
-        rank, size = int(comm.rank), int(comm.size)
-
-        def gather(_user: object, send: int, counts: object, received: int) -> None:
-            every = np.ctypeslib.as_array(counts, (size,)).astype(np.int64)
-            displacements = np.concatenate([[0], np.cumsum(every)[:-1]])
-            comm.Allgatherv(_bytes(send, every[rank]), [_bytes(received, every.sum()), (every, displacements)])
-
-        given = fmc_communicator()
-        check(library.fmc_communicator_init(byref(given)))
-        given.rank, given.size = rank, size
-        given.all_gather = callback = ALL_GATHER(self._handle.guarded(gather))
+        given = described(comm, self._handle.guarded)
         with self._handle:
             self._handle.call(library.fmc_context_set_communicator, byref(given))
-            self._handle.keep("communicator", callback)
+            self._handle.keep("communicator", given.all_gather)
 
     def rank_counts(self) -> RankCounts:
         """What was shared since the communicator was set; zeros without one. Errors: ``BusyError``."""
@@ -80,6 +70,22 @@ class Shared:
         with self._handle:
             self._handle.call(library.fmc_context_rank_counts, byref(counts))
         return RankCounts(*(getattr(counts, name) for name, _ in counts._fields_))
+
+
+def described(comm: Communicator, guard: Callable[[Callable[..., None]], Callable[..., int]]) -> fmc_communicator:
+    """A communicator as the library takes it; its function is guarded by ``guard``, and kept by the caller."""
+    rank, size = int(comm.rank), int(comm.size)
+
+    def gather(_user: object, send: int, counts: object, received: int) -> None:
+        every = np.ctypeslib.as_array(counts, (size,)).astype(np.int64)
+        displacements = np.concatenate([[0], np.cumsum(every)[:-1]])
+        comm.Allgatherv(_bytes(send, every[rank]), [_bytes(received, every.sum()), (every, displacements)])
+
+    given = fmc_communicator()
+    check(library.fmc_communicator_init(byref(given)))
+    given.rank, given.size = rank, size
+    given.all_gather = ALL_GATHER(guard(gather))
+    return given
 
 
 def _bytes(address: int | None, count: int) -> np.ndarray:

@@ -5,10 +5,11 @@ MPI ranks.
     problem = ContactProblem(residual_form, u, bcs, contact)
     problem.solve()          # or, on one rank, newton(problem, young=E)
 
-    newton, ContactProblem, attach, with_contact  ->  DolfinxContact  ->  surface, replica, space  ->  versions, together  ->  cells
+    newton, ContactProblem, attach, with_contact  ->  DolfinxContact, FilteredMultigrid  ->  surface, replica, space  ->  versions, together  ->  cells
 """
 
 from .adapter import DolfinxContact
+from .filtered_multigrid import FilteredMultigrid
 from .input_numbers import by_input_number, set_by_input_number
 from .newton import newton
 from .nonlinear import attach, with_contact
@@ -19,6 +20,7 @@ from .together import OtherRankError
 __all__ = [
     "ContactProblem",
     "DolfinxContact",
+    "FilteredMultigrid",
     "LayoutError",
     "OtherRankError",
     "attach",

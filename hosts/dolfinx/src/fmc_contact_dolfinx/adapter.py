@@ -251,18 +251,28 @@ class DolfinxContact:
         from petsc4py import PETSc
 
         blocks = matrix if isinstance(matrix, (list, tuple)) else [[matrix]]
+        use, space_of, unknown = self._own_entries(tangent, bcs)
+        rows, cols, values = tangent.rows[use], tangent.cols[use], scale * tangent.values[use]
+        for i, line in enumerate(blocks):
+            for j, block in enumerate(line):
+                here = (space_of[rows] == i) & (space_of[cols] == j)
+                _add(PETSc, block, unknown[rows[here]], unknown[cols[here]], values[here])
+
+    def touched(self, tangent: Triplets, bcs: Sequence[Any] = ()) -> np.ndarray:
+        """Unknowns of one space that this rank owns and that feel contact, as PETSc numbers them over all ranks, ascending: the
+        rows of ``tangent`` but for those that ``bcs`` hold. Collective."""
+        use, _, unknown = self._own_entries(tangent, bcs)
+        return np.unique(unknown[tangent.rows[use]])
+
+    def _own_entries(self, tangent: Triplets, bcs: Sequence[Any]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Which entries stand in rows that this rank owns and nothing holds; the space, and the number in it, of every row."""
         held = np.concatenate([s.replica.gather(self._held(s, bcs).astype(float)) for s in self._shown]).ravel() > 0
         space_of = np.repeat(np.arange(len(self._shown)), np.diff(self._first) * self.dim)
         unknown = self.unknowns()
         mine = np.zeros(len(held), bool)
         for shown, first in zip(self._shown, self._first):
             mine.reshape(-1, self.dim)[first + shown.replica.rows] = True
-        use = mine[tangent.rows] & ~held[tangent.rows] & ~held[tangent.cols]
-        rows, cols, values = tangent.rows[use], tangent.cols[use], scale * tangent.values[use]
-        for i, line in enumerate(blocks):
-            for j, block in enumerate(line):
-                here = (space_of[rows] == i) & (space_of[cols] == j)
-                _add(PETSc, block, unknown[rows[here]], unknown[cols[here]], values[here])
+        return mine[tangent.rows] & ~held[tangent.rows] & ~held[tangent.cols], space_of, unknown
 
 
 def _add(petsc: Any, matrix: Any, rows: np.ndarray, cols: np.ndarray, values: np.ndarray) -> None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Any, Sequence
 
 import dolfinx.fem.petsc as fpetsc
+import numpy as np
 import ufl
 from dolfinx import fem
 from fmc_contact.errors import InvertedCellError
 from petsc4py import PETSc
 
 from .adapter import DolfinxContact
+from .filtered_multigrid import FilteredMultigrid
 from .versions import create_vector, vector_of
 
 FAR = 0.1
@@ -40,6 +42,7 @@ class ContactProblem:
         )
         self.semidefinite: bool | None = None
         self._is_far = True
+        self._tangent: Any = None
         self.vector = create_vector(self.residual, space)
         self.matrix = fpetsc.create_matrix(self.jacobian)
 
@@ -76,8 +79,14 @@ class ContactProblem:
         semidefinite = self._is_far if self.semidefinite is None else self.semidefinite
         tangent = self.contact.tangent(x, semidefinite=semidefinite)
         self.contact.add_tangent(preconditioner, tangent, self.bcs)
+        self._tangent = tangent
         if matrix != preconditioner:
             matrix.assemble()
+
+    @property
+    def touched(self) -> np.ndarray:
+        """Unknowns of this rank that felt contact when the matrix was made last. Collective."""
+        return np.empty(0, np.int64) if self._tangent is None else self.contact.touched(self._tangent, self.bcs)
 
     def solver(self) -> Any:
         """A SNES with Newton's method and a direct solver; change it by its methods or by options."""
@@ -93,6 +102,19 @@ class ContactProblem:
         if self.u.function_space.mesh.comm.size > 1 or PETSc.Sys.hasExternalPackage("mumps"):
             solver.getPC().setFactorSolverType("mumps")
         solver.setErrorIfNotConverged(True)
+        return snes
+
+    def iterative_solver(self, rtol: float = 1e-8) -> Any:
+        """A SNES with conjugate gradients for its linear systems, preconditioned by algebraic multigrid with the contact solved
+        directly (``FilteredMultigrid``), on any number of ranks: for problems that are too large for a direct solver.
+
+        The matrix has to be symmetric and positive definite: no friction but frozen; near a stable equilibrium it is, and far from
+        one, where of the contact only what is semidefinite is taken."""
+        snes = self.solver()
+        solver = snes.getKSP()
+        solver.setType("cg")
+        solver.setTolerances(rtol=rtol, max_it=500)
+        FilteredMultigrid(self.u.function_space, lambda: self.touched).attach(solver.getPC())
         return snes
 
     def solve(self, snes: Any = None) -> int:

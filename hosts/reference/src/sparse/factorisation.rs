@@ -1,234 +1,192 @@
 //! Cholesky factors with the equations that will change last.
 
 use super::Lower;
+use super::condensed::{Condensed, eliminate, follow};
+use super::near::supernodes_near;
+use super::order::order;
+use super::schur::Schur;
+use super::triangle::column;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltParams;
-use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::perm::PermRef;
-use faer::prelude::*;
 use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::amd;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLltRef;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
+    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use faer::{Accum, Conj, Mat, Par, Side, Spec};
+use faer::{Par, Side, Spec};
+use std::cell::Cell;
 
 /// Cholesky factors L Lᵀ of a symmetric positive definite matrix.
 ///
 /// A few equations may be kept for the end: what elimination of all others leaves of the matrix on them, the Schur
-/// complement, is then at hand, and a system whose matrix differs on them alone is solved without new factors. What depends
-/// on the pattern alone is kept for the next matrix of the same pattern.
+/// complement, is then at hand, and a system whose matrix differs on them alone is solved on them alone. What depends
+/// on the pattern alone is kept for the next matrix of the same pattern, and so is the memory.
 #[derive(Default)]
 pub struct Factorisation {
+    places: Vec<[f64; 3]>,
     analysed: Option<Analysed>,
     values: Vec<f64>,
+    is_factorised: bool,
+    memory: Option<MemBuffer>,
     kept: Vec<usize>,
-    /// Schur complement on the kept equations, in their order.
-    schur: Option<Mat<f64>>,
+    schur: Schur,
     /// Times that a pattern was new.
     pub analyses: usize,
     /// Matrices factorised.
     pub count: usize,
+    /// Forward and backward substitutions through all of the factors: two are a solution.
+    pub passes: Cell<usize>,
 }
 
 struct Analysed {
     pattern: Lower,
     symbolic: SymbolicCholesky<usize>,
+    /// Equations in the order of elimination.
+    order: Vec<usize>,
+    /// Supernodes by which the equations near those that are kept follow them.
+    near: Vec<bool>,
 }
 
 impl Factorisation {
-    /// Factorises a matrix, its equations `kept` (ascending) last. `false` if it is not positive definite.
+    /// Of matrices whose equations are at these places: by them the order of elimination is found.
+    pub fn new(places: Vec<[f64; 3]>) -> Self {
+        Self { places, ..Self::default() }
+    }
+
+    /// Factorises a matrix, its equations `kept` last, in their order. `false` if it is not positive definite.
     pub fn factorise(&mut self, matrix: &Lower, kept: &[usize]) -> bool {
-        self.count += 1;
+        (self.count, self.is_factorised) = (self.count + 1, false);
         let known = self.analysed.as_ref().is_some_and(|known| known.pattern.has_pattern_of(matrix));
         if !known || self.kept != kept {
             self.analyses += 1;
             self.kept = kept.to_vec();
-            self.analysed = analyse(matrix, kept).map(|symbolic| Analysed { pattern: matrix.clone(), symbolic });
+            self.analysed = analyse(matrix, kept, &self.places);
         }
         let Some(Analysed { symbolic, .. }) = &self.analysed else { return false };
-        self.values.clear();
         self.values.resize(symbolic.len_val(), 0.0);
         let params = Spec::<LltParams, f64>::default();
-        let mut memory = MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, params));
-        let stack = MemStack::new(&mut memory);
-        let regularisation = Default::default();
-        let done = symbolic
-            .factorize_numeric_llt(
-                &mut self.values,
-                matrix.view(),
-                Side::Lower,
-                regularisation,
-                Par::Seq,
-                stack,
-                params,
-            )
-            .is_ok();
-        if !done {
-            self.values.clear();
-            return false;
+        let needed = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, params);
+        if self.memory.as_ref().is_none_or(|memory| memory.len() < needed.unaligned_bytes_required()) {
+            self.memory = Some(MemBuffer::new(needed));
         }
-        self.schur = self.schur_complement();
-        true
+        let Some(memory) = &mut self.memory else { return false };
+        let (values, stack, no) = (&mut self.values, MemStack::new(memory), Default::default());
+        let ended = symbolic.factorize_numeric_llt(values, matrix.view(), Side::Lower, no, Par::Seq, stack, params);
+        self.is_factorised = ended.is_ok();
+        if self.is_factorised {
+            self.load_schur();
+        }
+        self.is_factorised
+    }
+
+    /// Whether the last matrix has factors.
+    pub fn is_factorised(&self) -> bool {
+        self.is_factorised
     }
 
     /// Solution of the system with the last matrix; `None` if it had no factors.
     pub fn solve(&self, right: &[f64]) -> Option<Vec<f64>> {
-        let Analysed { symbolic, .. } = self.analysed.as_ref().filter(|_| !self.values.is_empty())?;
-        let mut solution = Mat::from_fn(right.len(), 1, |row, _| right[row]);
-        let mut memory = MemBuffer::new(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
-        let factors = LltRef::new(symbolic, &self.values);
-        factors.solve_in_place_with_conj(Conj::No, solution.as_mut(), Par::Seq, MemStack::new(&mut memory));
-        Some((0..right.len()).map(|row| solution[(row, 0)]).collect())
+        let (mut y, order) = self.eliminated(right, right.len())?;
+        follow(&self.factors()?, right.len(), &mut y, |_| true);
+        self.passes.set(self.passes.get() + 1);
+        Some(in_place_of(order, &y))
     }
 
-    /// Solution of the system with the last matrix M changed on the kept equations, by entries (row, column, value) of
-    /// the lower triangle numbered among these; `None` if it is not positive definite.
-    ///
-    /// With x̂ = M⁻¹ b, S the Schur complement and Δ the change: (S + Δ) x_kept = S x̂_kept, x = M⁻¹ (b − Δ x).
-    pub fn solve_changed(&self, change: &[(usize, usize, f64)], right: &[f64]) -> Option<Vec<f64>> {
-        let mirrored = change.iter().filter(|(row, column, _)| row != column).map(|(r, c, v)| (*c, *r, *v));
-        let change: Vec<_> = change.iter().copied().chain(mirrored).collect();
-        self.solve_with(&change, right, |changed, right| Some(changed.llt(Side::Lower).ok()?.solve(right)))
+    /// Schur complement of the last matrix on the kept equations.
+    pub fn schur(&mut self) -> &mut Schur {
+        &mut self.schur
     }
 
-    /// The same for a change that is not symmetric, by all its entries; `None` if the changed matrix is singular.
-    pub fn solve_changed_unsymmetric(&self, change: &[(usize, usize, f64)], right: &[f64]) -> Option<Vec<f64>> {
-        let found = self.solve_with(change, right, |changed, right| Some(changed.partial_piv_lu().solve(right)))?;
-        found.iter().all(|x| x.is_finite()).then_some(found)
+    /// Right side of a system with the last matrix, condensed on the kept equations; `None` if it had no factors.
+    pub fn condense(&self, right: &[f64]) -> Option<Condensed> {
+        let (mut inner, _) = self.eliminated(right, right.len() - self.kept.len())?;
+        let kept = inner.split_off(right.len() - self.kept.len());
+        Some(Condensed { inner, kept })
     }
 
-    fn solve_with(
-        &self,
-        change: &[(usize, usize, f64)],
-        right: &[f64],
-        solve: impl Fn(&Mat<f64>, Mat<f64>) -> Option<Mat<f64>>,
-    ) -> Option<Vec<f64>> {
-        let first = self.solve(right)?;
-        let schur = self.schur.as_ref()?;
-        let mut changed = schur.clone();
-        change.iter().for_each(|&(row, column, value)| changed[(row, column)] += value);
-        let at_first = Mat::from_fn(self.kept.len(), 1, |k, _| first[self.kept[k]]);
-        let kept = solve(&changed, schur * at_first)?;
-        let mut right = right.to_vec();
-        change.iter().for_each(|&(row, column, value)| right[self.kept[row]] -= value * kept[(column, 0)]);
-        self.solve(&right)
+    /// Solution on all equations, of the right side whose condensation on the others this is, and the kept ones' solution.
+    pub fn follow(&self, inner: impl Iterator<Item = f64>, kept: &[f64]) -> Option<Vec<f64>> {
+        let mut y: Vec<f64> = inner.chain(kept.iter().copied()).collect();
+        follow(&self.factors()?, y.len() - kept.len(), &mut y, |_| true);
+        self.passes.set(self.passes.get() + 1);
+        Some(in_place_of(&self.analysed.as_ref()?.order, &y))
     }
 
-    /// S = L_kept L_keptᵀ, L_kept being the last columns of the factor.
-    fn schur_complement(&self) -> Option<Mat<f64>> {
-        let Analysed { symbolic, .. } = self.analysed.as_ref()?;
+    /// The same near the kept equations alone, at a part of the cost; elsewhere `solution` stays what it is.
+    pub fn follow_near(&self, inner: impl Iterator<Item = f64>, kept: &[f64], solution: &mut [f64]) -> Option<()> {
+        let mut y: Vec<f64> = inner.chain(kept.iter().copied()).collect();
+        let (factors, Analysed { order, near, .. }) = (self.factors()?, self.analysed.as_ref()?);
+        follow(&factors, y.len() - kept.len(), &mut y, |number| near[number]);
+        let (starts, ends) = (factors.symbolic().supernode_begin(), factors.symbolic().supernode_end());
+        for number in (0..near.len()).filter(|number| near[*number]) {
+            (starts[number]..ends[number]).for_each(|place| solution[order[place]] = y[place]);
+        }
+        Some(())
+    }
+
+    fn eliminated(&self, right: &[f64], count: usize) -> Option<(Vec<f64>, &[usize])> {
+        let order = &self.analysed.as_ref()?.order;
+        let mut y: Vec<f64> = order.iter().map(|&equation| right[equation]).collect();
+        eliminate(&self.factors()?, count, &mut y);
+        self.passes.set(self.passes.get() + 1);
+        Some((y, order))
+    }
+
+    fn factors(&self) -> Option<SupernodalLltRef<'_, usize, f64>> {
+        let Analysed { symbolic, .. } = self.analysed.as_ref().filter(|_| self.is_factorised)?;
         let SymbolicCholeskyRaw::Supernodal(supernodal) = symbolic.raw() else { return None };
-        let first = symbolic.nrows() - self.kept.len();
-        let mut last = Mat::<f64>::zeros(self.kept.len(), self.kept.len());
-        let factors = SupernodalLltRef::new(supernodal, &self.values);
-        for number in 0..supernodal.n_supernodes() {
-            let supernode = factors.supernode(number);
-            let (block, start) = (supernode.val(), supernode.start());
-            for column in first.saturating_sub(start)..block.ncols() {
-                for row in column..block.nrows() {
-                    let at = if row < block.ncols() { start + row } else { supernode.pattern()[row - block.ncols()] };
-                    last[(at - first, start + column - first)] = block[(row, column)];
+        Some(SupernodalLltRef::new(supernodal, &self.values))
+    }
+
+    /// The last columns of the factor are the Schur complement's.
+    fn load_schur(&mut self) {
+        let size = self.kept.len();
+        let mut schur = std::mem::take(&mut self.schur);
+        let lower = schur.renewed(size);
+        if let Some(factors) = self.factors().filter(|_| size > 0) {
+            let first = self.places_eliminated();
+            for number in 0..factors.symbolic().n_supernodes() {
+                let supernode = factors.supernode(number);
+                let (block, start, below) = (supernode.val(), supernode.start(), supernode.pattern());
+                for j in first.saturating_sub(start)..block.ncols() {
+                    let (own, others) = column(block, j).split_at(block.ncols());
+                    let to = lower.col_as_slice_mut(start + j - first);
+                    to[start + j - first..start + own.len() - first].copy_from_slice(&own[j..]);
+                    below.iter().zip(others).for_each(|(&row, value)| to[row - first] = *value);
                 }
             }
         }
-        Some(times_its_transpose(&last))
+        self.schur = schur;
+    }
+
+    /// Equations that are not kept.
+    fn places_eliminated(&self) -> usize {
+        self.analysed.as_ref().map_or(0, |analysed| analysed.order.len() - self.kept.len())
     }
 }
 
-/// L Lᵀ: the lower triangle, a sixth of the work of any two matrices, and its mirror image.
-fn times_its_transpose(lower: &Mat<f64>) -> Mat<f64> {
-    let mut product = Mat::<f64>::zeros(lower.nrows(), lower.nrows());
-    let [low, up] = [BlockStructure::TriangularLower, BlockStructure::TriangularUpper];
-    let (left, right) = (lower.as_ref(), lower.transpose());
-    triangular::matmul(product.as_mut(), low, Accum::Replace, left, low, right, up, 1.0, Par::Seq);
-    for column in 0..lower.nrows() {
-        for row in 0..column {
-            product[(row, column)] = product[(column, row)];
-        }
-    }
-    product
+/// Values in the order of elimination, on the equations.
+fn in_place_of(order: &[usize], values: &[f64]) -> Vec<f64> {
+    let mut placed = vec![0.0; values.len()];
+    order.iter().zip(values).for_each(|(&equation, value)| placed[equation] = *value);
+    placed
 }
 
-/// Order of elimination: minimum degree, but for what is kept.
-fn analyse(matrix: &Lower, kept: &[usize]) -> Option<SymbolicCholesky<usize>> {
-    let size = matrix.size();
-    let mut number = vec![usize::MAX; size];
-    let others: Vec<usize> = (0..size).filter(|equation| kept.binary_search(equation).is_err()).collect();
-    others.iter().enumerate().for_each(|(k, &equation)| number[equation] = k);
-    let inner = matrix.entries().map(|(row, column, value)| (number[row], number[column], value));
-    let inner = Lower::new(others.len(), inner.filter(|(row, column, _)| *row < size && *column < size));
-    let (mut order, mut inverse) = (vec![0; others.len()], vec![0; others.len()]);
-    let mut memory = MemBuffer::new(amd::order_scratch::<usize>(others.len(), inner.entries().count()));
-    let stack = MemStack::new(&mut memory);
-    amd::order(&mut order, &mut inverse, inner.pattern(), amd::Control::default(), stack).ok()?;
-    let order: Vec<usize> = order.into_iter().map(|k| others[k]).chain(kept.iter().copied()).collect();
-    let mut inverse = vec![0; size];
+fn analyse(matrix: &Lower, kept: &[usize], places: &[[f64; 3]]) -> Option<Analysed> {
+    let order = order(matrix, kept, places);
+    let mut inverse = vec![0; order.len()];
     order.iter().enumerate().for_each(|(place, &equation)| inverse[equation] = place);
-    let params = CholeskySymbolicParams {
-        supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-        ..Default::default()
+    let supernodal_flop_ratio_threshold = SupernodalThreshold::FORCE_SUPERNODAL;
+    let params = CholeskySymbolicParams { supernodal_flop_ratio_threshold, ..Default::default() };
+    let custom = SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, order.len()));
+    let symbolic = factorize_symbolic_cholesky(matrix.pattern(), Side::Lower, custom, params).ok()?;
+    let near = match symbolic.raw() {
+        SymbolicCholeskyRaw::Supernodal(factors) => supernodes_near(matrix, kept, &order, factors),
+        SymbolicCholeskyRaw::Simplicial(_) => return None,
     };
-    let order = SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, size));
-    factorize_symbolic_cholesky(matrix.pattern(), Side::Lower, order, params).ok()
+    Some(Analysed { pattern: matrix.clone(), symbolic, order, near })
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A chain of springs, held at one end, with entries in pieces and out of order.
-    fn chain(size: usize, stiffness: f64) -> Vec<(usize, usize, f64)> {
-        let springs = (1..size).flat_map(|k| {
-            [(k, k, stiffness), (k - 1, k, -stiffness), (k, k - 1, -stiffness), (k - 1, k - 1, stiffness)]
-        });
-        springs.chain([(0, 0, stiffness)]).collect()
-    }
-
-    #[test]
-    fn a_chain_of_springs_is_as_long_as_its_springs() {
-        let mut system = Factorisation::default();
-        assert!(system.factorise(&Lower::new(5, chain(5, 2.0).into_iter().rev()), &[]));
-        // A force of 1 at the end stretches each spring by ½.
-        let u = system.solve(&[0.0, 0.0, 0.0, 0.0, 1.0]).unwrap();
-        u.iter().enumerate().for_each(|(k, u)| assert!((u - 0.5 * (k + 1) as f64).abs() < 1e-14));
-        assert!(system.factorise(&Lower::new(5, chain(5, 1.0).into_iter()), &[]));
-        assert_eq!((system.analyses, system.count), (1, 2));
-        // Not held: no factors, or none that are of any use.
-        let loose = chain(5, 1.0).into_iter().take(16);
-        let found = system.factorise(&Lower::new(5, loose), &[]).then(|| system.solve(&[1.0; 5]).unwrap()[0].abs());
-        assert!(found.is_none_or(|u| u > 1e10));
-    }
-
-    #[test]
-    fn what_elimination_leaves_of_a_chain_is_springs_in_series() {
-        let mut system = Factorisation::default();
-        assert!(system.factorise(&Lower::new(6, chain(6, 12.0).into_iter()), &[2, 5]));
-        // Three springs of 12 in a row are one of 4: from the wall to equation 2, and from there to 5.
-        let expected = [[8.0, -4.0], [-4.0, 4.0]];
-        (0..4).for_each(|k| {
-            assert!((system.schur.as_ref().unwrap()[(k / 2, k % 2)] - expected[k / 2][k % 2]).abs() < 1e-13)
-        });
-    }
-
-    #[test]
-    fn a_change_on_kept_equations_gives_the_solution_of_the_changed_matrix() {
-        let change = [(2, 2, 3.0), (5, 2, -3.0), (5, 5, 3.0)];
-        let mut system = Factorisation::default();
-        assert!(system.factorise(&Lower::new(8, chain(8, 2.0).into_iter()), &[2, 5]));
-        let right: Vec<f64> = (0..8).map(|k| (k as f64).sin()).collect();
-        let local = change.map(|(row, column, value): (usize, usize, f64)| (row / 5, column / 5, value));
-        let changed = system.solve_changed(&local, &right).unwrap();
-        let whole = Lower::new(8, chain(8, 2.0).into_iter().chain(change));
-        let left = whole.product(&changed);
-        left.iter().zip(&right).for_each(|(l, r)| assert!((l - r).abs() < 1e-13, "{l} is not {r}"));
-        assert!(system.solve_changed(&[(0, 0, -1e3)], &right).is_none());
-        // Pushed at 2 by what moves at 5, and not the other way round.
-        let pushed = system.solve_changed_unsymmetric(&[(0, 1, -0.5)], &right).unwrap();
-        let mut left = Lower::new(8, chain(8, 2.0).into_iter()).product(&pushed);
-        left[2] -= 0.5 * pushed[5];
-        left.iter().zip(&right).for_each(|(l, r)| assert!((l - r).abs() < 1e-13, "{l} is not {r}"));
-    }
-}
+mod tests;

@@ -49,6 +49,11 @@ impl Lower {
         y
     }
 
+    /// Rows of a column, ascending.
+    pub(crate) fn rows_of(&self, column: usize) -> &[usize] {
+        &self.rows[self.starts[column]..self.starts[column + 1]]
+    }
+
     pub(crate) fn has_pattern_of(&self, other: &Self) -> bool {
         self.starts == other.starts && self.rows == other.rows
     }

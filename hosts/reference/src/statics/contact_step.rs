@@ -1,16 +1,12 @@
 //! Steps for which the bodies are linear and the contact is as it is.
 
 use super::balance::Balance;
+use super::contact_model::{At, Direction, Model};
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Tangent;
 use super::line_search::{FLAT, GAIN, shortened};
-use crate::sparse::{Entries, Lower};
-
-/// Equations on which contact acts, at most: the systems of the iterations have no more, but are dense. With more, the iterations
-/// are fewer still, and no faster: `hertz3d` with 2 315 kept of 19 398 takes 4 for 7, with 4 719 of 72 751 5 for 15, in the same
-/// time and up to 2.7 times the memory.
-const MOST_KEPT: usize = 1500;
+use fmc_contact::ContactForces;
 
 /// Iterations of the contact, at most.
 const MOST_ITERATIONS: usize = 80;
@@ -21,38 +17,13 @@ const LEFT_OVER: f64 = 1e-2;
 /// Trials along a direction.
 const MOST_TRIALS: usize = 12;
 
+type Touch<const D: usize> = Result<ContactForces<D>, fmc_contact::Error>;
+
 /// A step, and what finding it took.
 pub(super) struct ContactStep<const D: usize> {
     pub(super) direction: Vec<[f64; D]>,
     /// Iterations of the contact.
     pub(super) iterations: usize,
-}
-
-/// Least energy over steps d, with r the residual of the bodies and K their stiffness at u:
-/// r·d + ½ d·K d + contact energy(u + d).
-struct Model<'a, const D: usize> {
-    u: &'a [[f64; D]],
-    residual: Vec<f64>,
-    stiffness: &'a Lower,
-    scale: f64,
-    /// Magnitude of the energies, for rounding.
-    magnitude: f64,
-}
-
-/// A step and its place in the model.
-#[derive(Clone)]
-struct At {
-    step: Vec<f64>,
-    /// K d.
-    pull: Vec<f64>,
-    energy: f64,
-    gradient: Vec<f64>,
-}
-
-impl At {
-    fn norm(&self) -> f64 {
-        dot(&self.gradient, &self.gradient).sqrt()
-    }
 }
 
 impl<const D: usize> Equilibrium<D> {
@@ -71,68 +42,37 @@ impl<const D: usize> Equilibrium<D> {
             return Ok(None);
         }
         let stiffness = self.elastic(u);
-        if !self.condense(u, &stiffness, &first) {
+        if !self.condense(u, &stiffness, &first, &balance.contact.forces) {
             return Ok(None);
         }
-        let touch = self.on_equations(&balance.contact.forces);
-        let gradient = self.on_equations(&balance.residual);
-        let model = Model {
-            u,
-            residual: gradient.iter().zip(&touch).map(|(g, f)| g + f).collect(),
-            stiffness: &stiffness,
-            scale: balance.scale,
-            magnitude: balance.magnitude(),
-        };
-        let none = vec![0.0; self.equation_count];
-        let mut at =
-            At { step: none.clone(), pull: none, energy: balance.contact_energy + balance.friction_energy, gradient };
+        let Some(model) = self.contact_model(u, balance) else { return Ok(None) };
+        let count = self.kept.equations().len();
+        let [none, step] = [count, self.equation_count].map(|size| vec![0.0; size]);
+        let mut at = self.at(&model, (none.clone(), 0.0, step), none, &balance.contact);
         let exact = 0.1 * self.settings.tolerance * balance.scale;
         let goal = if self.is_linear() { exact } else { exact.max(LEFT_OVER.min(balance.relative()) * balance.norm) };
         let (mut iterations, mut full_failed) = (0, false);
-        while at.norm() > goal && iterations < MOST_ITERATIONS {
-            let is_far = at.norm() > self.settings.full_below * model.scale;
+        while at.norm > goal && iterations < MOST_ITERATIONS {
+            let is_far = at.norm > self.settings.full_below * model.scale;
             let wish = if is_far || full_failed { Tangent::Semidefinite } else { Tangent::Full };
-            let Some((direction, tangent)) = self.contact_direction(&model, &at, wish)? else { break };
-            let Some(next) = self.search_in(&model, &at, &direction)? else { break };
-            full_failed = tangent == Tangent::Full && next.norm() > 0.5 * at.norm();
+            let Some(direction) = self.contact_direction(&model, &at, wish)? else { break };
+            let Some(next) = self.search_in(&model, &at, &direction)? else {
+                // The semidefinite tangent has not been tried here.
+                if direction.tangent == Tangent::Full {
+                    full_failed = true;
+                    continue;
+                }
+                break;
+            };
+            full_failed = direction.tangent == Tangent::Full && next.norm > 0.5 * at.norm;
             at = next;
             iterations += 1;
         }
         self.contact_iterations += iterations;
-        let direction = self.on_nodes(&at.step);
+        let inner = model.condensed.inner.iter().map(|y| at.part * y);
+        let Some(step) = self.bulk.follow(inner, &at.kept) else { return Ok(None) };
+        let direction = self.on_nodes(&step);
         Ok((balance.slope(&direction) < 0.0).then_some(ContactStep { direction, iterations }))
-    }
-
-    /// Factorises the bodies down to the equations of some entries, if that is of use.
-    pub(super) fn condense(&mut self, u: &[[f64; D]], elastic: &Lower, entries: &Entries) -> bool {
-        let mut kept: Vec<usize> = entries.iter().flat_map(|(row, column, _)| [*row, *column]).collect();
-        sort(&mut kept);
-        if kept.len() > MOST_KEPT {
-            return false;
-        }
-        // Factors of linear bodies hold wherever contact acts on what they have kept, and keep more and more as it moves.
-        if self.is_linear() && self.ground.is_empty() && !self.kept.is_empty() {
-            if kept.iter().all(|equation| self.kept.binary_search(equation).is_ok()) {
-                return true;
-            }
-            if kept.len() + self.kept.len() <= MOST_KEPT {
-                kept.extend(&self.kept);
-                sort(&mut kept);
-            }
-        }
-        // Bodies that only contact holds stand on that of now.
-        self.ground = if self.free_motions(u).is_empty() { Vec::new() } else { entries.clone() };
-        self.kept = kept;
-        let done = if self.ground.is_empty() {
-            self.bulk.factorise(elastic, &self.kept)
-        } else {
-            let whole = elastic.entries().chain(self.ground.iter().copied());
-            self.bulk.factorise(&Lower::new(self.equation_count, whole), &self.kept)
-        };
-        if !done {
-            self.kept.clear();
-        }
-        done
     }
 
     /// Newton step in the model with the contact's stiffness; `None` if contact acts where it did not, or there is none.
@@ -141,48 +81,54 @@ impl<const D: usize> Equilibrium<D> {
         model: &Model<D>,
         at: &At,
         wish: Tangent,
-    ) -> Result<Option<(Vec<f64>, Tangent)>, StaticsError> {
+    ) -> Result<Option<Direction>, StaticsError> {
         let right: Vec<f64> = at.gradient.iter().map(|g| -g).collect();
         let place = self.stepped(model.u, &at.step);
         for tangent in [wish, Tangent::Semidefinite] {
             let mut entries = self.touching(&place, tangent)?;
             entries.extend(self.ground.iter().map(|(row, column, value)| (*row, *column, -value)));
-            let local = |equation: usize| self.kept.binary_search(&equation).ok();
-            let change: Option<Entries> =
-                entries.into_iter().map(|(row, column, value)| Some((local(row)?, local(column)?, value))).collect();
-            let Some(change) = change else { return Ok(None) };
-            if let Some(direction) = self.bulk.solve_changed(&change, &right)
-                && dot(&at.gradient, &direction) < 0.0
-            {
-                return Ok(Some((direction, tangent)));
+            let Some(change) = self.kept.placed(&entries) else { return Ok(None) };
+            let Some(kept) = self.bulk.schur().solve_changed(&change, &right) else { continue };
+            let pull = self.pull(&kept);
+            let direction = Direction { kept, pull, tangent };
+            if model.slope(at, &direction, at) < 0.0 {
+                return Ok(Some(direction));
             }
         }
         Ok(None)
     }
 
+    /// Force of the bodies condensed on the kept equations, for a step of these.
+    fn pull(&mut self, kept: &[f64]) -> Vec<f64> {
+        let mut pull = self.bulk.schur().times(kept);
+        for (row, column, value) in self.kept.placed(&self.ground).into_iter().flatten() {
+            pull[row] -= value * kept[column];
+            if row != column {
+                pull[column] -= value * kept[row];
+            }
+        }
+        pull
+    }
+
     /// Place along a direction at which the model's energy is lower; `None` if there is none.
-    fn search_in(&mut self, model: &Model<D>, at: &At, direction: &[f64]) -> Result<Option<At>, StaticsError> {
-        let slope = dot(&at.gradient, direction);
-        let pull = model.stiffness.product(direction);
+    fn search_in(&mut self, model: &Model<D>, at: &At, direction: &Direction) -> Result<Option<At>, StaticsError> {
+        let slope = model.slope(at, direction, at);
         let mut length = 1.0;
         for _ in 0..MOST_TRIALS {
             let along = |from: &[f64], by: &[f64]| -> Vec<f64> {
                 from.iter().zip(by).map(|(from, by)| from + length * by).collect()
             };
-            let (step, pull) = (along(&at.step, direction), along(&at.pull, &pull));
-            let place = self.stepped(model.u, &step);
-            match self.touch_at(&place) {
+            let (kept, pull) = (along(&at.kept, &direction.kept), along(&at.pull, &direction.pull));
+            let part = at.part + length * (1.0 - at.part);
+            let Some((step, touch)) = self.followed(model, at, &kept, part) else { return Ok(None) };
+            match touch {
                 Ok(touch) => {
-                    let friction = touch.friction.stored + touch.friction.dissipated;
-                    let energy = dot(&model.residual, &step) + 0.5 * dot(&step, &pull) + touch.energy + friction;
-                    let forces = self.on_equations(&touch.forces);
-                    let gradient = (0..step.len()).map(|k| model.residual[k] + pull[k] - forces[k]).collect();
-                    let next = At { step, pull, energy, gradient };
+                    let next = self.at(model, (kept, part, step), pull, &touch);
                     let is_flat = (next.energy - at.energy).abs() <= FLAT * model.magnitude;
-                    if next.energy <= at.energy + GAIN * length * slope || is_flat && next.norm() <= 0.5 * at.norm() {
+                    if next.energy <= at.energy + GAIN * length * slope || is_flat && next.norm <= 0.5 * at.norm {
                         return Ok(Some(next));
                     }
-                    length = shortened(length, slope, dot(&next.gradient, direction));
+                    length = shortened(length, slope, model.slope(at, direction, &next));
                 }
                 Err(fmc_contact::Error::InvertedCell { .. } | fmc_contact::Error::FoldedCell { .. }) => length *= 0.5,
                 Err(error) => return Err(error.into()),
@@ -191,18 +137,25 @@ impl<const D: usize> Equilibrium<D> {
         Ok(None)
     }
 
+    /// The step on all equations and the contact there. After the first iteration only what is near the kept equations follows
+    /// them; what is far away does so where that would turn cells inside out.
+    fn followed(&mut self, model: &Model<D>, at: &At, kept: &[f64], part: f64) -> Option<(Vec<f64>, Touch<D>)> {
+        let inner = || model.condensed.inner.iter().map(|y| part * y);
+        if at.part > 0.0 {
+            let mut step = at.step.clone();
+            self.bulk.follow_near(inner(), kept, &mut step)?;
+            let touch = self.touch_at(&self.stepped(model.u, &step));
+            if touch.is_ok() {
+                return Some((step, touch));
+            }
+        }
+        let step = self.bulk.follow(inner(), kept)?;
+        let touch = self.touch_at(&self.stepped(model.u, &step));
+        Some((step, touch))
+    }
+
     fn stepped(&self, u: &[[f64; D]], step: &[f64]) -> Vec<[f64; D]> {
         let step = self.on_nodes(step);
         u.iter().zip(step).map(|(u, d)| std::array::from_fn(|i| u[i] + d[i])).collect()
     }
-}
-
-fn dot(x: &[f64], y: &[f64]) -> f64 {
-    x.iter().zip(y).map(|(x, y)| x * y).sum()
-}
-
-/// Ascending, none twice.
-fn sort(equations: &mut Vec<usize>) {
-    equations.sort_unstable();
-    equations.dedup();
 }

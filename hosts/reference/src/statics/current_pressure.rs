@@ -60,15 +60,15 @@ impl<const D: usize> Equilibrium<D> {
         let right: Vec<f64> = self.on_equations(&balance.residual).iter().map(|r| -r).collect();
         let (elastic, touching) = (self.elastic(u), self.touching_whole(u)?);
         let ground: Entries = touching.iter().copied().filter(|(row, column, _)| row >= column).collect();
-        if !touching.is_empty() && self.condense(u, &elastic, &ground) {
-            let local = |equation: usize| self.kept.binary_search(&equation).ok();
+        if !touching.is_empty() && self.condense(u, &elastic, &ground, &balance.contact.forces) {
             let stood_on = self.ground.iter().flat_map(|&(row, column, value)| {
                 [(row, column, -value), (column, row, -value)].into_iter().take(if row == column { 1 } else { 2 })
             });
-            let change = touching.iter().copied().chain(stood_on);
-            let change: Option<Entries> =
-                change.map(|(row, column, value)| Some((local(row)?, local(column)?, value))).collect();
-            if let Some(step) = change.and_then(|change| self.bulk.solve_changed_unsymmetric(&change, &right)) {
+            let change = self.kept.placed(&touching.iter().copied().chain(stood_on).collect());
+            if let (Some(change), Some(condensed)) = (change, self.bulk.condense(&right))
+                && let Some(kept) = self.bulk.schur().solve_changed_unsymmetric(&change, &condensed.kept)
+                && let Some(step) = self.bulk.follow(condensed.inner.iter().copied(), &kept)
+            {
                 return Ok(Some(step));
             }
         }

@@ -2,6 +2,7 @@
 
 use super::balance::Balance;
 use super::error::StaticsError;
+use super::kept::Kept;
 use super::newton_settings::NewtonSettings;
 use super::problem::Problem;
 use crate::fem::{Constraints, Model};
@@ -17,13 +18,15 @@ pub struct Equilibrium<const D: usize> {
     /// Equation of every degree of freedom; `u32::MAX` for those that are held.
     pub(super) equations: Vec<u32>,
     pub(super) equation_count: usize,
+    /// Degree of freedom of every equation.
+    pub(super) freedoms: Vec<u32>,
     pub(super) system: Factorisation,
     /// Stiffness of the bodies, if it does not change.
     pub(super) elastic: Option<Arc<Lower>>,
     /// The bodies, and what of the contact holds them, factorised down to the equations on which contact acts.
     pub(super) bulk: Factorisation,
     pub(super) ground: Entries,
-    pub(super) kept: Vec<usize>,
+    pub(super) kept: Kept,
     /// How Newton's method is led.
     pub settings: NewtonSettings,
     pub(super) displacement: Vec<[f64; D]>,
@@ -35,6 +38,8 @@ pub struct Equilibrium<const D: usize> {
     pub(super) before: Option<(Vec<[f64; D]>, f64)>,
     /// See [`Equilibrium::unturned`].
     pub(super) unturned: Option<f64>,
+    /// See [`Equilibrium::stalled_turn`].
+    pub(super) stalled_turn: Option<f64>,
     /// Added to the coordinates that the contact is shown; empty for none. See [`Equilibrium::augment`].
     pub(super) offset: Vec<[f64; D]>,
     /// Iterations: with each, the bodies have been linearised anew.
@@ -72,11 +77,16 @@ impl<const D: usize> Equilibrium<D> {
         }
         let mut equations = vec![0; expected * D];
         problem.supports.iter().for_each(|(node, axis, _)| equations[node * D + axis] = u32::MAX);
-        let mut equation_count = 0;
-        for equation in equations.iter_mut().filter(|equation| **equation == 0) {
-            *equation = equation_count;
-            equation_count += 1;
+        let mut freedoms = Vec::new();
+        for (freedom, equation) in equations.iter_mut().enumerate().filter(|(_, equation)| **equation == 0) {
+            *equation = freedoms.len() as u32;
+            freedoms.push(freedom as u32);
         }
+        let place = |freedom: &u32| {
+            let x = problem.model.coords()[*freedom as usize / D];
+            std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
+        };
+        let places: Vec<[f64; 3]> = freedoms.iter().map(place).collect();
         if problem.contact.friction.is_active() {
             // Its line search goes by the potential of frozen friction, stored and dissipated energy together.
             if problem.contact.friction.memoryless_slip.is_some() {
@@ -98,12 +108,13 @@ impl<const D: usize> Equilibrium<D> {
             problem,
             contact,
             equations,
-            equation_count: equation_count as usize,
-            system: Factorisation::default(),
+            equation_count: freedoms.len(),
+            freedoms,
+            system: Factorisation::new(places.clone()),
             elastic: None,
-            bulk: Factorisation::default(),
+            bulk: Factorisation::new(places),
             ground: Vec::new(),
-            kept: Vec::new(),
+            kept: Kept::default(),
             settings: NewtonSettings::default(),
             displacement,
             balance,
@@ -112,6 +123,7 @@ impl<const D: usize> Equilibrium<D> {
             before: None,
             halvings: 0,
             unturned: None,
+            stalled_turn: None,
             offset: Vec::new(),
             iterations: 0,
             contact_iterations: 0,

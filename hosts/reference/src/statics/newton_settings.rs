@@ -14,7 +14,7 @@ pub struct NewtonSettings {
     pub most_iterations: usize,
     /// Residual by the forces below which the full tangent is used.
     pub full_below: f64,
-    /// Times, at most, that the patches of the fiber law are found anew at the end of a path; three or four do.
+    /// Times, at most, that the patches of the fiber law are found anew at the end of a path; three or four mostly do, seven where few facets touch.
     pub most_turns: usize,
     /// Which pressure friction has, where there is friction.
     pub friction: FrictionPressure,
@@ -39,7 +39,7 @@ impl Default for NewtonSettings {
             tolerance: 1e-10,
             most_iterations: 60,
             full_below: 0.1,
-            most_turns: 6,
+            most_turns: 8,
             friction: FrictionPressure::default(),
         }
     }

@@ -1,5 +1,6 @@
 //! Load steps.
 
+use super::balance::Balance;
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
@@ -89,6 +90,26 @@ impl<const D: usize> Equilibrium<D> {
         Some(ahead)
     }
 
+    /// Bodies in balance that nothing touches, carried along by supports that move each of them as a whole.
+    fn carried(&self, u: &[[f64; D]], moved: &[[f64; D]], balance: &Balance<D>) -> Option<Vec<[f64; D]>> {
+        if balance.contact.facet_count > 0 || balance.relative() > self.settings.tolerance {
+            return None;
+        }
+        let mut carried = u.to_vec();
+        for part in 0..self.problem.model.parts().len() {
+            let nodes = self.problem.model.nodes_of(part);
+            let mut by = [None; D];
+            for (node, axis, _) in self.problem.supports.iter().filter(|(node, ..)| nodes.contains(node)) {
+                let change = moved[node][axis] - u[node][axis];
+                if *by[axis].get_or_insert(change) != change {
+                    return None;
+                }
+            }
+            carried[nodes].iter_mut().for_each(|u| (0..D).for_each(|i| u[i] += by[i].unwrap_or(0.0)));
+        }
+        Some(carried)
+    }
+
     /// The last equilibrium with what is prescribed moved on, and the bodies following as their tangent says: else the
     /// cells at the supports alone would take all of the change.
     fn predicted(&mut self, load: f64, watch: Watch) -> Result<Vec<[f64; D]>, StaticsError> {
@@ -105,16 +126,16 @@ impl<const D: usize> Equilibrium<D> {
         }
         self.keep_patches(&u)?;
         let balance = self.evaluate(&u, load)?;
+        if let Some(carried) = self.carried(&u, &moved, &balance) {
+            return Ok(carried);
+        }
         // Forces that the change of the supports calls up, to first order.
         let change: Vec<f64> = moved.iter().flatten().zip(u.iter().flatten()).map(|(moved, u)| moved - u).collect();
         let pull = self.problem.model.tangent(&u).product(&change);
         let residual = self.on_equations(&balance.residual);
         let pull: Vec<[f64; D]> = pull.chunks_exact(D).map(|p| std::array::from_fn(|i| p[i])).collect();
         let right: Vec<f64> = residual.iter().zip(self.on_equations(&pull)).map(|(r, p)| -r - p).collect();
-        if !self.factorise(&u, Tangent::Semidefinite)? {
-            return Ok(moved);
-        }
-        let Some(step) = self.system.solve(&right) else { return Ok(moved) };
+        let Some(step) = self.semidefinite_step(&u, &right)? else { return Ok(moved) };
         self.iterations += 1;
         let step = self.on_nodes(&step);
         let longest = step.iter().flatten().fold(0.0, |most: f64, d| most.max(d.abs()));

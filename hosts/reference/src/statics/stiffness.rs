@@ -58,6 +58,23 @@ impl<const D: usize> Equilibrium<D> {
         Ok(self.system.factorise(&whole, &[]))
     }
 
+    /// Solution of the system with the semidefinite tangent at a displacement: by factors that there are of linear bodies, else by
+    /// new ones. `None` if it is not positive definite.
+    pub(super) fn semidefinite_step(
+        &mut self,
+        u: &[[f64; D]],
+        right: &[f64],
+    ) -> Result<Option<Vec<f64>>, StaticsError> {
+        if self.is_linear() && self.ground.is_empty() && self.bulk.is_factorised() {
+            let entries = self.touching(u, Tangent::Semidefinite)?;
+            if let (Some(change), Some(condensed)) = (self.kept.placed(&entries), self.bulk.condense(right)) {
+                let kept = self.bulk.schur().solve_changed(&change, &condensed.kept);
+                return Ok(kept.and_then(|kept| self.bulk.follow(condensed.inner.iter().copied(), &kept)));
+            }
+        }
+        Ok(if self.factorise(u, Tangent::Semidefinite)? { self.system.solve(right) } else { None })
+    }
+
     /// An entry by degrees of freedom on the equations, if it is of their lower triangle.
     fn on_lower(&self, entry: (usize, usize, f64)) -> Option<(usize, usize, f64)> {
         self.on_both(entry).filter(|(row, column, _)| row >= column)

@@ -2,10 +2,16 @@
 
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
+use super::iteration::Iteration;
 use super::newton::Watch;
+use std::ops::ControlFlow;
 
 /// Iterations of a turn, at most: it begins near its end, or never gets there.
 const MOST_ITERATIONS_OF_TURN: usize = 8;
+
+/// Part of the residual that an iteration of a turn may leave. Where more of it stays, the energy has a kink: lines that run along an
+/// edge are no smooth function of the displacement, and no step lowers it any more.
+const LEFT_OVER: f64 = 0.5;
 
 impl<const D: usize> Equilibrium<D> {
     /// Where the patches of the last equilibrium, found on its way, are not those that are found where it is: the relative
@@ -15,6 +21,11 @@ impl<const D: usize> Equilibrium<D> {
         self.unturned
     }
 
+    /// The relative residual at which the last turn came to a halt, if one did and was left out for that.
+    pub fn stalled_turn(&self) -> Option<f64> {
+        self.stalled_turn
+    }
+
     /// From the last equilibrium to that on the patches that are found where it is. Those of a solve are found on its way,
     /// and what they leave of the way is up to 10⁻⁴ of the displacements; every turn takes that much of what is left.
     pub(super) fn turn_patches(&mut self, watch: Watch) -> Result<(), StaticsError> {
@@ -22,7 +33,7 @@ impl<const D: usize> Equilibrium<D> {
             return Ok(());
         }
         let settings = self.settings;
-        self.unturned = None;
+        (self.unturned, self.stalled_turn) = (None, None);
         for _ in 0..settings.most_turns {
             let u = self.displacement.clone();
             self.keep_patches(&u)?;
@@ -33,13 +44,23 @@ impl<const D: usize> Equilibrium<D> {
             }
             self.unturned = Some(balance.relative());
             self.settings.most_iterations = MOST_ITERATIONS_OF_TURN.min(settings.most_iterations);
-            let turned = self.newton(u, self.load, watch);
+            let (mut last, mut stalled) = (f64::INFINITY, None);
+            let mut progress = |at: &Iteration| {
+                let is_slow = at.residual > LEFT_OVER * last && at.tangent.is_some();
+                (last, stalled) = (at.residual, is_slow.then_some(at.residual));
+                watch(at)?;
+                if is_slow { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            let turned = self.newton(u, self.load, &mut progress);
             self.settings = settings;
             match turned {
                 Ok(found) => (self.displacement, self.balance) = found,
-                Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
+                Err(StaticsError::Interrupted) if stalled.is_none() => return Err(StaticsError::Interrupted),
                 // What was found remains an equilibrium, on patches of its way.
-                Err(_) => break,
+                Err(_) => {
+                    self.stalled_turn = stalled.or(Some(last));
+                    break;
+                }
             }
         }
         Ok(())

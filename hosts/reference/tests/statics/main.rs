@@ -2,6 +2,7 @@
 
 mod scene;
 
+mod counts;
 mod depth;
 mod friction;
 mod hertz;

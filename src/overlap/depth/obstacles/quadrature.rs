@@ -82,7 +82,8 @@ pub(crate) fn over_volume<const D: usize>(
 ) -> Result<DepthSum, Error> {
     let apex = pair.a.aabb.center();
     let (mut roots, mut signs) = (Vec::new(), Vec::new());
-    for facet in 0..pair.a.facets.len() {
+    for facet in pair.surface_facets(false) {
+        let facet = facet as usize;
         let base = pair.a.corners(facet);
         let mut aabb = Aabb::of(&base);
         aabb.include(&apex);

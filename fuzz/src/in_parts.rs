@@ -1,0 +1,118 @@
+//! A mesh in one part beside the same mesh whole.
+
+use crate::guarded::Guarded;
+use crate::host::{Array, cell_size, checked, create, echo, unless};
+use crate::interface::*;
+use crate::mesh::Mesh;
+use crate::program::{Hole, Layout};
+use std::ptr::null_mut;
+
+/// What is refused in parts alone: nodes that hang.
+const UNSUPPORTED: fmc_status = 24;
+
+/// Makes both from the same arrays, evaluates both where they are, and holds the bits of one against those of the other.
+pub(crate) fn beside_the_whole(mesh: &Mesh, options: &fmc_options, reach: f64, hole: Hole) {
+    let count = mesh.blocks.iter().map(|(cell_type, conn)| conn.len() / cell_size(*cell_type)).sum();
+    let mut mesh = mesh.clone();
+    let ids = mesh.ids.get_or_insert_with(|| vec![0; count]).clone();
+    let whole = create(&mesh, false, options);
+    let part = of_part(&mesh, &ids, options, reach, hole);
+    // SAFETY: contexts of this function, and arrays as long as they are said to be.
+    unsafe {
+        if let (Some(mut whole), Some(mut part)) = (whole, part) {
+            compare(&mesh, whole, part);
+            assert_eq!((fmc_context_free(&raw mut whole), fmc_context_free(&raw mut part)), (OK, OK));
+            return;
+        }
+        for mut context in [whole, part].into_iter().flatten() {
+            assert_eq!(fmc_context_free(&raw mut context), OK);
+        }
+    }
+}
+
+fn of_part(mesh: &Mesh, ids: &[i64], options: &fmc_options, reach: f64, hole: Hole) -> Option<*mut fmc_context> {
+    let coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
+    let narrow = |values: &[i64]| Guarded::new(&values.iter().map(|&value| value as i32).collect::<Vec<_>>());
+    let base = i64::from(options.index_base);
+    let conn: Vec<Guarded<i32>> =
+        mesh.blocks.iter().map(|(_, conn)| narrow(&conn.iter().map(|node| node + base).collect::<Vec<_>>())).collect();
+    let blocks: Vec<fmc_cell_block> = (mesh.blocks.iter().zip(&conn))
+        .map(|((cell_type, nodes), conn)| fmc_cell_block {
+            cell_type: *cell_type,
+            conn: conn.ptr(),
+            cell_count: nodes.len() / cell_size(*cell_type),
+        })
+        .collect();
+    let numbers = |count: usize| Guarded::new(&(0..count as i64).collect::<Vec<_>>());
+    let (nodes, cells, ids) = (numbers(mesh.node_count()), numbers(ids.len()), narrow(ids));
+    let mut context = null_mut();
+    // SAFETY: structs of this interface; arrays as long as they are said to be, alive during the call.
+    unsafe {
+        let mut ranks = std::mem::MaybeUninit::<fmc_communicator>::zeroed().assume_init();
+        assert_eq!(checked(fmc_communicator_init(&raw mut ranks)), OK);
+        ranks.all_gather = Some(echo);
+        ranks.user = std::ptr::without_provenance_mut(256);
+        let part = fmc_mesh_part {
+            struct_size: size_of::<fmc_mesh_part>(),
+            coords: coords.view,
+            node_numbers: unless(hole, 1, nodes.ptr()),
+            blocks: blocks.as_ptr(),
+            block_count: blocks.len(),
+            cell_numbers: unless(hole, 2, cells.ptr()),
+            body_ids: unless(hole, 3, ids.ptr()),
+            reach,
+        };
+        let part = unless(hole, 0, (&raw const part).cast_mut());
+        let status = checked(fmc_context_new_from_part(mesh.dim as i32, &ranks, part, options, &mut context));
+        assert_eq!(status == OK, !context.is_null());
+        (status == OK).then_some(context)
+    }
+}
+
+/// # Safety
+/// Contexts that live.
+unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) {
+    let coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
+    let of_whole = Array::new(&vec![0.0; mesh.coords.len()], mesh.dim, Layout::Rows);
+    // SAFETY: as above; arrays as long as they are said to be.
+    unsafe {
+        let mut expected = std::mem::zeroed::<fmc_result>();
+        let status = checked(fmc_context_evaluate(whole, &coords.view, &of_whole.view, 0, &mut expected));
+        let brought = checked(fmc_context_bring(part, &coords.view, null_mut()));
+        let mut counts = fmc_gathered_counts::default();
+        assert_eq!(checked(fmc_context_gathered_counts(part, &mut counts)), OK);
+        assert!(checked(fmc_context_gathered_counts(whole, &mut counts)) != OK, "a whole mesh has no parts");
+        if brought != OK {
+            assert!(status != OK || brought == UNSUPPORTED, "whole {status}, brought {brought}");
+            return;
+        }
+        let count = counts.node_count as usize;
+        let (numbers, own) = (Guarded::new(&vec![-7i64; count]), Guarded::new(&vec![-7i32; count]));
+        let x = Guarded::new(&vec![0.0; count * mesh.dim]);
+        assert_eq!(checked(fmc_context_gathered_nodes(part, numbers.ptr(), own.ptr(), x.ptr(), count)), OK);
+        let cells = Guarded::new(&vec![-7i64; counts.cell_count as usize]);
+        assert_eq!(checked(fmc_context_gathered_cells(part, cells.ptr(), counts.cell_count as usize)), OK);
+        assert!(
+            count == 0
+                || checked(fmc_context_gathered_nodes(part, numbers.ptr(), null_mut(), null_mut(), count - 1)) != OK
+        );
+        let (x, forces) = (x.values(), Array::new(&vec![0.0; count * mesh.dim], mesh.dim, Layout::Rows));
+        let gathered = Array::new(&x, mesh.dim, Layout::Rows);
+        let mut found = std::mem::zeroed::<fmc_result>();
+        let in_parts = checked(fmc_context_evaluate(part, &gathered.view, &forces.view, 0, &mut found));
+        assert_eq!(in_parts, status, "in parts and whole");
+        if status != OK {
+            return;
+        }
+        let bits = |x: f64| x.to_bits();
+        assert_eq!([found.volume, found.energy].map(bits), [expected.volume, expected.energy].map(bits), "totals");
+        let (of_parts, mut of_whole) = (forces.rows(), of_whole.rows());
+        for (place, &number) in numbers.values().iter().enumerate() {
+            for axis in 0..mesh.dim {
+                let whole = std::mem::take(&mut of_whole[number as usize * mesh.dim + axis]);
+                assert_eq!(of_parts[place * mesh.dim + axis].to_bits(), whole.to_bits(), "node {number}, axis {axis}");
+            }
+        }
+        assert!(of_whole.iter().all(|force| *force == 0.0), "a force on a node that was not gathered");
+    }
+}

@@ -1,0 +1,116 @@
+"""Which displacements can be read: vector fields of first or second order, one Lagrange element a cell."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import getfem as gf
+import numpy as np
+
+from .cells import nearest, of_places
+from .errors import LayoutError
+
+
+class Field(NamedTuple):
+    """One variable, as contact sees it. Its nodes are the points of the mesh that have unknowns, then the other places with
+    unknowns, each in the order of GetFEM's numbers."""
+
+    space: gf.MeshFem
+    mesh: gf.Mesh
+    """Kept: GetFEM finds neither once their last Python object is gone."""
+    cells: list[tuple[str, np.ndarray, np.ndarray]]
+    """Type, nodes (cells, nodes) in the order of ``fmc_contact``, and numbers of the cells among those of the variable."""
+    dofs: np.ndarray
+    """Unknowns of the nodes within the variable, (nodes, dim)."""
+    coords: np.ndarray
+    """Undeformed coordinates of the nodes, (nodes, dim)."""
+
+    @property
+    def size(self) -> int:
+        """Number of unknowns of the variable."""
+        return self.dofs.size
+
+
+def field(model: gf.Model, variable: str) -> Field:
+    """A displacement of a model, checked."""
+    try:
+        space = model.mesh_fem_of_variable(variable)
+        mesh = space.mesh()
+    except RuntimeError as error:
+        raise LayoutError(
+            f"GetFEM has no mesh_fem or no mesh of '{variable}' (are their Python objects still there?): {error}"
+        ) from None
+    dim = mesh.dim()
+    if dim not in (2, 3) or space.qdim() != dim:
+        raise LayoutError(f"'{variable}' has {space.qdim()} components in {dim}D, those of a displacement are wanted")
+    if space.is_reduced():
+        raise LayoutError(f"'{variable}' is of a mesh_fem that is reduced: contact wants its basic unknowns")
+    numbers = np.asarray(space.convex_index())
+    if not len(numbers):
+        raise LayoutError(f"'{variable}' has no elements")
+    kinds, transforms = _of_cells(space.fem(), numbers), _of_cells(mesh.geotrans(), numbers)
+    nodes_of, points_of = [], []
+    cells: dict[str, list[tuple[np.ndarray, np.ndarray]]] = {}
+    for element, chosen in kinds:
+        name, order = _ordered(variable, element)
+        unknowns = space.basic_dof_from_cvid(numbers[chosen])[0].reshape(len(chosen), -1, dim)
+        if (np.diff(unknowns, axis=2) != 1).any():
+            raise LayoutError(f"'{variable}' has the unknowns of a node apart: a vector field of one element is wanted")
+        nodes = unknowns[:, :, 0] // dim
+        cells.setdefault(name, []).append((nodes[:, order], chosen))
+        nodes_of.append(nodes)
+        points_of.append(_points(variable, mesh, numbers, chosen, element, transforms))
+    # A node at a point of the mesh has its number, any other comes after all points.
+    count = space.nb_basic_dof() // dim
+    rank = np.full(count, -1)
+    for nodes, points in zip(nodes_of, points_of):
+        rank[nodes] = np.where(points < 0, mesh.max_pid() + 1 + nodes, points)
+    order_of_nodes = np.argsort(rank, kind="stable")
+    number = np.argsort(order_of_nodes)
+    blocks = [
+        (name, number[np.concatenate([nodes for nodes, _ in parts])], np.concatenate([chosen for _, chosen in parts]))
+        for name, parts in cells.items()
+    ]
+    coords = np.ascontiguousarray(space.basic_dof_nodes()[:, ::dim].T[order_of_nodes])
+    return Field(space, mesh, blocks, dim * order_of_nodes[:, None] + np.arange(dim), coords)
+
+
+def _of_cells(found: tuple, numbers: np.ndarray) -> list[tuple[object, np.ndarray]]:
+    """Elements or transformations, each with the places of its cells in ``numbers``; GetFEM gives a list where there are several."""
+    objects, of_number = found
+    objects = objects if isinstance(objects, (list, tuple)) else [objects]
+    kind = np.asarray(of_number)[numbers]
+    return [(one, np.flatnonzero(kind == index)) for index, one in enumerate(objects) if (kind == index).any()]
+
+
+def _ordered(variable: str, element: gf.Fem) -> tuple[str, np.ndarray]:
+    """Type of the cells with this element, and its nodes in the order of ``fmc_contact``."""
+    if element.is_lagrange() and element.target_dim() == 1 and "DISCONTINUOUS" not in element.char():
+        found = of_places(element.pts().T)
+        if found is not None:
+            return found
+    raise LayoutError(
+        f"'{variable}' has the element {element.char()}, which contact cannot read: continuous Lagrange elements of first or "
+        "second order are wanted"
+    )
+
+
+def _points(
+    variable: str, mesh: gf.Mesh, numbers: np.ndarray, chosen: np.ndarray, element: gf.Fem, transforms: list
+) -> np.ndarray:
+    """Points of the mesh at the nodes of an element, (cells, nodes), −1 where there is none."""
+    places = element.pts().T
+    found = np.full((len(chosen), len(places)), -1)
+    for transform, of_it in transforms:
+        here = np.isin(chosen, of_it)
+        if not here.any():
+            continue
+        node, all_there = nearest(transform.pts().T, places)
+        if not all_there:
+            raise LayoutError(
+                f"'{variable}' has cells of {transform.char()}, more curved than its element {element.char()}: the same "
+                "order is wanted"
+            )
+        points = mesh.pid_from_cvid(numbers[chosen[here]])[0].reshape(here.sum(), -1)
+        found[np.ix_(here, node)] = points
+    return found

@@ -1,0 +1,31 @@
+"""The programs of the README run, and say what they should."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROGRAMS = [one.split("```")[0] for one in (Path(__file__).parents[1] / "README.md").read_text().split("```python\n")[1:]]
+
+
+def lines(code):
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert run.returncode == 0, run.stdout + run.stderr
+    return [[float(number) for number in line.replace("[", " ").replace("]", " ").split()] for line in run.stdout.splitlines()]
+
+
+def test_the_first_force():
+    ((_, up, _),) = lines(PROGRAMS[0])
+    # A strip 0.7 wide and 0.01 deep: pressure k times depth makes 350, less at the rims, and pushes the upper block up.
+    assert up == pytest.approx(350.0, rel=0.02)
+
+
+def test_both_methods_find_the_same_forces_in_few_iterations():
+    found = lines(PROGRAMS[1] + PROGRAMS[2])
+    assert len(found) == 6
+    for (solves, *ours), (iterations, *by_getfem) in zip(found[:3], found[3:]):
+        assert solves <= 3 and iterations <= 8
+        # To and fro, to a residual of 1e-9; the second begins where the first has ended.
+        assert ours[1] == pytest.approx(-ours[0], rel=1e-6) and ours[1] > 1e3
+        assert by_getfem == pytest.approx(ours, rel=1e-6)

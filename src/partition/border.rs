@@ -1,0 +1,138 @@
+//! Faces between cells of different ranks: they are no surface.
+
+use super::mesh_part::MeshPart;
+use super::own_mesh::OwnMesh;
+use crate::Error;
+use crate::geometry::aabb::Aabb;
+use crate::geometry::submesh::{LoneFace, Whole};
+use crate::geometry::{Surface, Vector};
+use crate::ranks::Ranks;
+use std::collections::{BTreeMap, BTreeSet};
+
+impl<const D: usize> OwnMesh<D> {
+    /// Takes a part of a mesh, on all ranks together.
+    ///
+    /// # Errors
+    /// As [`Surface::from_cells`], on the rank whose part is at fault; on others [`Error::OnOtherRank`].
+    pub(super) fn new(part: &MeshPart<D>, ranks: &Ranks) -> Result<Self, Error> {
+        let mut own = ranks.agree(Self::of(part), D as u64)?;
+        let mut ids: Vec<i64> = own.surface.iter().flat_map(|surface| surface.body_ids()).copied().collect();
+        ids = ranks
+            .gather_lists(&ids.iter().map(|id| *id as u64).collect::<Vec<_>>())?
+            .concat()
+            .iter()
+            .map(|id| *id as i64)
+            .collect();
+        ids.sort_unstable();
+        ids.dedup();
+        ranks.agree(if ids.is_empty() { Err(Error::Empty) } else { Ok(()) }, 0)?;
+        own.body = part.body_ids.iter().map(|id| ids.partition_point(|other| other < id) as u32).collect();
+        own.body_ids = ids;
+        let lone = own.surface.as_ref().map_or(Ok(Vec::new()), Surface::lone_faces);
+        let lone = ranks.agree(lone, 1)?;
+        let Border { surface_faces, whole } = find(&own, &lone, ranks)?;
+        (own.surface_faces, own.whole) = (surface_faces, whole);
+        let own_surface =
+            own.surface.as_mut().map_or(Ok(()), |surface| surface.make_submesh(&own.surface_faces, &own.whole));
+        ranks.agree(own_surface, 2)?;
+        own.surface_vertices = own.vertices();
+        let sizes = ranks.gather_lists(&[own.mean_extent()])?;
+        own.cell_size = sizes.into_iter().flatten().fold(0.0, f64::max);
+        Ok(own)
+    }
+}
+
+/// What is known where the parts of all ranks have been held against one another.
+struct Border<const D: usize> {
+    /// Bit f of an own cell: its face f is surface of the whole mesh.
+    pub(super) surface_faces: Vec<u8>,
+    pub(super) whole: Whole<D>,
+}
+
+/// Body and corners of a face, ascending.
+type Key = (u32, Vec<u64>);
+
+/// Finds the surface of the whole mesh among the faces of own cells that have no own cell behind them.
+///
+/// # Errors
+/// [`Error::NonManifold`] for a face of more than two cells.
+fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> Result<Border<D>, Error> {
+    let place = |node: u32| Vector::<D>::from(own.reference[node as usize]);
+    let mut own_box = Aabb::empty();
+    lone.iter().flat_map(|face| &face.corners).for_each(|&node| own_box.include(&place(node)));
+    let boxes: Vec<Aabb<D>> = ranks
+        .gather_lists(&[[own_box.min, own_box.max]])?
+        .concat()
+        .iter()
+        .map(|[min, max]| Aabb { min: *min, max: *max })
+        .collect();
+    let others: Vec<Aabb<D>> =
+        boxes.iter().enumerate().filter(|(rank, _)| *rank != ranks.rank()).map(|(_, aabb)| *aabb).collect();
+    // Only what lies in the box of another rank can be that one's too.
+    let may_be_shared = |corners: &[u32]| {
+        let aabb = corners.iter().fold(Aabb::empty(), |mut aabb, &node| {
+            aabb.include(&place(node));
+            aabb
+        });
+        let aabb = aabb.inflated(aabb.rounding());
+        others.iter().any(|other| other.meets(&aabb))
+    };
+    let key = |face: &LoneFace| -> Key {
+        let mut numbers: Vec<u64> = face.corners.iter().map(|&node| own.node_numbers[node as usize]).collect();
+        numbers.sort_unstable();
+        (own.body[face.cell], numbers)
+    };
+    let sent: Vec<Key> = lone.iter().filter(|face| may_be_shared(&face.corners)).map(key).collect();
+    let mut count: BTreeMap<Key, usize> = BTreeMap::new();
+    for key in ranks.gather_lists(&sent)?.into_iter().flatten() {
+        *count.entry(key).or_default() += 1;
+    }
+    let crowded = lone.iter().find(|face| count.get(&key(face)).is_some_and(|count| *count > 2));
+    let crowded = crowded.map_or(Ok(()), |face| {
+        let nodes = [face.corners[0] as usize, face.corners[1] as usize];
+        Err(Error::NonManifold { facet: face.cell, nodes })
+    });
+    ranks.agree(crowded, 3)?;
+    let mut surface_faces = vec![0; own.len()];
+    for face in lone.iter().filter(|face| count.get(&key(face)).is_none_or(|count| *count < 2)) {
+        surface_faces[face.cell] |= 1 << face.face;
+    }
+    let (surface_nodes, points) = own.surface.as_ref().map_or_else(
+        || (vec![Vec::new(); own.body_ids.len()], vec![0; own.body_ids.len()]),
+        |surface| on_surface(own, surface, &surface_faces),
+    );
+    let mut shared: Vec<(u32, u64)> = Vec::new();
+    let mut surface_node_counts: Vec<usize> = Vec::with_capacity(points.len());
+    for (body, nodes) in surface_nodes.iter().enumerate() {
+        let of_others = nodes.iter().filter(|&&node| may_be_shared(&[node]));
+        let before = shared.len();
+        shared.extend(of_others.map(|&node| (body as u32, own.node_numbers[node as usize])));
+        surface_node_counts.push(points[body] + nodes.len() - (shared.len() - before));
+    }
+    let sums = ranks.gather_lists(&surface_node_counts)?;
+    let mut surface_node_counts =
+        (0..points.len()).map(|body| sums.iter().map(|of_rank| of_rank[body]).sum()).collect::<Vec<usize>>();
+    let shared: BTreeSet<(u32, u64)> = ranks.gather_lists(&shared)?.into_iter().flatten().collect();
+    shared.iter().for_each(|(body, _)| surface_node_counts[*body as usize] += 1);
+    let reference_box = boxes.iter().fold(Aabb::empty(), |all, aabb| all.union(aabb));
+    Ok(Border { surface_faces, whole: Whole { surface_node_counts, reference_box } })
+}
+
+/// Own nodes on the surface of the whole mesh, by body, and how many other points there are of cells of second order.
+fn on_surface<const D: usize>(
+    own: &OwnMesh<D>,
+    surface: &Surface<D>,
+    surface_faces: &[u8],
+) -> (Vec<Vec<u32>>, Vec<usize>) {
+    let mut nodes = vec![BTreeSet::new(); own.body_ids.len()];
+    for told in surface.boundary_facets() {
+        if let (Some(cell), Some(face)) = (told.cell, told.local_face)
+            && surface_faces[cell] >> face & 1 == 1
+        {
+            nodes[own.body[cell] as usize].extend(told.nodes);
+        }
+    }
+    let is_node = |node: &u32| (*node as usize) < own.node_count();
+    let points = nodes.iter().map(|nodes| nodes.iter().filter(|node| !is_node(node)).count()).collect();
+    (nodes.into_iter().map(|nodes| nodes.into_iter().filter(is_node).collect()).collect(), points)
+}
