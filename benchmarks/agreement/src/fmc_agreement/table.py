@@ -71,7 +71,7 @@ def is_met(row: dict[str, Any]) -> bool:
 
 
 def markdown(all_rows: list[dict[str, Any]]) -> str:
-    """The table of docs/hosts.md."""
+    """The table of a run; docs/hosts.md has the same of the recorded one."""
     lines = [
         "| case | host | displacement | force | same bits | checks met | iterations | time | in contact |",
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- |",
