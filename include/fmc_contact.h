@@ -174,6 +174,10 @@ typedef enum {
   FMC_ERROR_RANKS_DIFFER = 53,
   // Coordinates at which a part of a mesh that was not gathered may be in contact.
   FMC_ERROR_NOT_GATHERED = 54,
+  // The stiffness of bodies is not positive definite: they are not held, or buckle.
+  FMC_ERROR_NOT_POSITIVE_DEFINITE = 55,
+  // A matrix that has to be symmetric is not.
+  FMC_ERROR_UNSYMMETRIC = 56,
 } fmc_status;
 
 // Contact energy.
@@ -355,6 +359,15 @@ typedef enum {
   // reached.
   FMC_STEP_NOT_CONVERGED = 2,
 } fmc_contact_step_state;
+
+// Factors of the stiffness K of bodies, with the equations that feel contact kept for the end. Opaque.
+//
+// For hosts whose solver has no Schur complements: from K, which the host assembles without contact and without what is held, come
+// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is kept that of all.
+// With c the equations that are kept and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
+//
+// One thread works on it, so the same matrix has the same bits everywhere. Concurrent calls on one return `FMC_ERROR_BUSY`.
+typedef struct fmc_condensation fmc_condensation;
 
 // Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
 //
@@ -995,8 +1008,8 @@ const char *fmc_version(void);
 int32_t fmc_abi_version(void);
 
 // 1 if the library has the feature of this name, else 0: "2d", "3d", "contact_points", "exact", "fiber_law", "fibers",
-// "isotropic", "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent",
-// "threads". 0 for unknown names and for NULL. Threads: any.
+// "isotropic", "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "solver"
+// (`fmc_condensation`), "tangent", "threads". 0 for unknown names and for NULL. Threads: any.
 int32_t fmc_has_feature(const char *name);
 
 // Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for any other number.
@@ -1668,6 +1681,73 @@ fmc_status fmc_context_contact_step(fmc_context *context,
                                     void *user,
                                     double *displacement,
                                     fmc_contact_step_result *result);
+
+// Makes a condensation without factors, to be freed by `fmc_condensation_free`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any.
+fmc_status fmc_condensation_new(fmc_condensation **condensation);
+
+// Frees a condensation and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
+//
+// Errors: none. Threads: no other call on it may be running or follow.
+fmc_status fmc_condensation_free(fmc_condensation **condensation);
+
+// Factorises a symmetric matrix of `count` equations in compressed rows, with `kept_count` of them, `kept`, for the end.
+//
+// `row_offsets`: `count + 1` numbers from 0; `cols` and `values`: column and value of every entry, in any order in a row; those at
+// one place add up. All entries, or none above the diagonal. Equations count from 0; `kept` ascends. The other
+// equations have to be positive definite: bodies that are held, or are so by what is kept. What depends on the pattern alone is
+// kept for the next matrix of the same pattern, and factorising that takes less.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_FREEDOM_OUT_OF_RANGE`,
+// `FMC_ERROR_REPEATED_FREEDOM`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
+// were; `FMC_ERROR_NOT_POSITIVE_DEFINITE`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the
+// feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+fmc_status fmc_condensation_factorise(fmc_condensation *condensation,
+                                      size_t count,
+                                      const int64_t *row_offsets,
+                                      const int64_t *cols,
+                                      const double *values,
+                                      const int64_t *kept,
+                                      size_t kept_count);
+
+// S of the last matrix, `kept_count * kept_count` numbers row by row: the stiffness for `fmc_context_contact_step`.
+//
+// `capacity`: numbers that fit into `complement`. Without factors nothing is written.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one
+// call at a time on a condensation.
+fmc_status fmc_condensation_complement(const fmc_condensation *condensation,
+                                       double *complement,
+                                       size_t capacity);
+
+// What the other equations leave of a right side b on those that are kept: `b_c - K_cr inv(K_rr) b_r`.
+//
+// `right`: `count` numbers, as many as there are equations. `condensed` has room for `capacity`, at least as many as are kept.
+// For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal forces.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
+// `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+fmc_status fmc_condensation_condense(const fmc_condensation *condensation,
+                                     const double *right,
+                                     size_t count,
+                                     double *condensed,
+                                     size_t capacity);
+
+// Solution of `K x = b` in the equations that are not kept, with those that are as given: `x_r = inv(K_rr) (b_r - K_rc x_c)`.
+//
+// `right` and `kept` are b and x_c, `count` and `kept_count` numbers, as many as there are equations and as are kept; `solution` has
+// room for `capacity`, at least `count`, and may not overlap them. With the displacement of `fmc_context_contact_step` as x_c it is
+// the change of all displacements.
+//
+// Errors: as `fmc_condensation_condense`. Threads: one call at a time on a condensation.
+fmc_status fmc_condensation_expand(const fmc_condensation *condensation,
+                                   const double *right,
+                                   size_t count,
+                                   const double *kept,
+                                   size_t kept_count,
+                                   double *solution,
+                                   size_t capacity);
 
 // Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
 //

@@ -20,6 +20,7 @@ mod boundary_facet;
 mod boundary_facets;
 mod communicator;
 mod compressed_rows;
+mod condensation;
 mod contact_point;
 mod contact_points;
 mod contact_step;

@@ -207,6 +207,18 @@ pub enum Error {
         /// The stiffness there once those before it have been eliminated.
         pivot: f64,
     },
+    /// The stiffness of bodies is not positive definite: they are not held, or buckle.
+    NotPositiveDefinite {
+        /// Equation at which what elimination of others left is not positive.
+        equation: usize,
+    },
+    /// A matrix that has to be symmetric is not.
+    Unsymmetric {
+        /// Row of an entry that differs from its mirror image.
+        row: usize,
+        /// Column.
+        column: usize,
+    },
     /// A host's function that places its nodes failed.
     Place {
         /// What it returned.

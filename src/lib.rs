@@ -22,6 +22,7 @@ pub mod overlap;
 mod partition;
 mod ranks;
 pub mod sampling;
+pub mod sparse;
 
 #[allow(unsafe_code)]
 mod capi;

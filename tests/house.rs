@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 35] = [
+const ROOMS: [&str; 36] = [
     "error",
     "dimension",
     "geometry",
     "ranks",
+    "sparse",
     "sampling",
     "depth",
     "configuration",

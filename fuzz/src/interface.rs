@@ -20,7 +20,7 @@ pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 54;
+pub const LAST: fmc_status = 56;
 
 /// Opaque.
 #[repr(C)]
@@ -672,6 +672,38 @@ unsafe extern "C" {
         user: *mut c_void,
         displacement: *mut f64,
         result: *mut fmc_contact_step_result,
+    ) -> fmc_status;
+    pub fn fmc_condensation_new(condensation: *mut *mut fmc_condensation) -> fmc_status;
+    pub fn fmc_condensation_free(condensation: *mut *mut fmc_condensation) -> fmc_status;
+    pub fn fmc_condensation_factorise(
+        condensation: *mut fmc_condensation,
+        count: usize,
+        row_offsets: *const i64,
+        cols: *const i64,
+        values: *const f64,
+        kept: *const i64,
+        kept_count: usize,
+    ) -> fmc_status;
+    pub fn fmc_condensation_complement(
+        condensation: *const fmc_condensation,
+        complement: *mut f64,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_condensation_condense(
+        condensation: *const fmc_condensation,
+        right: *const f64,
+        count: usize,
+        condensed: *mut f64,
+        capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_condensation_expand(
+        condensation: *const fmc_condensation,
+        right: *const f64,
+        count: usize,
+        kept: *const f64,
+        kept_count: usize,
+        solution: *mut f64,
+        capacity: usize,
     ) -> fmc_status;
     pub fn fmc_context_body(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_obstacle(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;

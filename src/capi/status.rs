@@ -121,6 +121,10 @@ pub enum fmc_status {
     FMC_ERROR_RANKS_DIFFER = 53,
     /// Coordinates at which a part of a mesh that was not gathered may be in contact.
     FMC_ERROR_NOT_GATHERED = 54,
+    /// The stiffness of bodies is not positive definite: they are not held, or buckle.
+    FMC_ERROR_NOT_POSITIVE_DEFINITE = 55,
+    /// A matrix that has to be symmetric is not.
+    FMC_ERROR_UNSYMMETRIC = 56,
 }
 
 use fmc_status::*;
@@ -182,6 +186,8 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_ON_OTHER_RANK, c"FMC_ERROR_ON_OTHER_RANK"),
     (FMC_ERROR_RANKS_DIFFER, c"FMC_ERROR_RANKS_DIFFER"),
     (FMC_ERROR_NOT_GATHERED, c"FMC_ERROR_NOT_GATHERED"),
+    (FMC_ERROR_NOT_POSITIVE_DEFINITE, c"FMC_ERROR_NOT_POSITIVE_DEFINITE"),
+    (FMC_ERROR_UNSYMMETRIC, c"FMC_ERROR_UNSYMMETRIC"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -213,6 +219,8 @@ impl From<&Error> for fmc_status {
             Error::NonConforming { .. } => FMC_ERROR_NON_CONFORMING,
             Error::SingularStiffness { .. } => FMC_ERROR_SINGULAR_STIFFNESS,
             Error::IndefiniteStiffness { .. } => FMC_ERROR_INDEFINITE_STIFFNESS,
+            Error::NotPositiveDefinite { .. } => FMC_ERROR_NOT_POSITIVE_DEFINITE,
+            Error::Unsymmetric { .. } => FMC_ERROR_UNSYMMETRIC,
             Error::FreedomOutOfRange { .. } => FMC_ERROR_FREEDOM_OUT_OF_RANGE,
             Error::RepeatedFreedom { .. } => FMC_ERROR_REPEATED_FREEDOM,
             Error::NonFiniteStiffness { .. } => FMC_ERROR_NON_FINITE_STIFFNESS,
@@ -256,7 +264,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NOT_GATHERED);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_UNSYMMETRIC);
     }
 
     #[test]
@@ -308,6 +316,8 @@ mod tests {
             Error::OnOtherRank { rank: 1 },
             Error::RanksDiffer { rank: 1 },
             Error::NotGathered { body: 1 },
+            Error::NotPositiveDefinite { equation: 0 },
+            Error::Unsymmetric { row: 1, column: 0 },
         ];
         let mut codes: Vec<i32> = errors.iter().map(|error| fmc_status::from(error) as i32).collect();
         assert!(!codes.contains(&(FMC_OK as i32)));

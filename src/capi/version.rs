@@ -23,6 +23,8 @@ const FEATURES: &[&str] = &[
     #[cfg(feature = "shapes")]
     "shapes",
     "signed_distance",
+    #[cfg(feature = "solver")]
+    "solver",
     "tangent",
     "threads",
 ];
@@ -45,8 +47,8 @@ pub extern "C" fn fmc_abi_version() -> i32 {
 }
 
 /// 1 if the library has the feature of this name, else 0: "2d", "3d", "contact_points", "exact", "fiber_law", "fibers",
-/// "isotropic", "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "tangent",
-/// "threads". 0 for unknown names and for NULL. Threads: any.
+/// "isotropic", "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "solver"
+/// (`fmc_condensation`), "tangent", "threads". 0 for unknown names and for NULL. Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_has_feature(name: *const c_char) -> i32 {
     quietly(0, || {
@@ -73,7 +75,12 @@ mod tests {
             let text = std::ffi::CString::new(*name).expect("no zero");
             // SAFETY: a text that ends in zero.
             let found = unsafe { fmc_has_feature(text.as_ptr()) };
-            assert!(found == 1 || *name == "shapes" && cfg!(not(feature = "shapes")), "{name}");
+            assert!(
+                found == 1
+                    || *name == "shapes" && cfg!(not(feature = "shapes"))
+                    || *name == "solver" && cfg!(not(feature = "solver")),
+                "{name}"
+            );
         }
         assert!(FEATURES.iter().all(|name| names.contains(name)), "{names:?}");
     }

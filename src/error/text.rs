@@ -93,6 +93,14 @@ impl fmt::Display for Error {
                 "the stiffness of bodies and contact together is not positive definite: it is {pivot:.3e} at degree of \
                  freedom {freedom}, when those before it move freely"
             ),
+            Error::NotPositiveDefinite { equation } => write!(
+                f,
+                "the stiffness is not positive definite: elimination leaves nothing positive at equation {equation}; is every \
+                 body held, or kept where contact holds it?"
+            ),
+            Error::Unsymmetric { row, column } => {
+                write!(f, "the matrix is not symmetric: entry ({row}, {column}) is not that of ({column}, {row})")
+            }
             Error::Place { code } => write!(f, "the function that places the nodes returned {code}"),
             Error::NonFiniteSlip { facet } => write!(f, "the slip of facet {facet} is not finite"),
             Error::NoStep => {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 47] = [
+const SOURCES: [&str; 48] = [
     "version",
     "status",
     "failure",
@@ -37,6 +37,7 @@ const SOURCES: [&str; 47] = [
     "parts_getters",
     "placement",
     "contact_step",
+    "condensation",
     "evaluation",
     "getters",
     "pair_options",

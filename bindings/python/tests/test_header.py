@@ -39,9 +39,12 @@ ARRAYS = {"double": _signatures.Float64Array, "int32_t": _signatures.Int32Array,
 SCALARS = {"renumbered", "volume", "stiffness", "factor", "code", "step", "shape"}
 
 
+HANDLES = {"fmc_context": _signatures.Context, "fmc_condensation": _signatures.CondensationPointer}
+
+
 def pointee(kind):
-    if kind == "fmc_context":
-        return _signatures.Context
+    if kind in HANDLES:
+        return HANDLES[kind]
     return NUMBERS.get(kind) or STRUCTS[kind]
 
 
@@ -56,8 +59,8 @@ def declared(declaration):
         return CALLBACKS[kind]
     if not stars:
         return NUMBERS[kind]
-    if kind == "fmc_context":
-        return _signatures.Context if stars == "*" else ctypes.POINTER(_signatures.Context)
+    if kind in HANDLES:
+        return HANDLES[kind] if stars == "*" else ctypes.POINTER(HANDLES[kind])
     # What is read is an array, whatever its name: one number is passed by value.
     if kind in ARRAYS and (name not in SCALARS or declaration.strip().startswith("const")):
         return ARRAYS[kind]

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! statics   dynamics      equilibrium by Newton's method; explicit leapfrog
-//!    |   \     |
-//! sparse    fem           factors of sparse symmetric matrices; bodies of cells
+//!       \    |
+//!        fem              bodies of cells
 //! ```
 //!
 //! [`fem::Part`] is one body: a [`Mesh`] of one cell type and its material. A [`fem::Model`] holds the bodies of a problem
@@ -16,7 +16,6 @@
 
 pub mod dynamics;
 pub mod fem;
-pub mod sparse;
 pub mod statics;
 
 pub use fmc_shapes::Mesh;

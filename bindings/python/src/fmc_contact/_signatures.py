@@ -65,6 +65,10 @@ class Context(c_void_p):
     """``fmc_context *``. A class of its own, so that ctypes neither unpacks nor mixes it up."""
 
 
+class CondensationPointer(c_void_p):
+    """``fmc_condensation *``."""
+
+
 STATUS = c_int32
 """``fmc_status``."""
 
@@ -185,6 +189,18 @@ FUNCTIONS = {
         STATUS,
         [Context, _COORDS, POINTER(fmc_contact_step_options), Int64Array, c_size_t, Int64Array, c_size_t]
         + [Float64Array, Float64Array, PLACE, c_void_p, Float64Array, POINTER(fmc_contact_step_result)],
+    ),
+    "fmc_condensation_new": (STATUS, [POINTER(CondensationPointer)]),
+    "fmc_condensation_free": (STATUS, [POINTER(CondensationPointer)]),
+    "fmc_condensation_factorise": (
+        STATUS,
+        [CondensationPointer, c_size_t, Int64Array, Int64Array, Float64Array, Int64Array, c_size_t],
+    ),
+    "fmc_condensation_complement": (STATUS, [CondensationPointer, Float64Array, c_size_t]),
+    "fmc_condensation_condense": (STATUS, [CondensationPointer, Float64Array, c_size_t, Float64Array, c_size_t]),
+    "fmc_condensation_expand": (
+        STATUS,
+        [CondensationPointer, Float64Array, c_size_t, Float64Array, c_size_t, Float64Array, c_size_t],
     ),
     "fmc_context_body": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),
     "fmc_context_obstacle": (STATUS, [Context, c_size_t, POINTER(fmc_resultant)]),

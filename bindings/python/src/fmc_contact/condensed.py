@@ -6,9 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from . import mumps
+from ._library import library
+from .cholesky import Cholesky
 from .contact import Contact
 from .contact_step import ContactStep
-from . import mumps
 from .schur import Condense, SuperLU
 
 # Times that the unknowns are found to be too few in one step: contact spreads over more of them each time.
@@ -50,8 +52,10 @@ class Unknowns:
 
 
 def chosen() -> Condense:
-    """MUMPS where the program has imported petsc4py that has it, else SuperLU."""
-    return mumps.Mumps() if mumps.is_there() else SuperLU()
+    """The library's own factors; for what is not symmetric and positive definite MUMPS, where the program has imported petsc4py
+    that has it, else SuperLU."""
+    other = mumps.Mumps() if mumps.is_there() else SuperLU()
+    return Cholesky(other) if library.fmc_has_feature(b"solver") else other
 
 
 class Condensed:
@@ -106,7 +110,7 @@ class Condensed:
             found = change.copy()
             found[self.kept] += d
             if len(d):
-                found[self.rest] -= self.solve(self.across @ d)
+                found[self.rest] += self.follow(d)
             return found
 
         def place(d: np.ndarray, coords: np.ndarray) -> None:
@@ -133,6 +137,7 @@ class Condensed:
         self.factorisations += 1
         self.across, self.back = matrix[self.rest][:, self.kept], matrix[self.kept][:, self.rest]
         self.solve, self.schur = self.by(matrix, self.rest, self.kept)
+        self.follow = getattr(self.solve, "follow", lambda d: -self.solve(self.across @ d))
         self.matrix = matrix
 
 

@@ -372,6 +372,18 @@ class NotGatheredError(FmcError, RuntimeError):
     status = 54
 
 
+class NotPositiveDefiniteError(FmcError, ValueError):
+    """The stiffness of bodies is not positive definite: they are not held, or buckle."""
+
+    status = 55
+
+
+class UnsymmetricError(FmcError, ValueError):
+    """A matrix that has to be symmetric is not."""
+
+    status = 56
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

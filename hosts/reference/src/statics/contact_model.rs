@@ -3,8 +3,8 @@
 use super::balance::Balance;
 use super::equilibrium::Equilibrium;
 use super::iteration::Tangent;
-use crate::sparse::Condensed;
 use fmc_contact::ContactForces;
+use fmc_contact::sparse::Condensed;
 
 /// Least energy over steps d, with r the residual of the bodies and K their stiffness at u:
 /// r·d + ½ d·K d + contact energy(u + d).

@@ -7,7 +7,7 @@ use super::iteration::{Iteration, Tangent};
 use super::line_search::moved;
 use super::newton::{State, Watch};
 use super::newton_settings::NewtonSettings;
-use crate::sparse::{Entries, solve_unsymmetric};
+use fmc_contact::sparse::{Entries, solve_unsymmetric};
 
 /// Part of the residual that a whole step must take away; a part of a step, that part of it.
 const GAIN: f64 = 1e-4;

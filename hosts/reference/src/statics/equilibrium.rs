@@ -6,7 +6,7 @@ use super::kept::Kept;
 use super::newton_settings::NewtonSettings;
 use super::problem::Problem;
 use crate::fem::{Constraints, Model};
-use crate::sparse::{Entries, Factorisation, Lower};
+use fmc_contact::sparse::{Entries, Factorisation, Lower};
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
 use std::sync::Arc;
 use std::time::Instant;

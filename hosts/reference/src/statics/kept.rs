@@ -1,7 +1,7 @@
 //! Which equations are kept for the contact, and in which order.
 
 use super::equilibrium::Equilibrium;
-use crate::sparse::{Entries, Lower};
+use fmc_contact::sparse::{Entries, Lower};
 
 /// Equations on which contact acts, at most.
 const MOST_KEPT: usize = 6000;

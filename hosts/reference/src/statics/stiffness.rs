@@ -4,8 +4,8 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Tangent;
 use crate::fem::Law;
-use crate::sparse::{Entries, Lower};
 use fmc_contact::contact::TangentPart;
+use fmc_contact::sparse::{Entries, Lower};
 use std::sync::Arc;
 
 impl<const D: usize> Equilibrium<D> {

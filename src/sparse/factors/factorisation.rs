@@ -7,6 +7,7 @@ use super::order::order;
 use super::schur::Schur;
 use super::triangle::column;
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::cholesky::llt::factor::LltParams;
 use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
@@ -28,6 +29,8 @@ pub struct Factorisation {
     analysed: Option<Analysed>,
     values: Vec<f64>,
     is_factorised: bool,
+    /// Place in the order of elimination at which the last factorisation ended, if it failed.
+    failed_at: usize,
     memory: Option<MemBuffer>,
     kept: Vec<usize>,
     schur: Schur,
@@ -74,6 +77,7 @@ impl Factorisation {
         let (values, stack, no) = (&mut self.values, MemStack::new(memory), Default::default());
         let ended = symbolic.factorize_numeric_llt(values, matrix.view(), Side::Lower, no, Par::Seq, stack, params);
         self.is_factorised = ended.is_ok();
+        self.failed_at = ended.err().map_or(0, |LltError::NonPositivePivot { index }| index);
         if self.is_factorised {
             self.load_schur();
         }
@@ -83,6 +87,24 @@ impl Factorisation {
     /// Whether the last matrix has factors.
     pub fn is_factorised(&self) -> bool {
         self.is_factorised
+    }
+
+    /// Equation at which the last factorisation failed: what those before it leave there is not positive.
+    pub fn failed_at(&self) -> Option<usize> {
+        let order = &self.analysed.as_ref().filter(|_| !self.is_factorised)?.order;
+        order.get(self.failed_at.min(order.len().saturating_sub(1))).copied()
+    }
+
+    /// Every equation with what those before it left there, in the order of elimination.
+    pub(super) fn pivots(&self) -> impl Iterator<Item = (usize, f64)> {
+        let order = self.analysed.as_ref().map_or(&[][..], |analysed| &analysed.order);
+        let factors = self.factors();
+        let supernodes = factors.map_or(0, |factors| factors.symbolic().n_supernodes());
+        (0..supernodes).flat_map(move |number| {
+            let supernode = factors.map(|factors| factors.supernode(number));
+            let (start, columns) = supernode.map_or((0, 0), |node| (node.start(), node.val().ncols()));
+            (0..columns).filter_map(move |k| Some((order[start + k], supernode?.val()[(k, k)].powi(2))))
+        })
     }
 
     /// Solution of the system with the last matrix; `None` if it had no factors.
@@ -96,6 +118,11 @@ impl Factorisation {
     /// Schur complement of the last matrix on the kept equations.
     pub fn schur(&mut self) -> &mut Schur {
         &mut self.schur
+    }
+
+    /// The same, to look at.
+    pub(super) fn complement(&self) -> &Schur {
+        &self.schur
     }
 
     /// Right side of a system with the last matrix, condensed on the kept equations; `None` if it had no factors.

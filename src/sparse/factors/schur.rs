@@ -48,6 +48,15 @@ impl Schur {
         &mut self.factor
     }
 
+    /// S, row by row.
+    pub fn matrix(&self) -> Vec<f64> {
+        let size = self.size();
+        let (mut whole, factor) = (Mat::<f64>::zeros(size, size), self.factor.as_ref());
+        let [low, up] = [BlockStructure::TriangularLower, BlockStructure::TriangularUpper];
+        triangular::matmul(whole.as_mut(), low, Accum::Replace, factor, low, factor.transpose(), up, 1.0, Par::Seq);
+        (0..size * size).map(|k| whole[((k / size).max(k % size), (k / size).min(k % size))]).collect()
+    }
+
     /// S x.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
         times(self.factor.as_ref(), x)

@@ -37,6 +37,17 @@ impl Lower {
         })
     }
 
+    /// The same with springs on its diagonal, where there is an entry.
+    pub(super) fn with_springs(mut self, springs: &[f64]) -> Self {
+        for (column, spring) in springs.iter().enumerate() {
+            let first = self.starts[column];
+            if first < self.starts[column + 1] && self.rows[first] == column {
+                self.values[first] += spring;
+            }
+        }
+        self
+    }
+
     /// The whole matrix times a vector.
     pub fn product(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.size];
