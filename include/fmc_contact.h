@@ -178,6 +178,8 @@ typedef enum {
   FMC_ERROR_NOT_POSITIVE_DEFINITE = 55,
   // A matrix that has to be symmetric is not.
   FMC_ERROR_UNSYMMETRIC = 56,
+  // There are no factors of a matrix: none was given, or the last one had none.
+  FMC_ERROR_NOT_FACTORISED = 57,
 } fmc_status;
 
 // Contact energy.
@@ -1701,8 +1703,8 @@ fmc_status fmc_condensation_free(fmc_condensation **condensation);
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_FREEDOM_OUT_OF_RANGE`,
 // `FMC_ERROR_REPEATED_FREEDOM`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
-// were; `FMC_ERROR_NOT_POSITIVE_DEFINITE`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the
-// feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+// were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the
+// library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 fmc_status fmc_condensation_factorise(fmc_condensation *condensation,
                                       size_t count,
                                       const int64_t *row_offsets,
@@ -1713,10 +1715,10 @@ fmc_status fmc_condensation_factorise(fmc_condensation *condensation,
 
 // S of the last matrix, `kept_count * kept_count` numbers row by row: the stiffness for `fmc_context_contact_step`.
 //
-// `capacity`: numbers that fit into `complement`. Without factors nothing is written.
+// `capacity`: numbers that fit into `complement`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one
-// call at a time on a condensation.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_BUFFER_TOO_SMALL`,
+// `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 fmc_status fmc_condensation_complement(const fmc_condensation *condensation,
                                        double *complement,
                                        size_t capacity);
@@ -1726,8 +1728,9 @@ fmc_status fmc_condensation_complement(const fmc_condensation *condensation,
 // `right`: `count` numbers, as many as there are equations. `condensed` has room for `capacity`, at least as many as are kept.
 // For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal forces.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
-// `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_LENGTH`,
+// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a
+// time on a condensation.
 fmc_status fmc_condensation_condense(const fmc_condensation *condensation,
                                      const double *right,
                                      size_t count,

@@ -212,6 +212,8 @@ pub enum Error {
         /// Equation at which what elimination of others left is not positive.
         equation: usize,
     },
+    /// There are no factors of a matrix: none was given, or the last one had none.
+    NotFactorised,
     /// A matrix that has to be symmetric is not.
     Unsymmetric {
         /// Row of an entry that differs from its mirror image.

@@ -74,6 +74,9 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_ON_OTHER_RANK = 52
   integer(c_int32_t), parameter :: FMC_ERROR_RANKS_DIFFER = 53
   integer(c_int32_t), parameter :: FMC_ERROR_NOT_GATHERED = 54
+  integer(c_int32_t), parameter :: FMC_ERROR_NOT_POSITIVE_DEFINITE = 55
+  integer(c_int32_t), parameter :: FMC_ERROR_UNSYMMETRIC = 56
+  integer(c_int32_t), parameter :: FMC_ERROR_NOT_FACTORISED = 57
   integer(c_int32_t), parameter :: FMC_LAW_VOLUME = 0
   integer(c_int32_t), parameter :: FMC_LAW_FIBER = 1
   integer(c_int32_t), parameter :: FMC_LAW_DEPTH = 2
@@ -932,6 +935,56 @@ module fmc_contact_c
       real(c_double), intent(inout), optional :: displacement(*)
       type(fmc_contact_step_result), intent(inout), optional :: result
       integer(c_int32_t) :: fmc_context_contact_step
+    end function
+    function fmc_condensation_new(condensation) bind(c)
+      import
+      type(c_ptr), intent(inout), optional :: condensation
+      integer(c_int32_t) :: fmc_condensation_new
+    end function
+    function fmc_condensation_free(condensation) bind(c)
+      import
+      type(c_ptr), intent(inout), optional :: condensation
+      integer(c_int32_t) :: fmc_condensation_free
+    end function
+    function fmc_condensation_factorise(condensation, count, row_offsets, cols, values, kept, &
+        kept_count) bind(c)
+      import
+      type(c_ptr), value :: condensation
+      integer(c_size_t), value :: count
+      integer(c_int64_t), intent(in), optional :: row_offsets(*)
+      integer(c_int64_t), intent(in), optional :: cols(*)
+      real(c_double), intent(in), optional :: values(*)
+      integer(c_int64_t), intent(in), optional :: kept(*)
+      integer(c_size_t), value :: kept_count
+      integer(c_int32_t) :: fmc_condensation_factorise
+    end function
+    function fmc_condensation_complement(condensation, complement, capacity) bind(c)
+      import
+      type(c_ptr), value :: condensation
+      real(c_double), intent(inout), optional :: complement(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_condensation_complement
+    end function
+    function fmc_condensation_condense(condensation, right, count, condensed, capacity) bind(c)
+      import
+      type(c_ptr), value :: condensation
+      real(c_double), intent(in), optional :: right(*)
+      integer(c_size_t), value :: count
+      real(c_double), intent(inout), optional :: condensed(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_condensation_condense
+    end function
+    function fmc_condensation_expand(condensation, right, count, kept, kept_count, solution, &
+        capacity) bind(c)
+      import
+      type(c_ptr), value :: condensation
+      real(c_double), intent(in), optional :: right(*)
+      integer(c_size_t), value :: count
+      real(c_double), intent(in), optional :: kept(*)
+      integer(c_size_t), value :: kept_count
+      real(c_double), intent(inout), optional :: solution(*)
+      integer(c_size_t), value :: capacity
+      integer(c_int32_t) :: fmc_condensation_expand
     end function
     function fmc_context_body(context, index, body) bind(c)
       import

@@ -3,6 +3,7 @@
 //! After every call: a status that exists and is no panic; outputs untouched where it is an error; finite numbers where it
 //! is none, the same bits when asked again, and nothing written beside the entries asked for.
 
+use crate::condensation;
 use crate::guarded::Guarded;
 use crate::in_parts;
 use crate::interface::*;
@@ -368,6 +369,7 @@ impl Host {
                 let numbers = [stiffness.0, coupling.0, residual.0, tolerance.0];
                 self.contact_step(*which, i64::from(*shift), numbers, *fault, *hole);
             }
+            Call::Condensation { which, shift, value, hole } => condensation::chain(*which, *shift, value.0, *hole),
             Call::Fields { read, hole } => self.fields(*read, *hole),
             Call::Gaps { reach, hole } => self.gaps(reach.0, *hole),
             Call::KeepPatches { forget, hole } => self.keep_patches(*forget, *hole),

@@ -20,11 +20,17 @@ pub const REMOVED: fmc_status = 37;
 /// `FMC_ERROR_PANIC`: a defect, always.
 pub const PANIC: fmc_status = 30;
 /// The last status that exists.
-pub const LAST: fmc_status = 56;
+pub const LAST: fmc_status = 57;
 
 /// Opaque.
 #[repr(C)]
 pub struct fmc_context {
+    _private: [u8; 0],
+}
+
+/// Opaque.
+#[repr(C)]
+pub struct fmc_condensation {
     _private: [u8; 0],
 }
 

@@ -1,6 +1,7 @@
 //! What the fuzz targets share: the C interface as a host in Rust sees it, host arrays that end where memory ends, and
 //! programs of calls made from arbitrary bytes.
 
+mod condensation;
 pub mod guarded;
 pub mod host;
 mod in_parts;

@@ -173,6 +173,13 @@ pub enum Call {
         fault: Fault,
         hole: Hole,
     },
+    Condensation {
+        /// Equations that are kept, which array is damaged, and the number of equations.
+        which: u16,
+        shift: i8,
+        value: Number,
+        hole: Hole,
+    },
     Fields {
         read: Layout,
         hole: Hole,

@@ -365,6 +365,29 @@ void obstacles() {
   EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "", [&] { contact.add_ball(-1); }));
 }
 
+// Four springs in two rows, condensed to their lower ends: two of 1 in a row are one of 1/2. As in hosts/c/condensation.c.
+void condensation() {
+  const std::vector<int64_t> offsets = {0, 2, 4, 6, 8}, cols = {0, 2, 1, 3, 0, 2, 1, 3}, kept = {2, 3};
+  const Numbers values = {2, -1, 2, -1, -1, 1, -1, 1}, load = {0, 0, -0.4, -0.4};
+  fmc::Condensation bodies;
+  EXPECT(refused(FMC_ERROR_NOT_FACTORISED, "", [&] { bodies.complement(); }));
+  bodies.factorise(offsets, cols, values, kept);
+  const auto same = [](const Numbers &found, const Numbers &expected) {
+    for (std::size_t k = 0; k < expected.size(); ++k) EXPECT(std::abs(found.at(k) - expected[k]) < 1e-15);
+  };
+  same(bodies.complement(), {0.5, 0, 0, 0.5});
+  same(bodies.condense(load), {-0.4, -0.4});
+  same(bodies.expand(load, Numbers{0.5, 1}), {0.25, 0.5, 0.5, 1});
+  EXPECT(refused(FMC_ERROR_LENGTH, "right", [&] { bodies.expand(Numbers{0.5, 1}, Numbers{0.5, 1}); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "row_offsets", [&] { bodies.factorise({}, cols, values, kept); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "cols", [&] { bodies.factorise(offsets, kept, values, kept); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "values", [&] { bodies.factorise(offsets, cols, load, kept); }));
+  const fmc::Condensation moved = std::move(bodies);
+  EXPECT(moved.condense(load).size() == 2);
+  const Numbers loose = {0, 0, 2, -1, 0, 1, -1, 1};
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE_DEFINITE, "", [&] { fmc::Condensation(offsets, cols, loose, kept); }));
+}
+
 }  // namespace
 
 int main() try {
@@ -374,6 +397,7 @@ int main() try {
   a_mesh_in_parts();
   friction_and_patches();
   obstacles();
+  condensation();
   // A rigid square on springs sinks onto another that is held, as in hosts/c/contact_step.c: u = 100.8 / 1001.
   const Numbers start = {0, 0, 2, 0, 2, 1, 0, 1, 0.5, 1.1, 1.5, 1.1, 1.5, 2, 0.5, 2};
   Numbers sunk = start;

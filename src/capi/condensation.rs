@@ -84,8 +84,8 @@ pub unsafe extern "C" fn fmc_condensation_free(condensation: *mut *mut fmc_conde
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_FREEDOM_OUT_OF_RANGE`,
 /// `FMC_ERROR_REPEATED_FREEDOM`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
-/// were; `FMC_ERROR_NOT_POSITIVE_DEFINITE`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the
-/// feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+/// were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the
+/// library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_condensation_factorise(
     condensation: *mut fmc_condensation,
@@ -114,10 +114,10 @@ pub unsafe extern "C" fn fmc_condensation_factorise(
 
 /// S of the last matrix, `kept_count * kept_count` numbers row by row: the stiffness for `fmc_context_contact_step`.
 ///
-/// `capacity`: numbers that fit into `complement`. Without factors nothing is written.
+/// `capacity`: numbers that fit into `complement`.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one
-/// call at a time on a condensation.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_BUFFER_TOO_SMALL`,
+/// `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_condensation_complement(
     condensation: *const fmc_condensation,
@@ -128,12 +128,12 @@ pub unsafe extern "C" fn fmc_condensation_complement(
         // SAFETY: the host passes a condensation, and room for so many numbers.
         unsafe {
             let state = locked(condensation)?;
-            let needed = state.kept().len() * state.kept().len();
+            let needed = state.kept()?.len().pow(2);
             has_room("complement", needed, capacity)?;
             if needed > 0 {
                 check("complement", complement.cast_const())?;
             }
-            copy_list("complement", &state.complement(), complement)
+            copy_list("complement", &state.complement()?, complement)
         }
     })
 }
@@ -143,8 +143,9 @@ pub unsafe extern "C" fn fmc_condensation_complement(
 /// `right`: `count` numbers, as many as there are equations. `condensed` has room for `capacity`, at least as many as are kept.
 /// For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal forces.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
-/// `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_LENGTH`,
+/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a
+/// time on a condensation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_condensation_condense(
     condensation: *const fmc_condensation,
@@ -157,7 +158,7 @@ pub unsafe extern "C" fn fmc_condensation_condense(
         // SAFETY: the host passes a condensation, so many numbers, and room for so many.
         unsafe {
             let state = locked(condensation)?;
-            has_room("condensed", state.kept().len(), capacity)?;
+            has_room("condensed", state.kept()?.len(), capacity)?;
             let found = state.condense(slice("right", right, count, 1)?)?;
             copy_list("condensed", &found, condensed)
         }
@@ -185,7 +186,7 @@ pub unsafe extern "C" fn fmc_condensation_expand(
         // SAFETY: the host passes a condensation, so many numbers, and room for so many.
         unsafe {
             let state = locked(condensation)?;
-            has_room("solution", state.size(), capacity)?;
+            has_room("solution", state.size()?, capacity)?;
             let (right, kept) = (slice("right", right, count, 1)?, slice("kept", kept, kept_count, 1)?);
             copy_list("solution", &state.expand(right, kept)?, solution)
         }

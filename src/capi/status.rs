@@ -125,6 +125,8 @@ pub enum fmc_status {
     FMC_ERROR_NOT_POSITIVE_DEFINITE = 55,
     /// A matrix that has to be symmetric is not.
     FMC_ERROR_UNSYMMETRIC = 56,
+    /// There are no factors of a matrix: none was given, or the last one had none.
+    FMC_ERROR_NOT_FACTORISED = 57,
 }
 
 use fmc_status::*;
@@ -188,6 +190,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NOT_GATHERED, c"FMC_ERROR_NOT_GATHERED"),
     (FMC_ERROR_NOT_POSITIVE_DEFINITE, c"FMC_ERROR_NOT_POSITIVE_DEFINITE"),
     (FMC_ERROR_UNSYMMETRIC, c"FMC_ERROR_UNSYMMETRIC"),
+    (FMC_ERROR_NOT_FACTORISED, c"FMC_ERROR_NOT_FACTORISED"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -221,6 +224,7 @@ impl From<&Error> for fmc_status {
             Error::IndefiniteStiffness { .. } => FMC_ERROR_INDEFINITE_STIFFNESS,
             Error::NotPositiveDefinite { .. } => FMC_ERROR_NOT_POSITIVE_DEFINITE,
             Error::Unsymmetric { .. } => FMC_ERROR_UNSYMMETRIC,
+            Error::NotFactorised => FMC_ERROR_NOT_FACTORISED,
             Error::FreedomOutOfRange { .. } => FMC_ERROR_FREEDOM_OUT_OF_RANGE,
             Error::RepeatedFreedom { .. } => FMC_ERROR_REPEATED_FREEDOM,
             Error::NonFiniteStiffness { .. } => FMC_ERROR_NON_FINITE_STIFFNESS,
@@ -318,6 +322,7 @@ mod tests {
             Error::NotGathered { body: 1 },
             Error::NotPositiveDefinite { equation: 0 },
             Error::Unsymmetric { row: 1, column: 0 },
+            Error::NotFactorised,
         ];
         let mut codes: Vec<i32> = errors.iter().map(|error| fmc_status::from(error) as i32).collect();
         assert!(!codes.contains(&(FMC_OK as i32)));

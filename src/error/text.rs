@@ -98,6 +98,9 @@ impl fmt::Display for Error {
                 "the stiffness is not positive definite: elimination leaves nothing positive at equation {equation}; is every \
                  body held, or kept where contact holds it?"
             ),
+            Error::NotFactorised => {
+                write!(f, "there are no factors: no matrix was factorised, or the last one could not be")
+            }
             Error::Unsymmetric { row, column } => {
                 write!(f, "the matrix is not symmetric: entry ({row}, {column}) is not that of ({column}, {row})")
             }

@@ -147,6 +147,13 @@ fn contact_step_with_condensed_springs() {
 }
 
 #[test]
+fn springs_condensed_by_the_library() {
+    let printed = output("condensation.c", Link::Shared);
+    let expected = "S 0.5 0 0 0.5  u 0.100699301, expected 0.100699301, between 0.050349650\nwrong 0\n";
+    assert_eq!(printed, expected);
+}
+
+#[test]
 fn rows_of_the_tangent() {
     assert_eq!(output("tangent_rows.c", Link::Shared), "0 failures\n");
 }

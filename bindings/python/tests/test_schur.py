@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from fmc_contact.cholesky import Cholesky
 from fmc_contact.schur import SuperLU
 
 sparse = pytest.importorskip("scipy.sparse")
@@ -24,7 +25,11 @@ def by_mumps():
     return Mumps()
 
 
-ENGINES = pytest.mark.parametrize("engine", [SuperLU, by_mumps])
+def by_cholesky():
+    return Cholesky(SuperLU())
+
+
+ENGINES = pytest.mark.parametrize("engine", [SuperLU, by_cholesky, by_mumps])
 
 
 def check(found, matrix, rest, kept):

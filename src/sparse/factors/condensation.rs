@@ -4,6 +4,7 @@ use super::Factorisation;
 use super::symmetric::checked_list;
 use crate::Error;
 use crate::sparse::Compressed;
+use std::cmp::Ordering::Greater;
 
 /// Part of an equation's own stiffness below which what elimination leaves of it is rounding: the bodies are not held.
 const ROUNDING: f64 = 1e-13;
@@ -17,9 +18,9 @@ const ROUNDING: f64 = 1e-13;
 #[derive(Default)]
 pub struct Condensation {
     factorisation: Factorisation,
-    /// Number of equations, those that are kept, and the springs on them. Springs do not touch what elimination makes of
+    /// Number of equations, `None` without factors, those that are kept, and the springs on them. Springs do not touch what elimination makes of
     /// the others; with them there are factors where contact alone holds a body.
-    size: usize,
+    size: Option<usize>,
     kept: Vec<usize>,
     springs: Vec<f64>,
 }
@@ -28,11 +29,11 @@ impl Condensation {
     /// Factorises a matrix; `kept` ascends. Where it is not positive definite, there are no factors then.
     ///
     /// Errors: [`Error::Length`], [`Error::FreedomOutOfRange`], [`Error::RepeatedFreedom`], [`Error::NonFiniteStiffness`],
-    /// [`Error::Unsymmetric`] for what is given; [`Error::NotPositiveDefinite`].
+    /// [`Error::Unsymmetric`] for what is given; [`Error::NotPositiveDefinite`]; [`Error::Overflow`].
     pub fn factorise(&mut self, matrix: &Compressed, kept: &[usize]) -> Result<(), Error> {
         checked_list(kept, matrix.size())?;
         let lower = matrix.lower()?;
-        self.size = 0;
+        self.size = None;
         let mut springs = vec![0.0; lower.size()];
         for (row, column, value) in lower.entries() {
             if row == column {
@@ -48,28 +49,37 @@ impl Condensation {
             let equation = self.factorisation.failed_at().unwrap_or(0);
             return Err(Error::NotPositiveDefinite { equation });
         }
-        let loose = self.factorisation.pivots().find(|&(equation, pivot)| pivot <= ROUNDING * own[equation]);
+        // A pivot that is no number is loose, too.
+        let is_loose = |&(equation, pivot): &(usize, f64)| {
+            !matches!(pivot.partial_cmp(&(ROUNDING * own[equation])), Some(Greater))
+        };
+        let loose = self.factorisation.pivots().find(is_loose);
         if let Some((equation, _)) = loose.filter(|(equation, _)| !is_kept[*equation]) {
             return Err(Error::NotPositiveDefinite { equation });
         }
         self.springs = kept.iter().map(|&equation| springs[equation]).collect();
-        (self.size, self.kept) = (own.len(), kept.to_vec());
+        self.kept = kept.to_vec();
+        finite("Schur complement", self.complement_of(kept.len()))?;
+        self.size = Some(own.len());
         Ok(())
     }
 
-    /// Number of equations of the last matrix that has factors; 0 before the first.
-    pub fn size(&self) -> usize {
-        self.size
+    /// Number of equations of the last matrix. Errors: [`Error::NotFactorised`].
+    pub fn size(&self) -> Result<usize, Error> {
+        self.size.ok_or(Error::NotFactorised)
     }
 
-    /// Those that were kept.
-    pub fn kept(&self) -> &[usize] {
-        &self.kept[..if self.size > 0 { self.kept.len() } else { 0 }]
+    /// Those that were kept. Errors: [`Error::NotFactorised`].
+    pub fn kept(&self) -> Result<&[usize], Error> {
+        self.size().map(|_| &*self.kept)
     }
 
-    /// S on the kept equations, row by row.
-    pub fn complement(&self) -> Vec<f64> {
-        let count = self.kept().len();
+    /// S on the kept equations, row by row. Errors: [`Error::NotFactorised`].
+    pub fn complement(&self) -> Result<Vec<f64>, Error> {
+        Ok(self.complement_of(self.kept()?.len()))
+    }
+
+    fn complement_of(&self, count: usize) -> Vec<f64> {
         let mut complement = self.factorisation.complement().matrix();
         complement.truncate(count * count);
         for (place, spring) in self.springs.iter().enumerate().take(count) {
@@ -78,24 +88,30 @@ impl Condensation {
         complement
     }
 
-    /// `b_c − K_cr K_rr⁻¹ b_r` of a right side. Errors: [`Error::Length`], [`Error::NonFiniteStiffness`].
+    /// `b_c − K_cr K_rr⁻¹ b_r` of a right side.
+    ///
+    /// Errors: [`Error::NotFactorised`], [`Error::Length`], [`Error::NonFiniteStiffness`], [`Error::Overflow`].
     pub fn condense(&self, right: &[f64]) -> Result<Vec<f64>, Error> {
-        self.check("right", right, self.size)?;
-        Ok(self.factorisation.condense(right).map_or_else(Vec::new, |condensed| condensed.kept))
+        self.check("right", right, self.size()?)?;
+        finite(
+            "condensed right side",
+            self.factorisation.condense(right).map_or_else(Vec::new, |condensed| condensed.kept),
+        )
     }
 
     /// Solution x of `K x = b` in the other equations, `x_r = K_rr⁻¹ (b_r − K_rc x_c)`, where the kept ones are what is given.
     ///
     /// Errors: as [`condense`](Self::condense).
     pub fn expand(&self, right: &[f64], kept: &[f64]) -> Result<Vec<f64>, Error> {
-        self.check("right", right, self.size)?;
-        self.check("kept", kept, self.kept().len())?;
+        let size = self.size()?;
+        self.check("right", right, size)?;
+        self.check("kept", kept, self.kept.len())?;
         // Nothing is left of nothing: half of the work.
         let inner = match right.iter().all(|value| *value == 0.0) {
-            true => vec![0.0; self.size - self.kept().len()],
+            true => vec![0.0; size - self.kept.len()],
             false => self.factorisation.condense(right).map_or_else(Vec::new, |condensed| condensed.inner),
         };
-        Ok(self.factorisation.follow(inner.into_iter(), kept).unwrap_or_default())
+        finite("solution", self.factorisation.follow(inner.into_iter(), kept).unwrap_or_default())
     }
 
     fn check(&self, array: &'static str, values: &[f64], expected: usize) -> Result<(), Error> {
@@ -106,6 +122,14 @@ impl Condensation {
             Some(entry) => Err(Error::NonFiniteStiffness { array, entry }),
             None => Ok(()),
         }
+    }
+}
+
+/// Results that a double can hold, or the first that it cannot.
+fn finite(quantity: &'static str, values: Vec<f64>) -> Result<Vec<f64>, Error> {
+    match values.iter().find(|value| !value.is_finite()) {
+        Some(&value) => Err(Error::Overflow { quantity, value }),
+        None => Ok(values),
     }
 }
 

@@ -67,7 +67,7 @@ fn difference(lower: &Lower, upper: &Lower) -> Option<(usize, usize)> {
         };
         let (a, b) = (value(&mut one), value(&mut other));
         let (column, row) = at;
-        if (a - b).abs() > SYMMETRY * (diagonal[row] * diagonal[column]).sqrt().max(f64::MIN_POSITIVE) {
+        if (a - b).abs() > SYMMETRY * (diagonal[row].sqrt() * diagonal[column].sqrt()).max(f64::MIN_POSITIVE) {
             return Some((row, column));
         }
     }

@@ -96,7 +96,7 @@ fn argument_of(argument: &Variable, of_callback: bool) -> String {
     let may_lack = if of_callback { "" } else { ", optional" };
     match (of_type.as_str(), pointers) {
         _ if is_callback(of_type) => format!("type(c_funptr), value :: {name}"),
-        ("void" | "fmc_context", 1) => format!("type(c_ptr), value :: {name}"),
+        ("void" | "fmc_context" | "fmc_condensation", 1) => format!("type(c_ptr), value :: {name}"),
         ("char", 1) => format!("character(kind=c_char), intent(in) :: {name}(*)"),
         (_, 2) => format!("type(c_ptr), intent(inout){may_lack} :: {name}"),
         (_, 0) => format!("{}, value :: {name}", type_of(of_type)),

@@ -12,6 +12,7 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 from . import errors
 from ._library import library as _shared
 from .boundary import BoundaryFacets
+from .condensation import Condensation
 from .contact import Contact
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
@@ -41,6 +42,7 @@ __all__ = [
     "CARRIED_SLIP",
     "Augmented",
     "BoundaryFacets",
+    "Condensation",
     "Contact",
     "ContactPoints",
     "ContactStep",

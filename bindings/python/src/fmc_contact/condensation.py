@@ -33,7 +33,7 @@ class Condensation:
         """Factorises a matrix (n, n) of scipy.sparse; ``kept``: equations, ascending. The next one of the same pattern takes less.
 
         Errors: ``UnsymmetricError``, ``FreedomOutOfRangeError``, ``RepeatedFreedomError``, ``NonFiniteStiffnessError``, which leave
-        the factors that there were; ``NotPositiveDefiniteError``, after which there are none."""
+        the factors that there were; ``NotPositiveDefiniteError`` and ``RangeError``, after which there are none."""
         rows = matrix.tocsr()
         if rows.shape[0] != rows.shape[1]:
             raise ValueError(f"a square matrix is wanted, this is of shape {rows.shape}")
@@ -41,8 +41,6 @@ class Condensation:
         values = np.ascontiguousarray(rows.data, np.float64)
         arguments = rows.shape[0], offsets, cols, values, last, len(last)
         status = library.fmc_condensation_factorise(self._pointer, *arguments)
-        if status == NotPositiveDefiniteError.status:
-            self._size = self._kept = 0
         check(status)
         self._size, self._kept = rows.shape[0], len(last)
 

@@ -384,6 +384,12 @@ class UnsymmetricError(FmcError, ValueError):
     status = 56
 
 
+class NotFactorisedError(FmcError, RuntimeError):
+    """There are no factors of a matrix: none was given, or the last one had none."""
+
+    status = 57
+
+
 BY_STATUS = {error.status: error for error in FmcError.__subclasses__() if error.status}
 """Exception classes by the number of their status."""
 

@@ -61,9 +61,10 @@ fn what_is_kept_and_what_follows_solve_the_whole_system() {
     for bars in [&all, &lower] {
         let mut condensation = Condensation::default();
         condensation.factorise(&bars.view(), &kept).unwrap();
-        assert_eq!((condensation.size(), condensation.kept()), (40, &kept[..]));
+        assert_eq!((condensation.size(), condensation.kept()), (Ok(40), Ok(&kept[..])));
         let left: Vec<f64> = condensation
             .complement()
+            .unwrap()
             .chunks(kept.len())
             .map(|row| row.iter().zip(at_kept).map(|(s, x)| s * x).sum())
             .collect();
@@ -80,10 +81,17 @@ fn a_body_that_only_what_is_kept_holds_has_factors() {
     let loose = Bars::of(&chain(30, 0.0), |_, _| true);
     let refused = condensation.factorise(&loose.view(), &[]);
     assert!(matches!(refused, Err(Error::NotPositiveDefinite { .. })), "{refused:?}");
-    assert_eq!((condensation.size(), condensation.kept(), condensation.complement().len()), (0, &[][..], 0));
+    let without = (
+        condensation.size(),
+        condensation.complement(),
+        condensation.condense(&[0.0; 30]),
+        condensation.expand(&[], &[]),
+    );
+    let none = || Err(Error::NotFactorised);
+    assert_eq!(without, (Err(Error::NotFactorised), none(), none(), none()));
     // Its complement has no stiffness against being moved as a whole.
     condensation.factorise(&loose.view(), &[0, 29]).unwrap();
-    let complement = condensation.complement();
+    let complement = condensation.complement().unwrap();
     assert!(complement[0] > 0.1 && (complement[0] + complement[1]).abs() < 1e-13, "{complement:?}");
 }
 
@@ -121,4 +129,21 @@ fn what_is_given_wrong_is_refused_and_changes_nothing() {
         condensation.expand(&[1.0; 6], &[f64::NAN]),
         Err(Error::NonFiniteStiffness { array: "kept", .. })
     ));
+}
+
+#[test]
+fn what_a_double_cannot_hold_is_refused() {
+    let mut condensation = Condensation::default();
+    let scaled = |scale: f64| {
+        let mut bars = Bars::of(&chain(6, 1.0), |_, _| true);
+        bars.values.iter_mut().for_each(|value| *value *= scale);
+        bars
+    };
+    condensation.factorise(&scaled(1e-300).view(), &[2]).unwrap();
+    let beyond = condensation.expand(&[1e10; 6], &[0.0]);
+    assert!(matches!(beyond, Err(Error::Overflow { quantity: "solution", .. })), "{beyond:?}");
+    let large = Bars::of(&[vec![1.0, 0.0], vec![0.0, f64::MAX]], |_, _| true);
+    let beyond = condensation.factorise(&large.view(), &[1]);
+    assert!(matches!(beyond, Err(Error::Overflow { .. } | Error::NotPositiveDefinite { .. })), "{beyond:?}");
+    assert_eq!(condensation.complement(), Err(Error::NotFactorised));
 }
