@@ -13,28 +13,28 @@ impl Condensation {
         Err(Error::Unsupported { what: "factors of sparse matrices: this library is built without 'solver'" })
     }
 
-    /// No equations.
-    pub fn size(&self) -> usize {
-        0
+    /// Errors: [`Error::NotFactorised`], as everything below.
+    pub fn size(&self) -> Result<usize, Error> {
+        Err(Error::NotFactorised)
     }
 
-    /// None.
-    pub fn kept(&self) -> &[usize] {
-        &[]
+    /// No equations are kept.
+    pub fn kept(&self) -> Result<&[usize], Error> {
+        Err(Error::NotFactorised)
     }
 
-    /// Nothing.
-    pub fn complement(&self) -> Vec<f64> {
-        Vec::new()
+    /// No complement.
+    pub fn complement(&self) -> Result<Vec<f64>, Error> {
+        Err(Error::NotFactorised)
     }
 
-    /// Nothing.
+    /// No right hand side is condensed.
     pub fn condense(&self, _: &[f64]) -> Result<Vec<f64>, Error> {
-        Ok(Vec::new())
+        Err(Error::NotFactorised)
     }
 
-    /// Nothing.
+    /// No solution is expanded.
     pub fn expand(&self, _: &[f64], _: &[f64]) -> Result<Vec<f64>, Error> {
-        Ok(Vec::new())
+        Err(Error::NotFactorised)
     }
 }
