@@ -268,7 +268,7 @@ mod tests {
             assert_eq!(*code as usize, index);
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_UNSYMMETRIC);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NOT_FACTORISED);
     }
 
     #[test]
