@@ -22,6 +22,7 @@ mod components;
 mod division;
 mod explain;
 mod obstacle;
+mod picture;
 mod pictures;
 mod placement;
 mod report;
@@ -88,7 +89,8 @@ pub(crate) struct ForceArgs {
     #[arg(long, value_name = "SHAPE", verbatim_doc_comment)]
     obstacle: Vec<ObstacleSpec>,
 
-    /// Folder for forces.vtu (meshes with nodal forces, pressures and gaps) and fibers.vtu (fibers and crossings), to be opened in ParaView
+    /// Folder for picture.svg (bodies and forces, for a browser), forces.vtu (meshes with nodal forces, pressures and gaps) and
+    /// fibers.vtu (fibers and crossings), for ParaView
     #[arg(long, value_name = "DIR", default_value = "out/force")]
     out: PathBuf,
 
@@ -150,6 +152,14 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     let pictures = [args.out.join("forces.vtu"), args.out.join("fibers.vtu")];
     pictures::forces(&assembly, &division, &forces.forces, &at_nodes).write(&pictures[0])?;
     fiber_grid(&traces, args.fibers_shown).write(&pictures[1])?;
+    let drawn = match picture::picture(&assembly, &division, &forces.forces) {
+        Ok(svg) => {
+            let path = args.out.join("picture.svg");
+            write_whole(&path, svg)?;
+            format!("{} (open it in a browser)", path.display())
+        }
+        Err(why) => why.to_owned(),
+    };
 
     let obstacles: Vec<&str> = args.obstacle.iter().map(|obstacle| obstacle.text.as_str()).collect();
     let mut report = Report::new(&forces, &division.names, &obstacles, seconds);
@@ -165,7 +175,7 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
         };
         print(&format!(
             "{D}D, nodes: {nodes}, cells: {cells}, facets: {facet_count}, bodies: {}\n\n{}\n\
-             written: {}\n         {} ({shown})\n",
+             written: {drawn}\n         {} (for ParaView)\n         {} ({shown})\n",
             division.names.len(),
             report.text(),
             pictures[0].display(),
