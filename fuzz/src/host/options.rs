@@ -40,6 +40,11 @@ pub(super) fn options(from: &Options, is_ordinary: bool) -> fmc_options {
     for (field, choice) in fields.into_iter().zip(choices) {
         *field = choice.unwrap_or(*field);
     }
+    match from.choices >> 14 {
+        2 => options.shear_limit = 0.5,
+        3 => options.axisymmetric = 1,
+        _ => {}
+    }
     options.index_base = i32::from(from.index_base);
     options.threads = if from.is_threaded { 2 } else { 1 };
     options.fiber_count = u64::from(from.fiber_count.unwrap_or(100)) * 4;

@@ -53,7 +53,28 @@ pub struct fmc_gathered_counts {
     pub gather_count: u64,
 }
 
+/// As in the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_carried_slip {
+    pub cell: i64,
+    pub face: i32,
+    pub part: i32,
+    pub slip: [f64; 3],
+}
+
 unsafe extern "C" {
+    pub fn fmc_context_carried_slip(
+        context: *const fmc_context,
+        carried: *mut fmc_carried_slip,
+        capacity: usize,
+        count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_set_carried_slip(
+        context: *mut fmc_context,
+        carried: *const fmc_carried_slip,
+        count: usize,
+    ) -> fmc_status;
     pub fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status;
     pub fn fmc_context_set_communicator(context: *mut fmc_context, communicator: *const fmc_communicator)
     -> fmc_status;

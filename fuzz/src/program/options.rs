@@ -16,7 +16,8 @@ pub struct Options {
     pub fiber_length: Option<Number>,
     pub fiber_count: Option<u8>,
     pub seed: u64,
-    /// Law, estimator, pattern, weights, momentum correction, self-contact, check of the cells: by twos of bits, 3 being no value.
+    /// Law, estimator, pattern, weights, momentum correction, self-contact, check of the cells: by twos of bits, 3 being no value; then
+    /// a limit of shear, or axisymmetry.
     pub choices: u16,
     pub index_base: bool,
     /// Two threads.
