@@ -39,6 +39,15 @@ SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
 	$(CARGO) run --profile quick -p fmc --no-default-features -- force examples/star.msh examples/block.msh --stiffness 2.8e7
+	@printf '%s\n' "" "A point of the star stands 0.01 m deep in the block; their meshes do not match. From the overlap follow the energy and, as its" \
+	  "derivative, the force on every node: those on the star and on the block add up to zero. A picture of them, for any browser:" \
+	  "  $(CURDIR)/out/force/picture.svg" "" \
+	  "To try next:" \
+	  "  target/quick/fmc force examples/star.msh examples/block.msh --stiffness 2.8e7 --rotate 1=5      the star turned by 5 degrees" \
+	  "  target/quick/fmc force examples/ball.vtu --stiffness 1e6 --obstacle \"half-space axis=0,0,1\"     a ball on a rigid floor, in 3D" \
+	  "  target/quick/fmc force --help                                                                   your own meshes, Gmsh or VTK" \
+	  "  cargo run --release -p fmc -- run hertz                                                         an equilibrium beside Hertz" \
+	  "  docs/first-contact.md                                                                           the same from C, C++, Fortran, Python, Rust"
 
 check: check-tools
 	$(CARGO) fmt --all --check
@@ -83,13 +92,11 @@ release:
 # What is not installed leaves its reason for the log, and fails: nothing counts as passed that was not run.
 LEFT_OUT = { echo "$(1)" | tee $(TARGET)/left-out-$@ >&2; exit 1; }
 
-# The address and the thread sanitizer are of the nightly compiler, which also has to build the standard library for the second.
-sanitizers:
-	@rustup run nightly rustc --version >/dev/null 2>&1 || $(call LEFT_OUT,no nightly toolchain)
-	RUSTFLAGS=-Zsanitizer=address rustup run nightly $(CARGO) test -p fmc-contact --lib --tests --target $(TRIPLE) \
-	  --target-dir $(TARGET)/sanitizers
-	RUSTFLAGS=-Zsanitizer=thread rustup run nightly $(CARGO) test -Zbuild-std -p fmc-contact --lib --tests --target $(TRIPLE) \
-	  --target-dir $(TARGET)/sanitizers
+# Address and undefined-behaviour sanitizers over hosts and library, thread sanitizer over what has threads.
+sanitizers: check-tools
+	.ci/sanitizers hosts
+	.ci/sanitizers library
+	$(SUDO) .ci/sanitizers threads $(ROOTS)/forky-rust
 
 MUTANTS ?= --file 'src/overlap/**'
 
@@ -384,11 +391,13 @@ try-wheel:
 	$(call IN_EACH,$(DEBIANS),wheel out/wheel $(NUMPY))
 	$(call IN_EACH,bullseye,wheel out/wheel $(NUMPY),1.20.0)
 
-# The recipes for conda-forge and Spack are read, not built.
+# The recipes for conda-forge and Spack are read, not built; the workflows and the citation keep to their schemas.
 recipes:
 	@$(call ENVIRONMENT,$(WHEEL_TOOLS))
-	$(WHEEL_TOOLS)/bin/python -m pip install -q py-rattler-build
+	$(WHEEL_TOOLS)/bin/python -m pip install -q py-rattler-build check-jsonschema
 	$(WHEEL_TOOLS)/bin/python packaging/check-recipes
+	$(WHEEL_TOOLS)/bin/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+	$(WHEEL_TOOLS)/bin/check-jsonschema --builtin-schema vendor.citation-file-format CITATION.cff
 
 # A step of the release: everything that is handed out, built and tried.
 packages:
