@@ -29,20 +29,23 @@ unsafe impl GlobalAlloc for Counting {
 /// Times that something may be taken for good on the first call: a text of the last error, pools of threads, kept mappings.
 const TRIES: usize = 5;
 
+/// Threads of a pool that has been given up end in their own time, on a busy machine after a while.
+const MOST_WAITS: usize = 500;
+
 /// Runs, and if more is taken than before, runs again: what is taken every time is lost.
 pub fn none_from(run: impl Fn()) {
     let mut grown = [0; TRIES];
     for attempt in 0..TRIES {
-        let growth = &mut grown[attempt];
         let before = TAKEN.load(Relaxed);
         run();
-        *growth = TAKEN.load(Relaxed) - before;
-        if *growth > 0 && attempt > 0 {
-            // Threads of a pool that has been given up end in their own time.
+        let growth = || TAKEN.load(Relaxed) - before;
+        let mut waits = 0;
+        while attempt > 0 && growth() > 0 && waits < MOST_WAITS {
             std::thread::sleep(Duration::from_millis(10));
-            *growth = TAKEN.load(Relaxed) - before;
+            waits += 1;
         }
-        if *growth <= 0 {
+        grown[attempt] = growth();
+        if grown[attempt] <= 0 {
             return;
         }
     }
