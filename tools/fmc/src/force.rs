@@ -28,10 +28,11 @@ mod placement;
 mod report;
 
 const EXAMPLES: &str = "\
-Units: lengths are in the unit of the mesh. With metres and exponent 1, K is a
+Units: lengths are in the unit of the mesh. With metres, forces are in N in 3D, in
+N per m of thickness in 2D. K is a pressure by penetration, in Pa/m: 10 E / h with
+Young's modulus E and facets of size h. With --law volume and exponent 1 it is a
 pressure in Pa, which must exceed the peak contact pressure, or the bodies pass
-through one another; forces are in N in 3D, in N per m of thickness in 2D. With
-another exponent M, K is in Pa / (length^D)^(M-1), D = 2 or 3.
+through one another; with another exponent M in Pa / (length^D)^(M-1), D = 2 or 3.
 
 Examples:
   A star, 0.01 m deep in a block, both 2D:
@@ -56,8 +57,7 @@ pub(crate) struct ForceArgs {
     #[arg(value_name = "MESH", required = true)]
     meshes: Vec<PathBuf>,
 
-    /// Stiffness K of the energy law w = K V^m [pressure for m = 1, such as Pa]; for --law fiber and depth pressure by
-    /// penetration [Pa/length]
+    /// Stiffness K: pressure by penetration [Pa/length]; for --law volume, w = K V^m, a pressure for m = 1 [Pa]
     #[arg(long, value_name = "K", value_parser = positive)]
     stiffness: f64,
 
@@ -169,7 +169,7 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     if args.json.as_deref() != Some(Path::new("-")) {
         let [nodes, cells] = [assembly.coords.len(), assembly.cell_count()];
         let shown = match (traces.len(), args.fibers_shown) {
-            (0, _) => "empty: no fiber crosses an overlap".to_owned(),
+            (0, _) => "empty: the overlap, if any, was measured without lines; --estimator fibers lays them".to_owned(),
             (all, most) if all > most => format!("{most} of the {all} fibers in the overlap; see --fibers-shown"),
             (all, _) => format!("{all} fibers in the overlap"),
         };

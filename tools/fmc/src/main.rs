@@ -12,18 +12,24 @@ mod next_step;
 
 #[cfg(feature = "statics")]
 const AFTER_HELP: &str = "To begin with:
-  fmc force examples/star.msh examples/block.msh --stiffness 2.8e7   forces between two meshes, and a picture of them
-  fmc list                                                           cases that come along
-  fmc run hertz                                                      one of them: an equilibrium beside its closed form
-  fmc report --quick                                                 all of them on one page, in less than a minute
-  fmc COMMAND --help                                                 every option of a command, with examples
+  Forces between two meshes, and a picture of them:
+    fmc force examples/star.msh examples/block.msh --stiffness 2.8e7
+  The cases that come along, and one of them, an equilibrium beside its closed form:
+    fmc list
+    fmc run hertz
+  All of them on one page, in less than a minute:
+    fmc report --quick
+  Every option of a command, with examples:
+    fmc COMMAND --help
 
 Exit status: 0 on success, 1 if a bound or a check is missed, 2 for bad usage or input.";
 
 #[cfg(not(feature = "statics"))]
 const AFTER_HELP: &str = "To begin with:
-  fmc force examples/star.msh examples/block.msh --stiffness 2.8e7   forces between two meshes, and a picture of them
-  fmc force --help                                                   every option, with examples
+  Forces between two meshes, and a picture of them:
+    fmc force examples/star.msh examples/block.msh --stiffness 2.8e7
+  Every option, with examples:
+    fmc force --help
 
 Built without the commands that solve: cargo run --release -p fmc has them.
 Exit status: 0 on success, 2 for bad usage or input.";
