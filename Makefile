@@ -256,7 +256,7 @@ book:
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc -p fmc-contact --no-deps
 	rm -rf $(REFERENCE) && mkdir -p $(REFERENCE) && cp -r $(TARGET)/doc $(REFERENCE)/rust
 	@$(call ENVIRONMENT,$(BOOK_TOOLS)/python)
-	$(BOOK_TOOLS)/python/bin/python -m pip install -q pdoc numpy scipy
+	$(BOOK_TOOLS)/python/bin/python -m pip install -q pdoc numpy scipy typing_extensions
 	@test -e $(BUILT)/libfmc_contact.so || $(MAKE) build
 	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(abspath $(BUILT))/libfmc_contact.so \
 	  $(BOOK_TOOLS)/python/bin/python -m pdoc --docformat markdown --no-show-source -o $(REFERENCE)/python fmc_contact
