@@ -44,11 +44,15 @@ pub(crate) fn compiler(variable: &str, otherwise: &str) -> Command {
     command
 }
 
-/// What a program prints under valgrind, which must find nothing; not where sanitizers watch the program already (`make sanitizers`),
-/// since both want the same memory.
+/// Whether sanitizers watch the hosts (`make sanitizers`), which keep what is given back for a while.
+pub(crate) fn is_sanitized() -> bool {
+    ["CC", "CXX", "FC"].into_iter().any(|name| env::var(name).is_ok_and(|compiler| compiler.contains("-fsanitize")))
+}
+
+/// What a program prints under valgrind, which must find nothing; not where sanitizers watch it already, since both want the same
+/// memory.
 pub(crate) fn watched(program: &Path, arguments: &[&str]) -> Option<String> {
-    let is_sanitized = |name: &str| env::var(name).is_ok_and(|compiler| compiler.contains("-fsanitize"));
-    if ["CC", "CXX", "FC"].into_iter().any(is_sanitized) {
+    if is_sanitized() {
         return None;
     }
     // Worker threads may outlive the pool that started them by a moment, so blocks that they hold are no leak.

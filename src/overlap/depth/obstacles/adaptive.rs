@@ -44,8 +44,9 @@ const PASSES: usize = 2;
 const ROUNDING: f64 = 1e-12;
 
 /// A depth below this part of the coordinates is that of their rounding. Where surfaces touch and nothing lies deeper, the whole
-/// sum is such noise, and cannot say what is little.
-const NOISE: f64 = 2.0 * f64::EPSILON;
+/// sum is such noise, and cannot say what is little. The square root of it is the size of a part at which a curved surface that
+/// touches is let be, and the square of that what its volume may be off.
+const NOISE: f64 = 0.25 * f64::EPSILON;
 
 /// Simplices in hand from which on they are taken as they are, so that the work and its memory have an end where surfaces touch
 /// along a line in space, and for functions that have none: so many, or so many for each that was given.
