@@ -259,7 +259,7 @@ book:
 	$(BOOK_TOOLS)/python/bin/python -m pip install -q pdoc numpy scipy typing_extensions
 	@test -e $(BUILT)/libfmc_contact.so || $(MAKE) build
 	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(abspath $(BUILT))/libfmc_contact.so \
-	  $(BOOK_TOOLS)/python/bin/python -m pdoc --docformat markdown --no-show-source -o $(REFERENCE)/python fmc_contact
+	  $(BOOK_TOOLS)/python/bin/python .ci/python-reference $(REFERENCE)/python
 	.ci/book-links out/book $(REPOSITORY)
 
 header:
