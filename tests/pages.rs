@@ -99,7 +99,10 @@ fn every_status_and_warning_leads_to_a_next_step() {
     let declared: BTreeSet<&str> =
         header.lines().filter_map(|line| line.trim().split_once(" = ")).map(|(name, _)| name).filter(is_one).collect();
     assert!(declared.len() > 60, "{}", declared.len());
-    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | ")).filter(|(_, next)| next.len() > 10);
+    let rows = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `")?.split_once("` | "))
+        .filter(|(_, next)| next.len() > 10);
     let mut listed: Vec<&str> = rows.map(|(name, _)| name).collect();
     listed.sort_unstable();
     assert_eq!(listed, declared.into_iter().collect::<Vec<_>>());

@@ -124,7 +124,8 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) 
 /// A context that lives.
 unsafe fn carry(mesh: &Mesh, part: *mut fmc_context, slip: f64, hole: Hole) {
     let mut coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
-    let given = [0, 1].map(|face| fmc_carried_slip { cell: i64::from(hole % 4), face, part: 0, slip: [slip, 0.5, 0.0] });
+    let given =
+        [0, 1].map(|face| fmc_carried_slip { cell: i64::from(hole % 4), face, part: 0, slip: [slip, 0.5, 0.0] });
     let given = Guarded::new(&given);
     // SAFETY: as above; arrays as long as they are said to be.
     unsafe {

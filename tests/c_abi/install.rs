@@ -110,11 +110,17 @@ fn versions_are_found_by_one_rule() {
     let [major, minor] = [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR")];
     let next: u32 = minor.parse::<u32>().expect("a number") + 1;
     let this = format!("{major}.{minor}");
-    let found = ["", &this, &format!("{this}.0"), &format!("{major}.0...{major}.99"), &format!("{this}...<{major}.{next}")];
+    let found =
+        ["", &this, &format!("{this}.0"), &format!("{major}.0...{major}.99"), &format!("{this}...<{major}.{next}")];
     for asked in found {
         assert!(finds(asked), "{asked}");
     }
-    let later = [format!("{major}.{next}"), format!("{this}.99"), format!("{major}.{next}...{major}.99"), format!("0.0...<{this}")];
+    let later = [
+        format!("{major}.{next}"),
+        format!("{this}.99"),
+        format!("{major}.{next}...{major}.99"),
+        format!("0.0...<{this}"),
+    ];
     for asked in later {
         assert!(!finds(&asked), "{asked}");
     }

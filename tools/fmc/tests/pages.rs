@@ -62,7 +62,8 @@ fn check_case(words: &[&str], said: &str) {
 #[test]
 fn commands_for_a_shell_exist() {
     let makefile = fs::read_to_string(root().join("Makefile")).unwrap();
-    let is_target = |name: &str| makefile.lines().any(|line| line.split(':').next().unwrap().split(' ').any(|t| t == name));
+    let is_target =
+        |name: &str| makefile.lines().any(|line| line.split(':').next().unwrap().split(' ').any(|t| t == name));
     let (mut of_fmc, mut of_make) = (0, 0);
     for (page, line) in lines() {
         let said = format!("{}: {line}", page.display());

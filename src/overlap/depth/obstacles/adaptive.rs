@@ -218,8 +218,7 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
                 || measure <= SMALL[self.dimension - 1] * whole.measure;
             let unseen = halves.iter().flatten().fold(part.unseen, |most, half| most.max(half.unseen));
             let little = (self.tolerance * scale).max(whole.noise * measure);
-            let tells_nothing =
-                part.value.difference(&sum) * of_root <= little && unseen * measure <= UNSEEN * little;
+            let tells_nothing = part.value.difference(&sum) * of_root <= little && unseen * measure <= UNSEEN * little;
             let passed = if tells_nothing && (is_resolved || is_small) { part.passed + 1 } else { 0 };
             if passed >= self.dimension.min(PASSES) || part.bare.halvings >= MOST_HALVINGS || is_last {
                 done.push((part.bare.root, sum));
