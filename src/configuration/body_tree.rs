@@ -32,7 +32,8 @@ impl<const D: usize> BodyTree<D> {
     pub(crate) fn meeting(&self, reach: f64) -> Vec<(usize, usize)> {
         let mut pairs = Vec::new();
         let Some(tree) = &self.tree else { return pairs };
-        tree.visit_own_pairs(&Vector::repeat(reach), |i, j| {
+        let may_meet = |i: u32, aabb: &Aabb<D>| self.boxes[i as usize].inflated(reach).meets(aabb);
+        tree.visit_own_pairs(&Vector::repeat(reach), may_meet, |i, j| {
             let [i, j] = [i.min(j) as usize, i.max(j) as usize];
             if self.boxes[i].inflated(reach).meets(&self.boxes[j]) {
                 pairs.push((i, j));

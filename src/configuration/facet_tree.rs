@@ -124,10 +124,16 @@ impl<const D: usize> FacetTree<D> {
         self.tree.visit(|aabb| accept(&aabb.sum(&self.moved)), facet);
     }
 
-    /// Visits every two facets whose leaves' boxes meet, once, until `go_on` is false.
-    pub(crate) fn visit_own_pairs(&self, go_on: impl FnMut(u32, u32) -> bool) {
+    /// Visits every two facets whose leaves' boxes meet, once, until `go_on` is false. A facet of which `may_meet` says that it
+    /// meets nothing in the box of the other's leaf is passed over.
+    pub(crate) fn visit_own_pairs(
+        &self,
+        may_meet: impl Fn(u32, &Aabb<D>) -> bool,
+        go_on: impl FnMut(u32, u32) -> bool,
+    ) {
         // Two boxes that are moved by the same bounds come nearer by their extent.
-        self.tree.visit_own_pairs(&self.moved.extent(), go_on);
+        let may_meet = |facet: u32, aabb: &Aabb<D>| may_meet(facet, &aabb.sum(&self.moved));
+        self.tree.visit_own_pairs(&self.moved.extent(), may_meet, go_on);
     }
 }
 

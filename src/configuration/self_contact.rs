@@ -28,11 +28,16 @@ impl<const D: usize> FacetSide<'_, D> {
     pub(crate) fn may_cross_itself(&self) -> bool {
         let tolerance = self.aabb.rounding();
         let held: Vec<Held<D>> = (0..self.facets.len() as u32).map(|facet| self.hold(facet, tolerance)).collect();
+        let boxes: Vec<Aabb<D>> = held.iter().map(|held| held.aabb).collect();
         let mut found = false;
-        self.tree.visit_own_pairs(|f, g| {
-            found = self.may_cross([f, g], [&held[f as usize], &held[g as usize]], tolerance);
-            !found
-        });
+        self.tree.visit_own_pairs(
+            |f, aabb| boxes[f as usize].meets(aabb),
+            |f, g| {
+                let [i, j] = [f as usize, g as usize];
+                found = boxes[i].meets(&boxes[j]) && self.may_cross([f, g], [&held[i], &held[j]], tolerance);
+                !found
+            },
+        );
         found
     }
 
@@ -42,9 +47,11 @@ impl<const D: usize> FacetSide<'_, D> {
         let held: Vec<Held<D>> = facets.iter().map(|&facet| self.hold(facet, tolerance)).collect();
         let boxes: Vec<Aabb<D>> = held.iter().map(|held| held.aabb).collect();
         let mut found = false;
-        Tree::new(&boxes).visit_own_pairs(&Vector::zeros(), |i, j| {
+        let may_meet = |i: u32, aabb: &Aabb<D>| boxes[i as usize].meets(aabb);
+        Tree::new(&boxes).visit_own_pairs(&Vector::zeros(), may_meet, |i, j| {
             let [i, j] = [i as usize, j as usize];
-            found = self.may_cross([facets[i], facets[j]], [&held[i], &held[j]], tolerance);
+            found =
+                boxes[i].meets(&boxes[j]) && self.may_cross([facets[i], facets[j]], [&held[i], &held[j]], tolerance);
             !found
         });
         found
@@ -57,11 +64,8 @@ impl<const D: usize> FacetSide<'_, D> {
         Held { aabb: Aabb::of(&corners).inflated(tolerance), corners, area, unit }
     }
 
-    /// Whether two facets may meet in more than the vertices that they share.
+    /// Whether two facets whose boxes meet may do so in more than the vertices that they share.
     fn may_cross(&self, [f, g]: [u32; 2], [p, q]: [&Held<D>; 2], tolerance: f64) -> bool {
-        if !p.aabb.meets(&q.aabb) {
-            return false;
-        }
         let (of_f, of_g) = (&self.facets[f as usize], &self.facets[g as usize]);
         let shared = || of_f.iter().filter(|v| of_g.contains(v));
         if shared().count() > 0 && p.unit.dot(&q.unit) > SMOOTH {

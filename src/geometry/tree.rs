@@ -193,8 +193,13 @@ impl<const D: usize> Tree<D> {
 
 impl<const D: usize> Tree<D> {
     /// Visits every two items whose leaves' boxes come nearer to each other than `reach`, by axis, once, until `go_on` is
-    /// false.
-    pub(crate) fn visit_own_pairs(&self, reach: &Vector<D>, mut go_on: impl FnMut(u32, u32) -> bool) {
+    /// false. An item of which `may_meet` says that it meets nothing in the box of the other's leaf is passed over.
+    pub(crate) fn visit_own_pairs(
+        &self,
+        reach: &Vector<D>,
+        may_meet: impl Fn(u32, &Aabb<D>) -> bool,
+        mut go_on: impl FnMut(u32, u32) -> bool,
+    ) {
         let mut stack = Vec::with_capacity(64);
         if !self.nodes.is_empty() {
             stack.push((0u32, 0u32));
@@ -209,6 +214,9 @@ impl<const D: usize> Tree<D> {
                 (0, 0) => {
                     let items = &self.items[here.start as usize..here.end as usize];
                     for (n, &i) in items.iter().enumerate() {
+                        if p != q && !may_meet(i, &there.aabb) {
+                            continue;
+                        }
                         let others = &self.items[there.start as usize..there.end as usize];
                         let others = if p == q { &others[n + 1..] } else { others };
                         if others.iter().any(|&j| !go_on(i, j)) {

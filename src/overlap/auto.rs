@@ -1,7 +1,7 @@
 //! Exact where that is possible, lines elsewhere.
 
 use super::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
-use super::estimator::{Imbalance, OverlapEstimator};
+use super::estimator::{Imbalance, OverlapEstimator, WithHessian};
 use super::exact::ExactEstimator;
 use super::fibers::FiberEstimator;
 use super::pair::fiber_trace::FiberTrace;
@@ -10,7 +10,6 @@ use super::pair::overlap::Overlap;
 use super::pair::sides::{Counterpart, Pair};
 use super::patches::partition::Patches;
 use super::patches::sample::ContactSample;
-use super::points::block_sum::Block;
 use super::points::contact_points::ContactPoints;
 use crate::Error;
 use crate::geometry::Shape;
@@ -47,8 +46,8 @@ impl<const D: usize> OverlapEstimator<D> for AutoEstimator<D> {
         self.of(pair).overlap(pair)
     }
 
-    fn volume_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Vec<Block<D>>, Error> {
-        self.of(pair).volume_hessian(pair, obstacle_node)
+    fn overlap_and_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Option<WithHessian<D>>, Error> {
+        self.of(pair).overlap_and_hessian(pair, obstacle_node)
     }
 
     fn samples(&self, pair: &Pair<D>) -> Result<Vec<ContactSample<D>>, Error> {

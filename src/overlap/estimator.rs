@@ -15,9 +15,9 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
     /// Volume and its gradient, or `None` where the sides are apart.
     fn overlap(&self, pair: &Pair<D>) -> Result<Option<Overlap<D>>, Error>;
 
-    /// Second derivative of the volume, as blocks sorted by row and column; the translation of the pair's obstacle has
-    /// the number `obstacle_node`.
-    fn volume_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Vec<Block<D>>, Error>;
+    /// The same with the second derivative of the volume, as blocks sorted by row and column; the translation of the pair's
+    /// obstacle has the number `obstacle_node`. Empty where the volume is zero.
+    fn overlap_and_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Option<WithHessian<D>>, Error>;
 
     /// Where the sides touch, for the search for patches; few samples are enough.
     fn samples(&self, pair: &Pair<D>) -> Result<Vec<ContactSample<D>>, Error>;
@@ -61,6 +61,9 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
     /// Whether obstacles with flat sides are to come as facets where they need not.
     fn prefers_facets(&self) -> bool;
 }
+
+/// An overlap and the second derivative of its volume.
+pub(crate) type WithHessian<const D: usize> = (Overlap<D>, Vec<Block<D>>);
 
 /// What is expected of ΣF and ΣM, in parts of the sizes of forces and of their moments.
 #[derive(Clone, Copy, Debug)]

@@ -40,22 +40,27 @@ impl VolumeLaw {
         Ok(of_depth_points(depth.points, measured.pair, |_| pressure, |_| 0.0))
     }
 
-    /// The tangent on the overlap as it was measured.
-    fn tangent_of<const D: usize>(
+    /// The overlap, and the tangent on it as it was measured.
+    fn with_tangent<const D: usize>(
         &self,
-        overlap: Option<&Overlap<D>>,
         measured: &Measured<D>,
         part: TangentPart,
-    ) -> Result<Option<Tangent<D>>, Error> {
-        let Some(overlap) = overlap.filter(|overlap| overlap.volume > 0.0) else { return Ok(None) };
-        let obstacle_node = measured.obstacle_node();
-        let blocks = match part {
-            TangentPart::Semidefinite => Vec::new(),
-            TangentPart::Full | TangentPart::Symmetric => {
-                measured.estimator.volume_hessian(measured.pair, obstacle_node)?
+    ) -> Result<(Option<Overlap<D>>, Option<Tangent<D>>), Error> {
+        let (pair, obstacle_node) = (measured.pair, measured.obstacle_node());
+        let tangent = |overlap: &Overlap<D>, blocks| Tangent::of_volume(overlap, blocks, &self.0, obstacle_node);
+        if part == TangentPart::Semidefinite {
+            let overlap = measured.estimator.overlap(pair)?;
+            let of_volume = overlap.as_ref().filter(|overlap| overlap.has_volume());
+            let tangent = of_volume.map(|overlap| tangent(overlap, Vec::new()));
+            return Ok((overlap, tangent));
+        }
+        Ok(match measured.estimator.overlap_and_hessian(pair, obstacle_node)? {
+            Some((overlap, blocks)) => {
+                let tangent = overlap.has_volume().then(|| tangent(&overlap, blocks));
+                (Some(overlap), tangent)
             }
-        };
-        Ok(Some(Tangent::of_volume(overlap, blocks, &self.0, obstacle_node)))
+            None => (None, None),
+        })
     }
 }
 
@@ -64,10 +69,9 @@ impl<const D: usize> PairLaw<D> for VolumeLaw {
         if asked.tangent.is_some() {
             measured.estimator.check_tangent(measured.pair)?;
         }
-        let overlap = measured.estimator.overlap(measured.pair)?;
-        let tangent = match asked.tangent {
-            Some(part) => self.tangent_of(overlap.as_ref(), measured, part)?,
-            None => None,
+        let (overlap, tangent) = match asked.tangent {
+            Some(part) => self.with_tangent(measured, part)?,
+            None => (measured.estimator.overlap(measured.pair)?, None),
         };
         let points = match &overlap {
             Some(overlap) if asked.slides => self.points(overlap, measured)?,

@@ -4,13 +4,12 @@ use super::clipping::volume::ExactPair;
 use super::depth::depth_integral;
 use crate::Error;
 use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
-use crate::overlap::estimator::{Imbalance, OverlapEstimator};
+use crate::overlap::estimator::{Imbalance, OverlapEstimator, WithHessian};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::patches::partition::Patches;
 use crate::overlap::patches::sample::ContactSample;
-use crate::overlap::points::block_sum::Block;
 use crate::overlap::points::contact_points::ContactPoints;
 
 /// What rounding leaves of ΣF and ΣM in exact overlaps, in parts of Σ|F| and of Σ|F| times the size of the contact.
@@ -33,8 +32,8 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         ExactPair { pair }.overlap()
     }
 
-    fn volume_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Vec<Block<D>>, Error> {
-        ExactPair { pair }.hessian(obstacle_node)
+    fn overlap_and_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Option<WithHessian<D>>, Error> {
+        ExactPair { pair }.overlap_and_hessian(obstacle_node)
     }
 
     fn samples(&self, pair: &Pair<D>) -> Result<Vec<ContactSample<D>>, Error> {

@@ -4,14 +4,13 @@ use super::depth::depth_integral;
 use super::layout::FiberPair;
 use crate::Error;
 use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
-use crate::overlap::estimator::{Imbalance, OverlapEstimator};
+use crate::overlap::estimator::{Imbalance, OverlapEstimator, WithHessian};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::options::FiberOptions;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::patches::partition::Patches;
 use crate::overlap::patches::sample::ContactSample;
-use crate::overlap::points::block_sum::Block;
 use crate::overlap::points::contact_points::ContactPoints;
 use crate::overlap::points::hessian::OfLength;
 use crate::sampling::{Family, FiberPattern};
@@ -44,10 +43,12 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         self.of(pair).overlap()
     }
 
-    fn volume_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Vec<Block<D>>, Error> {
-        let points = self.of(pair).volume_points()?;
+    fn overlap_and_hessian(&self, pair: &Pair<D>, obstacle_node: u32) -> Result<Option<WithHessian<D>>, Error> {
+        let Some(overlap) = self.overlap(pair)? else { return Ok(None) };
+        let points = if overlap.has_volume() { self.of(pair).volume_points()? } else { None };
         let linear: [OfLength; 3] = [&|length| length, &|_| 1.0, &|_| 0.0];
-        Ok(points.map_or(Vec::new(), |points| points.hessian(pair, linear, false, obstacle_node)))
+        let hessian = points.map_or(Vec::new(), |points| points.hessian(pair, linear, false, obstacle_node));
+        Ok(Some((overlap, hessian)))
     }
 
     fn samples(&self, pair: &Pair<D>) -> Result<Vec<ContactSample<D>>, Error> {

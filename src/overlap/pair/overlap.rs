@@ -70,8 +70,13 @@ pub struct Overlap<const D: usize> {
 }
 
 impl<const D: usize> Overlap<D> {
+    /// Whether there is an overlap.
+    pub(crate) fn has_volume(&self) -> bool {
+        self.volume > 0.0
+    }
+
     /// Whether there is an overlap, or something to say about its absence.
     pub(crate) fn has_content(&self) -> bool {
-        self.volume > 0.0 || !self.warnings.is_empty()
+        self.has_volume() || !self.warnings.is_empty()
     }
 }

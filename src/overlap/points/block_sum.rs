@@ -152,12 +152,22 @@ pub(crate) fn merged<const D: usize>(mut parts: Vec<Vec<Block<D>>>) -> Vec<Block
 /// The symmetric part of a matrix of sorted blocks; the same bits where it is symmetric but for rounding.
 pub(crate) fn symmetric_part<const D: usize>(blocks: Vec<Block<D>>) -> Vec<Block<D>> {
     let largest = blocks.iter().flat_map(|block| block.value.as_flattened()).fold(0.0f64, |m, x| m.max(x.abs()));
-    let is_mirrored = |block: &Block<D>| {
-        let mirror = blocks.binary_search_by_key(&(block.col, block.row), |other| (other.row, other.col));
-        let at = |i: usize, j: usize| mirror.map_or(0.0, |k| blocks[k].value[j][i]);
+    // Row by row, what is looked for in a row comes later and later in it.
+    let is_first = |&k: &usize| k == 0 || blocks[k - 1].row != blocks[k].row;
+    let mut next: FxHashMap<u32, usize> = (0..blocks.len()).filter(is_first).map(|k| (blocks[k].row, k)).collect();
+    let mut is_mirrored = |block: &Block<D>| {
+        let mut mirror = None;
+        if let Some(next) = next.get_mut(&block.col) {
+            let in_row = |k: usize| blocks.get(k).filter(|other| other.row == block.col);
+            while in_row(*next).is_some_and(|other| other.col < block.row) {
+                *next += 1;
+            }
+            mirror = in_row(*next).filter(|other| other.col == block.row);
+        }
+        let at = |i: usize, j: usize| mirror.map_or(0.0, |other| other.value[j][i]);
         (0..D).all(|i| (0..D).all(|j| (block.value[i][j] - at(i, j)).abs() <= SYMMETRIC * largest))
     };
-    if blocks.iter().all(is_mirrored) {
+    if blocks.iter().all(&mut is_mirrored) {
         return blocks;
     }
     let half = |value: &[[f64; D]; D]| value.map(|row| row.map(|x| 0.5 * x));

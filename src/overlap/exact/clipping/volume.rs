@@ -203,7 +203,7 @@ impl<const D: usize> ExactPair<'_, D> {
     /// The volume is taken about the middle of the boundary of the overlap: about a point at a distance r from a thin
     /// overlap, the boundary on both of its sides would add two numbers of size r that cancel. A half-space has the
     /// origin on its plane, which then adds nothing itself.
-    fn assemble(&self, Found { sides, region, plane }: &Found<D>) -> Overlap<D> {
+    pub(super) fn assemble(&self, Found { sides, region, plane }: &Found<D>) -> Overlap<D> {
         let near = region.center();
         let (mut weight, mut origin) = (0.0, Vector::zeros());
         for (side, shares, _) in sides {

@@ -24,6 +24,7 @@ use crate::geometry::convex_piece::{whole, zeros};
 use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
 use crate::geometry::{Vector, Weighting};
+use crate::overlap::estimator::WithHessian;
 use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::points::block_sum::{Block, BlockSum, product, symmetric_part};
 use crate::overlap::points::end_motion::nodes_of;
@@ -38,13 +39,21 @@ const CHUNK: usize = 256;
 type Movers = Vec<(u32, usize, f64)>;
 
 impl<const D: usize> ExactPair<'_, D> {
-    /// Hessian of the overlap volume, as blocks sorted by row and column; the translation of the pair's obstacle has
-    /// the number `obstacle_node`.
-    pub(crate) fn hessian(&self, obstacle_node: u32) -> Result<Vec<Block<D>>, Error> {
+    /// The overlap, and the Hessian of its volume, as blocks sorted by row and column; the translation of the pair's
+    /// obstacle has the number `obstacle_node`. `None` where the sides are apart.
+    pub(crate) fn overlap_and_hessian(&self, obstacle_node: u32) -> Result<Option<WithHessian<D>>, Error> {
+        let Some(found) = self.clipped()? else { return Ok(None) };
+        let overlap = self.assemble(&found);
+        if !overlap.has_volume() {
+            return Ok(Some((overlap, Vec::new())));
+        }
         if self.pair.is_own() {
             return Err(Error::Unsupported { what: "the tangent of the exact volume of a body with itself" });
         }
-        let Some(Found { sides, plane, region }) = self.clipped()? else { return Ok(Vec::new()) };
+        Ok(Some((overlap, self.hessian(found, obstacle_node))))
+    }
+
+    fn hessian(&self, Found { sides, plane, region }: Found<D>, obstacle_node: u32) -> Vec<Block<D>> {
         let mut sum = BlockSum::default();
         for (side, shares, _) in &sides {
             let parts = self.in_chunks(shares, |share, sum| self.normal_variation(side, share, obstacle_node, sum));
@@ -65,7 +74,7 @@ impl<const D: usize> ExactPair<'_, D> {
             _ => Vec::new(),
         };
         parts.into_iter().for_each(|part| sum.add_sum(part));
-        Ok(symmetric_part(sum.into_blocks()))
+        symmetric_part(sum.into_blocks())
     }
 
     /// Sums over chunks of some items, in their order.

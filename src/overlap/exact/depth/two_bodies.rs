@@ -5,6 +5,7 @@ use super::piece_moments::{Moments, common_moments};
 use crate::Error;
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
 use crate::overlap::depth::DeepBodies;
 use crate::overlap::depth::cell_integrals::{CellMoments, Products};
 use crate::overlap::depth::cell_pieces::CellPieces;
@@ -133,7 +134,8 @@ impl<const D: usize> DeepBodies<'_, D> {
 /// The same of every two cells of a body that overlap.
 fn own_moments<M: Moments, const D: usize>(all: &CellPieces<D>) -> Vec<M> {
     let mut moments = vec![M::default(); all.pieces.len()];
-    all.tree.visit_own_pairs(&Vector::zeros(), |i, j| {
+    let may_meet = |i: u32, aabb: &Aabb<D>| all.boxes[i as usize].meets(aabb);
+    all.tree.visit_own_pairs(&Vector::zeros(), may_meet, |i, j| {
         let (p, q) = (&all.pieces[i as usize], &all.pieces[j as usize]);
         if p.cell != q.cell
             && all.boxes[i as usize].meets(&all.boxes[j as usize])
