@@ -27,6 +27,10 @@ use crate::overlap::pair::surface_point::SurfacePoint;
 use crate::overlap::points::edge_terms::{Anchor, GapKink};
 use crate::ranks::packed;
 use crate::sampling::Family;
+use smallvec::{SmallVec, smallvec};
+
+/// Bounds of the part of a curve over which a facet lies: its own edges, and the two ends of the lines.
+const MOST_BOUNDS: usize = 6;
 
 /// A straight curve (2D: a point, twice) as seen along the lines, on which L has a kink at one of its ends.
 struct KinkCurve<const D: usize> {
@@ -50,7 +54,7 @@ impl<const D: usize> KinkCurve<D> {
     }
 
     /// Where on it the line's other end is at linear depth, `bounds` positive, in [0, 1].
-    fn clipped(&self, bounds: impl Fn(f64) -> Vec<f64>) -> Option<[f64; 2]> {
+    fn clipped(&self, bounds: impl Fn(f64) -> SmallVec<[f64; MOST_BOUNDS]>) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0f64, 1.0f64);
         for (p, q) in bounds(0.0).into_iter().zip(bounds(1.0)) {
             match (p > 0.0, q > 0.0) {
@@ -68,17 +72,18 @@ impl<const D: usize> KinkCurve<D> {
         self.gradient.iter().any(|(anchor, _)| matches!(anchor, Anchor::Obstacle))
     }
 
-    /// The parts of an interval of it whose lines meet no other facet over this depth.
+    /// The parts of an interval of it whose lines meet no other facet over this depth; `near` are those that may be over it.
     fn visible(
         &self,
         seen: &Projection<D>,
+        near: &[u32],
         interval: [f64; 2],
         depth: &dyn Fn(f64) -> f64,
-        but: &[u32],
-    ) -> Vec<[f64; 2]> {
-        let mut visible = vec![interval];
-        let projected_area = Aabb::of(&self.ends.map(|place| flat::<D>(&place)));
-        for other in seen.near(&projected_area).into_iter().filter(|other| !but.contains(other)) {
+        other: Option<u32>,
+    ) -> SmallVec<[[f64; 2]; 4]> {
+        let mut visible: SmallVec<[[f64; 2]; 4]> = SmallVec::from_slice(&[interval]);
+        let is_own = |facet: u32| self.facets.contains(&facet) || other == Some(facet);
+        for other in near.iter().copied().filter(|&facet| !is_own(facet)) {
             let h = &seen.facets[other as usize];
             let bounds = |s: f64| {
                 let p = self.at(s);
@@ -116,9 +121,9 @@ impl<const D: usize> ExactPair<'_, D> {
             let curve = &curves[index];
             let Some(&first) = curve.facets.first() else { return };
             let f = &seen.facets[first as usize];
+            let near = seen.near(&Aabb::of(&curve.ends.map(|place| flat::<D>(&place))));
             let mut add = |interval: [f64; 2], depth: &dyn Fn(f64) -> f64, other: Option<u32>| {
-                let but: Vec<u32> = curve.facets.iter().copied().chain(other).collect();
-                for [from, to] in curve.visible(seen, interval, depth, &but) {
+                for [from, to] in curve.visible(seen, &near, interval, depth, other) {
                     let middle = 0.5 * (from + to);
                     let x = other.map(|other| &seen.facets[other as usize]);
                     // Where facets of both sides meet, both are entered, or left, at once.
@@ -150,12 +155,11 @@ impl<const D: usize> ExactPair<'_, D> {
             };
             if let Some(plane) = plane.filter(|_| curve.leaves != (slope_of_plane > 0.0)) {
                 let depth = |s: f64| -plane.height(&self.place(family, &curve.at(s))) / slope_of_plane.abs();
-                if let Some(interval) = curve.clipped(|s| vec![depth(s)]) {
+                if let Some(interval) = curve.clipped(|s| smallvec![depth(s)]) {
                     add(interval, &depth, None);
                 }
             }
-            let projected_area = Aabb::of(&curve.ends.map(|place| flat::<D>(&place)));
-            for other in seen.near(&projected_area) {
+            for &other in &near {
                 let x = &seen.facets[other as usize];
                 if x.leaves == curve.leaves || curve.facets.contains(&other) {
                     continue;
@@ -166,7 +170,7 @@ impl<const D: usize> ExactPair<'_, D> {
                     if curve.leaves { -ahead } else { ahead }
                 };
                 let bounds = |s: f64| {
-                    let mut bounds = x.barycentric(&curve.at(s)).to_vec();
+                    let mut bounds = SmallVec::from_slice(&x.barycentric(&curve.at(s)));
                     bounds.push(depth(s));
                     // Above the plane of a half-space it is the plane that bounds the line. What lies in it is below.
                     if let Some(plane) = plane {
