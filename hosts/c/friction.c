@@ -56,6 +56,9 @@ int main(void) {
   EXPECT(fmc_context_evaluate(context, &at_start, &out, 0, NULL) == FMC_ERROR_NO_STEP);
   OK(fmc_context_begin_step(context, &at_start));
 
+  EXPECT(fmc_contact_force(2, start[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, other[0], NULL) == FMC_ERROR_NO_STEP);
+  EXPECT(strstr(fmc_last_error(), "fmc_contact_force_step") != NULL);
+
   /* The length of the slip is learned from a call that gives none. */
   fmc_friction_step step;
   OK(fmc_friction_step_init(&step));

@@ -8,6 +8,7 @@ use super::mesh::{Block, fmc_cell_block, fmc_cell_block_i64};
 use super::options::fmc_options;
 use super::pointer::{Output, check, reference};
 use super::status::fmc_status;
+use super::status::fmc_status::FMC_ERROR_NO_STEP;
 use super::view::{fmc_coords, fmc_forces};
 
 /// Contact forces between the bodies of a mesh of one cell type, in one call.
@@ -22,8 +23,8 @@ use super::view::{fmc_coords, fmc_forces};
 /// a context, bit for bit; a context finds the boundary facets once for many evaluations, accepts mixed meshes, strides
 /// and obstacles, and reports forces per body, pairs and warnings.
 ///
-/// Errors: those of `fmc_context_new_from_cells` and `fmc_context_evaluate`; the text, with the offending indices, is
-/// given by `fmc_last_error`. Threads: any, also at once.
+/// Errors: those of `fmc_context_new_from_cells` and `fmc_context_evaluate`; with friction `FMC_ERROR_NO_STEP`, as that takes
+/// `fmc_contact_force_step`; the text, with the offending indices, is given by `fmc_last_error`. Threads: any, also at once.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_contact_force(
     dim: i32,
@@ -89,10 +90,23 @@ unsafe fn contact_force<B: Block>(
                 2 => session_of_cells::<B, 2>(&coords, &[block], body_ids, options),
                 _ => session_of_cells::<B, 3>(&coords, &[block], body_ids, options),
             }?;
-            let evaluation = session.evaluate(&coords, Some(&forces), false, options.index_base)?;
+            let evaluation =
+                session.evaluate(&coords, Some(&forces), false, options.index_base).map_err(for_one_call)?;
             output.write(evaluation.result.volume);
         }
         Ok(())
     };
     entry(evaluate)
+}
+
+/// Whoever has no context cannot begin a step of it.
+fn for_one_call(failure: Failure) -> Failure {
+    match failure.status {
+        FMC_ERROR_NO_STEP => {
+            let text =
+                "friction needs the coordinates at which the step began: call fmc_contact_force_step, which takes them";
+            Failure::new(FMC_ERROR_NO_STEP, text)
+        }
+        _ => failure,
+    }
 }

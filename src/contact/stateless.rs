@@ -9,7 +9,8 @@ use crate::geometry::{Bodies, CellBlock, Surface};
 /// Contact forces between the bodies of a mesh, in one call.
 ///
 /// # Errors
-/// Those of [`Surface::from_cells`], [`Contact::new`] and [`Contact::evaluate`].
+/// Those of [`Surface::from_cells`], [`Contact::new`] and [`Contact::evaluate`]; with friction [`Error::NoStep`], as that takes
+/// [`contact_force_step`].
 ///
 /// ```
 /// use fmc_contact::{Bodies, CellBlock, CellType, EnergyLaw, Options, contact_force};

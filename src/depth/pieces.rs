@@ -3,7 +3,6 @@
 use super::divisions::MOST_NODES;
 use super::field::DepthField;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::facet_slopes::cross;
 
@@ -75,10 +74,6 @@ impl<const D: usize> DepthPiece<D> {
         }
         all[0] = rest;
         all
-    }
-
-    pub(crate) fn aabb(&self) -> Aabb<D> {
-        Aabb::of(&self.corners[..=D])
     }
 
     /// Values that are given at the corners, as values at the cell's nodes: the transpose of the interpolation.

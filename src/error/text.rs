@@ -107,7 +107,11 @@ impl fmt::Display for Error {
             Error::Place { code } => write!(f, "the function that places the nodes returned {code}"),
             Error::NonFiniteSlip { facet } => write!(f, "the slip of facet {facet} is not finite"),
             Error::NoStep => {
-                write!(f, "with friction a step has to begin before contact is evaluated: call begin_step")
+                write!(
+                    f,
+                    "with friction a step has to begin before contact is evaluated: call begin_step, or in one call \
+                     contact_force_step"
+                )
             }
             Error::DegenerateHull { point_count } => {
                 write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")

@@ -13,6 +13,7 @@ use fmc_mesh_io::{Kind, Mesh, fiber_grid, write_whole};
 use obstacle::ObstacleSpec;
 use placement::{Rotation, Translation};
 use report::Report;
+use stages::Stages;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -26,6 +27,10 @@ mod picture;
 mod pictures;
 mod placement;
 mod report;
+mod stages;
+
+/// Calls of [`Stages::begin`].
+const STAGES: u64 = 6;
 
 const EXAMPLES: &str = "\
 Units: lengths are in the unit of the mesh. With metres, forces are in N in 3D, in
@@ -109,6 +114,8 @@ pub(crate) struct ForceArgs {
 /// Runs the command.
 pub(crate) fn run(args: &ForceArgs) -> Result<()> {
     args.estimator.check()?;
+    let stages = Stages::new(STAGES)?;
+    stages.begin("reading");
     let mut meshes = args.meshes.iter().map(|path| Mesh::read(path)).collect::<Result<Vec<_>>>()?;
     let kind = meshes[0].kind();
     for mesh in &meshes[1..] {
@@ -118,8 +125,8 @@ pub(crate) fn run(args: &ForceArgs) -> Result<()> {
     args.rotate.iter().try_for_each(|rotation| rotation.apply(&mut meshes, kind))?;
     args.translate.iter().try_for_each(|translation| translation.apply(&mut meshes, kind))?;
     match kind {
-        Kind::Flat => evaluate::<2>(args, meshes, kind),
-        Kind::Surface | Kind::Solid => evaluate::<3>(args, meshes, kind),
+        Kind::Flat => evaluate::<2>(args, meshes, kind, stages),
+        Kind::Surface | Kind::Solid => evaluate::<3>(args, meshes, kind, stages),
     }
 }
 
@@ -131,7 +138,8 @@ fn nature(kind: Kind) -> &'static str {
     }
 }
 
-fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> Result<()> {
+fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind, stages: Stages) -> Result<()> {
+    stages.begin("finding the bodies");
     let assembly = Assembly::<D>::new(meshes, kind)?;
     let several = assembly.meshes.len() > 1;
     let by = args.bodies.unwrap_or(if several { DivideBy::File } else { DivideBy::Component });
@@ -142,12 +150,16 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     for obstacle in &args.obstacle {
         contact.add_obstacle(obstacle.build()?).map_err(explained)?;
     }
+    stages.begin("evaluating the contact");
     let start = Instant::now();
     let forces = contact.evaluate(&assembly.coords).map_err(explained)?;
     let seconds = start.elapsed().as_secs_f64();
+    stages.begin("tracing the overlap");
     let traces = contact.trace(&assembly.coords).map_err(explained)?;
+    stages.begin("pressures and gaps at the nodes");
     let at_nodes = contact.nodal_contact(&assembly.coords).map_err(explained)?;
 
+    stages.begin("writing");
     std::fs::create_dir_all(&args.out).with_context(|| format!("{} cannot be created", args.out.display()))?;
     let pictures = [args.out.join("forces.vtu"), args.out.join("fibers.vtu")];
     pictures::forces(&assembly, &division, &forces.forces, &at_nodes).write(&pictures[0])?;
@@ -160,6 +172,7 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
         }
         Err(why) => why.to_owned(),
     };
+    drop(stages);
 
     let obstacles: Vec<&str> = args.obstacle.iter().map(|obstacle| obstacle.text.as_str()).collect();
     let mut report = Report::new(&forces, &division.names, &obstacles, seconds);

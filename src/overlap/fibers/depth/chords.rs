@@ -88,7 +88,7 @@ mod tests {
         let cells = surface.cells.as_ref().expect("cells");
         let mut pieces = Vec::new();
         (0..cells.len()).for_each(|cell| field.for_each_piece(cells, cell, &mesh.coords, |piece| pieces.push(piece)));
-        let boxes: Vec<Aabb<3>> = pieces.iter().map(|piece| piece.aabb()).collect();
+        let boxes: Vec<Aabb<3>> = pieces.iter().map(|piece| Aabb::of(&piece.corners)).collect();
         let of = CellPieces { tree: Tree::new(&boxes), pieces, boxes };
         for family in Family::<3>::all(3) {
             let spacing = 0.04;
