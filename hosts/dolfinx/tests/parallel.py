@@ -8,10 +8,11 @@ import fmc_contact_dolfinx
 import numpy as np
 import ufl
 from dolfinx import fem, mesh
+from dolfinx.fem import petsc as fpetsc
 from fmc_contact import errors
 from fmc_contact_dolfinx import ContactProblem, DolfinxContact, attach, by_input_number
 from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
-from scenes import COMM, block, blocks, interpolate, permuted
+from scenes import COMM, block, blocks, bodies, interpolate, permuted
 
 
 def elastic(u, v, young=200.0, poisson=0.3):
@@ -42,7 +43,8 @@ def solve(out, kind, order, whole, permute, through):
     if permute == "permuted":
         x, cells, old = permuted(x, cells)
     space = vector_space(mesh_from_cells(COMM, x, cells, kind), int(order))
-    contact = DolfinxContact(space, stiffness=1e4, estimator="exact", whole_mesh=whole == "whole")
+    shown = {"whole": {"whole_mesh": True}, "boundary": {"whole_mesh": False}, "parts": {"in_parts": True}}[whole]
+    contact = DolfinxContact(space, stiffness=1e4, estimator="exact", **shown)
     u, v = fem.Function(space), ufl.TestFunction(space)
     bcs = pressed(space)
     contact.keep_patches(u)
@@ -126,6 +128,93 @@ def two_meshes(out, kind):
         np.savez(out, **{f"force{k}": table for k, table in enumerate(tables)})
 
 
+def figures(kind, order, law, steps):
+    """What a contact tells at given displacements, by input numbers: of the bodies' connected components, cells and nodes given
+    to the mesh in any order. On more than one rank the mesh is in parts."""
+    x, cells, old = permuted(*bodies(kind))
+    mesh_ = mesh_from_cells(COMM, x, cells, kind)
+    space = vector_space(mesh_, int(order))
+    friction = {"friction_coefficient": 0.3, "friction_stiffness": 1e3} if steps == "steps" else {}
+    contact = DolfinxContact(space, stiffness=1e4, law=law, estimator="exact", **friction)
+    assert bool(contact.whole_because) == (COMM.size == 1), contact.whole_because
+    u = fem.Function(space)
+    contact.contact.add_half_space([0.0] * (space.mesh.geometry.dim - 1) + [0.004], [0.0] * (space.mesh.geometry.dim - 1) + [1.0])
+    if steps == "steps":
+        contact.begin_step(u)
+        # Far enough that other cells are gathered.
+        contact.commit_step(interpolate(u, shift=0.3))
+        interpolate(u, shift=0.25)
+    else:
+        if law == "fiber":
+            contact.keep_patches(u)
+        interpolate(u)
+    result = contact.evaluate(u)
+    force = fem.Function(space)
+    contact.add_forces(force.x.array, result)
+    force.x.scatter_forward()
+    fields = contact.nodal_contact(u)
+    # Vectors on the space of the displacement, numbers below it.
+    normal, pressure = contact.function(fields.normal), contact.function(fields.pressure)
+    normal.sub(0).interpolate(pressure)
+    normal.x.scatter_forward()
+    tangent = contact.tangent(u)
+    before = contact.unknowns()
+    # What was found knows its nodes, when others have been gathered since.
+    contact.evaluate(fem.Function(space))
+    matrix = fpetsc.create_matrix(fem.form(ufl.inner(ufl.TrialFunction(space), ufl.TestFunction(space)) * ufl.dx))
+    matrix.assemble()
+    contact.add_tangent(matrix, tangent)
+    again = fem.Function(space)
+    contact.add_forces(again.x.array, result)
+    again.x.scatter_forward()
+    assert np.array_equal(again.x.array, force.x.array) and len(contact.touched(tangent)) == len(_own_rows(space, before[tangent.rows]))
+    number = fem.Function(space)
+    first = space.dofmap.index_map.local_range[0] * space.dofmap.index_map_bs
+    number.x.array[: len(number.x.array)] = -1.0
+    count = space.dofmap.index_map.size_local * space.dofmap.index_map_bs
+    number.x.array[:count] = first + np.arange(count)
+    number.x.scatter_forward()
+    of_nodes = by_input_number(number).astype(np.int64).ravel()
+    # Where an unknown is no node of the input, of second order, its entries are left out.
+    place = np.full(space.dofmap.index_map.size_global * space.dofmap.index_map_bs, -1)
+    place[of_nodes] = np.arange(len(of_nodes))
+    rows, cols, values = place[before[np.asarray(tangent.rows)]], place[before[np.asarray(tangent.cols)]], np.asarray(tangent.values)
+    use = (rows >= 0) & (cols >= 0)
+    order_ = np.lexsort((cols[use], rows[use]))
+    sums = [np.concatenate([one.force, one.moment, one.friction]) for one in (*result.bodies, *result.obstacles)]
+    tables = [by_input_number(one) for one in (force, normal)]
+    own = mesh_.topology.index_map(mesh_.topology.dim).size_local
+    received = COMM.allgather((own, contact.received_cell_count))
+    matrix_norm = matrix.norm()
+    return {
+        "force": tables[0],
+        "normal": tables[1],
+        "tangent": np.column_stack([rows[use], cols[use], values[use]])[order_],
+        "sums": np.array(sums),
+        "nodes": np.array([body.node_count for body in result.bodies]),
+        "ids": np.array([body.id for body in result.bodies]),
+        "totals": np.array([result.energy, result.volume, result.penetration]),
+        "received": np.array(received),
+        "matrix": np.array([matrix_norm]),
+    }
+
+
+def _own_rows(space, unknowns):
+    first = space.dofmap.index_map.local_range[0] * space.dofmap.index_map_bs
+    count = space.dofmap.index_map.size_local * space.dofmap.index_map_bs
+    distinct = np.unique(unknowns)
+    return distinct[(distinct >= first) & (distinct < first + count)]
+
+
+def tell(out, *cases):
+    """``figures`` of several cases, each KIND-ORDER-LAW-STEPS, as CASE/NAME."""
+    found = {}
+    for case in cases:
+        found.update({f"{case}/{name}": values for name, values in figures(*case.split("-")).items()})
+    if COMM.rank == 0:
+        np.savez(out, **found)
+
+
 def fail(kind):
     """Something goes wrong, on one rank only where that is possible; every rank must see an exception."""
     last = COMM.size - 1
@@ -176,4 +265,4 @@ def fail(kind):
 
 
 if __name__ == "__main__":
-    {"solve": solve, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])
+    {"solve": solve, "tell": tell, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])

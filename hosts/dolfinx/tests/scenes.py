@@ -38,6 +38,21 @@ def blocks(kind, lower=3, upper=2):
     return np.concatenate([x, y]), np.concatenate([cells, more + len(x)])
 
 
+def bodies(kind):
+    """A row of bodies of three sizes on a slab, each a little into it."""
+    dim = NAMES[kind]
+    long = [3.0] + [1.0] * (dim - 2)
+    x, cells = block(kind, 6, [0.0] * dim, [*long, 0.8])
+    for number, (count, start) in enumerate(((3, 0.1), (2, 1.0), (4, 1.9))):
+        low = [start] + [0.1] * (dim - 2) + [0.79 - 0.003 * number]
+        y, more = block(kind, count, low, [start + 0.7] + [0.85] * (dim - 2) + [1.5])
+        # On an edge, as walls must not coincide.
+        y[:, -1] += 0.02 * (y[:, 0] - start)
+        cells = np.concatenate([cells, more + len(x)])
+        x = np.concatenate([x, y])
+    return x, cells
+
+
 def permuted(x, cells, seed=3):
     """The same mesh with nodes and cells in another order; and the old number of every new node."""
     random = np.random.default_rng(seed)
@@ -52,13 +67,17 @@ def space(kind, order=1, comm=COMM, x=None, cells=None):
     return vector_space(mesh_from_cells(comm, x, cells, kind), order)
 
 
-def interpolate(function, size=3e-3):
-    """A smooth displacement, by places, so that it does not depend on numbers or ranks."""
+def interpolate(function, size=3e-3, shift=0.0):
+    """A smooth displacement, by places, so that it does not depend on numbers or ranks; the upper ones of ``bodies`` are
+    shifted along the first axis."""
     dim = function.function_space.mesh.geometry.dim
 
     def displacement(x):
         wave = [np.sin((3.0 + a) * x[0] + 2.0 * x[dim - 1] + x[1] * (dim > 2)) for a in range(dim)]
-        return size * np.stack(wave)
+        wave = size * np.stack(wave)
+        # The slab's top is at 0.8.
+        wave[0] += shift * ((x[dim - 1] > 0.78) & ~np.isclose(x[dim - 1], 0.8))
+        return wave
 
     function.interpolate(displacement)
     function.x.scatter_forward()

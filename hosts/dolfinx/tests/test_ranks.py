@@ -37,7 +37,8 @@ def alone(ranks, tmp_path_factory):
     [(2, "triangle", 1, "whole"), (3, "triangle", 1, "whole"), (4, "triangle", 1, "whole"), (4, "quad", 1, "whole"),
      (3, "triangle", 1, "boundary"), (2, "triangle", 2, "whole"), (3, "quad", 2, "whole"), (3, "triangle", 3, "whole"),
      (2, "quad", 3, "whole"), (4, "tetra", 1, "whole"),
-     (2, "tetra", 1, "boundary"), (3, "hexahedron", 1, "whole"), (2, "hexahedron", 1, "boundary")],
+     (2, "tetra", 1, "boundary"), (3, "hexahedron", 1, "whole"), (2, "hexahedron", 1, "boundary"),
+     (4, "triangle", 1, "parts"), (3, "quad", 2, "parts"), (2, "tetra", 1, "parts")],
 )  # fmt: skip
 def test_ranks_agree(ranks, alone, tmp_path, count, kind, order, shown):
     arguments = ("solve", kind, order, shown, "plain", "snes")
