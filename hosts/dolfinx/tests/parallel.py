@@ -8,11 +8,11 @@ import fmc_contact_dolfinx
 import numpy as np
 import ufl
 from dolfinx import fem, mesh
-from dolfinx.fem import petsc as fpetsc
 from fmc_contact import errors
 from fmc_contact_dolfinx import ContactProblem, DolfinxContact, attach, by_input_number
 from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
-from scenes import COMM, block, blocks, bodies, interpolate, permuted
+from petsc4py import PETSc
+from scenes import COMM, block, blocks, bodies, interpolate, permuted, set_wave
 
 
 def elastic(u, v, young=200.0, poisson=0.3):
@@ -129,81 +129,69 @@ def two_meshes(out, kind):
 
 
 def figures(kind, order, law, steps):
-    """What a contact tells at given displacements, by input numbers: of the bodies' connected components, cells and nodes given
-    to the mesh in any order. On more than one rank the mesh is in parts."""
-    x, cells, old = permuted(*bodies(kind))
-    mesh_ = mesh_from_cells(COMM, x, cells, kind)
-    space = vector_space(mesh_, int(order))
+    """What a contact tells at given displacements, by input numbers; nodes and cells are given to the mesh in any order, and bodies
+    are its connected components. On more than one rank the mesh is in parts."""
+    x, cells, _ = permuted(*bodies(kind))
+    space = vector_space(mesh_from_cells(COMM, x, cells, kind), int(order))
     friction = {"friction_coefficient": 0.3, "friction_stiffness": 1e3} if steps == "steps" else {}
     contact = DolfinxContact(space, stiffness=1e4, law=law, estimator="exact", **friction)
     assert bool(contact.whole_because) == (COMM.size == 1), contact.whole_because
+    up = np.eye(x.shape[1])[-1]
+    contact.contact.add_half_space(0.004 * up, up)
     u = fem.Function(space)
-    contact.contact.add_half_space([0.0] * (space.mesh.geometry.dim - 1) + [0.004], [0.0] * (space.mesh.geometry.dim - 1) + [1.0])
     if steps == "steps":
         contact.begin_step(u)
         # Far enough that other cells are gathered.
-        contact.commit_step(interpolate(u, shift=0.3))
-        interpolate(u, shift=0.25)
+        contact.commit_step(set_wave(u, shift=0.3))
+        set_wave(u, shift=0.25)
     else:
         if law == "fiber":
             contact.keep_patches(u)
-        interpolate(u)
-    result = contact.evaluate(u)
+        set_wave(u)
+    result, fields, tangent = contact.evaluate(u), contact.nodal_contact(u), contact.tangent(u)
+    unknown = contact.unknowns()
+    # What was found knows its nodes when others have been gathered since.
+    contact.evaluate(fem.Function(space))
     force = fem.Function(space)
     contact.add_forces(force.x.array, result)
     force.x.scatter_forward()
-    fields = contact.nodal_contact(u)
-    # Vectors on the space of the displacement, numbers below it.
+    # A vector on the space of the displacement, a number below it.
     normal, pressure = contact.function(fields.normal), contact.function(fields.pressure)
     normal.sub(0).interpolate(pressure)
     normal.x.scatter_forward()
-    tangent = contact.tangent(u)
-    before = contact.unknowns()
-    # What was found knows its nodes, when others have been gathered since.
-    contact.evaluate(fem.Function(space))
-    matrix = fpetsc.create_matrix(fem.form(ufl.inner(ufl.TrialFunction(space), ufl.TestFunction(space)) * ufl.dx))
+    count = space.dofmap.index_map.size_local * space.dofmap.index_map_bs
+    matrix = PETSc.Mat().createAIJ(((count, None), (count, None)), nnz=50, comm=COMM)
     matrix.assemble()
     contact.add_tangent(matrix, tangent)
-    again = fem.Function(space)
-    contact.add_forces(again.x.array, result)
-    again.x.scatter_forward()
-    assert np.array_equal(again.x.array, force.x.array) and len(contact.touched(tangent)) == len(_own_rows(space, before[tangent.rows]))
-    number = fem.Function(space)
-    first = space.dofmap.index_map.local_range[0] * space.dofmap.index_map_bs
-    number.x.array[: len(number.x.array)] = -1.0
-    count = space.dofmap.index_map.size_local * space.dofmap.index_map_bs
-    number.x.array[:count] = first + np.arange(count)
-    number.x.scatter_forward()
-    of_nodes = by_input_number(number).astype(np.int64).ravel()
-    # Where an unknown is no node of the input, of second order, its entries are left out.
-    place = np.full(space.dofmap.index_map.size_global * space.dofmap.index_map_bs, -1)
-    place[of_nodes] = np.arange(len(of_nodes))
-    rows, cols, values = place[before[np.asarray(tangent.rows)]], place[before[np.asarray(tangent.cols)]], np.asarray(tangent.values)
-    use = (rows >= 0) & (cols >= 0)
-    order_ = np.lexsort((cols[use], rows[use]))
+    (first, last), distinct = matrix.getOwnershipRange(), np.unique(unknown[tangent.rows])
+    assert np.array_equal(contact.touched(tangent), distinct[(distinct >= first) & (distinct < last)])
     sums = [np.concatenate([one.force, one.moment, one.friction]) for one in (*result.bodies, *result.obstacles)]
-    tables = [by_input_number(one) for one in (force, normal)]
-    own = mesh_.topology.index_map(mesh_.topology.dim).size_local
-    received = COMM.allgather((own, contact.received_cell_count))
-    matrix_norm = matrix.norm()
+    own = space.mesh.topology.index_map(space.mesh.topology.dim).size_local
     return {
-        "force": tables[0],
-        "normal": tables[1],
-        "tangent": np.column_stack([rows[use], cols[use], values[use]])[order_],
+        "force": by_input_number(force),
+        "normal": by_input_number(normal),
+        "tangent": _entries(space, unknown[tangent.rows], unknown[tangent.cols], np.asarray(tangent.values)),
         "sums": np.array(sums),
-        "nodes": np.array([body.node_count for body in result.bodies]),
-        "ids": np.array([body.id for body in result.bodies]),
+        "bodies": np.array([[body.id, body.node_count] for body in result.bodies]),
         "totals": np.array([result.energy, result.volume, result.penetration]),
-        "received": np.array(received),
-        "matrix": np.array([matrix_norm]),
+        "received": np.array(COMM.allgather((own, contact.received_cell_count))),
+        "matrix": np.array([matrix.norm()]),
     }
 
 
-def _own_rows(space, unknowns):
-    first = space.dofmap.index_map.local_range[0] * space.dofmap.index_map_bs
-    count = space.dofmap.index_map.size_local * space.dofmap.index_map_bs
-    distinct = np.unique(unknowns)
-    return distinct[(distinct >= first) & (distinct < first + count)]
+def _entries(space, rows, cols, values):
+    """Entries of a matrix by rows and columns that are counted as the input counts nodes; those of nodes that the input has
+    not, in the middle of edges, are left out."""
+    index_map, dim = space.dofmap.index_map, space.dofmap.index_map_bs
+    number = fem.Function(space)
+    number.x.array[: index_map.size_local * dim] = np.arange(*(dim * end for end in index_map.local_range))
+    number.x.scatter_forward()
+    of_nodes = by_input_number(number).astype(np.int64).ravel()
+    place = np.full(index_map.size_global * dim, -1)
+    place[of_nodes] = np.arange(len(of_nodes))
+    found = np.column_stack([place[rows], place[cols], values])
+    found = found[(found[:, 0] >= 0) & (found[:, 1] >= 0)]
+    return found[np.lexsort((found[:, 1], found[:, 0]))]
 
 
 def tell(out, *cases):

@@ -1,6 +1,9 @@
 """Two blocks one on the other, of meshes that do not match."""
 
 import numpy as np
+from fmc_contact_dolfinx import set_by_input_number
+from fmc_contact_dolfinx.space import Displacement
+from fmc_contact_dolfinx.surface import whole
 from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
 from mpi4py import MPI
 
@@ -67,18 +70,24 @@ def space(kind, order=1, comm=COMM, x=None, cells=None):
     return vector_space(mesh_from_cells(comm, x, cells, kind), order)
 
 
-def interpolate(function, size=3e-3, shift=0.0):
-    """A smooth displacement, by places, so that it does not depend on numbers or ranks; the upper ones of ``bodies`` are
-    shifted along the first axis."""
-    dim = function.function_space.mesh.geometry.dim
-
-    def displacement(x):
-        wave = [np.sin((3.0 + a) * x[0] + 2.0 * x[dim - 1] + x[1] * (dim > 2)) for a in range(dim)]
-        wave = size * np.stack(wave)
-        # The slab's top is at 0.8.
-        wave[0] += shift * ((x[dim - 1] > 0.78) & ~np.isclose(x[dim - 1], 0.8))
-        return wave
-
-    function.interpolate(displacement)
+def interpolate(function, size=3e-3):
+    """A smooth displacement, by places, so that it does not depend on numbers or ranks."""
+    function.interpolate(lambda x: wave(x, function.function_space.mesh.geometry.dim, size))
     function.x.scatter_forward()
+    return function
+
+
+def wave(x, dim, size=3e-3):
+    """The same at places (dim, n)."""
+    return size * np.stack([np.sin((3.0 + a) * x[0] + 2.0 * x[dim - 1] + (x[1] if dim > 2 else 0.0)) for a in range(dim)])
+
+
+def set_wave(function, shift=0.0):
+    """The same, bit by bit on any number of ranks; the upper ones of ``bodies`` are shifted along the first axis."""
+    shown = whole(Displacement(function.function_space), None)
+    x = shown.undeformed.T
+    at = wave(x, len(x)).T
+    # The slab's top is at 0.8.
+    at[(x[-1] > 0.78) & ~np.isclose(x[-1], 0.8), 0] += shift
+    set_by_input_number(function, at)
     return function

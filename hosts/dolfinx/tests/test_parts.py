@@ -43,12 +43,12 @@ def test_bits_are_those_of_one_rank(ranks, alone, tmp_path, group, count):
             assert values[:, 0].sum() == one[name][0, 0] and one[name][0, 1] == 0
             assert (values[:, 1] > 0).all() and (values.sum(axis=1) <= one[name][0, 0]).all()
         elif name.endswith("matrix"):
-            # The sum over rows of all ranks.
-            assert values == pytest.approx(one[name], rel=1e-14)
+            # Entries are the same; the squares of some 1e4 are summed in another order.
+            assert values == pytest.approx(one[name], rel=1e-12)
         else:
             assert np.array_equal(values, one[name]), name
     for case in CASES[group]:
-        assert np.abs(one[f"{case}/force"]).max() > 0.1 and len(one[f"{case}/ids"]) == 4
+        assert np.abs(one[f"{case}/force"]).max() > 0.1 and len(one[f"{case}/bodies"]) == 4
         assert np.abs(one[f"{case}/tangent"][:, 2]).max() > 1.0
 
 
