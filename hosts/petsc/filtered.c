@@ -34,6 +34,40 @@ static PetscErrorCode set_up_direct(Filtered *f, Mat matrix) {
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
+/* Interpolations that GAMG finds for the bodies alone: of aggregates that reach from one body into the other, which move as one, the
+ * bodies could not slide on each other. */
+static PetscErrorCode find_levels(Filtered *f) {
+  PC gamg;
+  PetscFunctionBeginUser;
+  PetscCall(MatSetNearNullSpace(f->bodies, f->motions));
+  PetscCall(PCCreate(PetscObjectComm((PetscObject)f->bodies), &gamg));
+  PetscCall(PCSetOptionsPrefix(gamg, "levels_"));
+  PetscCall(PCSetOperators(gamg, f->bodies, f->bodies));
+  PetscCall(PCSetType(gamg, PCGAMG));
+  PetscCall(PCSetFromOptions(gamg));
+  PetscCall(PCSetUp(gamg));
+  PetscCall(PCGetInterpolations(gamg, &f->level_count, &f->interpolations));
+  PetscCall(PCDestroy(&gamg));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
+/* A cycle on these levels, on each with the matrix that follows from the one with contact. */
+static PetscErrorCode set_up_multigrid(Filtered *f, Mat matrix) {
+  PetscFunctionBeginUser;
+  if (!f->level_count) PetscCall(find_levels(f));
+  PetscCall(PCCreate(PetscObjectComm((PetscObject)matrix), &f->multigrid));
+  PetscCall(PCSetOptionsPrefix(f->multigrid, "multigrid_"));
+  PetscCall(PCSetOperators(f->multigrid, matrix, matrix));
+  PetscCall(PCSetType(f->multigrid, PCMG));
+  PetscCall(PCMGSetLevels(f->multigrid, f->level_count, NULL));
+  for (PetscInt level = 1; level < f->level_count; level++)
+    PetscCall(PCMGSetInterpolation(f->multigrid, level, f->interpolations[level - 1]));
+  PetscCall(PCMGSetGalerkin(f->multigrid, PC_MG_GALERKIN_BOTH));
+  PetscCall(PCSetFromOptions(f->multigrid));
+  PetscCall(PCSetUp(f->multigrid));
+  PetscFunctionReturn(PETSC_SUCCESS);
+}
+
 static PetscErrorCode set_up(PC pc) {
   Filtered *f;
   Mat matrix;
@@ -42,13 +76,7 @@ static PetscErrorCode set_up(PC pc) {
   PetscCall(PCShellGetContext(pc, &f));
   PetscCall(reset(f));
   PetscCall(PCGetOperators(pc, NULL, &matrix));
-  PetscCall(MatSetNearNullSpace(matrix, f->motions));
-  PetscCall(PCCreate(PetscObjectComm((PetscObject)pc), &f->multigrid));
-  PetscCall(PCSetOptionsPrefix(f->multigrid, "multigrid_"));
-  PetscCall(PCSetOperators(f->multigrid, matrix, matrix));
-  PetscCall(PCSetType(f->multigrid, PCGAMG));
-  PetscCall(PCSetFromOptions(f->multigrid));
-  PetscCall(PCSetUp(f->multigrid));
+  PetscCall(set_up_multigrid(f, matrix));
   PetscCall(MatCreateVecs(matrix, &f->step, &f->rest));
   if (f->touched) PetscCall(ISGetSize(f->touched, &count));
   if (count) PetscCall(set_up_direct(f, matrix));
@@ -81,10 +109,11 @@ static PetscErrorCode apply(PC pc, Vec x, Vec y) {
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode filtered_attach(PC pc, MatNullSpace motions, Filtered *f) {
+PetscErrorCode filtered_attach(PC pc, Mat bodies, MatNullSpace motions, Filtered *f) {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(f, sizeof *f));
   f->motions = motions;
+  f->bodies = bodies;
   PetscCall(PCSetType(pc, PCSHELL));
   PetscCall(PCShellSetContext(pc, f));
   PetscCall(PCShellSetSetUp(pc, set_up));
@@ -96,5 +125,8 @@ PetscErrorCode filtered_attach(PC pc, MatNullSpace motions, Filtered *f) {
 PetscErrorCode filtered_free(Filtered *f) {
   PetscFunctionBeginUser;
   PetscCall(reset(f));
+  for (PetscInt level = 1; level < f->level_count; level++) PetscCall(MatDestroy(&f->interpolations[level - 1]));
+  PetscCall(PetscFree(f->interpolations));
+  f->level_count = 0;
   PetscFunctionReturn(PETSC_SUCCESS);
 }

@@ -13,11 +13,15 @@
 typedef struct {
   IS touched;           /* unknowns of this rank that feel contact; set before every set-up, NULL for multigrid alone */
   MatNullSpace motions; /* rigid body motions */
+  Mat bodies;           /* the matrix without contact, from which the levels of multigrid are found, once */
+  PetscInt level_count;
+  Mat *interpolations;  /* between levels */
   PC multigrid, direct;
   Vec rest, step, inner_rest, inner_step;
 } Filtered;
 
-/* Makes a preconditioner this one. Multigrid takes options with the prefix `multigrid_`. */
-PetscErrorCode filtered_attach(PC pc, MatNullSpace motions, Filtered *filtered);
+/* Makes a preconditioner this one. Options with the prefix `levels_` are those of GAMG, which finds the levels, with `multigrid_` those of
+ * the cycle. */
+PetscErrorCode filtered_attach(PC pc, Mat bodies, MatNullSpace motions, Filtered *filtered);
 PetscErrorCode filtered_free(Filtered *filtered);
 #endif

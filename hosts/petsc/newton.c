@@ -34,8 +34,7 @@ static PetscErrorCode derivative(SNES snes, Vec u, Mat a, Mat p, void *user) {
   PetscFunctionBeginUser;
   (void)a;
   PetscCall(parts_tangent(&h->parts, u, h->size > FAR * h->parts.size, &tangent, &touched));
-  PetscCall(MatDuplicate(h->stiffness, MAT_COPY_VALUES, &matrix));
-  PetscCall(MatZeroRowsColumnsIS(matrix, h->held, 1.0, NULL, NULL));
+  PetscCall(MatDuplicate(h->bodies, MAT_COPY_VALUES, &matrix));
   PetscCall(MatAXPY(matrix, 1.0, tangent, DIFFERENT_NONZERO_PATTERN));
   PetscCall(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
   PetscCall(MatDestroy(&tangent));
@@ -106,7 +105,7 @@ static PetscErrorCode set_solver(Press *h, SNES snes) {
   } else {
     PetscCall(KSPSetType(ksp, KSPCG));
     PetscCall(KSPSetTolerances(ksp, 1e-8, PETSC_DEFAULT, PETSC_DEFAULT, 500));
-    PetscCall(filtered_attach(pc, h->motions, &h->filtered));
+    PetscCall(filtered_attach(pc, h->bodies, h->motions, &h->filtered));
   }
   PetscCall(SNESSetFromOptions(snes));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -120,6 +119,8 @@ PetscErrorCode press_create(PetscInt lower, PetscInt upper, double ratio, Press 
   PetscCall(tetrahedra_stiffness(&h->blocks, YOUNG, POISSON, &h->stiffness));
   PetscCall(tetrahedra_rigid_motions(&h->blocks, &h->motions));
   PetscCall(find_held(h));
+  PetscCall(MatDuplicate(h->stiffness, MAT_COPY_VALUES, &h->bodies));
+  PetscCall(MatZeroRowsColumnsIS(h->bodies, h->held, 1.0, NULL, NULL));
   PetscCall(MatDuplicate(h->stiffness, MAT_DO_NOT_COPY_VALUES, &h->matrix));
   PetscCall(MatCreateVecs(h->stiffness, &h->residual, NULL));
   PetscFunctionReturn(PETSC_SUCCESS);
@@ -150,6 +151,7 @@ PetscErrorCode press_free(Press *h) {
   PetscCall(VecDestroy(&h->residual));
   PetscCall(MatDestroy(&h->matrix));
   PetscCall(MatDestroy(&h->stiffness));
+  PetscCall(MatDestroy(&h->bodies));
   PetscCall(MatNullSpaceDestroy(&h->motions));
   PetscCall(parts_free(&h->parts));
   blocks_free(&h->blocks);

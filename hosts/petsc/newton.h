@@ -9,7 +9,7 @@ typedef struct {
   Blocks blocks;
   Parts parts;
   Filtered filtered;
-  Mat stiffness, matrix; /* without contact, and with it */
+  Mat stiffness, bodies, matrix; /* of the bodies; the same, what is held taken out; that with contact */
   IS held;
   MatNullSpace motions;
   Vec residual;

@@ -44,7 +44,7 @@ def test_it_is_symmetric_and_positive(problem):
     problem.J(None, x, problem.matrix, problem.matrix)
     pc = PETSc.PC().create(COMM)
     pc.setOperators(problem.matrix)
-    multigrid = FilteredMultigrid(problem.u.function_space, lambda: problem.touched)
+    multigrid = FilteredMultigrid(problem.u.function_space, lambda: problem.touched, problem.bodies)
     multigrid.attach(pc)
     pc.setUp()
     assert multigrid.count == len(problem.touched)
