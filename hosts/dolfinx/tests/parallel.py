@@ -10,6 +10,7 @@ import ufl
 from dolfinx import fem, mesh
 from fmc_contact import errors
 from fmc_contact_dolfinx import ContactProblem, DolfinxContact, attach, by_input_number
+from fmc_contact_dolfinx.entries import add_entries
 from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
 from petsc4py import PETSc
 from scenes import COMM, block, blocks, bodies, interpolate, permuted, set_wave
@@ -203,6 +204,36 @@ def tell(out, *cases):
         np.savez(out, **found)
 
 
+def entries():
+    """A direct solver follows a matrix that gets entries at new places: few, many, few again, and none."""
+    size, random = 60, np.random.default_rng(2)
+    full = np.diag(random.uniform(20.0, 30.0, size)) - np.eye(size, k=1) - np.eye(size, k=-1)
+    matrix = PETSc.Mat().createAIJ(((size, size)), nnz=3, comm=COMM)
+    first, last = matrix.getOwnershipRange()
+    for row in range(first, last):
+        cols = np.flatnonzero(full[row]).astype(PETSc.IntType)
+        matrix.setValues([row], cols, full[row, cols])
+    matrix.assemble()
+    solver = PETSc.KSP().create(COMM)
+    solver.setOperators(matrix)
+    solver.setType("preonly")
+    solver.getPC().setType("lu")
+    solver.getPC().setFactorSolverType("mumps")
+    right, solution = matrix.createVecs()
+    for count in (0, 4, 700, 2, 700, 0):
+        rows, cols = random.integers(0, size, (2, count))
+        values = random.uniform(-0.3, 0.3, count)
+        np.add.at(full, (rows, cols), values)
+        mine = (rows >= first) & (rows < last)
+        add_entries(PETSc, matrix, rows[mine], cols[mine], values[mine])
+        given = random.standard_normal(size)
+        right.setArray(given[first:last])
+        solver.solve(right, solution)
+        found = np.concatenate(COMM.allgather(solution.array.copy()))
+        # Well conditioned: some tens of eps.
+        assert np.abs(found - np.linalg.solve(full, given)).max() < 1e-14, count
+
+
 def fail(kind):
     """Something goes wrong, on one rank only where that is possible; every rank must see an exception."""
     last = COMM.size - 1
@@ -253,4 +284,4 @@ def fail(kind):
 
 
 if __name__ == "__main__":
-    {"solve": solve, "tell": tell, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])
+    {"solve": solve, "tell": tell, "entries": entries, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])

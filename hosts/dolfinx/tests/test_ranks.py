@@ -88,6 +88,12 @@ def test_two_meshes_and_ranks_that_have_none_of_one(ranks, tmp_path, kind):
     assert np.abs(one["force0"].sum(axis=0) + one["force1"].sum(axis=0)).max() < 1e-12 * np.abs(one["force0"]).max()
 
 
+@pytest.mark.parametrize("count", [1, 2, 4])
+def test_a_matrix_takes_entries_at_new_places(ranks, count):
+    run = ranks(count, "entries")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
 @pytest.mark.parametrize("kind", ["nan", "inverted", "layout", "length", "callback", "snes"])
 def test_an_error_reaches_every_rank_and_the_host_lives(ranks, kind):
     run = ranks(3, "fail", kind, limit=60)

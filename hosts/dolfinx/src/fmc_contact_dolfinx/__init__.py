@@ -6,7 +6,7 @@ MPI ranks.
     problem.solve()          # or, on one rank, newton(problem, young=E)
 
     newton, ContactProblem, attach, with_contact  ->  DolfinxContact, FilteredMultigrid  ->  linearised  ->  in_parts, replicated
-      ->  own_part, components, surface  ->  points, replica, space  ->  versions, together  ->  cells
+      ->  own_part, components, surface  ->  entries, points, replica, space  ->  versions, together  ->  cells
 """
 
 from .adapter import DolfinxContact

@@ -8,6 +8,7 @@ import numpy as np
 from fmc_contact import Contact
 from fmc_contact.skin import Triplets
 
+from .entries import add_entries
 from .in_parts import InParts
 from .replicated import Replicated
 from .space import Displacement
@@ -50,7 +51,7 @@ class Linearised:
         for i, line in enumerate(blocks):
             for j, block in enumerate(line):
                 here = (space_of[rows] == i) & (space_of[cols] == j)
-                _add(PETSc, block, unknown[rows[here]], unknown[cols[here]], scale * values[here])
+                add_entries(PETSc, block, unknown[rows[here]], unknown[cols[here]], scale * values[here])
 
     def touched(self, tangent: Triplets, bcs: Sequence[Any] = ()) -> np.ndarray:
         """Unknowns of one space that this rank owns and that feel contact, as PETSc numbers them over all ranks, ascending: the
@@ -77,19 +78,6 @@ class Linearised:
                 dofs = held_dofs(bc)
                 held[dofs[dofs < count]] = True
         return held.reshape(-1, self.dim)
-
-
-def _add(petsc: Any, matrix: Any, rows: np.ndarray, cols: np.ndarray, values: np.ndarray) -> None:
-    """Adds entries, row by row; collective."""
-    matrix.setOption(petsc.Mat.Option.NEW_NONZERO_ALLOCATION_ERR, False)
-    matrix.setOption(petsc.Mat.Option.NEW_NONZERO_LOCATIONS, True)
-    order = np.argsort(rows, kind="stable")
-    rows, cols, values = rows[order], cols[order].astype(petsc.IntType), values[order]
-    distinct, start = np.unique(rows, return_index=True)
-    ends = np.append(start, len(rows)).astype(petsc.IntType)
-    if len(distinct):
-        matrix.setValuesIJV(ends, cols, values, addv=petsc.InsertMode.ADD, rowmap=distinct.astype(petsc.IntType))
-    matrix.assemble()
 
 
 def _holds_part_of(space: Any, other: Any) -> bool:
