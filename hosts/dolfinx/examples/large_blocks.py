@@ -71,6 +71,7 @@ for ratio in (1, 10, 100, 1000):
     steps = problem.solve(snes)
     each = [n for n, after in zip(krylov, krylov[1:] + [0]) if after == 0]
     touched = comm.allreduce(len(problem.touched))
+    force = contact.evaluate(u).bodies[1].force[2]
     if comm.rank == 0:
         kind = "multigrid" if is_plain else "filtered"
-        print(f"| {unknown_count} | {comm.size} | {kind} | {ratio} | {touched} | {steps} | {max(each)} |", flush=True)
+        print(f"| {unknown_count} | {comm.size} | {kind} | {ratio} | {touched} | {steps} | {max(each)} | {force:.9g} |", flush=True)
