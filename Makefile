@@ -1,7 +1,7 @@
 # make check     the library alone: format, lints, tests; below two minutes after a build
 # make test      what CI runs: format, lints, all tests in release mode, C and C++ hosts, valgrind, installation, the adapters for
 #                scikit-fem, FEniCSx, GetFEM and PETSc, the Python package, arbitrary input for 60 s; seconds of CPU of each suite
-# make release   everything that takes long, step by step: test, packages, compat, peers, agree, dealii, examples, sanitizers, mutants; log: docs/release-log.md
+# make release   everything that takes long, step by step: test, packages, compat, peers, agree, dealii, examples, sanitizers, fuzz-long, mutants; log: docs/release-log.md
 #
 # make demo      forces of two meshes in examples/, printed and written as VTU
 # make python    the Python package, in an environment of its own under target/, and its tests
@@ -10,19 +10,20 @@
 # make agree     the cases in all hosts, deal.II too, side by side: table and pictures in out/agree
 # make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
-# make fuzz      arbitrary input for 60 s
+# make fuzz      arbitrary input for 60 s; make fuzz-long: ten million executions
 # make large     two blocks of a million unknowns by multigrid, in PETSc: iterations in out/large; hours
 # make getfem    Hertz and a punch in GetFEM beside the reference host, and beside GetFEM's own contact in the same run
 # make dealii    Hertz, a punch, hanging nodes and friction in deal.II beside the reference host; installs libdeal.ii-dev through apt
 # make bench     benchmarks
 # make figures   runs the cases that pages name; writes docs/results.json, from it the tables of README and docs, and docs/gallery.md
-# make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90
+# make header    include/fmc_contact.h from src/capi, and from it bindings/fortran/fmc_contact_c.f90 and docs/c-reference.md
 # make install   PREFIX=/usr/local LIBDIR=lib: shared and static library, stripped, headers, Fortran modules, pkg-config and CMake files (Linux)
 # make install-command, install-python   the command fmc and its manual; the Python package for the installed library
-# make deb       packages for Debian in out/deb (library, development files, Python, command); make try-deb installs them in a bare one
-# make wheel     the Python package as a wheel in out/wheel, for any Linux since glibc 2.17; make try-wheel installs it without Rust
-# make packages  deb, wheel and book, built and tried; the recipes for conda-forge and Spack, read
-# make book      the documentation as pages that are read in a browser, in out/book (mdbook: cargo install mdbook)
+# make deb       packages for Debian in out/deb: library, development files, Python, command
+# make wheel     the Python package as a wheel in out/wheel, for any Linux since glibc 2.17
+# make try-deb, try-install, try-wheel  packages, `make install` with the crate, and wheel, used in bare root file systems of $(DEBIANS)
+# make packages  all of these, built and tried; the recipes for conda-forge and Spack, read; the book
+# make book      the documentation as pages that are read in a browser, with the references of C, Python and Rust, in out/book
 # make clean
 #
 # demo and install need Rust (https://rustup.rs) and nothing else; check and test fetch what they lack through apt.
@@ -34,11 +35,20 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo examples test suites fuzz release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat large getfem dealii-program dealii bench figures figures-check book header build install install-command install-python deb try-deb wheel try-wheel recipes packages clean
+.PHONY: check demo examples test suites fuzz fuzz-long release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat large getfem dealii-program dealii bench figures figures-check book header build install install-command install-python deb try-deb try-install wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
 	$(CARGO) run --profile quick -p fmc --no-default-features -- force examples/star.msh examples/block.msh --stiffness 2.8e7
+	@printf '%s\n' "" "A point of the star stands 0.01 m deep in the block; their meshes do not match. From the overlap follow the energy and, as its" \
+	  "derivative, the force on every node: those on the star and on the block add up to zero. A picture of them, for any browser:" \
+	  "  $(CURDIR)/out/force/picture.svg" "" \
+	  "To try next:" \
+	  "  target/quick/fmc force examples/star.msh examples/block.msh --stiffness 2.8e7 --rotate 1=5      the star turned by 5 degrees" \
+	  "  target/quick/fmc force examples/ball.vtu --stiffness 1e6 --obstacle \"half-space axis=0,0,1\"     a ball on a rigid floor, in 3D" \
+	  "  target/quick/fmc force --help                                                                   your own meshes, Gmsh or VTK" \
+	  "  cargo run --release -p fmc -- run hertz                                                         an equilibrium beside Hertz" \
+	  "  docs/first-contact.md                                                                           the same from C, C++, Fortran, Python, Rust"
 
 check: check-tools
 	$(CARGO) fmt --all --check
@@ -69,7 +79,13 @@ test: tools
 fuzz:
 	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60
 
-RELEASE_STEPS ?= test packages compat peers-test peers agree dealii examples sanitizers mutants
+# Ten million executions, an hour or two.
+FUZZ_RUNS ?= 10000000
+
+fuzz-long:
+	SAID=$(abspath $(TARGET))/said-$@ fuzz/run.sh runs=$(FUZZ_RUNS)
+
+RELEASE_STEPS ?= test packages compat peers-test peers agree dealii examples sanitizers fuzz-long mutants
 
 release:
 	.ci/release $(RELEASE_STEPS)
@@ -77,13 +93,11 @@ release:
 # What is not installed leaves its reason for the log, and fails: nothing counts as passed that was not run.
 LEFT_OUT = { echo "$(1)" | tee $(TARGET)/left-out-$@ >&2; exit 1; }
 
-# The address and the thread sanitizer are of the nightly compiler, which also has to build the standard library for the second.
-sanitizers:
-	@rustup run nightly rustc --version >/dev/null 2>&1 || $(call LEFT_OUT,no nightly toolchain)
-	RUSTFLAGS=-Zsanitizer=address rustup run nightly $(CARGO) test -p fmc-contact --lib --tests --target $(TRIPLE) \
-	  --target-dir $(TARGET)/sanitizers
-	RUSTFLAGS=-Zsanitizer=thread rustup run nightly $(CARGO) test -Zbuild-std -p fmc-contact --lib --tests --target $(TRIPLE) \
-	  --target-dir $(TARGET)/sanitizers
+# Address and undefined-behaviour sanitizers over hosts and library, thread sanitizer over what has threads.
+sanitizers: check-tools
+	.ci/sanitizers hosts
+	.ci/sanitizers library
+	$(SUDO) .ci/sanitizers threads $(ROOTS)/forky-rust
 
 MUTANTS ?= --file 'src/overlap/**'
 
@@ -240,17 +254,31 @@ figures:
 figures-check:
 	python3 -m unittest discover benchmarks/results
 	python3 benchmarks/results check
+	.ci/c-reference check
+
+# Beside the pages the references of Python, by pdoc, and of Rust. mdbook is fetched where it is missing, into target/.
+BOOK_TOOLS = $(abspath $(TARGET))/book-tools
+MDBOOK = $(or $(shell command -v mdbook),$(BOOK_TOOLS)/bin/mdbook)
+REFERENCE = out/book/reference
 
 book:
-	@mdbook --version >/dev/null 2>&1 || { echo "mdbook is missing: cargo install mdbook" >&2; exit 1; }
-	mdbook build docs
+	@test -x $(MDBOOK) || $(CARGO) install --locked --root $(BOOK_TOOLS) --target-dir $(BOOK_TOOLS)/build mdbook
+	$(MDBOOK) build docs
 	sed -i -e 's|href="\.\./README\.html">fmc-contact<|href="index.html">fmc-contact<|g' -e 's|\(href="\.\./[^"]*\)\.html|\1.md|g' \
 	  -e 's|href="\.\./\([^"]*"\)|href="$(REPOSITORY)/tree/$(REVISION)/\1|g' out/book/*.html
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc -p fmc-contact --no-deps
+	rm -rf $(REFERENCE) && mkdir -p $(REFERENCE) && cp -r $(TARGET)/doc $(REFERENCE)/rust
+	@$(call ENVIRONMENT,$(BOOK_TOOLS)/python)
+	$(BOOK_TOOLS)/python/bin/python -m pip install -q pdoc numpy scipy typing_extensions
+	@test -e $(BUILT)/libfmc_contact.so || $(MAKE) build
+	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(abspath $(BUILT))/libfmc_contact.so \
+	  $(BOOK_TOOLS)/python/bin/python .ci/python-reference $(REFERENCE)/python
 	.ci/book-links out/book $(REPOSITORY)
 
 header:
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi fortran::the_committed
+	.ci/c-reference write
 
 # Where cargo puts them, also if the environment asks for a target by name.
 RELEASE = $(TARGET)$(CARGO_BUILD_TARGET:%=/%)/release
@@ -292,6 +320,9 @@ install: build
 	for file in fmc_contactConfig fmc_contactConfigVersion; do \
 	  $(FILL) hosts/c/package/$$file.cmake.in > $(LIB)/cmake/fmc_contact/$$file.cmake || exit 1; \
 	done
+	@[ -n "$(DESTDIR)" ] || printf '%s\n' "fmc_contact $(VERSION) is in $(PREFIX). Next, in README.md: First force." \
+	  "  Not found at compile time: export PKG_CONFIG_PATH=$(PREFIX)/$(LIBDIR)/pkgconfig" \
+	  "  Not found at run time: ldconfig as root if $(PREFIX)/$(LIBDIR) is one of the system's, else link with -Wl,-rpath,$(PREFIX)/$(LIBDIR)"
 
 # The Python package for the library that `make install` has put below the same prefix: nothing is compiled, a link leads there.
 PYTHONDIR ?= $(shell $(PYTHON) -c 'import sys; print("lib/python%d.%d/site-packages" % sys.version_info[:2])')
@@ -329,11 +360,29 @@ endif
 	packaging/debian/build.sh $(or $(LIBRARIES),$(RELEASE)/deps) $(or $(COMMAND),$(RELEASE)/fmc) out/deb
 	lintian --allow-root --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs out/deb/*.deb
 
-# A root file system of this release of Debian, not older than what the packages were built on.
-DEBIAN ?= bookworm
+# Root file systems of oldstable, stable and testing, where what is handed out is installed and used; the packages are for the release
+# of Debian on which they were built, and later ones.
+DEBIANS ?= bookworm trixie forky
+ROOTS ?= $(abspath $(TARGET))/debian
+NUMPY = $(abspath $(TARGET))/numpy
+IN_EACH = for suite in $(1); do $(SUDO) packaging/try/$(2) $(ROOTS)/$$suite $$suite $(3) || exit 1; done
 
 try-deb:
-	$(SUDO) packaging/debian/try.sh out/deb $(abspath $(TARGET))/debian/$(DEBIAN) $(DEBIAN)
+	$(call IN_EACH,$(DEBIANS),deb out/deb)
+
+# What `make install` leaves behind, and the crate, used by projects of their own in C, C++, Fortran, Python and Rust.
+INSTALLED = $(abspath $(TARGET))/installed
+
+try-install:
+ifndef COMMAND
+	$(CARGO) build --release -p fmc-contact -p fmc
+endif
+	rm -rf $(INSTALLED)
+	$(MAKE) -s install BUILT=$(or $(LIBRARIES),$(RELEASE)/deps) DESTDIR=$(INSTALLED) PREFIX=/usr/local
+	$(MAKE) -s install-command COMMAND=$(or $(COMMAND),$(RELEASE)/fmc) DESTDIR=$(INSTALLED) PREFIX=/usr/local
+	$(MAKE) -s install-python DESTDIR=$(INSTALLED) PREFIX=/usr/local PYTHONDIR=lib/python
+	packaging/try/crate $(abspath $(TARGET))/crate
+	$(call IN_EACH,$(DEBIANS),install $(INSTALLED) $(abspath $(TARGET))/crate $(NUMPY))
 
 # zig links against a C library as old as is asked for, and comes as a Python package; so the wheel runs where glibc is far older
 # than here. The licences of the crates are in the wheel alone.
@@ -350,19 +399,23 @@ wheel:
 	rm -f $(CRATES)
 	$(WHEEL_TOOLS)/bin/auditwheel show out/wheel/*.whl
 
-# In an environment of its own, and in a Debian with the oldest Python, numpy and C library that are promised.
+# In each of these, and in a Debian with the oldest Python, numpy and C library that are promised.
 try-wheel:
-	$(SUDO) packaging/try-wheel.sh out/wheel $(abspath $(TARGET))/try-wheel $(abspath $(TARGET))/debian/bullseye bullseye
+	$(call IN_EACH,$(DEBIANS),wheel out/wheel $(NUMPY))
+	$(call IN_EACH,bullseye,wheel out/wheel $(NUMPY),1.20.0)
 
-# The recipes for conda-forge and Spack are read, not built.
+# The recipes for conda-forge and Spack are read, not built; the workflows and the citation keep to their schemas.
 recipes:
 	@$(call ENVIRONMENT,$(WHEEL_TOOLS))
-	$(WHEEL_TOOLS)/bin/python -m pip install -q py-rattler-build
+	$(WHEEL_TOOLS)/bin/python -m pip install -q py-rattler-build check-jsonschema
 	$(WHEEL_TOOLS)/bin/python packaging/check-recipes
+	$(WHEEL_TOOLS)/bin/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+	$(WHEEL_TOOLS)/bin/check-jsonschema --builtin-schema vendor.citation-file-format CITATION.cff
 
 # A step of the release: everything that is handed out, built and tried.
 packages:
 	$(MAKE) deb try-deb
+	$(MAKE) try-install
 	$(MAKE) wheel try-wheel
 	$(MAKE) recipes book
 

@@ -1,4 +1,5 @@
-//! Links and pictures of all pages lead somewhere, and the book has all of them.
+//! What goes with the library is complete: links and pictures of all pages lead somewhere, the book has every page, and the fuzz
+//! targets call every function.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -87,4 +88,45 @@ fn the_book_has_every_page_once() {
 fn the_readme_is_short() {
     let readme = fs::read_to_string(root().join("README.md")).expect("the README");
     assert!(readme.lines().count() <= 150);
+}
+
+/// Each row says what to do about it.
+#[test]
+fn every_status_and_warning_leads_to_a_next_step() {
+    let header = fs::read_to_string(root().join("include/fmc_contact.h")).expect("the header");
+    let page = fs::read_to_string(root().join("docs/errors.md")).expect("the page");
+    let is_one = |name: &&str| name.starts_with("FMC_ERROR_") || name.starts_with("FMC_WARNING_");
+    let declared: BTreeSet<&str> =
+        header.lines().filter_map(|line| line.trim().split_once(" = ")).map(|(name, _)| name).filter(is_one).collect();
+    assert!(declared.len() > 60, "{}", declared.len());
+    let rows = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `")?.split_once("` | "))
+        .filter(|(_, next)| next.len() > 10);
+    let mut listed: Vec<&str> = rows.map(|(name, _)| name).collect();
+    listed.sort_unstable();
+    assert_eq!(listed, declared.into_iter().collect::<Vec<_>>());
+}
+
+/// Names before an opening bracket on lines that declare a function.
+fn functions(text: &str, declares: impl Fn(&str) -> bool) -> BTreeSet<&str> {
+    let names = text.lines().filter(|line| declares(line)).filter_map(|line| {
+        let head = &line[..line.find('(')?];
+        Some(&head[head.rfind("fmc_")?..])
+    });
+    names.collect()
+}
+
+/// The crate of the fuzz targets is a workspace of its own, whose tests nobody runs; so it is read here.
+#[test]
+fn every_function_of_the_header_is_fuzzed() {
+    let text = fs::read_to_string(root().join("include/fmc_contact.h")).expect("the header");
+    let is_code = |line: &str| !line.starts_with([' ', '/']) && !line.starts_with("typedef");
+    let header = functions(&text, |line| is_code(line) && (line.contains(" fmc_") || line.contains("*fmc_")));
+    let files = fs::read_dir(root().join("fuzz/src/interface")).expect("the declarations");
+    let files = files.map(|file| fs::read_to_string(file.expect("an entry").path()).expect("a file"));
+    let ours: String = files.collect();
+    let ours = functions(&ours, |line| line.starts_with("    pub fn fmc_"));
+    assert!(ours.len() > 90, "{}", ours.len());
+    assert_eq!(ours, header);
 }

@@ -21,6 +21,7 @@ pub(crate) fn beside_the_whole(mesh: &Mesh, options: &fmc_options, reach: f64, h
     unsafe {
         if let (Some(mut whole), Some(mut part)) = (whole, part) {
             compare(&mesh, whole, part);
+            carry(&mesh, part, reach, hole);
             assert_eq!((fmc_context_free(&raw mut whole), fmc_context_free(&raw mut part)), (OK, OK));
             return;
         }
@@ -114,5 +115,48 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) 
             }
         }
         assert!(of_whole.iter().all(|force| *force == 0.0), "a force on a node that was not gathered");
+    }
+}
+
+/// Elastic slip is what was set, or what it was.
+///
+/// # Safety
+/// A context that lives.
+unsafe fn carry(mesh: &Mesh, part: *mut fmc_context, slip: f64, hole: Hole) {
+    let mut coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
+    let given =
+        [0, 1].map(|face| fmc_carried_slip { cell: i64::from(hole % 4), face, part: 0, slip: [slip, 0.5, 0.0] });
+    let given = Guarded::new(&given);
+    // SAFETY: as above; arrays as long as they are said to be.
+    unsafe {
+        let mut counts = fmc_gathered_counts::default();
+        assert_eq!(checked(fmc_context_gathered_counts(part, &mut counts)), OK);
+        let count = counts.node_count as usize;
+        let x = Guarded::new(&vec![0.0; count * mesh.dim]);
+        if checked(fmc_context_gathered_nodes(part, null_mut(), null_mut(), x.ptr(), count)) == OK {
+            coords = Array::new(&x.values(), mesh.dim, Layout::Rows);
+        }
+        let has_step = checked(fmc_context_begin_step(part, &coords.view)) == OK;
+        let read = || {
+            let mut length = 77usize;
+            let status = checked(fmc_context_carried_slip(part, null_mut(), 0, &raw mut length));
+            assert!(if status == OK { length <= 2 } else { length == 77 }, "status {status}, {length} facets");
+            assert!(has_step || status != OK, "slip without a step");
+            let none = fmc_carried_slip { cell: -1, face: -1, part: -1, slip: [0.0; 3] };
+            let found = Guarded::new(&vec![none; if status == OK { length } else { 0 }]);
+            if status == OK && length > 0 {
+                assert!(checked(fmc_context_carried_slip(part, found.ptr(), length - 1, &raw mut length)) != OK);
+                assert_eq!(checked(fmc_context_carried_slip(part, found.ptr(), length, &raw mut length)), OK);
+            }
+            found.values()
+        };
+        let before = read();
+        let status = checked(fmc_context_set_carried_slip(part, unless(hole, 0, given.ptr()).cast_const(), 2));
+        let after = read();
+        if status == OK {
+            assert!(after.iter().all(|one| one.slip.iter().all(|x| x.is_finite()) && one.cell == i64::from(hole % 4)));
+        } else {
+            assert_eq!(before, after);
+        }
     }
 }

@@ -6,6 +6,7 @@ pub mod guarded;
 pub mod host;
 mod in_parts;
 pub mod interface;
+pub mod leaks;
 pub mod mesh;
 pub mod number;
 pub mod program;

@@ -3,6 +3,12 @@
 // Fields say what they are; the header says what they mean.
 #![allow(missing_docs)]
 
+mod options;
+mod shape;
+
+pub use options::{Options, PairOptions};
+pub use shape::{Fault, Pose, Shape};
+
 use crate::mesh::Mesh;
 use crate::number::Number;
 use arbitrary::Arbitrary;
@@ -23,28 +29,6 @@ pub struct Program {
 /// Calls of one program that are made.
 pub const MOST_CALLS: usize = 12;
 
-/// Values of options; small numbers mostly, so that they mean something.
-#[derive(Arbitrary, Clone, Debug)]
-pub struct Options {
-    pub stiffness: Number,
-    pub exponent: Option<Number>,
-    pub smoothing_length: Option<Number>,
-    pub friction: Option<Number>,
-    pub friction_stiffness: Option<Number>,
-    pub cohesion: Option<Number>,
-    pub spacing: Option<Number>,
-    pub fiber_length: Option<Number>,
-    pub fiber_count: Option<u8>,
-    pub seed: u64,
-    /// Law, estimator, pattern, weights, momentum correction, self-contact, check of the cells: by twos of bits, 3 being no value.
-    pub choices: u16,
-    pub index_base: bool,
-    /// Two threads.
-    pub is_threaded: bool,
-    /// A struct that no `_init` function has seen.
-    pub is_raw: u8,
-}
-
 /// How a host's array lies in memory.
 #[derive(Arbitrary, Clone, Copy, Debug)]
 pub enum Layout {
@@ -58,78 +42,6 @@ pub enum Layout {
 
 /// Which pointer of a call is NULL, if any.
 pub type Hole = u8;
-
-/// Where an obstacle stands.
-#[derive(Arbitrary, Clone, Debug)]
-pub struct Pose {
-    pub position: [Number; 3],
-    pub axis: [Number; 3],
-    pub scale: Option<Number>,
-    /// The rotation as it comes, instead of one along the axis.
-    pub rotation: Option<[Number; 9]>,
-}
-
-/// An obstacle.
-#[derive(Arbitrary, Clone, Debug)]
-pub enum Shape {
-    HalfSpace,
-    Ball(Number),
-    Cuboid([Number; 3]),
-    Cylinder(Number, Number),
-    Cone(Number, Number),
-    Capsule(Number, Number),
-    /// A simplex or, where numbers are added, facets of any kind.
-    Polytope {
-        corners: [[Number; 3]; 4],
-        facets: Vec<u8>,
-        is_wide: bool,
-    },
-    /// Points of any kind.
-    ConvexHull(Vec<[Number; 3]>),
-    /// Heights over a grid of so many points by 2.
-    HeightField {
-        count: u8,
-        heights: [Number; 8],
-        thickness: Number,
-    },
-    /// Parts by number of the shape and size.
-    Compound(Vec<(u8, Number)>),
-    /// A ball by its signed distance, and how the callback misbehaves.
-    SignedDistance {
-        radius: Number,
-        fault: Fault,
-    },
-}
-
-/// Options of a pair.
-#[derive(Arbitrary, Clone, Debug)]
-pub struct PairOptions {
-    /// Kind and index of both sides, in one number each.
-    pub sides: [u8; 2],
-    /// One less is the law.
-    pub law: u8,
-    pub stiffness: Number,
-    pub exponent: Option<Number>,
-    pub smoothing_length: Option<Number>,
-    pub excluded: u8,
-    pub gap_offset: Option<Number>,
-}
-
-/// What a host's callback does wrong.
-#[derive(Arbitrary, Clone, Copy, Debug, PartialEq)]
-pub enum Fault {
-    None,
-    /// Returns this.
-    Returns(i32),
-    /// Leaves all as it was.
-    WritesNothing,
-    WritesNan,
-    NoGradient,
-    /// Grows faster than distance.
-    Steep,
-    /// Calls the context that calls it.
-    CallsBack,
-}
 
 /// One call, or a few that belong together.
 #[derive(Arbitrary, Clone, Debug)]

@@ -1,6 +1,9 @@
 //! The C interface, called in any order with anything a host may hand over.
 #![no_main]
 
-use fmc_fuzz::{host, program::Program};
+use fmc_fuzz::{host, leaks, program::Program};
 
-libfuzzer_sys::fuzz_target!(|program: Program| host::run(&program));
+#[global_allocator]
+static ALLOCATOR: leaks::Counting = leaks::Counting;
+
+libfuzzer_sys::fuzz_target!(|program: Program| leaks::none_from(|| host::run(&program)));

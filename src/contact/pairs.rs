@@ -9,6 +9,7 @@ use crate::geometry::Shape;
 use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
 use crate::ranks::Sharing;
 use rayon::prelude::*;
+use std::sync::OnceLock;
 
 impl<const D: usize> Contact<D> {
     /// Calls `work` for all pairs whose boxes meet, on the threads of the options, and returns its results in the order
@@ -147,7 +148,9 @@ impl<const D: usize> Contact<D> {
             None if self.pool().is_some() => Sharing::Threads,
             None => Sharing::Alone,
         };
-        let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, sharing };
+        let region = OnceLock::new();
+        let pair =
+            Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, sharing, region };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
         work(&Measured { pair: &pair, law, estimator: &*self.estimator, kept, found })

@@ -4,6 +4,10 @@
 
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
+use smallvec::SmallVec;
+
+/// Corners of a convex piece in a facet's barycentric coordinates. Few have more than eight, which take no memory elsewhere.
+pub(crate) type Corners<const D: usize> = SmallVec<[[f64; D]; 8]>;
 
 /// A convex polygon (2D: interval) in a facet; its memory serves one facet after the other.
 #[derive(Clone, Debug, Default)]
@@ -28,7 +32,7 @@ impl<const D: usize> Piece<D> {
         self.corners.clear();
         self.values.clear();
         self.values.extend(self.before.iter().map(|w| value(w, at_corners)));
-        cut_to(&self.before, &self.values, &mut self.corners);
+        cut_to(&self.before, &self.values, |corner| self.corners.push(corner));
         self.corners.len() >= D
     }
 
@@ -68,8 +72,8 @@ fn value<const D: usize>(w: &[f64; D], at_corners: &[f64; D]) -> f64 {
     (0..D).map(|a| w[a] * at_corners[a]).sum()
 }
 
-/// Adds to `kept` the corners of the part of a polygon where `values` are at most 0.
-fn cut_to<const D: usize>(corners: &[[f64; D]], values: &[f64], kept: &mut Vec<[f64; D]>) {
+/// Visits the corners of the part of a polygon where `values` are at most 0.
+fn cut_to<const D: usize>(corners: &[[f64; D]], values: &[f64], mut keep: impl FnMut([f64; D])) {
     let count = corners.len();
     // An interval has one side, a polygon as many as corners.
     let sides = if D == 2 { count.saturating_sub(1) } else { count };
@@ -78,11 +82,11 @@ fn cut_to<const D: usize>(corners: &[[f64; D]], values: &[f64], kept: &mut Vec<[
         let (p, q) = (&corners[k], &corners[next]);
         let (s, t) = (values[k], values[next]);
         if s <= 0.0 {
-            kept.push(*p);
+            keep(*p);
         }
         if k < sides && (s < 0.0 && t > 0.0 || s > 0.0 && t < 0.0) {
             let part = s / (s - t);
-            kept.push(std::array::from_fn(|a| p[a] + part * (q[a] - p[a])));
+            keep(std::array::from_fn(|a| p[a] + part * (q[a] - p[a])));
         }
     }
 }
@@ -92,16 +96,16 @@ fn corners_of_whole<const D: usize>() -> [[f64; D]; D] {
 }
 
 /// The corners of a facet in its own barycentric coordinates.
-pub(crate) fn whole<const D: usize>() -> Vec<[f64; D]> {
-    corners_of_whole().to_vec()
+pub(crate) fn whole<const D: usize>() -> Corners<D> {
+    Corners::from_slice(&corners_of_whole())
 }
 
 /// Part of a convex polygon (2D: interval) where the linear function with these corner values is at most 0; as
 /// [`Piece::cut`], for pieces that are kept.
-pub(crate) fn cut<const D: usize>(piece: &[[f64; D]], at_corners: &[f64; D]) -> Vec<[f64; D]> {
-    let values: Vec<f64> = piece.iter().map(|w| value(w, at_corners)).collect();
-    let mut kept = Vec::with_capacity(piece.len() + 1);
-    cut_to(piece, &values, &mut kept);
+pub(crate) fn cut<const D: usize>(piece: &[[f64; D]], at_corners: &[f64; D]) -> Corners<D> {
+    let values: SmallVec<[f64; 8]> = piece.iter().map(|w| value(w, at_corners)).collect();
+    let mut kept = Corners::new();
+    cut_to(piece, &values, |corner| kept.push(corner));
     kept
 }
 

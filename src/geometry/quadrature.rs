@@ -63,6 +63,6 @@ pub(crate) fn for_each_gauss_point<const D: usize>(
 /// Part of the facet's measure.
 pub(crate) fn measure<const D: usize>(piece: &[[f64; D]]) -> f64 {
     let mut measure = 0.0;
-    for_each_gauss_point(piece, false, |_, part| measure += part);
+    for_each_simplex(piece, |_, part| measure += part);
     measure
 }

@@ -2,13 +2,19 @@
 
 pub(crate) mod assembly;
 pub(crate) mod body_facet;
+pub(crate) mod bounds;
 pub(crate) mod fiber_trace;
+pub(crate) mod layer;
+pub(crate) mod main_normal;
 pub(crate) mod obstacle_distance;
 pub(crate) mod obstacle_region;
+#[cfg(test)]
+pub(crate) mod of_meshes;
 pub(crate) mod options;
 pub(crate) mod overlap;
 pub(crate) mod partner;
 pub(crate) mod region;
+pub(crate) mod region_search;
 pub(crate) mod sides;
 pub(crate) mod surface_point;
 pub(crate) mod warning;

@@ -1,6 +1,6 @@
 //! The hosts in hosts/c and hosts/cpp: compiled without a warning, run, and run again under valgrind.
 
-use super::program::{built, compiler, root, run, scratch, succeed};
+use super::program::{built, compiler, is_sanitized, root, run, scratch, succeed, watched};
 use super::symbols::declared;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -53,11 +53,9 @@ pub(crate) fn output(source: &str, link: Link) -> String {
     assert!(plain.status.success(), "{name}: {}\n{printed}{complaints}", plain.status);
     assert_eq!(complaints, "", "the library never prints");
 
-    // Worker threads may outlive the pool that started them by a moment, so blocks that they hold are no leak.
-    let leaks =
-        ["--leak-check=full", "--errors-for-leak-kinds=definite,indirect", "--show-leak-kinds=definite,indirect"];
-    let watched = succeed(Command::new("valgrind").args(["-q", "--error-exitcode=9"]).args(leaks).arg(&program));
-    assert_eq!(watched, printed, "{name} under valgrind");
+    if let Some(watched) = watched(&program, &[]) {
+        assert_eq!(watched, printed, "{name} under valgrind");
+    }
     printed
 }
 
@@ -183,6 +181,19 @@ fn bad_input_is_refused_by_the_shared_library() {
 #[test]
 fn bad_input_is_refused_by_the_static_library() {
     assert!(output("bad_input.c", Link::Static).ends_with("\n0 failures\n"));
+}
+
+/// Ten thousand contexts with every kind of call take no more memory than a thousand; a hundred are clean under valgrind.
+#[test]
+fn many_calls_take_no_more_memory() {
+    let program = compile("many_calls.c", &scratch("many_calls"), Link::Shared);
+    let rounds = if is_sanitized() { "1000" } else { "10000" };
+    let printed = succeed(Command::new(&program).arg(rounds));
+    assert!(printed.ends_with("\n0 failures\n"), "{printed}");
+    assert!(is_sanitized() || printed.starts_with("10000 rounds: no more held, no more taken\n"), "{printed}");
+    if let Some(watched) = watched(&program, &["100"]) {
+        assert!(watched.ends_with("\n0 failures\n"), "{watched}");
+    }
 }
 
 /// The header alone, in every dialect that hosts use, without a warning.

@@ -90,6 +90,42 @@ fn programs_find_the_installed_library() {
     assert!(succeed(&mut Command::new(&program)).starts_with("overlap 0.008\n"));
 }
 
+/// Versions that a project may ask for, alone or as a range, and those that it may not.
+#[test]
+fn versions_are_found_by_one_rule() {
+    let prefix = installed("install-versions", "lib");
+    let finds = |asked: &str| {
+        let project = prefix.join("project");
+        fs::create_dir_all(&project).expect("a folder");
+        let lines = format!(
+            "cmake_minimum_required(VERSION 3.19)\nproject(asks LANGUAGES NONE)\n\
+             find_package(fmc_contact {asked} QUIET)\nfile(WRITE found \"${{fmc_contact_FOUND}}\")\n"
+        );
+        fs::write(project.join("CMakeLists.txt"), lines).expect("a writable folder");
+        let mut cmake = Command::new("cmake");
+        cmake.arg("-S").arg(&project).arg("-B").arg(project.join("build"));
+        succeed(cmake.arg("--fresh").arg(format!("-DCMAKE_PREFIX_PATH={}", prefix.display())));
+        fs::read_to_string(project.join("found")).expect("an answer") == "1"
+    };
+    let [major, minor] = [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR")];
+    let next: u32 = minor.parse::<u32>().expect("a number") + 1;
+    let this = format!("{major}.{minor}");
+    let found =
+        ["", &this, &format!("{this}.0"), &format!("{major}.0...{major}.99"), &format!("{this}...<{major}.{next}")];
+    for asked in found {
+        assert!(finds(asked), "{asked}");
+    }
+    let later = [
+        format!("{major}.{next}"),
+        format!("{this}.99"),
+        format!("{major}.{next}...{major}.99"),
+        format!("0.0...<{this}"),
+    ];
+    for asked in later {
+        assert!(!finds(&asked), "{asked}");
+    }
+}
+
 /// As distributions have it: libraries in a folder of their own by architecture.
 #[test]
 fn libraries_may_lie_deeper() {

@@ -8,6 +8,7 @@ mod header;
 mod histories;
 mod hosts;
 mod install;
+mod pages;
 mod program;
 mod readme;
 mod record;

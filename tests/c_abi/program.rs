@@ -35,7 +35,29 @@ pub(crate) fn succeed(command: &mut Command) -> String {
     out.into_owned()
 }
 
-/// The C or C++ compiler, as the environment names it.
+/// A compiler, as the environment names it, with flags behind the name as make has them.
 pub(crate) fn compiler(variable: &str, otherwise: &str) -> Command {
-    Command::new(env::var_os(variable).unwrap_or(otherwise.into()))
+    let given = env::var(variable).unwrap_or(otherwise.to_owned());
+    let mut words = given.split_whitespace();
+    let mut command = Command::new(words.next().unwrap_or(otherwise));
+    command.args(words);
+    command
+}
+
+/// Whether sanitizers watch the hosts (`make sanitizers`), which keep what is given back for a while.
+pub(crate) fn is_sanitized() -> bool {
+    ["CC", "CXX", "FC"].into_iter().any(|name| env::var(name).is_ok_and(|compiler| compiler.contains("-fsanitize")))
+}
+
+/// What a program prints under valgrind, which must find nothing; not where sanitizers watch it already, since both want the same
+/// memory.
+pub(crate) fn watched(program: &Path, arguments: &[&str]) -> Option<String> {
+    if is_sanitized() {
+        return None;
+    }
+    // Worker threads may outlive the pool that started them by a moment, so blocks that they hold are no leak.
+    let leaks =
+        ["--leak-check=full", "--errors-for-leak-kinds=definite,indirect", "--show-leak-kinds=definite,indirect"];
+    let mut valgrind = Command::new("valgrind");
+    Some(succeed(valgrind.args(["-q", "--error-exitcode=9"]).args(leaks).arg(program).args(arguments)))
 }

@@ -7,6 +7,7 @@ use fmc_shapes::{
 };
 use std::f64::consts::PI;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A block whose face at height 0 lies δ deep in a ball: a cap. With r the distance from the centre of the ball, the
 /// depth R − r is summed over the cap.
@@ -192,4 +193,32 @@ fn functions_that_are_no_distances() {
     let (scene, contact) = against(&mesh, &shape, Pose::at([0.4, 1.2]), 1.0);
     let found = contact.evaluate(&scene.coords);
     assert!(matches!(found, Err(Error::SignedDistance { obstacle: 0, .. })), "{found:?}");
+}
+
+/// A wall that lies along a capsule and goes on where that turns away from it touches it to rounding: nothing is found, and looking
+/// for it is no more work than the depth of a real overlap.
+#[test]
+fn touching_is_no_more_work_than_overlapping() {
+    let asked = Arc::new(AtomicUsize::new(0));
+    let count = Arc::clone(&asked);
+    let capsule = move |x: &[f64; 2]| {
+        count.fetch_add(1, Ordering::Relaxed);
+        let along = x[1] - x[1].clamp(-1.25, 1.25);
+        let r = x[0].hypot(along);
+        (r - 1.25, [x[0] / r, along / r])
+    };
+    let shape = Shape::SignedDistance(Arc::new(capsule));
+    let work = |left: f64| {
+        let mesh = rectangle_quad4([left, -2.1875], [left + 1.0, -1.1875], [1, 1]);
+        let (scene, contact) = against(&mesh, &shape, Pose::at([0.0; 2]), 1.0);
+        asked.store(0, Ordering::Relaxed);
+        let found = contact.evaluate(&scene.coords).expect("valid coordinates");
+        (found.energy, asked.load(Ordering::Relaxed))
+    };
+    let (deep, points) = work(1.2);
+    assert!(deep > 1e-6 && points > 1_000, "{deep:e}, {points}");
+    for left in [1.25, 1.25 - f64::EPSILON, 1.25 + f64::EPSILON] {
+        let (touching, at_touch) = work(left);
+        assert!(touching < 1e-30 && at_touch < 2 * points, "{touching:e}: {at_touch} points, {points} at an overlap");
+    }
 }

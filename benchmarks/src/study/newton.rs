@@ -48,7 +48,18 @@ pub struct Solution {
 /// Residual at which a state counts as balanced.
 const TOLERANCE: f64 = 1e-10;
 
+/// Without and with the loaded nodes held.
+const BY_NEWTON: usize = 2;
+/// Laws of the loop.
+const LOOPED: usize = 3;
+const ESTIMATORS: [EstimatorName; 2] = [EstimatorName::Exact, EstimatorName::Fibers];
+
 impl SolverStudy {
+    /// How many solutions there will be.
+    pub fn solution_count(&self) -> usize {
+        ESTIMATORS.len() * (BY_NEWTON + LOOPED * self.relaxations.len())
+    }
+
     /// Solves the case by Newton's method under its own loads; then with its loaded nodes held where that has led them,
     /// by Newton's method and by the loop, which cannot hold a body by contact alone. `watch` is called with what runs.
     ///
@@ -57,16 +68,15 @@ impl SolverStudy {
     pub fn run(&self, watch: &mut dyn FnMut(&str)) -> Result<Vec<Solution>> {
         ensure!(self.case.dimension == 2 && self.case.load_steps.is_some(), "the study is made for statics in 2D");
         ensure!(self.case.contact.law == LawName::Fiber, "the case must have the law fiber");
-        let estimators = [EstimatorName::Exact, EstimatorName::Fibers];
         let mut solutions = Vec::new();
-        for estimator in estimators {
+        for estimator in ESTIMATORS {
             watch("newton");
             let (solution, _) = self.newton(self.problem(estimator, None)?, estimator, "under the load")?;
             solutions.push(solution);
         }
         let (_, reference) = self.newton(self.problem(EstimatorName::Exact, None)?, EstimatorName::Exact, "")?;
         let held = Some(&reference);
-        for estimator in estimators {
+        for estimator in ESTIMATORS {
             watch("newton");
             let (solution, _) = self.newton(self.problem(estimator, held)?, estimator, "held where it led")?;
             solutions.push(solution);
@@ -74,13 +84,13 @@ impl SolverStudy {
         let contact = &reference.balance().contact;
         let peak = 1.5 * contact.pairs.iter().map(|pair| pair.pressure).fold(0.0, f64::max);
         // For V² the same penetration as that of the case's own law.
-        let laws = [
+        let laws: [_; LOOPED] = [
             ("w = k V", EnergyLaw::volume(1.2 * peak)),
             ("w = k V²", EnergyLaw::Volume { stiffness: 0.5 * peak / contact.volume, exponent: 2.0 }),
             ("fiber", EnergyLaw::fiber(self.case.contact.stiffness)),
         ];
         for (name, law) in laws {
-            for estimator in estimators {
+            for estimator in ESTIMATORS {
                 for &relaxation in &self.relaxations {
                     let mut problem = self.problem(estimator, held)?;
                     problem.contact.law = law;

@@ -64,3 +64,17 @@ def test_the_newton_of_the_readme_presses_a_block_on_a_plane():
         assert iterations <= 8
         # Of a residual of 1e-9 of the forces.
         assert force == pytest.approx(1e6 * push / (1 + 1 / 160), rel=1e-7)
+
+
+def test_the_iterative_solver_of_the_pages():
+    page = (Path(__file__).parents[3] / "docs" / "large-problems.md").read_text()
+    (piece,) = [one.split("```")[0] for one in page.split("```python\n")[1:]]
+    readme = (HERE / "README.md").read_text()
+    (program,) = [one.split("```")[0] for one in readme.split("```python\n")[1:] if "newton(" in one]
+    # The problem of the README, whose loop with Newton's method is left out.
+    assert piece.startswith("problem = ContactProblem(residual, u, bcs, contact)\n")
+    before = program.split("problem = ")[0] + "bcs = [fem.dirichletbc(pushed, top)]\npushed.x.array[1::2] = -0.02\n"
+    after = "\nprint(contact.evaluate(u).bodies[0].force[1])"
+    run = subprocess.run([sys.executable, "-c", before + piece + after], capture_output=True, text=True, timeout=120)
+    assert run.returncode == 0, run.stderr
+    assert float(run.stdout.split()[-1]) == pytest.approx(1e6 * 0.02 / (1 + 1 / 160), rel=1e-6)

@@ -5,6 +5,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::tree::Tree;
 use crate::geometry::{Surface, Vector};
+use crate::overlap::pair::bounds::Bounds;
 use crate::overlap::pair::sides::Pair;
 use rustc_hash::FxHashSet;
 
@@ -16,21 +17,26 @@ pub(crate) struct CellPieces<const D: usize> {
 }
 
 impl<const D: usize> CellPieces<D> {
-    /// The pieces of one body of a pair that meet `region`; `facets` are those of its facets that do.
+    /// The pieces of one body of a pair that meet its `region`; `facets` are those of its facets that do. The boxes are those of
+    /// the part of each within the bounds, if there are some.
     pub(crate) fn new(
         pair: &Pair<D>,
         cells: &Cells,
         field: &DepthField<D>,
         body: usize,
-        facets: &[u32],
-        region: &Aabb<D>,
+        (facets, region): (&[u32], &Aabb<D>),
+        bounds: Option<&Bounds<D>>,
     ) -> Self {
         let (surface, coords) = (pair.surface, pair.coords);
         let (mut pieces, mut boxes) = (Vec::new(), Vec::new());
-        for cell in cells_in(surface, cells, field, coords, body, facets, region) {
+        for cell in cells_in(surface, cells, field, coords, body, (facets, region), bounds) {
             field.for_each_piece(cells, cell as usize, coords, |piece| {
-                let aabb = piece.aabb();
-                if aabb.meets(region) {
+                let corners = &piece.corners[..=D];
+                let mut aabb = Aabb::of(corners);
+                if let (Some(bounds), true) = (bounds, aabb.meets(region)) {
+                    aabb = bounds.box_of_part(corners);
+                }
+                if aabb.meets(region) && !aabb.is_empty() {
                     pieces.push(piece.lowered(pair.clearance));
                     boxes.push(aabb);
                 }
@@ -41,7 +47,7 @@ impl<const D: usize> CellPieces<D> {
     }
 }
 
-/// Cells of one body whose boxes meet `region`, ascending.
+/// Cells of one body whose boxes meet `region` and that the bounds may hold a part of, ascending.
 ///
 /// The part of a body that hangs together within a box either reaches the surface there, or is all of the box. So the
 /// cells behind the facets in the region lead to all others through the faces between them, where the body hangs
@@ -52,13 +58,14 @@ fn cells_in<const D: usize>(
     field: &DepthField<D>,
     coords: &[[f64; D]],
     body: usize,
-    facets: &[u32],
-    region: &Aabb<D>,
+    (facets, region): (&[u32], &Aabb<D>),
+    bounds: Option<&Bounds<D>>,
 ) -> Vec<u32> {
     let meets = |cell: u32| {
+        let points = cells.nodes(cell as usize).iter().map(|&n| Vector::from(coords[n as usize]));
         let mut aabb = Aabb::empty();
-        cells.nodes(cell as usize).iter().for_each(|&n| aabb.include(&Vector::from(coords[n as usize])));
-        aabb.meets(region)
+        points.clone().for_each(|x| aabb.include(&x));
+        aabb.meets(region) && bounds.is_none_or(|bounds| bounds.may_hold(points))
     };
     if facets.is_empty() || !field.is_connected(body) {
         let own = (0..cells.len() as u32).filter(|&cell| cells.body[cell as usize] as usize == body);

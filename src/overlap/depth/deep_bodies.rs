@@ -8,6 +8,7 @@ use crate::Error;
 use crate::depth::DepthField;
 use crate::geometry::cells::Cells;
 use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
+use crate::overlap::pair::bounds::Bounds;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::Pair;
@@ -90,9 +91,10 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
         })
     }
 
-    /// The pieces of one side in the region.
-    pub(crate) fn pieces(&self, which: usize, region: &Region<D>) -> CellPieces<D> {
+    /// The pieces of one side in the region, with their boxes as far as they lie within the bounds.
+    pub(crate) fn pieces(&self, which: usize, region: &Region<D>, bounds: Option<&Bounds<D>>) -> CellPieces<D> {
         let body = if let Partner::Body(body) = self.pair.partners[which] { body } else { 0 };
-        CellPieces::new(self.pair, self.cells, self.field, body, &region.facets[which], &region.aabb)
+        let region = (&region.facets[which][..], &region.aabb);
+        CellPieces::new(self.pair, self.cells, self.field, body, region, bounds)
     }
 }

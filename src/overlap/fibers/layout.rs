@@ -7,7 +7,6 @@ use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::crossing::{Projected, Window, ceil};
 use crate::overlap::pair::options::FiberOptions;
-use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::{Counterpart, Pair};
 use crate::sampling::{Family, FiberPattern};
 use std::sync::Mutex;
@@ -46,9 +45,10 @@ impl<const D: usize> FiberPair<'_, D> {
         coarser: f64,
         work: impl FnOnce(&Layout<D>) -> Result<T, Error>,
     ) -> Result<Option<T>, Error> {
-        let Some(Region { aabb: region, facets }) = self.pair.region()? else { return Ok(None) };
+        let Some(region) = self.pair.region()? else { return Ok(None) };
+        let (facets, region) = (&region.facets, region.aabb);
         let b = if let Counterpart::Facets(b) = &self.pair.counterpart { Some(b) } else { None };
-        let sizes = [Some(&self.pair.a), b].into_iter().flatten().zip(&facets).map(|(s, f)| facet_size(s, f));
+        let sizes = [Some(&self.pair.a), b].into_iter().flatten().zip(facets).map(|(s, f)| facet_size(s, f));
         let facet_size = sizes.fold(f64::INFINITY, f64::min);
         let facet_size = if facet_size.is_finite() { facet_size } else { region.extent().max() };
         let tolerance = region.rounding();

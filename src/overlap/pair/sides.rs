@@ -1,6 +1,7 @@
 //! The two sides of a pair.
 
 use super::partner::Partner;
+use super::region::Region;
 use super::surface_point::SurfacePoint;
 use crate::configuration::FacetSide;
 use crate::depth::DepthField;
@@ -8,6 +9,7 @@ use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Surface, Vector, Weighting};
 use crate::ranks::{Packed, Sharing};
+use std::sync::OnceLock;
 
 /// A rigid shape that is not bounded by facets.
 #[derive(Clone, Copy)]
@@ -65,6 +67,8 @@ pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) weighting: Weighting,
     /// Who shares the work.
     pub(crate) sharing: Sharing<'a>,
+    /// Where the sides can overlap, once it was asked for: see [`Pair::region`].
+    pub(crate) region: OnceLock<Option<Region<D>>>,
 }
 
 impl<'a, const D: usize> Pair<'a, D> {

@@ -16,7 +16,6 @@ use super::partition::Patches;
 use super::sample::ContactSample;
 use crate::Error;
 use crate::geometry::Vector;
-use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::{Counterpart, Pair};
 
 /// Facets at the ends of a sample face one another if their normals are within 60° of opposite.
@@ -79,7 +78,7 @@ pub(crate) fn find<const D: usize>(
         }
         let side = pair.side(of_b);
         let facets: Vec<u32> = match &region {
-            Some(Region { facets, .. }) => facets[usize::from(of_b)].clone(),
+            Some(region) => region.facets[usize::from(of_b)].clone(),
             None => pair.surface_facets(of_b).collect(),
         };
         let seeds: Vec<Option<u32>> = facets

@@ -7,4 +7,5 @@ pub(crate) mod mesh;
 pub(crate) mod report;
 pub(crate) mod run;
 pub(crate) mod study;
+mod time_left;
 pub(crate) mod verify;

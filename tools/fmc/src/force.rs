@@ -22,15 +22,17 @@ mod components;
 mod division;
 mod explain;
 mod obstacle;
+mod picture;
 mod pictures;
 mod placement;
 mod report;
 
 const EXAMPLES: &str = "\
-Units: lengths are in the unit of the mesh. With metres and exponent 1, K is a
+Units: lengths are in the unit of the mesh. With metres, forces are in N in 3D, in
+N per m of thickness in 2D. K is a pressure by penetration, in Pa/m: 10 E / h with
+Young's modulus E and facets of size h. With --law volume and exponent 1 it is a
 pressure in Pa, which must exceed the peak contact pressure, or the bodies pass
-through one another; forces are in N in 3D, in N per m of thickness in 2D. With
-another exponent M, K is in Pa / (length^D)^(M-1), D = 2 or 3.
+through one another; with another exponent M in Pa / (length^D)^(M-1), D = 2 or 3.
 
 Examples:
   A star, 0.01 m deep in a block, both 2D:
@@ -55,8 +57,7 @@ pub(crate) struct ForceArgs {
     #[arg(value_name = "MESH", required = true)]
     meshes: Vec<PathBuf>,
 
-    /// Stiffness K of the energy law w = K V^m [pressure for m = 1, such as Pa]; for --law fiber and depth pressure by
-    /// penetration [Pa/length]
+    /// Stiffness K: pressure by penetration [Pa/length]; for --law volume, w = K V^m, a pressure for m = 1 [Pa]
     #[arg(long, value_name = "K", value_parser = positive)]
     stiffness: f64,
 
@@ -88,7 +89,8 @@ pub(crate) struct ForceArgs {
     #[arg(long, value_name = "SHAPE", verbatim_doc_comment)]
     obstacle: Vec<ObstacleSpec>,
 
-    /// Folder for forces.vtu (meshes with nodal forces, pressures and gaps) and fibers.vtu (fibers and crossings), to be opened in ParaView
+    /// Folder for picture.svg (bodies and forces, for a browser), forces.vtu (meshes with nodal forces, pressures and gaps) and
+    /// fibers.vtu (fibers and crossings), for ParaView
     #[arg(long, value_name = "DIR", default_value = "out/force")]
     out: PathBuf,
 
@@ -150,6 +152,14 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     let pictures = [args.out.join("forces.vtu"), args.out.join("fibers.vtu")];
     pictures::forces(&assembly, &division, &forces.forces, &at_nodes).write(&pictures[0])?;
     fiber_grid(&traces, args.fibers_shown).write(&pictures[1])?;
+    let drawn = match picture::picture(&assembly, &division, &forces.forces) {
+        Ok(svg) => {
+            let path = args.out.join("picture.svg");
+            write_whole(&path, svg)?;
+            format!("{} (open it in a browser)", path.display())
+        }
+        Err(why) => why.to_owned(),
+    };
 
     let obstacles: Vec<&str> = args.obstacle.iter().map(|obstacle| obstacle.text.as_str()).collect();
     let mut report = Report::new(&forces, &division.names, &obstacles, seconds);
@@ -159,13 +169,13 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind) -> 
     if args.json.as_deref() != Some(Path::new("-")) {
         let [nodes, cells] = [assembly.coords.len(), assembly.cell_count()];
         let shown = match (traces.len(), args.fibers_shown) {
-            (0, _) => "empty: no fiber crosses an overlap".to_owned(),
+            (0, _) => "empty: the overlap, if any, was measured without lines; --estimator fibers lays them".to_owned(),
             (all, most) if all > most => format!("{most} of the {all} fibers in the overlap; see --fibers-shown"),
             (all, _) => format!("{all} fibers in the overlap"),
         };
         print(&format!(
             "{D}D, nodes: {nodes}, cells: {cells}, facets: {facet_count}, bodies: {}\n\n{}\n\
-             written: {}\n         {} ({shown})\n",
+             written: {drawn}\n         {} (for ParaView)\n         {} ({shown})\n",
             division.names.len(),
             report.text(),
             pictures[0].display(),

@@ -8,12 +8,37 @@ mod commands;
 mod estimator_args;
 mod force;
 mod man;
+mod next_step;
+
+#[cfg(feature = "statics")]
+const AFTER_HELP: &str = "To begin with:
+  Forces between two meshes, and a picture of them:
+    fmc force examples/star.msh examples/block.msh --stiffness 2.8e7
+  The cases that come along, and one of them, an equilibrium beside its closed form:
+    fmc list
+    fmc run hertz
+  All of them on one page, in less than a minute:
+    fmc report --quick
+  Every option of a command, with examples:
+    fmc COMMAND --help
+
+Exit status: 0 on success, 1 if a bound or a check is missed, 2 for bad usage or input.";
+
+#[cfg(not(feature = "statics"))]
+const AFTER_HELP: &str = "To begin with:
+  Forces between two meshes, and a picture of them:
+    fmc force examples/star.msh examples/block.msh --stiffness 2.8e7
+  Every option, with examples:
+    fmc force --help
+
+Built without the commands that solve: cargo run --release -p fmc has them.
+Exit status: 0 on success, 2 for bad usage or input.";
 
 /// Contact forces from overlap volume, by Fiber Monte Carlo
 #[derive(Parser)]
 #[command(
     version,
-    after_help = "Exit status: 0 on success, 1 if a bound or a check is missed, 2 for bad usage or input."
+    after_help = AFTER_HELP
 )]
 struct Cli {
     #[command(subcommand)]
@@ -38,8 +63,32 @@ enum Command {
     Man(man::ManArgs),
 }
 
+impl Command {
+    /// As it is called.
+    fn name(&self) -> &'static str {
+        match self {
+            #[cfg(feature = "statics")]
+            Command::Run(_) => "run",
+            #[cfg(feature = "statics")]
+            Command::List(_) => "list",
+            #[cfg(feature = "statics")]
+            Command::Mesh(_) => "mesh",
+            #[cfg(feature = "statics")]
+            Command::Study(_) => "study",
+            #[cfg(feature = "plots")]
+            Command::Report(_) => "report",
+            Command::Force(_) => "force",
+            #[cfg(feature = "statics")]
+            Command::Verify(_) => "verify",
+            Command::Man(_) => "man",
+        }
+    }
+}
+
 fn main() -> ExitCode {
-    let result = match Cli::parse().command {
+    let command = Cli::parse().command;
+    let name = command.name();
+    let result = match command {
         #[cfg(feature = "statics")]
         Command::Run(args) => commands::run::run(&args),
         #[cfg(feature = "statics")]
@@ -61,7 +110,7 @@ fn main() -> ExitCode {
         if cause.is_some_and(|cause| cause.kind() == std::io::ErrorKind::BrokenPipe) {
             return ExitCode::SUCCESS;
         }
-        eprintln!("error: {error:#}");
+        eprintln!("error: {error:#}\n\n{}", next_step::next_step(name));
         ExitCode::from(2)
     })
 }

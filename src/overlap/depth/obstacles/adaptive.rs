@@ -43,8 +43,13 @@ const PASSES: usize = 2;
 /// Distances of points at this part of their own distance are equal but for rounding.
 const ROUNDING: f64 = 1e-12;
 
+/// A depth below this part of the coordinates is that of their rounding. Where surfaces touch and nothing lies deeper, the whole
+/// sum is such noise, and cannot say what is little. The square root of it is the size of a part at which a curved surface that
+/// touches is let be, and the square of that what its volume may be off.
+const NOISE: f64 = 0.25 * f64::EPSILON;
+
 /// Simplices in hand from which on they are taken as they are, so that the work and its memory have an end where surfaces touch
-/// along a line, and for functions that have none: so many, or so many for each that was given.
+/// along a line in space, and for functions that have none: so many, or so many for each that was given.
 const MOST_PARTS: usize = 1 << 17;
 const MOST_OF_ROOT: usize = 16;
 
@@ -73,6 +78,13 @@ pub(crate) struct Adaptive<'a, const D: usize, F> {
     pub(crate) tolerance: f64,
     /// Adds a point: number of its simplex, coordinates there, part of its measure, distance.
     pub(crate) integrand: F,
+}
+
+/// All roots together.
+struct Whole {
+    measure: f64,
+    /// Depth that is rounding.
+    noise: f64,
 }
 
 /// A part of a root, of which nothing but the distances at its corners is known.
@@ -115,7 +127,11 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
     {
         let rule = degree_5(self.dimension);
         let mut sums = vec![Q::default(); roots.len()];
-        let whole: f64 = roots.iter().map(|root| root.measure).sum();
+        let coordinates = roots.iter().flat_map(|root| &root.corners[..=self.dimension]);
+        let whole = Whole {
+            measure: roots.iter().map(|root| root.measure).sum(),
+            noise: NOISE * coordinates.map(|x| x.amax()).fold(0.0, f64::max),
+        };
         let mut active = self.first(roots, &rule)?;
         while !active.is_empty() {
             let of_sums: f64 = sums.iter().zip(roots).map(|(q, root)| q.size() * root.measure).sum();
@@ -123,7 +139,7 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
                 active.iter().map(|part| part.value.size() * roots[part.bare.root as usize].measure).sum();
             let scale = of_sums + of_active;
             let is_last = active.len() > MOST_PARTS.max(MOST_OF_ROOT * roots.len());
-            let refine = |parts: &[Part<D, Q>]| self.refined(parts, roots, scale, whole, is_last, &rule);
+            let refine = |parts: &[Part<D, Q>]| self.refined(parts, roots, scale, &whole, is_last, &rule);
             let refined = self.pair.on_threads(&active, CHUNK, refine);
             active.clear();
             for part in refined {
@@ -155,7 +171,7 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
         parts: &[Part<D, Q>],
         roots: &[Root<D>],
         scale: f64,
-        whole: f64,
+        whole: &Whole,
         is_last: bool,
         rule: &[(InSimplex, f64)],
     ) -> Refined<D, Q>
@@ -198,10 +214,11 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
             let hidden = if is_straight { bend / SEEN } else { part.radius };
             let is_small = part.bare.halvings >= MOST_HALVINGS
                 || measure * hidden <= HIDDEN * scale
-                || measure <= SMALL[self.dimension - 1] * whole;
+                || hidden <= whole.noise
+                || measure <= SMALL[self.dimension - 1] * whole.measure;
             let unseen = halves.iter().flatten().fold(part.unseen, |most, half| most.max(half.unseen));
-            let tells_nothing = part.value.difference(&sum) * of_root <= self.tolerance * scale
-                && unseen * measure <= UNSEEN * self.tolerance * scale;
+            let little = (self.tolerance * scale).max(whole.noise * measure);
+            let tells_nothing = part.value.difference(&sum) * of_root <= little && unseen * measure <= UNSEEN * little;
             let passed = if tells_nothing && (is_resolved || is_small) { part.passed + 1 } else { 0 };
             if passed >= self.dimension.min(PASSES) || part.bare.halvings >= MOST_HALVINGS || is_last {
                 done.push((part.bare.root, sum));

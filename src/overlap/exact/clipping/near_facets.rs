@@ -32,9 +32,9 @@ pub(crate) struct Facets<const D: usize> {
 impl<const D: usize> NearFacets<D> {
     /// Facets keep clear of each other if their boxes do or if one lies on one side of the plane of the other, by more
     /// than rounding. Other facets may keep clear too: that costs time, and nothing else.
-    pub(crate) fn new(pair: &Pair<D>, b: &FacetSide<D>, region: Region<D>) -> Self {
+    pub(crate) fn new(pair: &Pair<D>, b: &FacetSide<D>, region: &Region<D>) -> Self {
         let tolerance = region.aabb.rounding();
-        let [of_a, of_b] = region.facets;
+        let [of_a, of_b] = region.facets.clone();
         let (of_a, of_b) = pair.both(|| Facets::new(&pair.a, of_a, tolerance), || Facets::new(b, of_b, tolerance));
         let mut sides = [of_a, of_b];
         let [a, b] = &mut sides;

@@ -24,7 +24,6 @@ use crate::geometry::{Pose, Shape, Vector};
 use crate::overlap::pair::assembly::Assembly;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::partner::Partner;
-use crate::overlap::pair::region::common_region;
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
 use crate::overlap::pair::warning::swallowed;
 use crate::ranks::Sharing;
@@ -67,7 +66,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: None }))
             }
             Counterpart::Facets(b) => {
-                let Some(region) = common_region(a, b) else { return Ok(None) };
+                let Some(region) = self.pair.region()? else { return Ok(None) };
                 let aabb = region.aabb;
                 let clearance = NearFacets::new(self.pair, b, region);
                 let tolerance = clearance.tolerance;

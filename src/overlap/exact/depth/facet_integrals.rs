@@ -3,7 +3,6 @@
 use super::facet_clip::clip;
 use crate::configuration::FacetSide;
 use crate::depth::DepthPiece;
-use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::{Surface, Weighting};
@@ -13,6 +12,7 @@ use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::point_sums::PointSums;
 use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
 use crate::overlap::pair::body_facet::BodyFacet;
+use crate::overlap::pair::bounds::Bounds;
 
 /// Cosine of an angle between normals that is rounding.
 const SAME_WAY: f64 = 1.0 - 1e-9;
@@ -36,6 +36,8 @@ pub(crate) struct FacetsInCells<'a, const D: usize> {
     pub(crate) request: &'a DepthRequest,
     /// Cell of every facet of the side, which does not count, where the other body is the same.
     pub(crate) own_cell: Option<&'a [u32]>,
+    /// What holds all of the overlap.
+    pub(crate) bounds: &'a Bounds<D>,
 }
 
 impl<const D: usize> FacetsInCells<'_, D> {
@@ -48,7 +50,10 @@ impl<const D: usize> FacetsInCells<'_, D> {
             if self.weighting.is_axis(&facet.corners, rounding) {
                 continue;
             }
-            let aabb = Aabb::of(&facet.corners);
+            let aabb = self.bounds.box_of_part(&facet.corners);
+            if aabb.is_empty() {
+                continue;
+            }
             let before = sums.piece_count;
             let mut moments = Moments { area: [0.0; D], depth: [0.0; D], points: PointSums::default() };
             self.other.tree.visit(

@@ -1,6 +1,7 @@
 //! How much of a piece lies inside another, and where.
 
 use crate::depth::DepthPiece;
+use crate::geometry::Vector;
 use crate::overlap::depth::cell_integrals::Products;
 use crate::overlap::depth::simplex_parts::measure;
 use crate::ranks::Packed;
@@ -95,10 +96,8 @@ pub(crate) fn common_moments<M: Moments, const D: usize>(p: &DepthPiece<D>, q: &
     if p.is_cut() || q.is_cut() {
         return common_moments_below(p, q);
     }
-    let of_p = coordinates(p, q);
-    let by_q = cuts::<D>(&of_p)?;
-    let of_q = coordinates(q, p);
-    let by_p = cuts::<D>(&of_q)?;
+    let (of_p, by_q) = coordinates(p, q)?;
+    let (of_q, by_p) = coordinates(q, p)?;
     let some = |moments: M| (!moments.is_zero()).then_some(moments);
     // The one of which fewer faces cut the other cuts.
     if by_q <= by_p {
@@ -112,8 +111,9 @@ pub(crate) fn common_moments<M: Moments, const D: usize>(p: &DepthPiece<D>, q: &
 
 /// The same where the depth of either piece is positive, each by itself.
 fn common_moments_below<M: Moments, const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<[M; 2]> {
-    let (of_p, of_q) = (coordinates(p, q), coordinates(q, p));
-    let by_q_first = cuts::<D>(&of_p)? <= cuts::<D>(&of_q)?;
+    let (of_p, by_q) = coordinates(p, q)?;
+    let (of_q, by_p) = coordinates(q, p)?;
+    let by_q_first = by_q <= by_p;
     let sign = p.sign * q.sign;
     // Depth of one piece at the corners of the other.
     let at = |corners: &[[f64; 4]; 4], depths: &[f64; 4]| {
@@ -129,25 +129,30 @@ fn common_moments_below<M: Moments, const D: usize>(p: &DepthPiece<D>, q: &Depth
     (!in_p.is_zero() || !in_q.is_zero()).then_some([in_p, in_q])
 }
 
-/// Barycentric coordinates in `q` of the corners of `p`.
-fn coordinates<const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> [[f64; 4]; 4] {
-    std::array::from_fn(|c| if c <= D { q.barycentric(&p.corners[c]) } else { [0.0; 4] })
-}
-
-/// Number of faces that cut a simplex, given the coordinates of its corners; `None` where one has all of it outside.
-fn cuts<const D: usize>(corners: &[[f64; 4]; 4]) -> Option<usize> {
-    let mut count = 0;
-    for k in 0..=D {
+/// Barycentric coordinates in `q` of the corners of `p`, and the number of faces of `q` that cut `p`; `None` where one has all
+/// of it outside, as most faces of pieces have that are only near each other.
+fn coordinates<const D: usize>(p: &DepthPiece<D>, q: &DepthPiece<D>) -> Option<([[f64; 4]; 4], usize)> {
+    let (mut all, mut count) = ([[0.0; 4]; 4], 0);
+    let from: [Vector<D>; 4] =
+        std::array::from_fn(|c| if c <= D { p.corners[c] - q.corners[0] } else { Vector::zeros() });
+    // The first follows from the others.
+    for k in (1..=D).chain([0]) {
         let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
-        for corner in &corners[..=D] {
-            (least, largest) = (least.min(corner[k]), largest.max(corner[k]));
+        for c in 0..=D {
+            let value = match k {
+                0 => (1..=D).fold(1.0, |rest, k| rest - all[c][k]),
+                _ => q.slopes[k].dot(&from[c]),
+            };
+            all[c][k] = value;
+            least = if value < least { value } else { least };
+            largest = if value > largest { value } else { largest };
         }
         if largest <= 0.0 {
             return None;
         }
         count += usize::from(least < 0.0);
     }
-    Some(count)
+    Some((all, count))
 }
 
 /// Moments of the part of a simplex where all coordinates are positive; the simplex whose coordinates they are has this

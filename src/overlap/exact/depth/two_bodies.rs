@@ -11,8 +11,9 @@ use crate::overlap::depth::cell_pieces::CellPieces;
 use crate::overlap::depth::deep_bodies::WEIGHT;
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
+use crate::overlap::pair::bounds::Bounds;
 use crate::overlap::pair::partner::Partner;
-use crate::overlap::pair::region::{Region, common_region};
+use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::{Counterpart, Pair};
 
 /// Facets, or pieces, that a thread takes at once.
@@ -28,7 +29,7 @@ pub(crate) fn depth_integral<const D: usize>(
 ) -> Result<Option<DepthIntegral<D>>, Error> {
     DeepBodies::integral(pair, request, |bodies| {
         Ok(match &pair.counterpart {
-            Counterpart::Facets(b) => common_region(&pair.a, b).and_then(|region| bodies.two(b, &region)),
+            Counterpart::Facets(b) => pair.region()?.and_then(|region| bodies.two(b, region)),
             _ => bodies.one(),
         })
     })
@@ -38,11 +39,12 @@ impl<const D: usize> DeepBodies<'_, D> {
     /// Of two bodies.
     fn two(&self, b: &FacetSide<D>, region: &Region<D>) -> Option<DepthIntegral<D>> {
         let pair = self.pair;
-        let (of_a, of_b) = pair.both(|| self.pieces(0, region), || self.pieces(1, region));
+        let bounds = pair.bounds(region);
+        let (of_a, of_b) = pair.both(|| self.pieces(0, region, Some(bounds)), || self.pieces(1, region, Some(bounds)));
         let rounding = region.aabb.rounding();
         let (facets_a, facets_b) = pair.both(
-            || self.facets(&pair.a, &region.facets[0], (false, false), &of_b, rounding),
-            || self.facets(b, &region.facets[1], (true, false), &of_a, rounding),
+            || self.facets(&pair.a, (&region.facets[0], bounds), (false, false), &of_b, rounding),
+            || self.facets(b, (&region.facets[1], bounds), (true, false), &of_a, rounding),
         );
         let weighting = pair.weighting;
         let [moments_a, moments_b] = if weighting.is_plain() {
@@ -85,9 +87,10 @@ impl<const D: usize> DeepBodies<'_, D> {
     /// Of a body with itself: every two of its cells that overlap.
     fn one(&self) -> Option<DepthIntegral<D>> {
         let a = &self.pair.a;
-        let region = Region { aabb: a.aabb, facets: [(0..a.facets.len() as u32).collect(), Vec::new()] };
-        let all = self.pieces(0, &region);
-        let facets = self.facets(a, &region.facets[0], (false, true), &all, a.aabb.rounding());
+        let region = Region::new(a.aabb, [(0..a.facets.len() as u32).collect(), Vec::new()]);
+        let bounds = self.pair.bounds(&region);
+        let all = self.pieces(0, &region, None);
+        let facets = self.facets(a, (&region.facets[0], bounds), (false, true), &all, a.aabb.rounding());
         let weighting = self.pair.weighting;
         let moments = match weighting.is_plain() {
             true => CellMoments::plain(own_moments(&all)),
@@ -99,7 +102,7 @@ impl<const D: usize> DeepBodies<'_, D> {
     fn facets(
         &self,
         side: &FacetSide<D>,
-        facets: &[u32],
+        (facets, bounds): (&[u32], &Bounds<D>),
         (of_b, own): (bool, bool),
         other: &CellPieces<D>,
         rounding: f64,
@@ -109,8 +112,19 @@ impl<const D: usize> DeepBodies<'_, D> {
         let own_cell = own.then(|| &surface.facet_cell[surface.ranges[body].clone()]);
         let weighting = self.pair.weighting;
         let (weight, clearance) = (WEIGHT, self.pair.clearance);
-        let of_side =
-            FacetsInCells { surface, cells, side, of_b, other, weight, clearance, weighting, request, own_cell };
+        let of_side = FacetsInCells {
+            surface,
+            cells,
+            side,
+            of_b,
+            other,
+            weight,
+            clearance,
+            weighting,
+            request,
+            own_cell,
+            bounds,
+        };
         let parts = self.pair.in_chunks(facets, CHUNK, |facets| of_side.integrals(facets, rounding));
         FacetSums::of_parts(parts)
     }

@@ -63,7 +63,7 @@ impl<const D: usize> ExactPair<'_, D> {
             }
             let between = self.in_order(&seen.work, seen.facets.len(), |entered, scratch, found| {
                 let along = (&family, plane.as_ref());
-                self.points_between(&seen, along, entered, rule, scratch, |point| found.extend(keep(point)));
+                self.points_between(&seen, along, (entered, None), rule, scratch, |point| found.extend(keep(point)));
             });
             points.points.extend(between);
             let edges = self.edge_sides(&seen);
@@ -170,12 +170,12 @@ impl<const D: usize> ExactPair<'_, D> {
     }
 
     /// Points on the lines that enter through one facet and leave through any, as far as both lie below the plane of a
-    /// half-space: elsewhere it is the plane that bounds the line.
+    /// half-space: elsewhere it is the plane that bounds the line. One of the two at least is among the `wanted`.
     pub(crate) fn points_between(
         &self,
         seen: &Projection<D>,
         (family, plane): (&Family<D>, Option<&Plane<D>>),
-        entered: usize,
+        (entered, wanted): (usize, Option<&[bool]>),
         rule: Rule,
         scratch: &mut Scratch<D>,
         mut add: impl FnMut(ContactPoint<D>),
@@ -184,18 +184,23 @@ impl<const D: usize> ExactPair<'_, D> {
         if e.leaves || seen.work.is_over() {
             return;
         }
+        let is_wanted = |facet: usize| wanted.is_none_or(|wanted| wanted[facet]);
+        let is_any = is_wanted(entered);
+        if !is_any && !seen.is_near_any(entered, |x| seen.facets[x].leaves && is_wanted(x)) {
+            return;
+        }
         let Scratch { near, piece } = scratch;
-        seen.find_near(entered as u32, near);
         let [first, _] = seen.ranges[entered];
+        seen.find_near(entered as u32, first, near);
         let slope = plane.map_or(0.0, |plane| plane.normal.dot(family.direction()));
         let entered_at = self.pair.side(e.of_b).corners(e.facet as usize);
         for &Near { facet: left, bounds, t } in near.iter() {
             let x = &seen.facets[left as usize];
-            if !x.leaves || seen.ranges[left as usize][1] <= first {
+            if !x.leaves || seen.ranges[left as usize][1] <= first || !(is_any || is_wanted(left as usize)) {
                 continue;
             }
             let lengths: [f64; D] = std::array::from_fn(|c| t[c] - e.corners[c][2]);
-            if bounds.iter().any(|w| w.iter().all(|w| *w <= 0.0)) || lengths.iter().all(|l| *l <= 0.0) {
+            if lengths.iter().all(|l| *l <= 0.0) {
                 continue;
             }
             piece.reset();
@@ -248,7 +253,7 @@ impl<const D: usize> ExactPair<'_, D> {
             if !piece.cut(&lengths.map(|l| -l)) {
                 continue;
             }
-            seen.find_near(index as u32, &mut near);
+            seen.find_near(index as u32, f64::NEG_INFINITY, &mut near);
             seen.visible(piece.corners(), [index as u32; 2], &lengths, &near, |piece, share| {
                 rule.for_each_point(piece, |w, part| {
                     let length = (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();

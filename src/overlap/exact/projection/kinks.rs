@@ -16,7 +16,7 @@ use super::edges::{EdgeSide, along, distance, flanks};
 use super::projected_facets::{ProjectedFacet, Projection, flat};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{cut, whole, zeros};
+use crate::geometry::convex_piece::{Corners, cut, whole, zeros};
 use crate::geometry::facet_slopes::slopes;
 use crate::geometry::plane::Plane;
 use crate::geometry::quadrature::ON_CURVE;
@@ -233,7 +233,7 @@ impl<const D: usize> ExactPair<'_, D> {
         let f = &seen.facets[index];
         let corners = self.pair.side(f.of_b).corners(f.facet as usize);
         let Some((m, _)) = slopes(&corners, d) else { return };
-        let mut meet = |piece: Vec<[f64; D]>, heights: [f64; D], other: &Other<D>| {
+        let mut meet = |piece: Corners<D>, heights: [f64; D], other: &Other<D>| {
             let zeros = zeros(&piece, &heights);
             let Some((first, last)) = zeros.first().zip(zeros.last()) else { return };
             let apart = (m - other.m).norm();

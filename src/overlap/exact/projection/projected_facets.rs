@@ -3,13 +3,11 @@
 use super::work::Work;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::cut;
+use crate::geometry::convex_piece::{Corners, cut};
 use crate::geometry::quadrature::measure;
 use crate::geometry::tree::Tree;
 use crate::overlap::pair::surface_point::SurfacePoint;
-
-/// A convex piece of a facet: its corners, in the facet's barycentric coordinates.
-type Corners<const D: usize> = Vec<[f64; D]>;
+use smallvec::SmallVec;
 
 /// A facet as seen along the direction of a patch.
 pub(crate) struct ProjectedFacet<const D: usize> {
@@ -139,21 +137,36 @@ impl<const D: usize> Projection<D> {
         );
     }
 
-    /// Facets in front of or behind any part of one facet, ascending, with their place there.
-    pub(crate) fn find_near(&self, facet: u32, near: &mut Vec<Near<D>>) {
-        near.clear();
+    /// Whether the box of one of some facets meets that of a facet.
+    pub(crate) fn is_near_any(&self, facet: usize, is_one: impl Fn(usize) -> bool) -> bool {
+        let mut is_near = false;
+        self.visit_near(&self.boxes[facet], |other| is_near = is_near || is_one(other as usize));
+        is_near
+    }
+
+    /// Facets over any part of one facet, ascending, with their place there; those that end before `least` along the lines
+    /// are left out.
+    pub(crate) fn find_near(&self, facet: u32, least: f64, near: &mut Vec<Near<D>>) {
         let first = &self.facets[facet as usize];
+        let mut found: SmallVec<[u32; FEW]> = SmallVec::new();
         self.visit_near(&self.boxes[facet as usize], |other| {
+            if self.ranges[other as usize][1] >= least - self.tolerance {
+                found.push(other);
+            }
+        });
+        found.sort_unstable();
+        near.clear();
+        near.extend(found.into_iter().filter_map(|other| {
             let h = &self.facets[other as usize];
             let at_corners: [[f64; D]; D] = first.corners.map(|c| h.barycentric(&c));
-            let bounds = std::array::from_fn(|a| at_corners.map(|w| w[a]));
-            near.push(Near { facet: other, bounds, t: at_corners.map(|w| h.t(&w)) });
-        });
-        near.sort_unstable_by_key(|near| near.facet);
+            let bounds: [[f64; D]; D] = std::array::from_fn(|a| at_corners.map(|w| w[a]));
+            let is_beside = bounds.iter().any(|w| w.iter().all(|w| *w <= 0.0));
+            (!is_beside).then(|| Near { facet: other, bounds, t: at_corners.map(|w| h.t(&w)) })
+        }));
     }
 
     /// Those of the facets near one facet that may meet the lines of a part of it.
-    fn over<'a>(&self, outline: &Aabb<D>, near: &'a [Near<D>]) -> Vec<&'a Near<D>> {
+    fn over<'a>(&self, outline: &Aabb<D>, near: &'a [Near<D>]) -> SmallVec<[&'a Near<D>; FEW]> {
         if near.len() <= FEW {
             return near.iter().filter(|near| self.boxes[near.facet as usize].meets(outline)).collect();
         }
@@ -185,28 +198,21 @@ impl<const D: usize> Projection<D> {
             let far = place[2] + sign * (0..D).map(|a| w[a] * lengths[a]).sum::<f64>();
             (low, high) = (low.min(place[2]).min(far), high.max(place[2]).max(far));
         }
-        // Empty as long as all of the piece is seen.
-        let mut visible: Vec<(Corners<D>, f64)> = Vec::new();
         let over = self.over(&outline, near);
         if !self.work.allows(over.len()) {
             return;
         }
+        let mut hiding: SmallVec<[Hiding<D>; 16]> = SmallVec::new();
         for &Near { facet: other, bounds: sides, t } in over {
-            // Before or behind all that lies between the two, or beside it.
+            // Before or behind all that lies between the two, or beside it. Neighbours share an edge, but for rounding.
             let [least, largest] = self.ranges[other as usize];
             if largest < low - self.tolerance || least > high + self.tolerance || between.contains(&other) {
                 continue;
             }
-            let is_clear = |bounds: &[[f64; D]], least: f64| match visible.is_empty() {
-                true => is_clear(piece, bounds, least),
-                false => visible.iter().all(|(piece, _)| is_clear(piece, bounds, least)),
-            };
-            // Neighbours share an edge, but for rounding.
-            if is_clear(&sides, SLIVER) {
+            if is_clear(piece, &sides, SLIVER) {
                 continue;
             }
             let h = &self.facets[other as usize];
-            // Where the line meets it, between the ends: all of these are positive.
             let mut bounds = [[0.0; D]; MOST_BOUNDS];
             bounds[..D].copy_from_slice(&sides);
             let shares = first.coincides(h, self.tolerance) || second.coincides(h, self.tolerance);
@@ -216,30 +222,54 @@ impl<const D: usize> Projection<D> {
                 bounds[D + 1] = std::array::from_fn(|c| lengths[c] - bounds[D][c]);
                 count += 2;
             }
-            let bounds = &bounds[..count];
-            if is_clear(bounds, 0.0) {
+            let found = Hiding { bounds, count, shares };
+            if is_clear(piece, found.bounds(), 0.0) {
                 continue;
             }
-            if visible.is_empty() {
-                visible.push((piece.to_vec(), 1.0));
+            if !shares && is_covered(piece, found.bounds()) {
+                return;
+            }
+            hiding.push(found);
+        }
+        if hiding.is_empty() {
+            visit(piece, 1.0);
+            return;
+        }
+        let mut visible = vec![(Corners::from_slice(piece), 1.0)];
+        let mut left = Vec::new();
+        for found in hiding {
+            let is_clear = |bounds: &[[f64; D]], least| visible.iter().all(|(piece, _)| is_clear(piece, bounds, least));
+            if is_clear(&found.bounds[..D], SLIVER) || is_clear(found.bounds(), 0.0) {
+                continue;
             }
             if !self.work.allows(visible.len()) {
                 return;
             }
-            let divided = visible.into_iter().flat_map(|(piece, share)| {
-                let (inside, rest) = divide(piece, bounds);
-                let shared = inside.filter(|_| shares).map(|inside| (inside, 0.5 * share));
-                rest.into_iter().map(move |piece| (piece, share)).chain(shared)
-            });
-            visible = divided.collect();
+            for (piece, share) in visible.drain(..) {
+                let hidden = divide(piece, share, found.bounds(), &mut left);
+                left.extend(hidden.filter(|_| found.shares).map(|piece| (piece, 0.5 * share)));
+            }
+            std::mem::swap(&mut visible, &mut left);
             if visible.is_empty() {
                 return;
             }
         }
-        match visible.is_empty() {
-            true => visit(piece, 1.0),
-            false => visible.iter().for_each(|(piece, share)| visit(piece, *share)),
-        }
+        visible.iter().for_each(|(piece, share)| visit(piece, *share));
+    }
+}
+
+/// A facet that hides a part of a piece.
+struct Hiding<const D: usize> {
+    /// Where the line meets it, between the ends: the first so many of these are positive.
+    bounds: [[f64; D]; MOST_BOUNDS],
+    count: usize,
+    /// Whether it shares the lines.
+    shares: bool,
+}
+
+impl<const D: usize> Hiding<D> {
+    fn bounds(&self) -> &[[f64; D]] {
+        &self.bounds[..self.count]
     }
 }
 
@@ -249,30 +279,51 @@ const FEW: usize = 64;
 /// Bounds of the part of a piece that a facet hides: its own edges, and the two ends of the lines.
 const MOST_BOUNDS: usize = 5;
 
+/// Value of a linear function, given at the facet's corners.
+fn value<const D: usize>(w: &[f64; D], bound: &[f64; D]) -> f64 {
+    (0..D).map(|a| w[a] * bound[a]).sum()
+}
+
 /// Whether some linear function, given at the facet's corners, is nowhere on a piece larger than `least`.
 fn is_clear<const D: usize>(piece: &[[f64; D]], bounds: &[[f64; D]], least: f64) -> bool {
-    let value = |w: &[f64; D], bound: &[f64; D]| (0..D).map(|a| w[a] * bound[a]).sum::<f64>();
     bounds.iter().any(|bound| piece.iter().all(|w| value(w, bound) <= least))
 }
 
-/// The part of a convex piece on which all of some linear functions, given at the facet's corners, are positive, and the
-/// rest.
-fn divide<const D: usize>(piece: Corners<D>, positive: &[[f64; D]]) -> (Option<Corners<D>>, Vec<Corners<D>>) {
+/// Whether all of some linear functions are positive on all of a piece.
+fn is_covered<const D: usize>(piece: &[[f64; D]], bounds: &[[f64; D]]) -> bool {
+    bounds.iter().all(|bound| piece.iter().all(|w| value(w, bound) > 0.0))
+}
+
+/// The part of a convex piece on which all of some linear functions, given at the facet's corners, are positive; adds the
+/// rest to `left`, with its share.
+fn divide<const D: usize>(
+    piece: Corners<D>,
+    share: f64,
+    positive: &[[f64; D]],
+    left: &mut Vec<(Corners<D>, f64)>,
+) -> Option<Corners<D>> {
     if is_clear(&piece, positive, 0.0) {
-        return (None, vec![piece]);
+        left.push((piece, share));
+        return None;
     }
-    let (mut rest, mut inside) = (Vec::new(), piece.clone());
+    let (before, least) = (left.len(), SLIVER * measure(&piece));
+    let mut inside = piece.clone();
     for bound in positive {
+        if is_covered(&inside, std::slice::from_ref(bound)) {
+            continue;
+        }
         let outside = cut(&inside, bound);
         inside = cut(&inside, &bound.map(|b| -b));
-        if inside.len() < D || measure(&inside) <= SLIVER * measure(&piece) {
-            return (None, vec![piece]);
+        if inside.len() < D || measure(&inside) <= least {
+            left.truncate(before);
+            left.push((piece, share));
+            return None;
         }
         if outside.len() >= D {
-            rest.push(outside);
+            left.push((outside, share));
         }
     }
-    (Some(inside), rest)
+    Some(inside)
 }
 
 /// Part of a piece, or of a facet, below which what is left of it is rounding: whether its lines are inside is chance.

@@ -58,55 +58,28 @@ impl Work {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::configuration::{FacetSide, FacetTree};
-    use crate::geometry::{Bodies, Surface, Vector, Weighting};
+    use crate::geometry::Vector;
     use crate::overlap::exact::clipping::volume::ExactPair;
     use crate::overlap::exact::projection::contact_points::Rule;
-    use crate::overlap::pair::partner::Partner;
-    use crate::overlap::pair::sides::{Counterpart, Pair};
+    use crate::overlap::pair::of_meshes::with_pair;
     use crate::sampling::Family;
     use fmc_shapes::{Mesh, cuboid_surface, icosphere};
 
     /// Pieces for every facet in the region of contact, and of these, seen along the last axis.
     fn pieces_per_facet(a: &Mesh<3>, b: &Mesh<3>) -> f64 {
-        let surfaces = [a, b].map(|mesh| {
-            let facets = mesh.facets();
-            Surface::from_facets(&mesh.coords, &facets, Bodies::Ids(&vec![0; facets.len()])).expect("a closed surface")
-        });
-        let points = [surfaces[0].points(&a.coords), surfaces[1].points(&b.coords)];
-        let trees: [FacetTree<3>; 2] =
-            std::array::from_fn(|k| FacetTree::new(&surfaces[k].facets, &surfaces[k].vertices[0], &points[k]));
-        let [a_side, b_side]: [FacetSide<3>; 2] = std::array::from_fn(|k| FacetSide {
-            facets: &surfaces[k].facets,
-            points: &points[k],
-            tree: &trees[k],
-            aabb: trees[k].aabb(),
-            is_upright: true,
-        });
-        let pair = Pair {
-            partners: [Partner::Body(0), Partner::Body(1)],
-            a: a_side,
-            counterpart: Counterpart::Facets(b_side),
-            pose: None,
-            surface: &surfaces[0],
-            coords: &a.coords,
-            depth: None,
-            clearance: 0.0,
-            weighting: Weighting::Plain,
-            sharing: crate::ranks::Sharing::Alone,
-        };
-        let exact = ExactPair { pair: &pair };
-        let reached = exact.reached_facets().expect("facets").expect("an overlap");
-        let family = Family::<3>::along(Vector::<3>::new(0.0, 0.0, 1.0), 0, 0);
-        let seen = exact.projection(&family, &reached, None);
-        let points = exact.in_order(&seen.work, seen.facets.len(), |entered, scratch, found: &mut Vec<f64>| {
-            exact.points_between(&seen, (&family, None), entered, Rule::Middle, scratch, |point| {
-                found.push(point.length)
+        with_pair(a, b, |pair| {
+            let exact = ExactPair { pair };
+            let reached = exact.reached_facets().expect("facets").expect("an overlap");
+            let family = Family::<3>::along(Vector::<3>::new(0.0, 0.0, 1.0), 0, 0);
+            let seen = exact.projection(&family, &reached, None);
+            let points = exact.in_order(&seen.work, seen.facets.len(), |entered, scratch, found: &mut Vec<f64>| {
+                let (along, between) = ((&family, None), (entered, None));
+                exact.points_between(&seen, along, between, Rule::Middle, scratch, |point| found.push(point.length));
             });
-        });
-        assert!(!points.is_empty());
-        exact.silhouettes(&seen, &exact.edge_sides(&seen), &family, None);
-        seen.work.pieces.load(Ordering::Relaxed) as f64 / seen.facets.len() as f64
+            assert!(!points.is_empty());
+            exact.silhouettes(&seen, &exact.edge_sides(&seen), &family, None);
+            seen.work.pieces.load(Ordering::Relaxed) as f64 / seen.facets.len() as f64
+        })
     }
 
     /// The number grows with the facets, not with their square, also where a few large ones face many small ones.

@@ -29,7 +29,7 @@ pub(crate) fn depth_integral<const D: usize>(
     DeepBodies::integral(fibers.pair, request, |bodies| {
         let found = fibers.with_layout(1.0, |layout| {
             let Some(region) = fibers.pair.region()? else { return Ok(None) };
-            measured(fibers, bodies, layout, &region)
+            measured(fibers, bodies, layout, region)
         })?;
         Ok(found.flatten())
     })
@@ -43,9 +43,9 @@ fn measured<const D: usize>(
 ) -> Result<Option<DepthIntegral<D>>, Error> {
     let pair = bodies.pair;
     let of: Vec<CellPieces<D>> = if pair.is_own() {
-        vec![bodies.pieces(0, region)]
+        vec![bodies.pieces(0, region, None)]
     } else {
-        let (of_a, of_b) = pair.both(|| bodies.pieces(0, region), || bodies.pieces(1, region));
+        let (of_a, of_b) = pair.both(|| bodies.pieces(0, region, None), || bodies.pieces(1, region, None));
         vec![of_a, of_b]
     };
     let body = if let Partner::Body(body) = pair.partners[0] { body } else { 0 };

@@ -55,7 +55,7 @@ pub(crate) fn run(args: &ReportArgs) -> Result<ExitCode> {
     let folder = args.out.join("runs");
     std::fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
     // Draws on standard error, and only if that is a terminal.
-    let bar = ProgressBar::new(1).with_style(ProgressStyle::with_template("  {prefix} {bar:24} {msg}")?);
+    let bar = ProgressBar::new(1).with_style(ProgressStyle::with_template("  {prefix} {bar:24} {eta} left {msg}")?);
     let limit = args.limit.or(args.quick.then_some(QUICK_LIMIT)).map(Duration::from_secs);
     let setting = Setting { size, threads: args.threads.into(), limit, bar: &bar, stop: &stop };
     let Some(records) = records(&examples, &folder, &setting)? else {

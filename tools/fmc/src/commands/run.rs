@@ -1,6 +1,7 @@
 //! `fmc run`: a case from its file to its figures.
 
 use super::interrupt;
+use super::time_left::TimeLeft;
 use crate::estimator_args::{EstimatorKind, positive};
 use anyhow::{Context, Result, bail};
 use clap::{ValueEnum, value_parser};
@@ -184,12 +185,13 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&name));
     let options = RunOptions { out: out.clone(), threads: args.threads.into(), resume: args.resume };
     let bar = if args.quiet { ProgressBar::hidden() } else { ProgressBar::new(1) };
-    bar.set_style(ProgressStyle::with_template("{bar:24} {pos}/{len} {msg}")?);
+    bar.set_style(ProgressStyle::with_template("{bar:24} {pos}/{len} {eta} left | {msg}")?);
     let dimension = case.dimension;
-    if case.load_steps.is_some() {
+    if let Some(load_steps) = &case.load_steps {
+        let mut time = TimeLeft::new(1 + load_steps.then.len());
         let mut watch = |iteration: &Iteration| {
             if !args.quiet && !args.json {
-                eprintln!("{iteration}");
+                eprintln!("{iteration}{}", time.behind(iteration.load));
             }
             if stop.load(Ordering::SeqCst) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };

@@ -148,11 +148,21 @@ fn case(name: &str, overrides: &[String]) -> Result<(Case, PathBuf)> {
     Ok((document.case()?, document.folder))
 }
 
-/// Says what runs, on a terminal.
-fn spinner() -> Result<ProgressBar> {
-    let bar = ProgressBar::new_spinner().with_style(ProgressStyle::with_template("{spinner} {msg} {elapsed}")?);
+/// Says what runs, and how long the rest of `count` solutions will take, on a terminal.
+fn solutions_bar(count: usize) -> Result<ProgressBar> {
+    let style = ProgressStyle::with_template("{spinner} {pos}/{len} {msg} {elapsed}, {eta} left")?;
+    let bar = ProgressBar::new(count as u64).with_style(style);
     bar.enable_steady_tick(std::time::Duration::from_millis(200));
     Ok(bar)
+}
+
+/// The next solution of a study.
+fn next(bar: &ProgressBar, what: &str) {
+    // The first is on its way, none is done.
+    if !bar.message().is_empty() {
+        bar.inc(1);
+    }
+    bar.set_message(what.to_owned());
 }
 
 fn newton(args: &NewtonArgs) -> Result<()> {
@@ -160,8 +170,8 @@ fn newton(args: &NewtonArgs) -> Result<()> {
     let title = case.title.clone();
     let (most_iterations, relaxations) = (args.iterations as usize, args.relaxation.clone());
     let study = SolverStudy { case, folder, most_iterations, relaxations, threads: args.threads.into() };
-    let bar = spinner()?;
-    let solutions = study.run(&mut |what| bar.set_message(what.to_owned()))?;
+    let bar = solutions_bar(study.solution_count())?;
+    let solutions = study.run(&mut |what| next(&bar, what))?;
     bar.finish_and_clear();
     Solution::write(&args.out, &title, &solutions)?;
     let table = Solution::table(&solutions);
@@ -174,8 +184,8 @@ fn convergence(args: &ConvergenceArgs) -> Result<()> {
     let title = case.title.clone();
     let (meshes, fibers) = (args.meshes.clone(), args.fibers.clone());
     let study = Convergence { case, folder, meshes, fibers, threads: args.threads.into() };
-    let bar = spinner()?;
-    let rows = study.run(&mut |what| bar.set_message(what.to_owned()))?;
+    let bar = solutions_bar(study.meshes.len() + 1 + study.fibers.len())?;
+    let rows = study.run(&mut |what| next(&bar, what))?;
     bar.finish_and_clear();
     Refined::write(&args.out, &title, &rows)?;
     writeln!(std::io::stdout(), "{title}\n\n{}\n\nFiles: {}", Refined::table(&rows), args.out.display())?;
@@ -201,7 +211,7 @@ fn impact(args: &ImpactArgs) -> Result<()> {
         threads: args.threads.into(),
     };
     // Draws on standard error, and only if that is a terminal.
-    let bar = ProgressBar::new(1).with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {eta}")?);
+    let bar = ProgressBar::new(1).with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} {eta} left {msg}")?);
     let attempts = impact.run(&mut |progress| {
         bar.set_length(progress.step_count);
         bar.set_position(progress.step);

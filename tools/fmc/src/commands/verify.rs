@@ -89,7 +89,8 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<ExitCode> {
         seeds: SEEDS,
         rows: Vec::new(),
         // Draws on standard error, and only if that is a terminal.
-        progress: ProgressBar::new(0).with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}")?),
+        progress: ProgressBar::new(0)
+            .with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} {eta} left {msg}")?),
     };
     if let Some(directory) = &verification.pictures {
         std::fs::create_dir_all(directory).with_context(|| format!("cannot create {}", directory.display()))?;

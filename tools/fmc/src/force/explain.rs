@@ -22,26 +22,45 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
             format!("{file}: coordinate {} of node {} is not finite", ["x", "y", "z"][*axis], node(*n))
         }
         Error::RepeatedNode { cell: c, node: n } => {
-            format!("{}: cell {} names node {} twice", cell(*c).0, cell(*c).1, node(*n))
+            format!(
+                "{}: cell {} names node {} twice: leave it out, or repair it in the mesh generator",
+                cell(*c).0,
+                cell(*c).1,
+                node(*n)
+            )
         }
         Error::InvertedCell { cell: c } => {
-            format!("{}: cell {} is inverted, as a whole or at a corner", cell(*c).0, cell(*c).1)
+            format!(
+                "{}: cell {} is inverted, as a whole or at a corner: turn the order of its nodes, or move those that are folded over",
+                cell(*c).0,
+                cell(*c).1
+            )
         }
         Error::ZeroMeasure { cell: c } => {
-            format!("{}: cell {} has no {}", cell(*c).0, cell(*c).1, if D == 2 { "area" } else { "area or volume" })
+            format!(
+                "{}: cell {} has no {}: leave it out, or merge its nodes",
+                cell(*c).0,
+                cell(*c).1,
+                if D == 2 { "area" } else { "area or volume" }
+            )
         }
         Error::OpenSurface { facet, nodes } => format!(
             "{}: its triangles are neither flat (a 2D mesh has one z for all nodes) nor a closed surface: cell {} has \
-             no neighbour at {}",
+             no neighbour at {}; close the surface there, or mesh the volume",
             cell(*facet).0,
             cell(*facet).1,
             between(nodes)
         ),
         Error::NonManifold { facet, nodes } => {
-            format!("{}: cell {} is the third to meet at {}", cell(*facet).0, cell(*facet).1, between(nodes))
+            format!(
+                "{}: cell {} is the third to meet at {}: divide the bodies by --bodies physical, or by a file each",
+                cell(*facet).0,
+                cell(*facet).1,
+                between(nodes)
+            )
         }
         Error::InconsistentOrientation { facet, nodes } => format!(
-            "{}: cell {} and its neighbour at {} disagree about which side is out",
+            "{}: cell {} and its neighbour at {} disagree about which side is out: turn the order of nodes of one of them",
             cell(*facet).0,
             cell(*facet).1,
             between(nodes)

@@ -142,7 +142,10 @@ impl Report {
             body.moment.iter().try_for_each(|value| write!(out, " {value:>15.6e}"))?;
             writeln!(out, " {:>8}", body.nodes)?;
         }
-        writeln!(out, "\nUnits: for lengths in m and, with exponent 1, K in Pa. Moments: about the origin.")?;
+        writeln!(
+            out,
+            "\nUnits: for lengths in m and K in Pa/m (law volume, exponent 1: in Pa). Moments: about the origin."
+        )?;
         writeln!(out, "Nodes: those on the surface, and middles of faces of second order that have none.")?;
         self.warnings.iter().try_for_each(|warning| writeln!(out, "\nwarning: {warning}"))
     }

@@ -2,6 +2,7 @@
 
 mod command;
 mod mixed;
+mod picture;
 mod refusals;
 mod results;
 mod second_order;

@@ -1,0 +1,122 @@
+"""What the pages show in Python runs: every piece of code in docs, by itself or after the lines that a reader has to have already."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+DOCS = Path(__file__).parents[3] / "docs"
+
+TWO_BLOCKS = """
+import numpy as np
+from fmc_contact import Contact, newton
+
+# Two squares, one on the other, each of 1e4 between its bottom and its top.
+x = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.2, 1], [0.8, 1], [0.8, 2], [0.2, 2]], float)
+conn = np.array([[0, 1, 2, 3], [4, 5, 6, 7]])
+k, E = 1e5, 1e4
+K = np.zeros((16, 16))
+for square in conn:
+    for axis in range(2):
+        for low, high in ((square[0], square[3]), (square[1], square[2])):
+            at = 2 * np.array([low, high]) + axis
+            K[np.ix_(at, at)] += E / 2 * np.array([[1, -1], [-1, 1]])
+first = x.copy()
+host = lambda x: (K @ (x - first).ravel(), K)
+free = np.r_[4:12]
+loads = []
+for push, slide in ((0.01, 0), (0.01, 0.005), (0.01, 0.2)):
+    to = first.copy()
+    to[6:] += (slide, -push)
+    loads.append(to)
+"""
+
+OF_SECOND_ORDER = """
+import numpy as np
+from fmc_contact import Contact
+
+corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]], float)
+rows, middles = list(corners), {}
+
+def middle(a, b):
+    key = min(a, b), max(a, b)
+    if key not in middles:
+        middles[key] = len(rows)
+        rows.append((corners[a] + corners[b]) / 2)
+    return middles[key]
+
+def facet(*around):
+    return [*around, *(middle(a, b) for a, b in zip(around, around[1:] + around[:1]))]
+
+triangles = np.array([facet(0, 2, 1), facet(3, 4, 5)])
+quads = np.array([facet(0, 1, 4, 3), facet(1, 2, 5, 4), facet(2, 0, 3, 5)])
+x = np.array(rows)
+"""
+
+POINTS = """
+import numpy as np
+from fmc_contact import Contact
+
+grid = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], float)
+edges = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
+coords = np.vstack([grid, [(grid[a] + grid[b]) / 2 for a, b in edges]])
+contact = Contact(coords, [np.arange(20)], "hexahedron20", stiffness=1e6)
+at_points = np.ones_like(contact.point_weights().to_points(coords))
+"""
+
+BASIS = """
+import numpy as np
+from fmc_contact import Contact
+
+# Two squares that are moved by their corners alone.
+q = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.99, 0], [1.99, 0], [1.99, 1], [0.99, 1]], float)
+parts = np.vstack([np.eye(4), (np.eye(4) + np.roll(np.eye(4), 1, axis=1)) / 2, np.full((1, 4), 0.25)])
+B = np.kron(np.eye(2), parts)
+x, cells = B @ q, np.arange(18).reshape(2, 9)
+"""
+
+# What stands before a piece, what is checked behind it; None: the tests named run it.
+PIECES = {
+    "first-contact.md": [
+        ("", "assert abs(result.bodies[1].force[0] - 794) < 1"),
+        None,  # hosts/skfem/tests/test_examples.py
+        None,  # hosts/dolfinx/tests/test_examples.py
+    ],
+    "friction.md": [
+        # Pulled by more than μ times what presses, the lower square is bent by that much.
+        (
+            TWO_BLOCKS,
+            "N, T = (contact.evaluate(x).bodies[1].force[axis] for axis in (1, 0))\n"
+            "assert N > 10 and abs(abs(T) / N - 0.3) < 0.02, (N, T)",
+        ),
+    ],
+    "large-problems.md": [None],  # hosts/dolfinx/tests
+    "second-order.md": [
+        (OF_SECOND_ORDER, "assert contact.facet_count == 2 * 4 + 3 * 16, contact.facet_count"),
+        (POINTS, "assert np.allclose(forces.sum(0), len(at_points)) and np.allclose(x[: len(coords)], coords)"),
+        (BASIS, "assert forces.shape == q.shape and abs(forces[4:, 0].sum() - 1e6 * 0.01) < 300, forces"),
+        None,  # hosts/skfem/tests/test_docs.py
+    ],
+}
+
+
+def pieces(page):
+    return re.findall(r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), flags=re.S | re.M)
+
+
+def test_every_piece_is_known():
+    found = {page.name: len(pieces(page)) for page in DOCS.glob("*.md") if pieces(page)}
+    assert found == {name: len(known) for name, known in PIECES.items()}
+
+
+RUN_HERE = [(page, at) for page, known in PIECES.items() for at, piece in enumerate(known) if piece]
+
+
+@pytest.mark.parametrize(("page", "at"), RUN_HERE)
+def test_piece_runs(page, at):
+    before, after = PIECES[page][at]
+    program = "\n".join([before, pieces(DOCS / page)[at], after])
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert run.returncode == 0, run.stderr

@@ -1,0 +1,86 @@
+//! Contact at nodes and at points, and weighted gaps.
+
+use super::Host;
+use super::array::{Array, CANARY, checked, unless};
+use crate::guarded::Guarded;
+use crate::interface::*;
+use crate::program::{Hole, Layout};
+
+impl Host {
+    pub(super) fn fields(&mut self, read: Layout, hole: Hole) {
+        let array = Array::new(&self.mesh.coords, self.mesh.dim, read);
+        let (view, n, mut count) = (array.view, self.mesh.node_count(), 77usize);
+        let numbers = |each: usize| Guarded::new(&vec![f64::from_bits(CANARY); n * each]);
+        let (pressure, gap, area, normal) = (numbers(1), numbers(1), numbers(1), numbers(self.mesh.dim));
+        let (friction, sliding, touches) = (numbers(self.mesh.dim), numbers(1), Guarded::new(&vec![7; n]));
+        // SAFETY: as in `evaluate`; points go where there is room for so many.
+        unsafe {
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let (p, s) = (unless(hole, 1, pressure.ptr()), unless(hole, 2, touches.ptr()));
+            let room = if hole == 6 { n + 1 } else { n };
+            let (gap_at, area_at, normal_at) = (gap.ptr(), area.ptr(), normal.ptr());
+            let (friction_at, sliding_at) = (friction.ptr(), sliding.ptr());
+            let status = fmc_context_nodal_contact(
+                self.context,
+                coords,
+                p,
+                gap_at,
+                area_at,
+                normal_at,
+                friction_at,
+                sliding_at,
+                s,
+                room,
+            );
+            let is_ok = checked(status) == OK;
+            assert!(!is_ok || room == n);
+            let found = [gap.values(), normal.values(), friction.values(), sliding.values()].concat();
+            assert_eq!(found.iter().any(|v| v.to_bits() == CANARY), !is_ok);
+            assert!(!is_ok || sliding.values().iter().all(|part| (0.0..=1.0 + 1e-9).contains(part)));
+            assert!(is_ok && hole != 3 || touches.values().iter().all(|s| *s == 7));
+            assert!(!is_ok || hole == 3 || touches.values().iter().all(|s| (0..=3).contains(s)));
+            let count_at = unless(hole, 4, &raw mut count);
+            if checked(fmc_context_find_contact_points(self.context, coords, count_at)) != OK || hole == 5 {
+                assert_eq!(count, 77);
+                return;
+            }
+            let blank = std::mem::MaybeUninit::<fmc_contact_point>::zeroed().assume_init();
+            let points = Guarded::new(&vec![blank; count]);
+            if count > 0 {
+                assert_ne!(checked(fmc_context_contact_points(self.context, points.ptr(), count - 1)), OK);
+            }
+            assert_eq!(checked(fmc_context_contact_points(self.context, points.ptr(), count)), OK);
+            assert!(points.values().iter().all(|point| point.struct_size == size_of::<fmc_contact_point>()));
+        }
+    }
+
+    pub(super) fn gaps(&mut self, reach: f64, hole: Hole) {
+        let array = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let (view, mut rows, mut entries) = (array.view, 77usize, 77usize);
+        // SAFETY: as in `evaluate`; rows and entries go where there is room for so many.
+        unsafe {
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let (rows_at, entries_at) = (unless(hole, 1, &raw mut rows), unless(hole, 2, &raw mut entries));
+            let status = fmc_context_find_gap_constraints(self.context, coords, reach, rows_at, entries_at);
+            if checked(status) != OK || (2..4).contains(&hole) {
+                assert!(rows == 77 || hole == 3);
+                return;
+            }
+            let blank = std::mem::MaybeUninit::<fmc_gap_constraint>::zeroed().assume_init();
+            let found = Guarded::new(&vec![blank; rows]);
+            let (offsets, cols) = (Guarded::new(&vec![-7i64; rows + 1]), Guarded::new(&vec![-7i64; entries]));
+            let values = Guarded::new(&vec![f64::from_bits(CANARY); entries]);
+            if rows > 0 {
+                assert_ne!(checked(fmc_context_gap_constraints(self.context, found.ptr(), rows - 1)), OK);
+            }
+            assert_eq!(checked(fmc_context_gap_constraints(self.context, found.ptr(), rows)), OK);
+            assert!(found.values().iter().all(|row| row.struct_size == size_of::<fmc_gap_constraint>()));
+            let (offsets_at, cols_at, values_at) = (offsets.ptr(), cols.ptr(), values.ptr());
+            assert_eq!(checked(fmc_context_gap_gradient(self.context, offsets_at, cols_at, values_at, entries)), OK);
+            assert_eq!(offsets.values().last().copied(), Some(entries as i64));
+            let size = (self.mesh.node_count() * self.mesh.dim) as i64;
+            assert!(cols.values().iter().all(|col| (0..size).contains(col)));
+            assert!(values.values().iter().all(|value| value.is_finite()));
+        }
+    }
+}

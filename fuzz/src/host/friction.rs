@@ -1,0 +1,47 @@
+//! Steps of friction, and what makes a symmetric half.
+
+use super::Host;
+use super::array::{Array, checked, unless};
+use crate::guarded::Guarded;
+use crate::interface::*;
+use crate::program::{Hole, Layout};
+
+impl Host {
+    pub(super) fn step(&mut self, what: u8, read: Layout, value: f64, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
+        let view = coords.view;
+        let coords = unless(hole, 0, (&raw const view).cast_mut()).cast_const();
+        let count = self.mesh.dim * self.facet_count();
+        let length = count.saturating_sub(usize::from(what > 250));
+        let slip = Guarded::new(&vec![value; length]);
+        // SAFETY: a living context or NULL, a view or NULL, as many numbers as it says.
+        unsafe {
+            match what % 5 {
+                0 => checked(fmc_context_begin_step(self.context, coords)),
+                1 => checked(fmc_context_commit_step(self.context, coords)),
+                2 => checked(fmc_context_freeze_friction(self.context, coords)),
+                3 => checked(fmc_context_set_slip(self.context, unless(hole, 1, slip.ptr()).cast_const(), length)),
+                _ => checked(fmc_context_slip(self.context, unless(hole, 1, slip.ptr()), length)),
+            };
+        }
+    }
+
+    /// Facets of the context's surface.
+    fn facet_count(&self) -> usize {
+        let mut count = 0;
+        // SAFETY: a living context or NULL, and room for one number.
+        checked(unsafe {
+            fmc_context_counts(self.context, std::ptr::null_mut(), &raw mut count, std::ptr::null_mut())
+        });
+        count
+    }
+
+    pub(super) fn set_symmetry_nodes(&mut self, nodes: &[u8], hole: Hole) {
+        let nodes: Vec<i64> = nodes.iter().map(|&node| i64::from(node) - 2).collect();
+        let numbers = Guarded::new(&nodes);
+        // SAFETY: as many numbers as it says.
+        checked(unsafe {
+            fmc_context_set_symmetry_nodes(self.context, unless(hole, 0, numbers.ptr()).cast_const(), nodes.len())
+        });
+    }
+}

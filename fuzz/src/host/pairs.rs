@@ -1,0 +1,53 @@
+//! Options of single pairs.
+
+use super::Host;
+use super::array::{checked, unless};
+use crate::interface::*;
+use crate::program::{Hole, PairOptions};
+
+impl Host {
+    pub(super) fn set_pair(&mut self, from: &PairOptions, hole: Hole) {
+        let [(a_kind, a), (b_kind, b)] = from.sides.map(|side| (i32::from(side % 5 / 2), usize::from(side / 5 % 4)));
+        let context = self.context;
+        let none = fmc_pair_options {
+            struct_size: 77,
+            stiffness: 0.0,
+            exponent: 0.0,
+            smoothing_length: 0.0,
+            gap_offset: 0.0,
+            friction_coefficient: 0.0,
+            law: 77,
+            excluded: 77,
+            reserved: [77; 10],
+        };
+        // SAFETY: the host's own context, and structs of the header's size.
+        unsafe {
+            let found = || {
+                let mut found = none;
+                let status = checked(fmc_context_pair_options(context, a_kind, a, b_kind, b, &raw mut found));
+                assert!(status == OK || found == none, "an error writes outputs");
+                (status, found)
+            };
+            let before = found();
+            let mut options = none;
+            assert_eq!(fmc_pair_options_init(&raw mut options), OK);
+            options.law = i32::from(from.law % 6) - 1;
+            // What belongs to a law is refused without one; often enough it is left out.
+            if options.law >= 0 || from.law >= 250 {
+                options.stiffness = from.stiffness.0;
+                options.exponent = from.exponent.map_or(1.0, |x| x.0);
+                options.smoothing_length = from.smoothing_length.map_or(0.0, |x| x.0);
+            }
+            options.excluded = i32::from(from.excluded % 3);
+            options.gap_offset = from.gap_offset.map_or(0.0, |x| x.0);
+            let given = unless(hole, 0, &raw mut options).cast_const();
+            let status = checked(fmc_context_set_pair_options(context, a_kind, a, b_kind, b, given));
+            let after = found();
+            if status == OK {
+                assert!(after.0 == OK && (given.is_null() || after.1 == options), "{after:?}");
+            } else {
+                assert_eq!(before, after);
+            }
+        }
+    }
+}

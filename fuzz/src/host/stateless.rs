@@ -1,0 +1,93 @@
+//! Functions without a context.
+
+use super::Host;
+use super::array::{Array, CANARY, checked, unless};
+use super::creation::cell_size;
+use crate::guarded::Guarded;
+use crate::interface::*;
+use crate::program::{Hole, Layout};
+use std::ffi::{CStr, CString};
+use std::ptr::null;
+
+pub(super) fn suggest(dim: i32, [a, b, c]: [f64; 3]) {
+    let check = |call: &dyn Fn(*mut f64) -> fmc_status| {
+        let mut found = -1.0;
+        let status = checked(call(&raw mut found));
+        // A product of numbers in range may leave it.
+        assert!(if status == OK { found > 0.0 || found == 0.0 || found.is_infinite() } else { found == -1.0 });
+    };
+    // SAFETY: the output may be written.
+    unsafe {
+        check(&|found| fmc_suggest_fiber_stiffness(a, b, found));
+        check(&|found| fmc_suggest_stiffness_from_modulus(dim, a, b, c, found));
+        check(&|found| fmc_suggest_stiffness_from_pressure(dim, a, b, c, found));
+    }
+}
+
+pub(super) fn texts(status: i32, feature: &[u8; 5]) {
+    let end = feature.iter().position(|b| *b == 0).unwrap_or(5);
+    let feature = CString::new(&feature[..end]).expect("no zero within");
+    // SAFETY: texts that end in zero, theirs and ours.
+    unsafe {
+        assert!((0..=1).contains(&fmc_has_feature(feature.as_ptr())) && fmc_has_feature(null()) == 0);
+        assert!(CStr::from_ptr(fmc_status_name(status)).to_bytes().starts_with(b"FMC_"));
+        assert!(!CStr::from_ptr(fmc_version()).to_bytes().is_empty());
+        assert!(fmc_abi_version() > 0);
+        assert!(CStr::from_ptr(fmc_last_error()).to_str().is_ok());
+    }
+}
+
+impl Host {
+    pub(super) fn stateless(&self, hole: Hole) {
+        let Some((cell_type, conn)) = self.mesh.blocks.first() else { return };
+        let size = cell_size(*cell_type);
+        let wide = Guarded::new(&conn.iter().map(|n| n + i64::from(self.options.index_base)).collect::<Vec<_>>());
+        let narrow = Guarded::new(&wide.values().iter().map(|&n| n as i32).collect::<Vec<_>>());
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let canaries = vec![f64::from_bits(CANARY); self.mesh.coords.len()];
+        let (dim, n, cells) = (self.mesh.dim as i32, self.mesh.node_count(), conn.len() / size);
+        let call = |is_wide: bool| {
+            let (forces, mut volume) = (Guarded::new(&canaries), -1.0);
+            // SAFETY: arrays as long as they are said to be.
+            let status = unsafe {
+                let (x, o) = (unless(hole, 0, coords.memory.ptr()), &raw const self.options);
+                let (f, v) = (unless(hole, 1, forces.ptr()), unless(hole, 2, &raw mut volume));
+                if is_wide {
+                    fmc_contact_force_i64(dim, x, n, *cell_type, wide.ptr(), cells, null(), o, f, v)
+                } else {
+                    fmc_contact_force(dim, x, n, *cell_type, narrow.ptr(), cells, null(), o, f, v)
+                }
+            };
+            let bits: Vec<u64> = forces.values().into_iter().map(f64::to_bits).collect();
+            if checked(status) != OK {
+                assert!(bits.iter().all(|b| *b == CANARY) && volume == -1.0, "an error writes outputs");
+            }
+            (status, bits, volume.to_bits())
+        };
+        assert_eq!(call(false), call(true));
+        let stepped = |is_wide: bool| {
+            let (forces, next) = (Guarded::new(&canaries), Guarded::new(&canaries));
+            // SAFETY: arrays as long as they are said to be; a slip of another length than `n` rows is refused.
+            let (status, volume) = unsafe {
+                let (mut step, mut volume) = (std::mem::zeroed(), -1.0);
+                assert_eq!(fmc_friction_step_init(&raw mut step), OK);
+                (step.start, step.slip_length) = (unless(hole, 3, coords.memory.ptr()), canaries.len());
+                step.next_slip = unless(hole, 4, next.ptr());
+                let (x, o, f) = (coords.memory.ptr(), &raw const self.options, forces.ptr());
+                let (v, step) = (&raw mut volume, unless(hole, 5, &raw mut step));
+                let status = if is_wide {
+                    fmc_contact_force_step_i64(dim, x, n, *cell_type, wide.ptr(), cells, null(), o, step, f, v)
+                } else {
+                    fmc_contact_force_step(dim, x, n, *cell_type, narrow.ptr(), cells, null(), o, step, f, v)
+                };
+                (checked(status), volume)
+            };
+            let bits: Vec<u64> = forces.values().iter().chain(&next.values()).map(|x| x.to_bits()).collect();
+            if status != OK {
+                assert!(bits.iter().all(|x| *x == CANARY) && volume == -1.0, "an error writes outputs");
+            }
+            (status, bits, volume.to_bits())
+        };
+        assert_eq!(stepped(false), stepped(true));
+    }
+}
