@@ -11,6 +11,7 @@
 # make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make fuzz      arbitrary input for 60 s; make fuzz-long: ten million executions
+# make large     two blocks of a million unknowns by multigrid, in PETSc: iterations in out/large; hours
 # make getfem    Hertz and a punch in GetFEM beside the reference host, and beside GetFEM's own contact in the same run
 # make dealii    Hertz, a punch, hanging nodes and friction in deal.II beside the reference host; installs libdeal.ii-dev through apt
 # make bench     benchmarks
@@ -34,7 +35,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo examples test suites fuzz fuzz-long release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat getfem dealii-program dealii bench figures figures-check book header build install install-command install-python deb try-deb try-install wheel try-wheel recipes packages clean
+.PHONY: check demo examples test suites fuzz fuzz-long release sanitizers mutants check-tools tools python hosts host-environment agree peer-environment peers peers-test compat large getfem dealii-program dealii bench figures figures-check book header build install install-command install-python deb try-deb try-install wheel try-wheel recipes packages clean
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:
@@ -164,7 +165,7 @@ host-environment:
 	$(HOSTS)/bin/python -m pip install -q --no-deps \
 	  scikit-fem ./bindings/python ./benchmarks/agreement ./hosts/skfem ./hosts/dolfinx ./hosts/getfem
 
-RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibrium \
+RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibrium FMC_PRESS=$(HOSTS)/bin/press \
   FMC_DRIVERS=$(CURDIR)/benchmarks/agreement/drivers \
   OMP_NUM_THREADS=1
 
@@ -175,8 +176,20 @@ RUN_GETFEM = $(RUN_HOSTS) PYTHONPATH=$(subst $(SPACE),:,$(addprefix $(CURDIR)/,$
 hosts: host-environment
 	$(RUN_HOSTS) $(SUITE_OF) "scikit-fem" $(HOSTS)/bin/python -m pytest -q hosts/skfem
 	$(RUN_HOSTS) $(SUITE_OF) "FEniCSx" $(HOSTS)/bin/python -m pytest -q hosts/dolfinx
+	$(RUN_HOSTS) $(SUITE_OF) "PETSc" $(HOSTS)/bin/python -m pytest -q hosts/petsc
 	$(RUN_GETFEM) $(SUITE_OF) "GetFEM" $(HOSTS)/bin/python -m pytest -q hosts/getfem
 	$(RUN_HOSTS) $(SUITE_OF) "agreement of the hosts" $(HOSTS)/bin/python -m pytest -q benchmarks/agreement
+
+# One stiffness of contact, k h / E, after the other; a million unknowns take some 6 GB, and on one core up to half an hour each.
+LARGE_CELLS ?= 56
+LARGE_RANKS ?= 1
+RATIOS ?= 1 10 100 1000
+LARGE = out/large/$(LARGE_CELLS)-$(LARGE_RANKS).md
+
+large: host-environment
+	mkdir -p out/large && rm -f $(LARGE)
+	for ratio in $(RATIOS); do OMP_NUM_THREADS=1 mpirun --oversubscribe -n $(LARGE_RANKS) \
+	  $(HOSTS)/bin/press -cells $(LARGE_CELLS) -ratio $$ratio >>$(LARGE) || exit 1; tail -$$((1 + $(LARGE_RANKS))) $(LARGE); done
 
 getfem: host-environment
 	$(RUN_GETFEM) $(HOSTS)/bin/python hosts/getfem/compare.py out/getfem

@@ -63,7 +63,7 @@ for ratio in (1, 10, 100, 1000):
     snes = problem.iterative_solver()
     snes.setTolerances(rtol=1e-8, atol=1e-14, stol=0.0, max_it=40)
     if is_plain:
-        FilteredMultigrid(space, lambda: problem.touched, filtered=False).attach(snes.getKSP().getPC())
+        FilteredMultigrid(space, lambda: problem.touched, problem.bodies, filtered=False).attach(snes.getKSP().getPC())
     if "--monitor" in sys.argv:
         snes.setMonitor(lambda _, iteration, norm: print("  ", ratio, iteration, norm, flush=True))
     krylov = []
@@ -71,6 +71,7 @@ for ratio in (1, 10, 100, 1000):
     steps = problem.solve(snes)
     each = [n for n, after in zip(krylov, krylov[1:] + [0]) if after == 0]
     touched = comm.allreduce(len(problem.touched))
+    force = contact.evaluate(u).bodies[1].force[2]
     if comm.rank == 0:
         kind = "multigrid" if is_plain else "filtered"
-        print(f"| {unknown_count} | {comm.size} | {kind} | {ratio} | {touched} | {steps} | {max(each)} |", flush=True)
+        print(f"| {unknown_count} | {comm.size} | {kind} | {ratio} | {touched} | {steps} | {max(each)} | {force:.9g} |", flush=True)

@@ -10,8 +10,10 @@ import ufl
 from dolfinx import fem, mesh
 from fmc_contact import errors
 from fmc_contact_dolfinx import ContactProblem, DolfinxContact, attach, by_input_number
+from fmc_contact_dolfinx.entries import add_entries
 from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
-from scenes import COMM, block, blocks, interpolate, permuted
+from petsc4py import PETSc
+from scenes import COMM, block, blocks, bodies, interpolate, permuted, set_wave
 
 
 def elastic(u, v, young=200.0, poisson=0.3):
@@ -42,7 +44,8 @@ def solve(out, kind, order, whole, permute, through):
     if permute == "permuted":
         x, cells, old = permuted(x, cells)
     space = vector_space(mesh_from_cells(COMM, x, cells, kind), int(order))
-    contact = DolfinxContact(space, stiffness=1e4, estimator="exact", whole_mesh=whole == "whole")
+    shown = {"whole": {"whole_mesh": True}, "boundary": {"whole_mesh": False}, "parts": {"in_parts": True}}[whole]
+    contact = DolfinxContact(space, stiffness=1e4, estimator="exact", **shown)
     u, v = fem.Function(space), ufl.TestFunction(space)
     bcs = pressed(space)
     contact.keep_patches(u)
@@ -126,6 +129,111 @@ def two_meshes(out, kind):
         np.savez(out, **{f"force{k}": table for k, table in enumerate(tables)})
 
 
+def figures(kind, order, law, steps):
+    """What a contact tells at given displacements, by input numbers; nodes and cells are given to the mesh in any order, and bodies
+    are its connected components. On more than one rank the mesh is in parts."""
+    x, cells, _ = permuted(*bodies(kind))
+    space = vector_space(mesh_from_cells(COMM, x, cells, kind), int(order))
+    friction = {"friction_coefficient": 0.3, "friction_stiffness": 1e3} if steps == "steps" else {}
+    contact = DolfinxContact(space, stiffness=1e4, law=law, estimator="exact", **friction)
+    assert bool(contact.whole_because) == (COMM.size == 1), contact.whole_because
+    up = np.eye(x.shape[1])[-1]
+    contact.contact.add_half_space(0.004 * up, up)
+    u = fem.Function(space)
+    if steps == "steps":
+        contact.begin_step(u)
+        # Far enough that other cells are gathered.
+        contact.commit_step(set_wave(u, shift=0.3))
+        set_wave(u, shift=0.25)
+    else:
+        if law == "fiber":
+            contact.keep_patches(u)
+        set_wave(u)
+    result, fields, tangent = contact.evaluate(u), contact.nodal_contact(u), contact.tangent(u)
+    unknown = contact.unknowns()
+    # What was found knows its nodes when others have been gathered since.
+    contact.evaluate(fem.Function(space))
+    force = fem.Function(space)
+    contact.add_forces(force.x.array, result)
+    force.x.scatter_forward()
+    # A vector on the space of the displacement, a number below it.
+    normal, pressure = contact.function(fields.normal), contact.function(fields.pressure)
+    normal.sub(0).interpolate(pressure)
+    normal.x.scatter_forward()
+    count = space.dofmap.index_map.size_local * space.dofmap.index_map_bs
+    matrix = PETSc.Mat().createAIJ(((count, None), (count, None)), nnz=50, comm=COMM)
+    matrix.assemble()
+    contact.add_tangent(matrix, tangent)
+    (first, last), distinct = matrix.getOwnershipRange(), np.unique(unknown[tangent.rows])
+    assert np.array_equal(contact.touched(tangent), distinct[(distinct >= first) & (distinct < last)])
+    sums = [np.concatenate([one.force, one.moment, one.friction]) for one in (*result.bodies, *result.obstacles)]
+    own = space.mesh.topology.index_map(space.mesh.topology.dim).size_local
+    return {
+        "force": by_input_number(force),
+        "normal": by_input_number(normal),
+        "tangent": _entries(space, unknown[tangent.rows], unknown[tangent.cols], np.asarray(tangent.values)),
+        "sums": np.array(sums),
+        "bodies": np.array([[body.id, body.node_count] for body in result.bodies]),
+        "totals": np.array([result.energy, result.volume, result.penetration]),
+        "received": np.array(COMM.allgather((own, contact.received_cell_count))),
+        "matrix": np.array([matrix.norm()]),
+    }
+
+
+def _entries(space, rows, cols, values):
+    """Entries of a matrix by rows and columns that are counted as the input counts nodes; those of nodes that the input has
+    not, in the middle of edges, are left out."""
+    index_map, dim = space.dofmap.index_map, space.dofmap.index_map_bs
+    number = fem.Function(space)
+    number.x.array[: index_map.size_local * dim] = np.arange(*(dim * end for end in index_map.local_range))
+    number.x.scatter_forward()
+    of_nodes = by_input_number(number).astype(np.int64).ravel()
+    place = np.full(index_map.size_global * dim, -1)
+    place[of_nodes] = np.arange(len(of_nodes))
+    found = np.column_stack([place[rows], place[cols], values])
+    found = found[(found[:, 0] >= 0) & (found[:, 1] >= 0)]
+    return found[np.lexsort((found[:, 1], found[:, 0]))]
+
+
+def tell(out, *cases):
+    """``figures`` of several cases, each KIND-ORDER-LAW-STEPS, as CASE/NAME."""
+    found = {}
+    for case in cases:
+        found.update({f"{case}/{name}": values for name, values in figures(*case.split("-")).items()})
+    if COMM.rank == 0:
+        np.savez(out, **found)
+
+
+def entries():
+    """A direct solver follows a matrix that gets entries at new places: few, many, few again, and none."""
+    size, random = 60, np.random.default_rng(2)
+    full = np.diag(random.uniform(20.0, 30.0, size)) - np.eye(size, k=1) - np.eye(size, k=-1)
+    matrix = PETSc.Mat().createAIJ(((size, size)), nnz=3, comm=COMM)
+    first, last = matrix.getOwnershipRange()
+    for row in range(first, last):
+        cols = np.flatnonzero(full[row]).astype(PETSc.IntType)
+        matrix.setValues([row], cols, full[row, cols])
+    matrix.assemble()
+    solver = PETSc.KSP().create(COMM)
+    solver.setOperators(matrix)
+    solver.setType("preonly")
+    solver.getPC().setType("lu")
+    solver.getPC().setFactorSolverType("mumps")
+    right, solution = matrix.createVecs()
+    for count in (0, 4, 700, 2, 700, 0):
+        rows, cols = random.integers(0, size, (2, count))
+        values = random.uniform(-0.3, 0.3, count)
+        np.add.at(full, (rows, cols), values)
+        mine = (rows >= first) & (rows < last)
+        add_entries(PETSc, matrix, rows[mine], cols[mine], values[mine])
+        given = random.standard_normal(size)
+        right.setArray(given[first:last])
+        solver.solve(right, solution)
+        found = np.concatenate(COMM.allgather(solution.array.copy()))
+        # Well conditioned: some tens of eps.
+        assert np.abs(found - np.linalg.solve(full, given)).max() < 1e-14, count
+
+
 def fail(kind):
     """Something goes wrong, on one rank only where that is possible; every rank must see an exception."""
     last = COMM.size - 1
@@ -176,4 +284,4 @@ def fail(kind):
 
 
 if __name__ == "__main__":
-    {"solve": solve, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])
+    {"solve": solve, "tell": tell, "entries": entries, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])

@@ -1,6 +1,9 @@
 """Two blocks one on the other, of meshes that do not match."""
 
 import numpy as np
+from fmc_contact_dolfinx import set_by_input_number
+from fmc_contact_dolfinx.space import Displacement
+from fmc_contact_dolfinx.surface import whole
 from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
 from mpi4py import MPI
 
@@ -38,6 +41,21 @@ def blocks(kind, lower=3, upper=2):
     return np.concatenate([x, y]), np.concatenate([cells, more + len(x)])
 
 
+def bodies(kind):
+    """A row of bodies of three sizes on a slab, each a little into it."""
+    dim = NAMES[kind]
+    long = [3.0] + [1.0] * (dim - 2)
+    x, cells = block(kind, 6, [0.0] * dim, [*long, 0.8])
+    for number, (count, start) in enumerate(((3, 0.1), (2, 1.0), (4, 1.9))):
+        low = [start] + [0.1] * (dim - 2) + [0.79 - 0.003 * number]
+        y, more = block(kind, count, low, [start + 0.7] + [0.85] * (dim - 2) + [1.5])
+        # On an edge, as walls must not coincide.
+        y[:, -1] += 0.02 * (y[:, 0] - start)
+        cells = np.concatenate([cells, more + len(x)])
+        x = np.concatenate([x, y])
+    return x, cells
+
+
 def permuted(x, cells, seed=3):
     """The same mesh with nodes and cells in another order; and the old number of every new node."""
     random = np.random.default_rng(seed)
@@ -54,12 +72,22 @@ def space(kind, order=1, comm=COMM, x=None, cells=None):
 
 def interpolate(function, size=3e-3):
     """A smooth displacement, by places, so that it does not depend on numbers or ranks."""
-    dim = function.function_space.mesh.geometry.dim
-
-    def displacement(x):
-        wave = [np.sin((3.0 + a) * x[0] + 2.0 * x[dim - 1] + x[1] * (dim > 2)) for a in range(dim)]
-        return size * np.stack(wave)
-
-    function.interpolate(displacement)
+    function.interpolate(lambda x: wave(x, function.function_space.mesh.geometry.dim, size))
     function.x.scatter_forward()
+    return function
+
+
+def wave(x, dim, size=3e-3):
+    """The same at places (dim, n)."""
+    return size * np.stack([np.sin((3.0 + a) * x[0] + 2.0 * x[dim - 1] + (x[1] if dim > 2 else 0.0)) for a in range(dim)])
+
+
+def set_wave(function, shift=0.0):
+    """The same, bit by bit on any number of ranks; the upper ones of ``bodies`` are shifted along the first axis."""
+    shown = whole(Displacement(function.function_space), None)
+    x = shown.undeformed.T
+    at = wave(x, len(x)).T
+    # The slab's top is at 0.8.
+    at[(x[-1] > 0.78) & ~np.isclose(x[-1], 0.8), 0] += shift
+    set_by_input_number(function, at)
     return function

@@ -13,7 +13,8 @@ HERE = Path(__file__).parent.parent
 @pytest.mark.parametrize("count", [1, 3])
 def test_the_block_falls_and_rebounds(count):
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    command = ["timeout", "60", "mpirun", "--oversubscribe", "-n", str(count), sys.executable]
+    environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
+    command = ["timeout", "300", "mpirun", "--oversubscribe", "-n", str(count), sys.executable]
     run = subprocess.run(
         [*command, HERE / "examples" / "falling_block.py"], capture_output=True, text=True, env=environment
     )
@@ -22,9 +23,10 @@ def test_the_block_falls_and_rebounds(count):
 
 def test_a_mesh_in_parts_has_the_same_force_on_any_number_of_ranks():
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
     said = []
     for count in (1, 3, 4):
-        command = ["timeout", "60", "mpirun", "--oversubscribe", "-n", str(count), sys.executable]
+        command = ["timeout", "300", "mpirun", "--oversubscribe", "-n", str(count), sys.executable]
         run = subprocess.run(
             [*command, HERE / "examples" / "in_parts.py"], capture_output=True, text=True, env=environment
         )

@@ -44,7 +44,7 @@ def test_it_is_symmetric_and_positive(problem):
     problem.J(None, x, problem.matrix, problem.matrix)
     pc = PETSc.PC().create(COMM)
     pc.setOperators(problem.matrix)
-    multigrid = FilteredMultigrid(problem.u.function_space, lambda: problem.touched)
+    multigrid = FilteredMultigrid(problem.u.function_space, lambda: problem.touched, problem.bodies)
     multigrid.attach(pc)
     pc.setUp()
     assert multigrid.count == len(problem.touched)
@@ -61,10 +61,16 @@ def test_it_is_symmetric_and_positive(problem):
     assert v.dot(mv) > 0 and w.dot(mw) > 0
 
 
+def test_levels_of_the_bodies_are_those_of_gamg(problem):
+    with pytest.raises(ValueError, match="gamg, not of hypre"):
+        FilteredMultigrid(problem.u.function_space, lambda: problem.touched, problem.bodies, cycle="hypre")
+
+
 def counts(ranks, *words):
     """Krylov iterations that ``large_blocks.py`` prints, by k h / E."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    command = ["timeout", "100", "mpirun", "--oversubscribe", "-n", str(ranks), sys.executable]
+    environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
+    command = ["timeout", "300", "mpirun", "--oversubscribe", "-n", str(ranks), sys.executable]
     command += [str(HERE / "examples" / "large_blocks.py"), *words]
     run = subprocess.run(command, capture_output=True, text=True, env=environment)
     assert run.returncode == 0, run.stdout + run.stderr
@@ -74,6 +80,6 @@ def counts(ranks, *words):
 
 def test_iterations_do_not_grow_with_the_stiffness_of_contact():
     one, two, plain = counts(1, "8"), counts(2, "8"), counts(1, "8", "--plain")
-    # Measured 21 to 30, and 31 to 93 without the direct solve.
-    assert max(one.values()) <= 40 and max(two.values()) <= 1.2 * max(one.values()) + 1
+    # Measured 9 to 16, and 13 to 51 without the direct solve; 21 to 30 with levels of the matrix with contact.
+    assert max(one.values()) <= 20 and max(two.values()) <= 1.2 * max(one.values()) + 1
     assert plain[1000] > 2 * one[1000]

@@ -60,18 +60,18 @@ def test_forces_are_those_of_nodes_brought_back(name):
     u = 1e-3 * np.random.default_rng(1).standard_normal(len(fem.Function(V).x.array))
     found = contact.evaluate(u)
     dim = contact.dim
-    nodes = contact._undeformed + contact._matrix @ contact.coords(u)[dim:]
+    nodes = contact._shows._undeformed + contact._shows._matrix @ contact.coords(u)[dim:]
     # Corners are where dolfinx has them.
-    cell = getattr(basix.CellType, contact._shown[0].displacement.kind)
+    cell = getattr(basix.CellType, contact._fields[0].kind)
     basis = np.asarray(V.element.basix_element.tabulate(0, basix.geometry(cell)))
     basis = basis[0].reshape(basis.shape[1], -1)
     at = np.einsum("pk,ckd->cpd", basis, u.reshape(-1, dim)[cell_dofs(V)])
-    corners = V.mesh.geometry.x[contact._shown[0].displacement.corner_geometry()][:, :, :dim] + at
+    corners = V.mesh.geometry.x[contact._fields[0].corner_geometry()][:, :, :dim] + at
     shown = {tuple(x) for x in np.round(nodes, 9)}
     assert all(tuple(x) in shown for x in np.round(corners.reshape(-1, dim), 9))
     contact.contact.set_basis(None)
     of_nodes = contact.contact.evaluate(nodes)
-    expected = contact._matrix.T @ of_nodes.forces
+    expected = contact._shows._matrix.T @ of_nodes.forces
     assert np.abs(found.forces[dim:] - expected).max() < 1e-12 * np.abs(expected).max()
 
 

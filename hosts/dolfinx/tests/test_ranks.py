@@ -37,7 +37,8 @@ def alone(ranks, tmp_path_factory):
     [(2, "triangle", 1, "whole"), (3, "triangle", 1, "whole"), (4, "triangle", 1, "whole"), (4, "quad", 1, "whole"),
      (3, "triangle", 1, "boundary"), (2, "triangle", 2, "whole"), (3, "quad", 2, "whole"), (3, "triangle", 3, "whole"),
      (2, "quad", 3, "whole"), (4, "tetra", 1, "whole"),
-     (2, "tetra", 1, "boundary"), (3, "hexahedron", 1, "whole"), (2, "hexahedron", 1, "boundary")],
+     (2, "tetra", 1, "boundary"), (3, "hexahedron", 1, "whole"), (2, "hexahedron", 1, "boundary"),
+     (4, "triangle", 1, "parts"), (3, "quad", 2, "parts"), (2, "tetra", 1, "parts")],
 )  # fmt: skip
 def test_ranks_agree(ranks, alone, tmp_path, count, kind, order, shown):
     arguments = ("solve", kind, order, shown, "plain", "snes")
@@ -85,6 +86,12 @@ def test_two_meshes_and_ranks_that_have_none_of_one(ranks, tmp_path, kind):
         and np.abs(one["force0"] - one["force2"]).max() < 1e-11 * np.abs(one["force0"]).max()
     )
     assert np.abs(one["force0"].sum(axis=0) + one["force1"].sum(axis=0)).max() < 1e-12 * np.abs(one["force0"]).max()
+
+
+@pytest.mark.parametrize("count", [1, 2, 4])
+def test_a_matrix_takes_entries_at_new_places(ranks, count):
+    run = ranks(count, "entries")
+    assert run.returncode == 0, run.stdout + run.stderr
 
 
 @pytest.mark.parametrize("kind", ["nan", "inverted", "layout", "length", "callback", "snes"])

@@ -35,7 +35,7 @@ def test_boundary_encloses_the_volume_of_the_mesh(kind, order):
     V = vector_space(mesh_from_cells(MPI.COMM_WORLD, x, cells, kind), order)
     if order == 1:
         contact = DolfinxContact(V, stiffness=1.0, whole_mesh=False)
-        at = contact.coords(fem.Function(V))[contact._skin.facets]
+        at = contact.coords(fem.Function(V))[contact._shows._skin.facets]
         if dim == 2:
             volume = 0.5 * (at[:, 0, 0] * at[:, 1, 1] - at[:, 0, 1] * at[:, 1, 0]).sum()
         else:

@@ -14,8 +14,8 @@ u = fem.Function(space)
 set_by_input_number(u, displacement)
 for estimator in ("fibers", "exact"):
     contact = DolfinxContact(space, stiffness=1e6, estimator=estimator)
-    surface = contact._shown[0].replica.count if estimator == "fibers" else surface  # noqa: F821
-    residual = np.zeros(contact._shown[0].displacement.owned * 3)
+    surface = contact._shows.points.count if estimator == "fibers" else surface  # noqa: F821
+    residual = np.zeros(contact._fields[0].owned * 3)
 
     def adapted():
         contact.add_forces(residual, contact.evaluate(u))

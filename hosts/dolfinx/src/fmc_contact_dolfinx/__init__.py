@@ -5,7 +5,8 @@ MPI ranks.
     problem = ContactProblem(residual_form, u, bcs, contact)
     problem.solve()          # or, on one rank, newton(problem, young=E)
 
-    newton, ContactProblem, attach, with_contact  ->  DolfinxContact, FilteredMultigrid  ->  surface, replica, space  ->  versions, together  ->  cells
+    newton, ContactProblem, attach, with_contact  ->  DolfinxContact, FilteredMultigrid  ->  linearised  ->  in_parts, replicated
+      ->  own_part, components, surface  ->  entries, points, replica, space  ->  versions, together  ->  cells
 """
 
 from .adapter import DolfinxContact

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Sequence
 
 import numpy as np
 from fmc_contact import Contact, NodalContact, Result
-from fmc_contact.skin import Skin, Triplets
 
+from .in_parts import InParts, whole_because
+from .linearised import Linearised
+from .points import Points, at_points, points_of
+from .replicated import Replicated
 from .space import Displacement, LayoutError
-from .surface import Shown, boundary, whole
 from .together import together
-from .versions import held_dofs
 
 
-class DolfinxContact:
+class DolfinxContact(Linearised):
     """Contact between all bodies of one space or of several, with the obstacles that are added to ``contact``.
 
     ``spaces``: a space of displacements, Lagrange of order 1 or 2 or another continuous element (Lagrange of higher order on
@@ -22,22 +24,29 @@ class DolfinxContact:
     ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``. ``bodies``: a number for every cell of
     this rank, ghosts included, or a list of such, one for every space; default: bodies are the connected components.
 
-    ``whole_mesh``: whether all nodes are gathered and the cells handed over, so that the forces have the bits of any
-    other host, and inverted cells are reported; or, for first order, the nodes of the boundary only, which is less to
-    send, with the default law ``"fiber"``: depth is that of cells. Default: the whole, but for first order with the
-    estimator ``"fibers"`` the boundary. Prisms and pyramids, whose faces are of two shapes, are passed whole, and so are
-    cells of second order, with all their nodes; a mesh of second order may be curved.
+    On more than one rank the mesh is **in parts**: each rank has its own cells and, of the others, only those that may be in
+    contact. Where that cannot be, every rank has the whole mesh, and ``whole_because`` says why. ``in_parts=True`` demands it, on
+    one rank too, and ``ValueError`` says why it cannot be; ``in_parts=False``: every rank has the whole.
+
+    ``whole_mesh``: whether every rank has all nodes and cells; or, ``False``, for first order, the nodes of the boundary only,
+    with the default law ``"fiber"``: depth is that of cells. Default: parts, or the whole where there is one rank; but for first
+    order with the estimator ``"fibers"`` the boundary, on every rank. Prisms and pyramids, whose faces are of two shapes, are
+    passed as cells, and so are cells of second order, with all their nodes; a mesh of second order may be curved. Where cells
+    are passed, forces have the bits of any other host, and inverted cells are reported.
 
     The ranks share the work of the contact, and each takes the forces on what it owns; what is gathered is numbered by input
     numbers, so that nothing depends on the number of ranks. All methods are collective, and so is all that evaluates in
-    ``contact``; ``share_work=False``: every rank does all, and ``contact`` may be evaluated on one. An error on one rank is raised
-    on all.
+    ``contact``; ``share_work=False``: every rank has the whole mesh and does all, and ``contact`` may be evaluated on one. An error
+    on one rank is raised on all.
 
     Errors: ``LayoutError`` for a space of another kind; those of ``fmc_contact.errors``.
     """
 
     contact: Contact
-    """The contact below, the same on every rank, for its obstacles (``add_half_space``, ...), options and the like."""
+    """The contact below, the same on every rank, for its obstacles (``add_half_space``, ...), options and the like. With the mesh in
+    parts a ``PartitionedContact``, whose nodes, facets and cells are those gathered."""
+    whole_because: str
+    """Why every rank has the whole mesh, or boundary; empty where it is in parts."""
 
     def __init__(
         self,
@@ -46,6 +55,7 @@ class DolfinxContact:
         stiffness: float,
         bodies: Any = None,
         whole_mesh: bool | None = None,
+        in_parts: bool | None = None,
         share_work: bool = True,
         **options: Any,
     ) -> None:
@@ -56,80 +66,80 @@ class DolfinxContact:
         if len(given) != len(listed):
             raise ValueError(f"bodies has {len(given)} entries, one for each of the {len(listed)} spaces is wanted")
         self.comm = _comm(listed[0])
-        fields = together(self.comm, lambda: [Displacement(space) for space in listed])
-        has_boundary = all(field.order == 1 and not field.has_faces_of_two_shapes for field in fields)
-        if whole_mesh is None:
-            whole_mesh = options.get("estimator") != "fibers" or not has_boundary
-        if not whole_mesh and any(field.order > 1 for field in fields):
-            raise ValueError("the boundary alone is for first order: cells of second order are passed whole")
+        self._fields = fields = together(self.comm, lambda: [Displacement(space) for space in listed])
         numbers = [None if one is None else np.asarray(one, np.int64) for one in given]
-        if whole_mesh:
-            self._shown = [whole(field, number) for field, number in zip(fields, numbers)]
-        else:
-            self._shown = [boundary(field, number) for field, number in zip(fields, numbers)]
-        self._first = np.cumsum([0] + [shown.replica.count for shown in self._shown])
-        self._first_nodes = np.cumsum([0] + [len(shown.undeformed) for shown in self._shown])
-        self._undeformed = np.concatenate([shown.undeformed for shown in self._shown])
-        self._skin: Skin | None = None
-        options = {"stiffness": stiffness, **({} if whole_mesh else {"law": "fiber"}), **options}
-        self.contact = together(self.comm, lambda: self._made(whole_mesh, options))
-        if share_work and self.comm.size > 1:
+        self.whole_because = whole_because(fields, numbers, whole_mesh, share_work)
+        has_boundary = all(field.order == 1 and not field.has_faces_of_two_shapes for field in fields)
+        if in_parts is None and not self.whole_because:
+            if options.get("estimator") == "fibers" and has_boundary:
+                self.whole_because = "with the estimator 'fibers' the boundary alone is passed, unless in_parts=True"
+            elif self.comm.size == 1:
+                self.whole_because = "there is one rank"
+        if in_parts is False:
+            self.whole_because = "in_parts=False was asked for"
+        if in_parts and self.whole_because:
+            raise ValueError(f"the mesh cannot be in parts: {self.whole_because}")
+        self._shows = self._shown(numbers, whole_mesh, has_boundary, {"stiffness": stiffness, **options})
+        self.contact = self._shows.contact
+        if self.whole_because and share_work and self.comm.size > 1:
             # Its messages are kept apart from the host's.
             self.contact.set_communicator(self.comm.Dup())
         self.dim = self.contact.dim
-        self._frame = 0
-        if any(shown.matrix is not None for shown in self._shown):
-            together(self.comm, self._set_basis)
 
-    def _made(self, whole_mesh: bool, options: dict) -> Contact:
-        bodies = [shown.body for shown in self._shown]
-        ids = None if bodies[0] is None else np.concatenate(bodies)
-        if whole_mesh:
-            blocks = [
-                (shown.displacement.cell_type, shown.cells + first)
-                for shown, first in zip(self._shown, self._first_nodes)
-            ]
-            return Contact(self._undeformed, blocks, bodies=ids, **options)
-        self._skin = Skin([shown.trace for shown in self._shown])
-        return Contact.from_facets(self._skin.points(self._undeformed), self._skin.facets, bodies=ids, **options)
+    def _shown(self, bodies: list, whole_mesh: bool | None, has_boundary: bool, options: dict) -> Replicated | InParts:
+        if not self.whole_because:
+            return InParts(self.comm, self._fields, bodies, options)
+        if whole_mesh is None:
+            whole_mesh = options.get("estimator") != "fibers" or not has_boundary
+        if not whole_mesh and any(field.order > 1 for field in self._fields):
+            raise ValueError("the boundary alone is for first order: cells of second order are passed whole")
+        return Replicated(self.comm, self._fields, bodies, whole_mesh, {**({} if whole_mesh else {"law": "fiber"}), **options})
 
-    def _set_basis(self) -> None:
-        """Has the nodes moved by unknowns: x = X + B u. The undeformed X are held by the unit vectors of the axes, the first
-        unknowns that the contact is shown."""
-        from scipy.sparse import block_diag, csr_matrix, hstack, identity
-
-        self._frame = self.dim
-        parts = [identity(len(s.undeformed), format="csr") if s.matrix is None else s.matrix for s in self._shown]
-        self._matrix = csr_matrix(block_diag(parts, format="csr"))
-        self.contact.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
+    @property
+    def received_cell_count(self) -> int:
+        """Cells of other ranks that this rank has; 0 where the boundary alone is passed."""
+        return self._shows.received_cell_count
 
     def coords(self, *displacements: Any) -> np.ndarray:
-        """Coordinates that the contact is shown, (points, dim), the same on every rank. Where unknowns of a space are not
-        nodes: the unit vectors of the axes, then displacements, of every unknown, (dim + unknowns, dim). One displacement for every
-        space: a function, a PETSc vector, or an array of this rank's unknowns; ghosts are not read."""
-        if len(displacements) != len(self._shown):
-            raise ValueError(f"{len(displacements)} displacements for {len(self._shown)} spaces")
+        """Coordinates that the contact is shown, (points, dim), the same on every rank; with the mesh in parts those of the nodes
+        that are gathered there. Where unknowns of a space are not nodes: the unit vectors of the axes, then displacements, of
+        every unknown, (dim + unknowns, dim). One displacement for every space: a function, a PETSc vector, or an array of this
+        rank's unknowns; ghosts are not read."""
+        if len(displacements) != len(self._fields):
+            raise ValueError(f"{len(displacements)} displacements for {len(self._fields)} spaces")
         owned = together(
-            self.comm,
-            lambda: [s.displacement.owned_values(u) for s, u in zip(self._shown, displacements)],
+            self.comm, lambda: [field.owned_values(u) for field, u in zip(self._fields, displacements)]
         )
-        moved = [shown.replica.gather(values) for shown, values in zip(self._shown, owned)]
-        if self._frame:
-            return np.concatenate([np.eye(self._frame), *moved])
-        at_nodes = self._undeformed + (moved[0] if len(moved) == 1 else np.concatenate(moved))
-        return at_nodes if self._skin is None else self._skin.points(at_nodes)
+        return self._shows.coords(owned)
+
+    def set_symmetry_blocks(self, *blocks: Any) -> None:
+        """Names the nodes that lie in planes of symmetry, by the blocks of this rank, as ``dolfinx.fem.locate_dofs_geometrical``
+        gives them; one array for every space. See ``Contact.set_symmetry_nodes``. Collective."""
+        if len(blocks) != len(self._fields):
+            raise ValueError(f"blocks of {len(blocks)} spaces, and there are {len(self._fields)}")
+        marks = [np.zeros((field.owned, self.dim)) for field in self._fields]
+        for mark, named in zip(marks, blocks):
+            named = np.asarray(named, np.int64)
+            mark[named[named < len(mark)]] = 1.0
+        self._shows.name(marks)
 
     def evaluate(self, *displacements: Any) -> Result:
         """All that ``fmc_contact`` says: energy, resultants, warnings; forces on the points of ``coords``. The same on
         every rank. Errors: those of ``Contact.evaluate``, on all ranks."""
         coords = self.coords(*displacements)
-        return together(self.comm, lambda: self.contact.evaluate(coords))
+        result = together(self.comm, lambda: self.contact.evaluate(coords))
+        return replace(result, forces=self._known(result.forces))
 
     def nodal_contact(self, *displacements: Any) -> NodalContact:
         """Pressure, gap, area and normal on the points of ``coords``, the same on every rank. Errors: those of
         ``Contact.evaluate``, on all ranks."""
         coords = self.coords(*displacements)
-        return together(self.comm, lambda: self.contact.nodal_contact(coords))
+        found = together(self.comm, lambda: self.contact.nodal_contact(coords))
+        return replace(found, **{name: self._known(values) for name, values in vars(found).items()})
+
+    def _known(self, values: np.ndarray) -> np.ndarray:
+        """An array over points, which knows them where others may be shown before it is used."""
+        return values if self.whole_because else at_points(values, self._shows.points)
 
     def function(self, values: np.ndarray, name: str = "contact") -> Any:
         """An array of ``nodal_contact`` as a function for output, zero inside; a list of such for several spaces.
@@ -139,17 +149,17 @@ class DolfinxContact:
         """
         from dolfinx import fem
 
-        if self._frame:
+        if self._shows.frame:
             raise LayoutError("the unknowns of a space are no nodes: there is no function of it with these values at nodes")
-        values = np.asarray(values, float)
+        points = points_of(self._shows.at_nodes(values), self._shows.points)
+        values = np.asarray(self._shows.at_nodes(values), float)
         is_scalar = values.ndim == 1
         rows = np.zeros((len(values), self.dim))
         rows[:, : 1 if is_scalar else self.dim] = values[:, None] if is_scalar else values
-        on_nodes = rows if self._skin is None else self._skin.at_nodes(rows)
         found = []
-        for shown, first in zip(self._shown, self._first):
-            function = fem.Function(shown.displacement.space, name=name)
-            shown.replica.add_rows(function.x.array, on_nodes.take(first + shown.replica.rows, axis=0))
+        for field, (replica, owned) in zip(self._fields, points.owned()):
+            function = fem.Function(field.space, name=name)
+            replica.add_rows(function.x.array, rows.take(owned, axis=0))
             function.x.scatter_forward()
             if is_scalar:
                 function = function.sub(0).collapse()
@@ -185,15 +195,14 @@ class DolfinxContact:
         To be called after contributions of ghosts were added up. Unknowns that ``bcs`` hold are left alone.
         """
         targets = list(vectors) if isinstance(vectors, (list, tuple)) else [vectors]
-        on_nodes = self._on_nodes(result.forces)
-        for shown, first, target in zip(self._shown, self._first, targets):
-            mine = on_nodes.take(first + shown.replica.rows, axis=0)
+        on_points, points = self._on_points(result.forces)
+        for field, (replica, owned), target in zip(self._fields, points.owned(), targets):
+            mine = on_points.take(owned, axis=0)
             if scale != 1.0:
                 mine *= scale
             if bcs:
-                mine[self._held(shown, bcs)[shown.replica.local]] = 0.0
-            array = target if isinstance(target, np.ndarray) else target.array
-            shown.replica.add_rows(array, mine)
+                mine[self._held(field, bcs)[replica.local]] = 0.0
+            replica.add_rows(target if isinstance(target, np.ndarray) else target.array, mine)
 
     def force(self, *displacements: Any) -> Any:
         """Contact forces on what this rank owns, (owned unknowns,); a list of such for several spaces."""
@@ -201,91 +210,15 @@ class DolfinxContact:
 
     def on_unknowns(self, forces: np.ndarray) -> Any:
         """Forces of ``evaluate`` on what this rank owns, (owned unknowns,); a list of such for several spaces."""
-        found = [np.zeros(shown.displacement.owned * self.dim) for shown in self._shown]
-        on_nodes = self._on_nodes(forces)
-        for shown, first, target in zip(self._shown, self._first, found):
-            shown.replica.add_rows(target, on_nodes.take(first + shown.replica.rows, axis=0))
+        found = [np.zeros(field.owned * self.dim) for field in self._fields]
+        on_points, points = self._on_points(forces)
+        for (replica, owned), target in zip(points.owned(), found):
+            replica.add_rows(target, on_points.take(owned, axis=0))
         return found[0] if len(found) == 1 else found
 
-    def _on_nodes(self, forces: np.ndarray) -> np.ndarray:
-        if self._frame:
-            return forces[self._frame :]
-        return forces if self._skin is None else self._skin.to_nodes(forces)
-
-    def _held(self, shown: Shown, bcs: Sequence[Any]) -> np.ndarray:
-        """Whether an unknown that this rank owns is held, (owned, dim)."""
-        count = shown.displacement.owned * self.dim
-        held = np.zeros(count, bool)
-        for bc in bcs:
-            if _holds_part_of(shown.displacement.space, bc.function_space):
-                dofs = held_dofs(bc)
-                held[dofs[dofs < count]] = True
-        return held.reshape(-1, self.dim)
-
-    def tangent(self, *displacements: Any, semidefinite: bool = False, symmetric: bool = False) -> Triplets:
-        """Minus the derivative of the forces, the same on every rank: row and column ``node * dim + axis``, nodes of
-        the spaces one after another as they are gathered. UNSYMMETRIC with friction: solve with LU or GMRES, not with
-        Cholesky or conjugate gradients, or ask for ``symmetric``, which takes more iterations."""
-        coords = self.coords(*displacements)
-
-        def parts() -> Any:
-            return self.contact.tangent_parts(coords, semidefinite, symmetric=symmetric).triplets()
-
-        found = together(self.comm, parts)
-        if self._frame:
-            held, (rows, cols, values) = self._frame * self.dim, found
-            free = (rows >= held) & (cols >= held)
-            return Triplets(rows[free] - held, cols[free] - held, values[free])
-        tangent = Triplets(*found)
-        return tangent if self._skin is None else self._skin.tangent_to_nodes(tangent, self.dim)
-
-    def unknowns(self) -> np.ndarray:
-        """The unknown, over all ranks, of every row of ``tangent``; that of its own space."""
-        numbers = [shown.replica.blocks[:, None] * self.dim + np.arange(self.dim) for shown in self._shown]
-        return np.concatenate([of_space.ravel() for of_space in numbers])
-
-    def add_tangent(self, matrix: Any, tangent: Triplets, bcs: Sequence[Any] = (), scale: float = 1.0) -> None:
-        """Adds ``tangent`` to what this rank owns of an assembled PETSc matrix, and assembles it again; for several
-        spaces a square list of lists of matrices. Contact couples unknowns that no cell does, so the matrix takes
-        entries at new places. Rows and columns of unknowns that ``bcs`` hold are left alone."""
-        from petsc4py import PETSc
-
-        blocks = matrix if isinstance(matrix, (list, tuple)) else [[matrix]]
-        use, space_of, unknown = self._own_entries(tangent, bcs)
-        rows, cols, values = tangent.rows[use], tangent.cols[use], scale * tangent.values[use]
-        for i, line in enumerate(blocks):
-            for j, block in enumerate(line):
-                here = (space_of[rows] == i) & (space_of[cols] == j)
-                _add(PETSc, block, unknown[rows[here]], unknown[cols[here]], values[here])
-
-    def touched(self, tangent: Triplets, bcs: Sequence[Any] = ()) -> np.ndarray:
-        """Unknowns of one space that this rank owns and that feel contact, as PETSc numbers them over all ranks, ascending: the
-        rows of ``tangent`` but for those that ``bcs`` hold. Collective."""
-        use, _, unknown = self._own_entries(tangent, bcs)
-        return np.unique(unknown[tangent.rows[use]])
-
-    def _own_entries(self, tangent: Triplets, bcs: Sequence[Any]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Which entries stand in rows that this rank owns and nothing holds; the space, and the number in it, of every row."""
-        held = np.concatenate([s.replica.gather(self._held(s, bcs).astype(float)) for s in self._shown]).ravel() > 0
-        space_of = np.repeat(np.arange(len(self._shown)), np.diff(self._first) * self.dim)
-        unknown = self.unknowns()
-        mine = np.zeros(len(held), bool)
-        for shown, first in zip(self._shown, self._first):
-            mine.reshape(-1, self.dim)[first + shown.replica.rows] = True
-        return mine[tangent.rows] & ~held[tangent.rows] & ~held[tangent.cols], space_of, unknown
-
-
-def _add(petsc: Any, matrix: Any, rows: np.ndarray, cols: np.ndarray, values: np.ndarray) -> None:
-    """Adds entries, row by row; collective."""
-    matrix.setOption(petsc.Mat.Option.NEW_NONZERO_ALLOCATION_ERR, False)
-    matrix.setOption(petsc.Mat.Option.NEW_NONZERO_LOCATIONS, True)
-    order = np.argsort(rows, kind="stable")
-    rows, cols, values = rows[order], cols[order].astype(petsc.IntType), values[order]
-    distinct, start = np.unique(rows, return_index=True)
-    ends = np.append(start, len(rows)).astype(petsc.IntType)
-    if len(distinct):
-        matrix.setValuesIJV(ends, cols, values, addv=petsc.InsertMode.ADD, rowmap=distinct.astype(petsc.IntType))
-    matrix.assemble()
+    def _on_points(self, forces: np.ndarray) -> tuple[np.ndarray, Points]:
+        on_points = self._shows.on_points(forces)
+        return np.asarray(on_points), points_of(on_points, self._shows.points)
 
 
 def _comm(space: Any) -> Any:
@@ -293,9 +226,3 @@ def _comm(space: Any) -> Any:
     if mesh is None or not hasattr(mesh, "comm"):
         raise LayoutError(f"a function space is wanted, this is a {type(space).__name__}")
     return mesh.comm
-
-
-def _holds_part_of(space: Any, other: Any) -> bool:
-    """Whether ``other`` is ``space``, or a component of it; wrappers do not count."""
-    space, other = (getattr(one, "_cpp_object", one) for one in (space, other))
-    return space is other or space == other or bool(space.contains(other))

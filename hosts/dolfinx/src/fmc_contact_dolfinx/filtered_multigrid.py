@@ -17,17 +17,29 @@ class FilteredMultigrid:
     symmetric and positive definite where A and B are, so that conjugate gradients take it. Known as AMG with filtering
     (arXiv 2505.18576).
 
+    Levels are found from the bodies without contact: aggregates that reach from one body into the other move as one, and bodies
+    that slide on each other are then badly seen on coarser levels. The matrix of each level follows from the one with contact.
+
     ``space``: of the displacement, Lagrange of first order, whose rigid body motions multigrid is told. ``touched``: function of
     the unknowns of this rank that feel contact, as PETSc numbers them over all ranks; asked at every set-up.
-    ``cycle``: type of the multigrid, ``"gamg"``, or ``"hypre"`` where PETSc has it. ``filtered=False``: multigrid alone.
+    ``bodies``: function of the matrix without contact, asked at the first set-up; ``None``: levels are found from the one with
+    contact, anew each time. ``cycle``: type of the multigrid, ``"gamg"``, or ``"hypre"``, where PETSc has it, without ``bodies``.
+    ``filtered=False``: multigrid alone.
     """
 
     def __init__(
-        self, space: Any, touched: Callable[[], np.ndarray], cycle: str = "gamg", filtered: bool = True
+        self,
+        space: Any,
+        touched: Callable[[], np.ndarray],
+        bodies: Callable[[], Any] | None = None,
+        cycle: str = "gamg",
+        filtered: bool = True,
     ) -> None:
-        self._touched, self._cycle, self.filtered = touched, cycle, filtered
+        if bodies is not None and cycle != "gamg":
+            raise ValueError(f"levels of the bodies are those of gamg, not of {cycle}")
+        self._touched, self._bodies, self._cycle, self.filtered = touched, bodies, cycle, filtered
         self._rigid = rigid_motions(space)
-        self._is_set = False
+        self._levels: list[Any] = []
 
     def attach(self, pc: Any) -> None:
         """Makes a PETSc preconditioner this one."""
@@ -36,15 +48,14 @@ class FilteredMultigrid:
 
     def setUp(self, pc: Any) -> None:
         """Called by PETSc whenever the matrix has changed."""
-        matrix = pc.getOperators()[1]
-        matrix.setNearNullSpace(self._rigid)
-        self._matrix = matrix
-        self._multigrid = PETSc.PC().create(pc.comm)
-        self._multigrid.setOperators(matrix)
-        self._multigrid.setType(self._cycle)
-        self._multigrid.setOptionsPrefix("contact_multigrid_")
-        self._multigrid.setFromOptions()
-        self._multigrid.setUp()
+        self._matrix = matrix = pc.getOperators()[1]
+        if self._bodies is None:
+            self._multigrid = self._made(matrix, self._cycle, "contact_multigrid_")
+        else:
+            if not self._levels:
+                found = self._made(self._bodies(), self._cycle, "contact_levels_")
+                self._levels = [found.getMGInterpolation(level) for level in range(1, found.getMGLevels())]
+            self._multigrid = self._cycle_on_levels(matrix)
         self._rest, self._step = matrix.createVecs()
         rows = np.sort(np.asarray(self._touched(), PETSc.IntType))
         self.count = pc.comm.tompi4py().allreduce(len(rows)) if self.filtered else 0
@@ -63,6 +74,30 @@ class FilteredMultigrid:
             self._direct.setType("lu")
         self._direct.setUp()
         self._inner_rest, self._inner_step = inner.createVecs()
+
+    def _made(self, matrix: Any, kind: str, prefix: str) -> Any:
+        matrix.setNearNullSpace(self._rigid)
+        made = PETSc.PC().create(matrix.comm)
+        made.setOperators(matrix)
+        made.setType(kind)
+        made.setOptionsPrefix(prefix)
+        made.setFromOptions()
+        made.setUp()
+        return made
+
+    def _cycle_on_levels(self, matrix: Any) -> Any:
+        made = PETSc.PC().create(matrix.comm)
+        made.setOperators(matrix)
+        made.setType("mg")
+        made.setMGLevels(1 + len(self._levels))
+        for level, interpolation in enumerate(self._levels, 1):
+            made.setMGInterpolation(level, interpolation)
+        made.setOptionsPrefix("contact_multigrid_")
+        # petsc4py has no function for it.
+        PETSc.Options("contact_multigrid_")["pc_mg_galerkin"] = "both"
+        made.setFromOptions()
+        made.setUp()
+        return made
 
     def apply(self, pc: Any, x: Any, y: Any) -> None:
         """y = M x."""

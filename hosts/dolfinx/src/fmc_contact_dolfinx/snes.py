@@ -88,6 +88,12 @@ class ContactProblem:
         """Unknowns of this rank that felt contact when the matrix was made last. Collective."""
         return np.empty(0, np.int64) if self._tangent is None else self.contact.touched(self._tangent, self.bcs)
 
+    def bodies(self) -> Any:
+        """A new matrix: the derivative without contact, at the displacement of now. Collective."""
+        matrix = fpetsc.assemble_matrix(self.jacobian, self.bcs)
+        matrix.assemble()
+        return matrix
+
     def solver(self) -> Any:
         """A SNES with Newton's method and a direct solver; change it by its methods or by options."""
         snes = PETSc.SNES().create(self.u.function_space.mesh.comm)
@@ -114,7 +120,7 @@ class ContactProblem:
         solver = snes.getKSP()
         solver.setType("cg")
         solver.setTolerances(rtol=rtol, max_it=500)
-        FilteredMultigrid(self.u.function_space, lambda: self.touched).attach(solver.getPC())
+        FilteredMultigrid(self.u.function_space, lambda: self.touched, self.bodies).attach(solver.getPC())
         return snes
 
     def solve(self, snes: Any = None) -> int:

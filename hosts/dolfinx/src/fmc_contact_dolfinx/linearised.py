@@ -1,0 +1,86 @@
+"""The tangent of a contact on the unknowns of the spaces, and what stands in rows that this rank owns."""
+
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+from fmc_contact import Contact
+from fmc_contact.skin import Triplets
+
+from .entries import add_entries
+from .in_parts import InParts
+from .replicated import Replicated
+from .space import Displacement
+from .together import together
+from .versions import held_dofs
+
+
+class Linearised:
+    """The derivative of a contact's forces, in matrices of PETSc."""
+
+    comm: Any
+    dim: int
+    contact: Contact
+    _fields: list[Displacement]
+    _shows: Replicated | InParts
+
+    def tangent(self, *displacements: Any, semidefinite: bool = False, symmetric: bool = False) -> Triplets:
+        """Minus the derivative of the forces, the same on every rank: row and column ``node * dim + axis``, nodes of
+        the spaces one after another as they are gathered. UNSYMMETRIC with friction: solve with LU or GMRES, not with
+        Cholesky or conjugate gradients, or ask for ``symmetric``, which takes more iterations."""
+        coords = self.coords(*displacements)  # type: ignore[attr-defined]
+
+        def parts() -> Any:
+            return self.contact.tangent_parts(coords, semidefinite, symmetric=symmetric).triplets()
+
+        return self._shows.between_points(Triplets(*together(self.comm, parts)))
+
+    def unknowns(self) -> np.ndarray:
+        """The unknown, over all ranks, of every row of the last ``tangent``; that of its own space."""
+        return self._shows.points.unknowns(self.dim)
+
+    def add_tangent(self, matrix: Any, tangent: Triplets, bcs: Sequence[Any] = (), scale: float = 1.0) -> None:
+        """Adds ``tangent`` to what this rank owns of an assembled PETSc matrix, and assembles it again; for several
+        spaces a square list of lists of matrices. Contact couples unknowns that no cell does, so the matrix takes
+        entries at new places. Rows and columns of unknowns that ``bcs`` hold are left alone."""
+        from petsc4py import PETSc
+
+        blocks = matrix if isinstance(matrix, (list, tuple)) else [[matrix]]
+        (rows, cols, values), space_of, unknown = self._own_entries(tangent, bcs)
+        for i, line in enumerate(blocks):
+            for j, block in enumerate(line):
+                here = (space_of[rows] == i) & (space_of[cols] == j)
+                add_entries(PETSc, block, unknown[rows[here]], unknown[cols[here]], scale * values[here])
+
+    def touched(self, tangent: Triplets, bcs: Sequence[Any] = ()) -> np.ndarray:
+        """Unknowns of one space that this rank owns and that feel contact, as PETSc numbers them over all ranks, ascending: the
+        rows of ``tangent`` but for those that ``bcs`` hold. Collective."""
+        entries, _, unknown = self._own_entries(tangent, bcs)
+        return np.unique(unknown[entries.rows])
+
+    def _own_entries(self, tangent: Triplets, bcs: Sequence[Any]) -> tuple[Triplets, np.ndarray, np.ndarray]:
+        """Entries that stand in rows that this rank owns and nothing holds; the space, and the number in it, of every row."""
+        # Others may be shown since the tangent was made.
+        points = getattr(tangent.rows, "points", None) or self._shows.points
+        rows, cols, values = map(np.asarray, tangent)
+        held = points.gather([self._held(field, bcs).astype(float) for field in self._fields]).ravel() > 0
+        mine = np.repeat(points.is_owned(), self.dim)
+        use = mine[rows] & ~held[rows] & ~held[cols]
+        return Triplets(rows[use], cols[use], values[use]), points.spaces(self.dim), points.unknowns(self.dim)
+
+    def _held(self, field: Displacement, bcs: Sequence[Any]) -> np.ndarray:
+        """Whether an unknown that this rank owns is held, (owned, dim)."""
+        count = field.owned * self.dim
+        held = np.zeros(count, bool)
+        for bc in bcs:
+            if _holds_part_of(field.space, bc.function_space):
+                dofs = held_dofs(bc)
+                held[dofs[dofs < count]] = True
+        return held.reshape(-1, self.dim)
+
+
+def _holds_part_of(space: Any, other: Any) -> bool:
+    """Whether ``other`` is ``space``, or a component of it; wrappers do not count."""
+    space, other = (getattr(one, "_cpp_object", one) for one in (space, other))
+    return space is other or space == other or bool(space.contains(other))

@@ -1,0 +1,38 @@
+/* Two blocks of tetrahedra, one on the other, of which every rank makes its own layers alone. */
+#ifndef BLOCKS_H
+#define BLOCKS_H
+#include <petscsys.h>
+#include <stdint.h>
+
+#if !defined(PETSC_SUCCESS) && PETSC_VERSION_LT(3, 19, 0)
+#define PETSC_SUCCESS ((PetscErrorCode)0)
+#endif
+
+/* Nodes have numbers that do not depend on the ranks: the lower block's first, and of each layer after layer along the first
+ * axis. A rank owns some layers of nodes of each block, and the cells behind them as far as the next layer. PETSc counts the
+ * nodes of rank 0 first. */
+typedef struct {
+  int rank, ranks;
+  PetscInt cells[2];            /* along an edge of each block */
+  double low[2][3], high[2][3]; /* corners of the blocks */
+  double down;                  /* by which the top of the upper block is pressed down */
+  PetscInt first[2], last[2];   /* layers of nodes of this rank */
+  PetscInt owned, node_count;   /* nodes that this rank owns; those of its cells, the others last */
+  int64_t *numbers;             /* of these nodes */
+  double *x;                    /* and their places, (nodes, 3) */
+  PetscInt cell_count;
+  int32_t *conn; /* nodes of the cells, as counted here, (cells, 4) */
+  int64_t *cell_numbers;
+  int32_t *bodies;
+} Blocks;
+
+/* The upper block lies `down` deep in the lower one. */
+PetscErrorCode blocks_create(PetscInt lower, PetscInt upper, double down, Blocks *blocks);
+void blocks_free(Blocks *blocks);
+/* All nodes. */
+PetscInt blocks_count(const Blocks *blocks);
+/* The node of a number, as PETSc counts them. */
+PetscInt blocks_node(const Blocks *blocks, int64_t number);
+/* Whether a node is held, and where: at the bottom of the lower and the top of the upper block. */
+PetscBool blocks_held(const Blocks *blocks, int64_t number, double displacement[3]);
+#endif
