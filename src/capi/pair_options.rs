@@ -141,7 +141,7 @@ impl fmc_pair_options {
 }
 
 /// The partner that the host names.
-fn partner(kind: i32, index: usize) -> Result<Partner, Failure> {
+pub(super) fn partner(kind: i32, index: usize) -> Result<Partner, Failure> {
     match kind {
         _ if kind == fmc_partner::FMC_PARTNER_BODY as i32 => Ok(Partner::Body(index)),
         _ if kind == fmc_partner::FMC_PARTNER_OBSTACLE as i32 => Ok(Partner::Obstacle(index)),

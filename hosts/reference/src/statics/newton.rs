@@ -32,7 +32,7 @@ impl<const D: usize> Equilibrium<D> {
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
         let mut kept = Extent::of(&balance);
         let has_patches = self.problem.contact.law.is_fiber();
-        let (mut full_failed, mut turned) = (false, false);
+        let (mut full_failed, mut turned, mut updates) = (false, false, 0);
         for iteration in 0..=most_iterations {
             let mut residual = balance.relative();
             // The lines run along the contact normal of the start. Once the solution is near, they turn into that of
@@ -47,6 +47,10 @@ impl<const D: usize> Equilibrium<D> {
                 self.keep_patches(&u)?;
                 balance = self.evaluate(&u, load)?;
                 kept = Extent::of(&balance);
+            }
+            if self.moves_out(&u, residual, &mut updates, load)? {
+                balance = self.evaluate(&u, load)?;
+                residual = balance.relative();
             }
             let mut told = Iteration::at(&balance, load, iteration);
             if residual <= tolerance {

@@ -1,0 +1,43 @@
+//! As little penetration as is wanted, at a finite stiffness.
+
+use super::equilibrium::Equilibrium;
+use super::error::StaticsError;
+
+/// Residual by the forces below which surfaces are moved out: an equilibrium is not waited for, since the next one is another.
+const NEAR: f64 = 1e-2;
+
+impl<const D: usize> Equilibrium<D> {
+    /// Largest mean penetration of a node at the last equilibrium.
+    ///
+    /// # Errors
+    /// Those of [`Contact::nodal_penetration`](fmc_contact::Contact::nodal_penetration).
+    pub fn nodal_penetration(&self) -> Result<f64, StaticsError> {
+        Ok(self.contact.nodal_penetration(&self.coords(), 0.0)?)
+    }
+
+    /// Where the bodies are near an equilibrium and penetrate by more than is wanted, moves surfaces out by that; whether it did.
+    pub(super) fn moves_out(
+        &mut self,
+        u: &[[f64; D]],
+        residual: f64,
+        updates: &mut usize,
+        load: f64,
+    ) -> Result<bool, StaticsError> {
+        let wanted = self.settings.penetration;
+        if wanted == 0.0 || residual > NEAR.max(self.settings.tolerance) {
+            return Ok(false);
+        }
+        let coords = self.placed(u);
+        let found = self.contact.augment(&coords, 0.0, wanted)?;
+        if found.is_enough {
+            return Ok(false);
+        }
+        if *updates == self.settings.most_updates {
+            let penetration = found.penetration.max(found.change);
+            return Err(StaticsError::Penetrates { load, penetration, updates: *updates });
+        }
+        *updates += 1;
+        self.updates += 1;
+        Ok(true)
+    }
+}

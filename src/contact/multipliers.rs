@@ -1,0 +1,82 @@
+//! Surfaces that are moved out, node by node, so that they press without penetration.
+//!
+//! Under a law whose pressure is k times the penetration, a surface that lies s farther out presses with k s where it just
+//! touches: λ = k s is the multiplier of an augmented Lagrangian, and what it adds to the law is a shift of the surface (Powell
+//! 1969, who found the method so). Forces stay those of one energy, with the law's own tangent.
+
+use crate::geometry::Vector;
+use crate::overlap::Partner;
+use std::collections::BTreeMap;
+
+/// How far the surface lies farther out at a node, against one partner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Multiplier<const D: usize> {
+    /// The node; with cells of second order the point ([`PointWeights`](crate::PointWeights)).
+    pub node: u32,
+    /// Its body and the partner.
+    pub partners: [Partner; 2],
+    /// How far, a positive length; by the law's stiffness the pressure without penetration.
+    pub shift: f64,
+    /// Unit vector towards the partner.
+    pub towards: [f64; D],
+}
+
+/// The node, its body and the partner.
+type Row = (u32, [Partner; 2]);
+
+/// Those of all nodes that have any.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Multipliers<const D: usize>(BTreeMap<Row, (f64, Vector<D>)>);
+
+impl<const D: usize> Multipliers<D> {
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Moves points out.
+    pub(super) fn add_to(&self, points: &mut [[f64; D]]) {
+        for ((node, _), (shift, towards)) in &self.0 {
+            if let Some(point) = points.get_mut(*node as usize) {
+                (0..D).for_each(|axis| point[axis] += shift * towards[axis]);
+            }
+        }
+    }
+
+    /// How far a node is moved out against a partner.
+    pub(super) fn shift(&self, node: u32, partners: [Partner; 2]) -> f64 {
+        self.0.get(&(node, partners)).map_or(0.0, |(shift, _)| *shift)
+    }
+
+    /// Of two bodies, whether the second has them; `None` where neither has.
+    pub(super) fn side(&self, pair: [Partner; 2]) -> Option<bool> {
+        let of_pair = |[body, partner]: [Partner; 2]| sorted([body, partner]) == pair;
+        self.0.keys().find(|(_, partners)| of_pair(*partners)).map(|(_, [body, _])| *body == pair[1])
+    }
+
+    /// Takes those against a partner out.
+    pub(super) fn forget(&mut self, partner: Partner) {
+        self.0.retain(|(_, partners), _| !partners.contains(&partner));
+    }
+
+    /// In ascending order.
+    pub(super) fn list(&self) -> Vec<Multiplier<D>> {
+        let one = |(&(node, partners), &(shift, towards)): (&Row, &(f64, Vector<D>))| Multiplier {
+            node,
+            partners,
+            shift,
+            towards: towards.into(),
+        };
+        self.0.iter().map(one).collect()
+    }
+}
+
+impl<const D: usize> FromIterator<Multiplier<D>> for Multipliers<D> {
+    fn from_iter<T: IntoIterator<Item = Multiplier<D>>>(list: T) -> Self {
+        let row = |one: Multiplier<D>| ((one.node, one.partners), (one.shift, Vector::from(one.towards)));
+        Self(list.into_iter().map(row).collect())
+    }
+}
+
+pub(super) fn sorted([p, q]: [Partner; 2]) -> [Partner; 2] {
+    if p < q { [p, q] } else { [q, p] }
+}
