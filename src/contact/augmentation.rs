@@ -69,7 +69,7 @@ impl<const D: usize> Contact<D> {
         self.check_multipliers()?;
         check("reach", reach)?;
         let mut extent = Aabb::empty();
-        coords.iter().for_each(|x| extent.include(&Vector::from(*x)));
+        self.surface.mesh_points(coords)?.iter().for_each(|x| extent.include(&Vector::from(*x)));
         let reach = if reach > 0.0 { reach } else { REACH * extent.extent().max() };
         Ok(self.multipliers.moved_out(&kernels::gap_constraints(self, coords, reach)?))
     }

@@ -72,6 +72,18 @@ class Condensed:
         self.factorisations = 0
         self.soft_start = True
 
+    def is_of(self, size: int, free: np.ndarray) -> bool:
+        """Whether it is of these unknowns."""
+        return len(self.free) == size and np.array_equal(np.flatnonzero(self.free), np.sort(free))
+
+    def knows(self, matrix: Any) -> bool:
+        """Whether there are factors of this matrix."""
+        return self.matrix is not None and _same(self.matrix, matrix)
+
+    def forget(self) -> None:
+        """No unknown is known to feel contact."""
+        self.freedoms, self.matrix = np.zeros(0, np.int64), None
+
     def grow(self, x: np.ndarray) -> bool:
         """Adds the degrees of freedom that feel contact at ``x``; whether there were any."""
         found = self.unknowns.touching(x)
@@ -128,7 +140,7 @@ class Condensed:
         """Factorises the bodies on all free unknowns but those that are kept, if that was not done yet."""
         if len(self.freedoms) > MOST_KEPT:
             raise RuntimeError(f"{len(self.freedoms)} unknowns feel contact, more than {MOST_KEPT}")
-        if self.matrix is not None and _same(self.matrix, matrix):
+        if self.knows(matrix):
             return
         self.kept = self.unknowns.of_freedom[self.freedoms]
         rest = self.free.copy()

@@ -43,6 +43,7 @@ class ContactProblem:
         self.semidefinite: bool | None = None
         self._is_far = True
         self._tangent: Any = None
+        self.on_unknowns: Any = None
         self.vector = create_vector(self.residual, space)
         self.matrix = fpetsc.create_matrix(self.jacobian)
 
@@ -117,10 +118,27 @@ class ContactProblem:
         FilteredMultigrid(self.u.function_space, lambda: self.touched).attach(solver.getPC())
         return snes
 
-    def solve(self, snes: Any = None) -> int:
+    def solve(self, snes: Any = None, *, penetration: float | None = None, reach: float = 0.0, max_updates: int = 20) -> int:
         """Solves from the displacement that is there; returns the number of iterations. Raises ``RuntimeError`` where
-        there is no convergence; the displacement is then the last one tried."""
+        there is no convergence; the displacement is then the last one tried.
+
+        ``penetration``: the largest mean penetration of a node that is wanted, a length; ``None``: what the law leaves. From the
+        equilibrium with the law on, surfaces are moved out by what they penetrate (``fmc_contact.Contact.augment``), at most
+        ``max_updates`` times; they stay so for the next load step. Not with friction, self-contact and a mesh in parts."""
         snes = self.solver() if snes is None else snes
+        iterations = self._solved(snes)
+        if penetration is None:
+            return iterations
+        for update in range(max_updates + 1):
+            found = self.contact.contact.augment(self.contact.coords(self.u), penetration, reach)
+            if found.is_enough:
+                return iterations
+            if update < max_updates:
+                iterations += self._solved(snes)
+        left = max(found.penetration, found.change)
+        raise RuntimeError(f"a penetration of {left:.1e} after {max_updates} updates, {penetration:.1e} is wanted")
+
+    def _solved(self, snes: Any) -> int:
         # SNES gets a vector of its own: the ghosts of the displacement's are updated here.
         x = vector_of(self.u).copy()
         try:
