@@ -24,7 +24,7 @@ pub struct LoadStep {
     pub force: Vec<f64>,
     /// Area of contact (2D: length), with all copies.
     pub contact_area: f64,
-    /// Largest penetration.
+    /// Largest penetration; where one is wanted, the largest mean of a node.
     pub penetration: f64,
     /// Energy that friction took out in this step, with all copies.
     pub dissipated: f64,
@@ -75,7 +75,10 @@ impl<const D: usize> Way<D> {
                     iterations: at.iterations,
                     force: contact.bodies[body].force.iter().map(|f| copies * f).collect(),
                     contact_area: copies * contact.contact_area,
-                    penetration: contact.penetration,
+                    penetration: match plan.penetration {
+                        Some(_) => at.nodal_penetration().unwrap_or(f64::NAN),
+                        None => contact.penetration,
+                    },
                     dissipated: copies * contact.friction.dissipated,
                     stick: [contact.friction.stick_area, contact.friction.slip_area].map(|area| copies * area),
                 });
