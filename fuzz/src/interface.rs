@@ -304,6 +304,32 @@ pub struct fmc_gap_constraint {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_augmentation {
+    pub struct_size: usize,
+    pub penetration: f64,
+    pub change: f64,
+    pub multiplier_count: usize,
+    pub is_enough: i32,
+    pub reserved_flags: i32,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_multiplier {
+    pub struct_size: usize,
+    pub node: i64,
+    pub body: usize,
+    pub partner_kind: i32,
+    pub reserved_flags: i32,
+    pub partner: usize,
+    pub shift: f64,
+    pub towards: [f64; 3],
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_pair {
     pub struct_size: usize,
     pub a_kind: i32,
@@ -605,6 +631,24 @@ unsafe extern "C" {
         context: *const fmc_context,
         points: *mut fmc_contact_point,
         capacity: usize,
+    ) -> fmc_status;
+    pub fn fmc_context_augment(
+        context: *mut fmc_context,
+        coords: *const fmc_view,
+        reach: f64,
+        enough: f64,
+        found: *mut fmc_augmentation,
+    ) -> fmc_status;
+    pub fn fmc_context_multipliers(
+        context: *const fmc_context,
+        rows: *mut fmc_multiplier,
+        capacity: usize,
+        count: *mut usize,
+    ) -> fmc_status;
+    pub fn fmc_context_set_multipliers(
+        context: *mut fmc_context,
+        rows: *const fmc_multiplier,
+        count: usize,
     ) -> fmc_status;
     pub fn fmc_context_find_gap_constraints(
         context: *mut fmc_context,

@@ -47,14 +47,14 @@ pub unsafe extern "C" fn fmc_context_augment(
 }
 
 /// The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
-/// again. `count` becomes their number; `multipliers`, which may be NULL to ask for that alone, has room for `capacity`.
+/// again. `count` becomes their number; `rows`, which may be NULL to ask for that alone, has room for `capacity`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 /// context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_multipliers(
     context: *const fmc_context,
-    multipliers: *mut fmc_multiplier,
+    rows: *mut fmc_multiplier,
     capacity: usize,
     count: *mut usize,
 ) -> fmc_status {
@@ -64,12 +64,12 @@ pub unsafe extern "C" fn fmc_context_multipliers(
         unsafe {
             let state = read(context)?;
             let found = state.session.multipliers(state.index_base);
-            if !multipliers.is_null() {
+            if !rows.is_null() {
                 if capacity < found.len() {
                     let text = format!("there is room for {capacity} multipliers, and there are {}", found.len());
                     return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
                 }
-                copy_list("multipliers", &found, multipliers)?;
+                copy_list("rows", &found, rows)?;
             }
             output.write(found.len());
         }
@@ -85,14 +85,14 @@ pub unsafe extern "C" fn fmc_context_multipliers(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_multipliers(
     context: *mut fmc_context,
-    multipliers: *const fmc_multiplier,
+    rows: *const fmc_multiplier,
     count: usize,
 ) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context and `count` structs.
         unsafe {
             write(context, |state| {
-                state.session.set_multipliers(slice("multipliers", multipliers, count, 1)?, state.index_base)
+                state.session.set_multipliers(slice("rows", rows, count, 1)?, state.index_base)
             })
         }
     })
