@@ -3,6 +3,7 @@
 mod augmentation;
 mod compressed_rows;
 mod contact_step;
+pub mod descent;
 mod evaluation;
 mod fields;
 mod forces;

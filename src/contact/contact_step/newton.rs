@@ -6,6 +6,7 @@ use super::iterate::Iterate;
 use super::options::{ContactStepOptions, ContactStepState};
 use super::touching::{ROUNDING, Touching};
 use crate::Error;
+use crate::contact::descent::TangentChoice;
 use crate::contact::tangent::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
@@ -26,7 +27,7 @@ pub(super) fn newton(
     search: &mut Search,
     mut at: Iterate,
 ) -> Result<(Iterate, ContactStepState), Error> {
-    let mut full_failed = false;
+    let mut choice = TangentChoice::default();
     let last = search.iterations + options.most_iterations;
     loop {
         let (goal, scale) = bodies.goal(options, &at.touch.forces);
@@ -39,22 +40,16 @@ pub(super) fn newton(
         if search.iterations == last {
             return Ok((at, ContactStepState::NotConverged));
         }
-        let wish = if has_energy && full_failed {
-            TangentPart::Semidefinite
-        } else {
-            first_wish(options, &at, scale, has_energy)
-        };
+        let wish = wish(&choice, options, &at, scale, has_energy);
         let (direction, tangent, part) = direction(bodies, contact, &at, wish, has_energy)?;
         search.iterations += 1;
         let (next, trials) = at.after(bodies, contact, &direction, options, has_energy)?;
         search.evaluations += trials;
+        choice.made(part, &at.descent(), next.as_ref().map(Iterate::descent).as_ref());
         match next {
-            Some(next) => {
-                full_failed = part == TangentPart::Full && next.norm() > 0.5 * at.norm();
-                at = next;
-            }
+            Some(next) => at = next,
             // The semidefinite tangent has not been tried here.
-            None if has_energy && part == TangentPart::Full => full_failed = true,
+            None if has_energy && part == TangentPart::Full => {}
             None if at.norm() <= rounding(bodies, contact, &at, &tangent) => {
                 return Ok((at, ContactStepState::Converged));
             }
@@ -63,12 +58,15 @@ pub(super) fn newton(
     }
 }
 
-/// The tangent to begin with: the semidefinite one where there is an energy and the residual is large by `scale`.
-pub(super) fn first_wish(options: &ContactStepOptions, at: &Iterate, scale: f64, has_energy: bool) -> TangentPart {
-    match has_energy && at.norm() > options.full_below * scale {
-        true => TangentPart::Semidefinite,
-        false => TangentPart::Full,
-    }
+/// The tangent to begin with; the full one where there is no energy.
+pub(super) fn wish(
+    choice: &TangentChoice,
+    options: &ContactStepOptions,
+    at: &Iterate,
+    scale: f64,
+    has_energy: bool,
+) -> TangentPart {
+    if has_energy { choice.wish(at.norm(), options.full_below, scale) } else { TangentPart::Full }
 }
 
 /// Newton's direction, with the contact's tangent and the part of it that was taken.

@@ -2,10 +2,11 @@
 
 use super::bodies::Checked;
 use super::iterate::Iterate;
-use super::newton::{Search, direction, first_wish, newton};
+use super::newton::{Search, direction, newton, wish};
 use super::options::ContactStepOptions;
 use super::touching::{Touch, Touching};
 use crate::Error;
+use crate::contact::descent::TangentChoice;
 use crate::contact::tangent::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
@@ -55,7 +56,7 @@ pub(super) fn settle(
     if start.norm() <= goal || start.touch.outside(goal) > 0 {
         return Ok(start);
     }
-    let wish = first_wish(options, &start, scale, has_energy);
+    let wish = wish(&TangentChoice::default(), options, &start, scale, has_energy);
     let (direction, tangent, _) = direction(bodies, contact, &start, wish, has_energy)?;
     let once = ContactStepOptions { most_trials: 1, ..*options };
     search.iterations += 1;
