@@ -111,6 +111,10 @@ impl<const D: usize> Touching for Kept<'_, '_, D> {
         self.freedoms[place]
     }
 
+    fn node(&self, place: usize) -> usize {
+        self.freedoms[place] / D
+    }
+
     fn start(&self, place: usize) -> f64 {
         let freedom = self.freedoms[place];
         self.start[freedom / D][freedom % D]

@@ -3,7 +3,11 @@
 use super::bodies::Checked;
 use super::dense::{Defect, if_definite, solve_definite, solve_general};
 use super::iterate::Iterate;
+#[cfg(feature = "solver")]
+use super::large;
 use super::options::{ContactStepOptions, ContactStepState};
+#[cfg(feature = "solver")]
+use super::reduced::Reduced;
 use super::touching::{ROUNDING, Touching};
 use crate::Error;
 use crate::contact::descent::TangentChoice;
@@ -16,6 +20,52 @@ pub(super) struct Search {
     pub(super) evaluations: usize,
     /// Residual that may be left in any case.
     pub(super) enough: f64,
+    /// The bodies factorised for systems that are solved on what contact touches alone, once there was one.
+    #[cfg(feature = "solver")]
+    reduced: Option<Option<Reduced>>,
+}
+
+impl Search {
+    pub(super) fn new(evaluations: usize, enough: f64) -> Self {
+        Self {
+            iterations: 0,
+            evaluations,
+            enough,
+            #[cfg(feature = "solver")]
+            reduced: None,
+        }
+    }
+
+    /// Solution of a large system with an energy, by what the contact touches: `Some(None)` where it is not positive definite,
+    /// `None` where this is not the way.
+    #[cfg(feature = "solver")]
+    fn reduced(
+        &mut self,
+        bodies: &Checked,
+        contact: &dyn Touching,
+        at: &Iterate,
+        tangent: &DMatrix<f64>,
+        right: &DVector<f64>,
+    ) -> Option<Option<DVector<f64>>> {
+        if bodies.count() < large::FROM {
+            return None;
+        }
+        let new = || Reduced::new(&bodies.symmetric, contact, at, tangent);
+        let reduced = self.reduced.get_or_insert_with(new).as_mut()?;
+        Some(reduced.solve(&bodies.symmetric, contact, at, tangent, right))
+    }
+
+    #[cfg(not(feature = "solver"))]
+    fn reduced(
+        &mut self,
+        _: &Checked,
+        _: &dyn Touching,
+        _: &Iterate,
+        _: &DMatrix<f64>,
+        _: &DVector<f64>,
+    ) -> Option<Option<DVector<f64>>> {
+        None
+    }
 }
 
 /// From an iterate to the equilibrium, or as near as it gets.
@@ -41,7 +91,7 @@ pub(super) fn newton(
             return Ok((at, ContactStepState::NotConverged));
         }
         let wish = wish(&choice, options, &at, scale, has_energy);
-        let (direction, tangent, part) = direction(bodies, contact, &at, wish, has_energy)?;
+        let (direction, tangent, part) = direction(bodies, contact, search, &at, wish, has_energy)?;
         search.iterations += 1;
         let (next, trials) = at.after(bodies, contact, &direction, options, has_energy)?;
         search.evaluations += trials;
@@ -73,6 +123,7 @@ pub(super) fn wish(
 pub(super) fn direction(
     bodies: &Checked,
     contact: &mut dyn Touching,
+    search: &mut Search,
     at: &Iterate,
     wish: TangentPart,
     has_energy: bool,
@@ -89,13 +140,20 @@ pub(super) fn direction(
         return Ok((found, tangent, wish));
     }
     if wish == TangentPart::Full {
-        let tangent = contact.tangent(&at.displacement, wish)?;
-        if let Ok(found) = if_definite(&finite(&bodies.symmetric + &tangent)?, &right) {
+        let tangent = finite(contact.tangent(&at.displacement, wish)?)?;
+        let found = match search.reduced(bodies, contact, at, &tangent, &right) {
+            Some(found) => found,
+            None => if_definite(&(&bodies.symmetric + &tangent), &right).ok(),
+        };
+        if let Some(found) = found {
             return Ok((found, tangent, wish));
         }
     }
     let part = TangentPart::Semidefinite;
-    let tangent = contact.tangent(&at.displacement, part)?;
+    let tangent = finite(contact.tangent(&at.displacement, part)?)?;
+    if let Some(Some(found)) = search.reduced(bodies, contact, at, &tangent, &right) {
+        return Ok((found, tangent, part));
+    }
     let matrix = finite(&bodies.symmetric + &tangent)?;
     let found = solve_definite(&matrix, &right).map_err(|defect| told(contact, defect))?;
     Ok((found, tangent, part))

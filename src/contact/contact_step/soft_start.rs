@@ -36,6 +36,10 @@ impl Touching for Softened<'_> {
         self.contact.freedom(place)
     }
 
+    fn node(&self, place: usize) -> usize {
+        self.contact.node(place)
+    }
+
     fn start(&self, place: usize) -> f64 {
         self.contact.start(place)
     }
@@ -57,7 +61,7 @@ pub(super) fn settle(
         return Ok(start);
     }
     let wish = wish(&TangentChoice::default(), options, &start, scale, has_energy);
-    let (direction, tangent, _) = direction(bodies, contact, &start, wish, has_energy)?;
+    let (direction, tangent, _) = direction(bodies, contact, search, &start, wish, has_energy)?;
     let once = ContactStepOptions { most_trials: 1, ..*options };
     search.iterations += 1;
     search.evaluations += 1;
