@@ -54,7 +54,7 @@ class Path:
         return found
 
     def _stage(self, stage: int, count: int, values: np.ndarray) -> None:
-        self.start, self.values, self.load, self.before = self.u, values, 0.0, None
+        self.start, self.values, self.load = self.u, values, 0.0
         # The dead loads have grown in the first stage.
         self.part_before = min(stage, 1)
         longest = step = 1.0 / count
@@ -75,7 +75,7 @@ class Path:
                 self.equilibrium.touching.commit_step(found.x)
             elif load == 1.0:
                 found = self._on_its_own_patches(found)
-            self.before, self.u, self.load = (self.u, self.load), found.x, load
+            self.u, self.load = found.x, load
             self.found.steps.append(self._step(stage, load, found))
             if self.equilibrium.iterations - iterations <= EASY:
                 step = min(longest, 2.0 * step)
@@ -96,15 +96,30 @@ class Path:
             solver.touching.begin_step(self.u)
             # Until friction is sought, it is that of the last equilibrium.
             solver.touching.freeze_friction(self.u)
+        if self.slides or self._is_loose(self.u) or self._meets_by_lines():
+            return solver.newton(self._led(load), self.tolerance, penetration=self.penetration)
+        prescribed = self._prescribed(self.u, load)
+        return solver.newton(self.u, self.tolerance, prescribed=prescribed, penetration=self.penetration)
+
+    def _led(self, load: float) -> np.ndarray:
+        """Where Newton's method begins when bodies meet: they are carried along, and where nothing but contact holds one, or they
+        overlap by too much, they settle on a soft contact. On hard contact a body that comes to rest would creep."""
         start = self._predicted(load)
         if self.soft < self.hard and (self._is_loose(start) or self._is_too_deep(start)):
-            # A body that comes to rest on hard contact would creep, and cells that hard contact drives out at once are
-            # turned inside out. On a soft contact both settle.
             try:
-                start = self._settled(start)
+                return self._settled(start)
             finally:
                 self.contact.set_options(stiffness=self.hard)
-        return solver.newton(start, self.tolerance, penetration=self.penetration)
+        return start
+
+    def _meets_by_lines(self) -> bool:
+        """Whether bodies meet in this step by sampled lines, whose normal is a mean that may have several fixed points: the one that
+        is found depends on the way, and this is the reference host's."""
+        options = self.contact.options
+        if options["law"] != "fiber" or options["estimator"] != "fibers":
+            return False
+        self.contact.release_patches()
+        return not self.equilibrium.touching.evaluate(self.u).pairs
 
     def _on_its_own_patches(self, found: Equilibrium) -> Equilibrium:
         """The equilibrium on the patches that are found where it is, and not on the way there."""
@@ -134,18 +149,12 @@ class Path:
         return np.where(self.problem.held, self.start + load * (self.values - self.start), u)
 
     def _predicted(self, load: float) -> np.ndarray:
-        """As far beyond the last equilibrium as that is beyond the one before; or with what is prescribed moved on, and
-        the bodies following as their tangent says: else the cells at the supports alone would take all of it."""
-        u, solver = self.u, self.equilibrium
-        moved = self._prescribed(u, load)
-        if (moved == u).all():
-            return u
-        if self.before is not None:
-            last, at = self.before
-            ahead = self._prescribed(u + (load - self.load) / (self.load - at) * (u - last), load)
-            if not self._is_too_deep(ahead):
-                return ahead
-        carried = solver.predicted(u, moved)
+        """What is prescribed moved on, and the bodies following as their tangent says: else the cells at the supports alone would
+        take all of it."""
+        moved = self._prescribed(self.u, load)
+        if (moved == self.u).all():
+            return self.u
+        carried = self.equilibrium.predicted(self.u, moved)
         return moved if carried is None else carried
 
     def _is_too_deep(self, u: np.ndarray) -> bool:

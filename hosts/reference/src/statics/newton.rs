@@ -5,6 +5,7 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
 use super::newton_settings::NewtonSettings;
+use fmc_contact::contact::descent::TangentChoice;
 use fmc_contact::{EnergyLaw, FiberProfile};
 use std::ops::ControlFlow;
 
@@ -32,7 +33,7 @@ impl<const D: usize> Equilibrium<D> {
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
         let mut kept = Extent::of(&balance);
         let has_patches = self.problem.contact.law.is_fiber();
-        let (mut full_failed, mut turned, mut updates) = (false, false, 0);
+        let (mut choice, mut turned, mut updates) = (TangentChoice::default(), false, 0);
         for iteration in 0..=most_iterations {
             let mut residual = balance.relative();
             // The lines run along the contact normal of the start. Once the solution is near, they turn into that of
@@ -66,9 +67,7 @@ impl<const D: usize> Equilibrium<D> {
                     (step.direction, Tangent::Contact)
                 }
                 None => {
-                    let is_far = residual > full_below || full_failed;
-                    let wish = if is_far { Tangent::Semidefinite } else { Tangent::Full };
-                    self.direction(&u, &balance, load, wish)?
+                    self.direction(&u, &balance, load, choice.wish(residual, full_below, 1.0).into())?
                 }
             };
             let (next, reached, length) = match self.line_search(&u, &balance, &direction, load) {
@@ -77,7 +76,7 @@ impl<const D: usize> Equilibrium<D> {
             };
             (told.tangent, told.length) = (Some(tangent), length);
             self.tell(&told, watch)?;
-            full_failed = tangent == Tangent::Full && reached.norm > 0.5 * balance.norm;
+            choice.made(tangent.part(), &balance.descent(), Some(&reached.descent()));
             (u, balance) = (next, reached);
         }
         Err(self.not_converged(&balance, load, most_iterations))

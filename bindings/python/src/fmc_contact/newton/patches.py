@@ -12,7 +12,8 @@ class Patches:
     """Which patches are kept, from iteration to iteration."""
 
     def __init__(self, model: Model, tolerance: float) -> None:
-        self.model, self.turned, self.at = model, tolerance >= FAR, None
+        self.model, self.at = model, None
+        self.turned = self.was_turned = tolerance >= FAR
 
     def chosen(self, state: State) -> State:
         """Keeps those of here where that is called for; the state with them.
@@ -21,7 +22,7 @@ class Patches:
         the contact when it has begun or spread."""
         is_near = state.relative <= FAR
         if self.at is None or is_near and not self.turned or not is_near and state.outgrows(self.at):
-            self.turned |= is_near and self.at is not None
+            self.turned |= is_near
             contact = self.model.contact
             contact.keep_patches(state.x)
             state = self.at = self.model.again(state)
@@ -29,4 +30,4 @@ class Patches:
 
     def moved(self) -> None:
         """What is prescribed has moved: patches begin anew."""
-        self.at = None
+        self.at, self.turned = None, self.was_turned
