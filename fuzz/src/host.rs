@@ -641,6 +641,11 @@ impl Host {
                 assert_eq!((found.struct_size, found.multiplier_count), (size_of::<fmc_augmentation>(), count));
                 assert!(found.penetration >= 0.0 && found.change >= 0.0);
             }
+            // A factor that is none; with others the options would be no more what they are known to be.
+            if !(damage > 0.0 && damage.is_finite()) {
+                assert_ne!(checked(fmc_context_stiffen(self.context, damage)), OK);
+            }
+            assert_eq!(checked(fmc_context_stiffen(self.context, 1.0)), OK);
             let blank = std::mem::MaybeUninit::<fmc_multiplier>::zeroed().assume_init();
             let kept = Guarded::new(&vec![blank; count]);
             if count > 1 {

@@ -639,6 +639,7 @@ unsafe extern "C" {
         enough: f64,
         found: *mut fmc_augmentation,
     ) -> fmc_status;
+    pub fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status;
     pub fn fmc_context_multipliers(
         context: *const fmc_context,
         rows: *mut fmc_multiplier,

@@ -95,6 +95,10 @@ void forces_and_getters() {
   contact.evaluate(coords);
   EXPECT(std::fabs(with) > 1.5 * std::fabs(contact.body(1).force[0]) && contact.multipliers().empty());
   contact.set_multipliers(multipliers);
+  contact.stiffen(4);
+  EXPECT(close(contact.multipliers()[0].shift, multipliers[0].shift / 4, 1e-12));
+  contact.stiffen(0.25);
+  contact.set_multipliers(multipliers);
   contact.evaluate(coords);
   EXPECT(contact.body(1).force[0] == with);
   contact.set_multipliers({});

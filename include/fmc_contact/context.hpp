@@ -349,6 +349,8 @@ class Context {
     call(fmc_context_augment(get(), &x, reach, enough, &found));
     return found;
   }
+  // Multiplies the stiffness of the laws; see `fmc_context_stiffen`.
+  void stiffen(double factor) { call(fmc_context_stiffen(get(), factor)); }
   std::vector<fmc_multiplier> multipliers() const {
     std::size_t count = 0;
     check(fmc_context_multipliers(get(), nullptr, 0, &count));

@@ -46,6 +46,20 @@ pub unsafe extern "C" fn fmc_context_augment(
     })
 }
 
+/// Multiplies the stiffness of the law, and of those that pairs have of their own, by `factor`; what surfaces that are moved out press
+/// with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, a quarter say,
+/// this helps more than another one. The options of the context have the new stiffness.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; nothing has changed then. Threads: one call at a time
+/// on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        unsafe { write(context, |state| state.session.stiffen(factor)) }
+    })
+}
+
 /// The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
 /// again. `count` becomes their number; `rows`, which may be NULL to ask for that alone, has room for `capacity`.
 ///

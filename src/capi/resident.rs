@@ -332,6 +332,10 @@ impl<const D: usize> Session for Resident<D> {
         unsafe { self.at(coords, index_base, |contact, rows| contact.augment(rows, reach, enough)) }
     }
 
+    fn stiffen(&mut self, factor: f64) -> Result<(), Failure> {
+        Ok(self.held.contact_mut().stiffen(factor)?)
+    }
+
     fn multipliers(&self, index_base: i32) -> Vec<fmc_multiplier> {
         let found = self.held.contact().multipliers();
         found.iter().map(|one| fmc_multiplier::new(one, index_base)).collect()

@@ -153,6 +153,9 @@ pub(super) trait Session: Send + Sync {
         index_base: i32,
     ) -> Result<Augmentation, Failure>;
 
+    /// Multiplies the stiffness of the laws.
+    fn stiffen(&mut self, factor: f64) -> Result<(), Failure>;
+
     /// How far they are moved out.
     fn multipliers(&self, index_base: i32) -> Vec<fmc_multiplier>;
 

@@ -5,6 +5,7 @@ use super::gap_constraints::GapConstraints;
 use super::kernels;
 use super::laws::EnergyLaw;
 use super::multipliers::{Multiplier, Multipliers, sorted};
+use super::options::Options;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -103,6 +104,25 @@ impl<const D: usize> Contact<D> {
             }
         }
         self.multipliers = multipliers.iter().copied().collect();
+        Ok(())
+    }
+
+    /// Multiplies the stiffness of the law, and of those that pairs have of their own, by a factor; what surfaces that are moved out
+    /// press with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, this
+    /// helps more than another one.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a factor that is not, or a stiffness that would not be; nothing has then changed.
+    pub fn stiffen(&mut self, factor: f64) -> Result<(), Error> {
+        if !(factor.is_finite() && factor > 0.0) {
+            return Err(Error::NotPositive { name: "factor", value: factor });
+        }
+        let options = Options { law: self.options.law.stiffened(factor), ..self.options };
+        let of_pairs = self.pair_table.own_laws().map(|law| law.stiffened(factor));
+        std::iter::once(options.law).chain(of_pairs).try_for_each(|law| law.check())?;
+        self.pair_table.stiffen(factor)?;
+        self.set_options(options)?;
+        self.multipliers.stiffen(factor);
         Ok(())
     }
 

@@ -53,6 +53,11 @@ impl<const D: usize> Multipliers<D> {
         self.0.keys().find(|(_, partners)| of_pair(*partners)).map(|(_, [body, _])| *body == pair[1])
     }
 
+    /// The same pressures by a stiffness that is higher by a factor.
+    pub(super) fn stiffen(&mut self, factor: f64) {
+        self.0.values_mut().for_each(|(shift, _)| *shift /= factor);
+    }
+
     /// Takes those against a partner out.
     pub(super) fn forget(&mut self, partner: Partner) {
         self.0.retain(|(_, partners), _| !partners.contains(&partner));

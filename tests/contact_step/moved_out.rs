@@ -130,3 +130,20 @@ fn what_cannot_be_is_refused() {
     assert!(matches!(contact.set_multipliers(&unknown), Err(Error::ObstacleOutOfRange { .. })));
     assert_eq!(contact.multipliers(), kept);
 }
+
+/// What surfaces that just touch press with stays, and what they penetrate is resisted more.
+#[test]
+fn a_law_is_stiffened_with_the_same_pressures() {
+    let (coords, mut contact) = square(-0.01);
+    let force = |contact: &fmc_contact::Contact<2>, coords: &[[f64; 2]]| contact.evaluate(coords).unwrap().bodies[0].force[1];
+    contact.augment(&coords, 0.0, 1e-6).unwrap();
+    let (touching, _) = square(0.0);
+    let [deep, light] = [force(&contact, &coords), force(&contact, &touching)];
+    contact.stiffen(4.0).unwrap();
+    assert_eq!(contact.options().law, EnergyLaw::fiber(4.0 * crate::springs::K));
+    assert!((force(&contact, &touching) - light).abs() < 1e-9 * light);
+    assert!((force(&contact, &coords) - light - 4.0 * (deep - light)).abs() < 1e-9 * deep);
+    for factor in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e308] {
+        assert!(matches!(contact.stiffen(factor), Err(Error::NotPositive { .. })), "{factor}");
+    }
+}

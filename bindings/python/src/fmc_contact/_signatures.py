@@ -225,6 +225,7 @@ FUNCTIONS = {
     "fmc_context_contact_points": (STATUS, [Context, POINTER(fmc_contact_point), c_size_t]),
     "fmc_context_find_gap_constraints": (STATUS, [Context, _COORDS, c_double, _COUNT, _COUNT]),
     "fmc_context_augment": (STATUS, [Context, _COORDS, c_double, c_double, POINTER(fmc_augmentation)]),
+    "fmc_context_stiffen": (STATUS, [Context, c_double]),
     "fmc_context_multipliers": (STATUS, [Context, POINTER(fmc_multiplier), c_size_t, _COUNT]),
     "fmc_context_set_multipliers": (STATUS, [Context, POINTER(fmc_multiplier), c_size_t]),
     "fmc_context_gap_constraints": (STATUS, [Context, POINTER(fmc_gap_constraint), c_size_t]),

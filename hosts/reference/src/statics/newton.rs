@@ -5,6 +5,7 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
 use super::newton_settings::NewtonSettings;
+use super::penetration::Updates;
 use fmc_contact::contact::descent::TangentChoice;
 use fmc_contact::{EnergyLaw, FiberProfile};
 use std::ops::ControlFlow;
@@ -33,7 +34,7 @@ impl<const D: usize> Equilibrium<D> {
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
         let mut kept = Extent::of(&balance);
         let has_patches = self.problem.contact.law.is_fiber();
-        let (mut choice, mut turned, mut updates) = (TangentChoice::default(), false, 0);
+        let (mut choice, mut turned, mut updates) = (TangentChoice::default(), false, Updates::default());
         for iteration in 0..=most_iterations {
             let mut residual = balance.relative();
             // The lines run along the contact normal of the start. Once the solution is near, they turn into that of

@@ -6,6 +6,22 @@ use super::error::StaticsError;
 /// Residual by the forces below which surfaces are moved out: an equilibrium is not waited for, since the next one is another.
 const NEAR: f64 = 1e-2;
 
+/// Part of a change that an update may leave; where it leaves more, the stiffness is raised by the factor that follows.
+const SLOW: f64 = 0.25;
+const RAISE: f64 = 4.0;
+
+/// The updates of a load step.
+pub(super) struct Updates {
+    count: usize,
+    last: f64,
+}
+
+impl Default for Updates {
+    fn default() -> Self {
+        Self { count: 0, last: f64::INFINITY }
+    }
+}
+
 impl<const D: usize> Equilibrium<D> {
     /// Largest mean penetration of a node at the last equilibrium.
     ///
@@ -20,7 +36,7 @@ impl<const D: usize> Equilibrium<D> {
         &mut self,
         u: &[[f64; D]],
         residual: f64,
-        updates: &mut usize,
+        updates: &mut Updates,
         load: f64,
     ) -> Result<bool, StaticsError> {
         let wanted = self.settings.penetration;
@@ -32,12 +48,19 @@ impl<const D: usize> Equilibrium<D> {
         if found.is_enough {
             return Ok(false);
         }
-        if *updates == self.settings.most_updates {
+        if updates.count == self.settings.most_updates {
             let penetration = found.penetration.max(found.change);
-            return Err(StaticsError::Penetrates { load, penetration, updates: *updates });
+            return Err(StaticsError::Penetrates { load, penetration, updates: updates.count });
         }
-        *updates += 1;
+        updates.count += 1;
         self.updates += 1;
+        updates.last = if found.change > SLOW * updates.last {
+            self.contact.stiffen(RAISE)?;
+            self.problem.contact.law = self.contact.options().law;
+            f64::INFINITY
+        } else {
+            found.change
+        };
         Ok(true)
     }
 }

@@ -68,7 +68,8 @@ def newton(
     it was imported) or scipy's ``splu``, numpy's for an array. Lengths and pressures are in the units of the contact.
 
     For laws of which the pressure is ``stiffness`` times the penetration: ``"depth"``, and ``"fiber"`` with kept
-    patches. The stiffness of the contact is changed during the call; afterwards, and after an error, it is what it was.
+    patches. The stiffness of the contact is changed during the call; afterwards, and after an error, it is what it was, if
+    no ``penetration`` raises it.
 
     With friction, after ``begin_step``; a step that is accepted is committed by the caller. ``lagged`` freezes friction where
     the bodies are, solves, and freezes it anew at what was found, until nothing changes: friction has an energy then, and the
@@ -79,7 +80,8 @@ def newton(
     ``penetration``: the largest mean penetration of a node, over its part of the surface, that is wanted, a length, however soft the
     contact is; ``None``: what the law leaves. Surfaces are moved out by what they penetrate near an equilibrium
     (``Contact.augment``, with gaps measured as far as ``reach``), and again, at most ``max_updates`` times; they stay so for the next
-    load step. Not with friction and self-contact.
+    load step. Where an update leaves more than a quarter, the contact's stiffness is raised fourfold (``Contact.stiffen``), and stays
+    raised. Not with friction and self-contact.
 
     ``find_patches``, with the law ``"fiber"``: patches are kept at the start, follow the contact while it is far from its equilibrium,
     and are found anew once near it; else they are the caller's affair.

@@ -8,6 +8,10 @@ from .state import Model, State
 # Residual by the forces below which surfaces are moved out: an equilibrium is not waited for, since the next one is another.
 _NEAR = 1e-2
 
+# Part of a change that an update may leave; where it leaves more, k is raised by the factor that follows.
+_SLOW = 0.25
+_RAISE = 4.0
+
 
 class Penetration:
     """Updates of the multipliers in a load step."""
@@ -21,7 +25,7 @@ class Penetration:
         if options["self_contact"]:
             raise ValueError("a penetration asked for with a body in contact with itself is not there")
         self.model, self.wanted, self.reach, self.most = model, wanted, reach, most
-        self.updates, self.found, self.is_enough = 0, float("nan"), False
+        self.updates, self.found, self.is_enough, self.last = 0, float("nan"), False, float("inf")
 
     def moved_out(self, state: State, tolerance: float) -> State:
         """The state with surfaces moved out by what they penetrate, if the bodies are near an equilibrium and that is too much."""
@@ -36,4 +40,9 @@ class Penetration:
             left = max(now.penetration, now.change)
             raise NotConvergedError(f"a penetration of {left:.1e} after {self.most} updates, {self.wanted:.1e} is wanted", [])
         self.updates += 1
+        if now.change > _SLOW * self.last:
+            self.model.inner.stiffen(_RAISE)
+            self.last = float("inf")
+        else:
+            self.last = now.change
         return self.model.again(state)

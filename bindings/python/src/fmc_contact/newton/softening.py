@@ -29,7 +29,10 @@ class Softening:
         if not young > 0:
             raise ValueError(f"Young's modulus is {young}, a positive one is wanted")
         self.model, self.allowed, self.has_touched = model, _BEARABLE * young, False
-        self.wanted = self.now = float(model.inner.options["stiffness"])  # type: ignore[arg-type]
+        self.wanted = self.now = self._stiffness()
+
+    def _stiffness(self) -> float:
+        return float(self.model.inner.options["stiffness"])  # type: ignore[arg-type]
 
     @property
     def is_soft(self) -> bool:
@@ -37,6 +40,9 @@ class Softening:
 
     def chosen(self, iteration: int, state: State) -> State:
         """Chooses k; the state with it."""
+        if not self.is_soft:
+            # An update of multipliers may have raised it.
+            self.wanted = self.now = self._stiffness()
         depth = state.result.penetration
         if iteration == 0 and self._is_balanced(state):
             # Pressures of an equilibrium are borne, however large: at a corner they are.
