@@ -61,11 +61,11 @@ def test_a_disc_on_a_plane(element, two_level):
 
 def test_a_disc_on_a_block_over_load_steps():
     """Two bodies: one of them is moved out, forces balance, and the next load step begins with what the last one has found."""
-    problem = problems.disc(32)
+    problem = problems.disc(64)
     counts = {}
     for penetration in (None, 1e-6):
-        contact, u, counts[penetration] = problem.contact(10.0), np.zeros(problem.solid.offsets[-1]), []
-        for push in problem.pushes[:5]:
+        contact, u, counts[penetration] = problem.contact(100.0), np.zeros(problem.solid.offsets[-1]), []
+        for push in problem.pushes[3:]:
             prescribed = u.copy()
             prescribed[problem.moved] = push
             host = lambda u: (problem.solid.forces(u), problem.solid.stiffness(u))  # noqa: E731
@@ -74,7 +74,7 @@ def test_a_disc_on_a_block_over_load_steps():
             counts[penetration].append(found.iterations)
             assert penetration is None or found.penetration <= penetration
     print(counts)
-    assert sum(counts[1e-6]) <= 2.5 * sum(counts[None])
+    assert sum(counts[1e-6]) <= 2 * sum(counts[None])
     assert len(set(contact.contact.multipliers["body"].tolist())) == 1
     forces = found.reactions.reshape(-1, 2).sum(axis=0)
     assert np.abs(forces).max() < 1e-6 * np.abs(found.reactions).sum()

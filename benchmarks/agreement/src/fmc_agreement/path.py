@@ -54,7 +54,7 @@ class Path:
         return found
 
     def _stage(self, stage: int, count: int, values: np.ndarray) -> None:
-        self.start, self.values, self.load = self.u, values, 0.0
+        self.start, self.values, self.load, self.before = self.u, values, 0.0, None
         # The dead loads have grown in the first stage.
         self.part_before = min(stage, 1)
         longest = step = 1.0 / count
@@ -75,7 +75,7 @@ class Path:
                 self.equilibrium.touching.commit_step(found.x)
             elif load == 1.0:
                 found = self._on_its_own_patches(found)
-            self.u, self.load = found.x, load
+            self.before, self.u, self.load = (self.u, self.load), found.x, load
             self.found.steps.append(self._step(stage, load, found))
             if self.equilibrium.iterations - iterations <= EASY:
                 step = min(longest, 2.0 * step)
@@ -96,7 +96,12 @@ class Path:
             solver.touching.begin_step(self.u)
             # Until friction is sought, it is that of the last equilibrium.
             solver.touching.freeze_friction(self.u)
-        if self.slides or self._is_loose(self.u) or self._meets_by_lines():
+        if self.slides and self.before is not None:
+            # As far beyond the last equilibrium as that is beyond the one before: what slides goes on sliding.
+            last, at = self.before
+            start = self._prescribed(self.u + (load - self.load) / (self.load - at) * (self.u - last), load)
+            return solver.newton(start, self.tolerance)
+        if self._is_loose(self.u) or self._meets_by_lines():
             return solver.newton(self._led(load), self.tolerance, penetration=self.penetration)
         prescribed = self._prescribed(self.u, load)
         return solver.newton(self.u, self.tolerance, prescribed=prescribed, penetration=self.penetration)

@@ -44,6 +44,7 @@ class ContactProblem:
         self._is_far = True
         self._tangent: Any = None
         self.on_unknowns: Any = None
+        self._raised = 1.0
         self.vector = create_vector(self.residual, space)
         self.matrix = fpetsc.create_matrix(self.jacobian)
 
@@ -125,7 +126,7 @@ class ContactProblem:
         ``penetration``: the largest mean penetration of a node that is wanted, a length; ``None``: what the law leaves. From the
         equilibrium with the law on, surfaces are moved out by what they penetrate (``fmc_contact.Contact.augment``), at most
         ``max_updates`` times; they stay so for the next load step. Where an update leaves more than a quarter, the contact's stiffness
-        is raised fourfold, and stays raised. Not with friction, self-contact and a mesh in parts."""
+        is raised fourfold, sixteenfold at most, and stays raised. Not with friction, self-contact and a mesh in parts."""
         snes = self.solver() if snes is None else snes
         iterations = self._solved(snes)
         if penetration is None:
@@ -135,8 +136,9 @@ class ContactProblem:
             found = self.contact.contact.augment(self.contact.coords(self.u), penetration, reach)
             if found.is_enough:
                 return iterations
-            if found.change > 0.25 * last:
+            if found.change > 0.25 * last and self._raised < 16.0:
                 self.contact.contact.stiffen(4.0)
+                self._raised *= 4.0
                 last = float("inf")
             else:
                 last = found.change

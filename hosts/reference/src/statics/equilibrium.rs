@@ -44,6 +44,8 @@ pub struct Equilibrium<const D: usize> {
     pub iterations: usize,
     /// Iterations of the contact alone, within these.
     pub contact_iterations: usize,
+    /// Factor by which the stiffness was raised for a penetration that is wanted.
+    pub(super) raised: f64,
     /// Updates of the multipliers, where a penetration is wanted.
     pub updates: usize,
     /// Load steps that failed and were halved.
@@ -125,6 +127,7 @@ impl<const D: usize> Equilibrium<D> {
             unturned: None,
             stalled_turn: None,
             updates: 0,
+            raised: 1.0,
             iterations: 0,
             contact_iterations: 0,
             evaluations: 0,

@@ -18,7 +18,7 @@ pub struct NewtonSettings {
     pub most_turns: usize,
     /// Largest mean penetration of a node that is wanted, a length; 0: that of the law, as it is. Surfaces are then moved out until
     /// they press without ([`Contact::augment`](fmc_contact::Contact::augment)), at every load step. Where an update leaves more
-    /// than a quarter, the law's stiffness is raised fourfold, and stays so.
+    /// than a quarter, the law's stiffness is raised fourfold, sixteenfold at most, and stays so.
     pub penetration: f64,
     /// Updates of these multipliers in a load step, at most.
     pub most_updates: usize,

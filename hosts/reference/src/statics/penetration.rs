@@ -10,6 +10,9 @@ const NEAR: f64 = 1e-2;
 const SLOW: f64 = 0.25;
 const RAISE: f64 = 4.0;
 
+/// Factor, at most, by which it is raised over all load steps: where a node or two come and go, a stiffer law makes no update better.
+const MOST_RAISED: f64 = 16.0;
+
 /// The updates of a load step.
 pub(super) struct Updates {
     count: usize,
@@ -54,7 +57,8 @@ impl<const D: usize> Equilibrium<D> {
         }
         updates.count += 1;
         self.updates += 1;
-        updates.last = if found.change > SLOW * updates.last {
+        updates.last = if found.change > SLOW * updates.last && self.raised < MOST_RAISED {
+            self.raised *= RAISE;
             self.contact.stiffen(RAISE)?;
             self.problem.contact.law = self.contact.options().law;
             f64::INFINITY

@@ -80,8 +80,8 @@ def newton(
     ``penetration``: the largest mean penetration of a node, over its part of the surface, that is wanted, a length, however soft the
     contact is; ``None``: what the law leaves. Surfaces are moved out by what they penetrate near an equilibrium
     (``Contact.augment``, with gaps measured as far as ``reach``), and again, at most ``max_updates`` times; they stay so for the next
-    load step. Where an update leaves more than a quarter, the contact's stiffness is raised fourfold (``Contact.stiffen``), and stays
-    raised. Not with friction and self-contact.
+    load step. Where an update leaves more than a quarter, the contact's stiffness is raised fourfold (``Contact.stiffen``), sixteenfold at
+    most, and stays raised. Not with friction and self-contact.
 
     ``find_patches``, with the law ``"fiber"``: patches are kept at the start, follow the contact while it is far from its equilibrium,
     and are found anew once near it; else they are the caller's affair.

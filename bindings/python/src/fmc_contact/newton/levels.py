@@ -22,18 +22,24 @@ _FAILURES = (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, Indefi
 _KEPT = "_condensed_by_newton"
 
 
+def condensed_of(model: Model) -> Condensed:
+    """The bodies of a contact, kept with it. Errors: ``ValueError``, ``ImportError`` where there are no two levels."""
+    known: Any = getattr(model.contact, _KEPT, None)
+    if known is None or not known.is_of(model.size, model.free):
+        known = Condensed(model.contact, model.size, model.free)
+        if hasattr(model.contact, "__dict__"):
+            setattr(model.contact, _KEPT, known)
+    return known
+
+
 class Levels:
     """Two levels, as long as they lead anywhere."""
 
     def __init__(self, model: Model, tolerance: float) -> None:
         self.model, self.tolerance, self.because = model, tolerance, ""
         self.contact_iterations, self.last = 0, None
-        known: Any = getattr(model.contact, _KEPT, None)
-        if known is None or not known.is_of(model.size, model.free):
-            known = Condensed(model.contact, model.size, model.free)
-            if hasattr(model.contact, "__dict__"):
-                setattr(model.contact, _KEPT, known)
-        self.condensed, self.before = known, known.factorisations
+        self.condensed = condensed_of(model)
+        self.before = self.condensed.factorisations
 
     @property
     def factorisations(self) -> int:

@@ -12,6 +12,12 @@ _NEAR = 1e-2
 _SLOW = 0.25
 _RAISE = 4.0
 
+# Factor, at most, by which it is raised over all load steps: where a node or two come and go, a stiffer law makes no update better.
+_MOST_RAISED = 16.0
+
+# Attribute of a contact: the factor by which its stiffness was raised.
+_RAISED = "_raised_by_newton"
+
 
 class Penetration:
     """Updates of the multipliers in a load step."""
@@ -40,9 +46,10 @@ class Penetration:
             left = max(now.penetration, now.change)
             raise NotConvergedError(f"a penetration of {left:.1e} after {self.most} updates, {self.wanted:.1e} is wanted", [])
         self.updates += 1
-        if now.change > _SLOW * self.last:
-            self.model.inner.stiffen(_RAISE)
+        inner, is_slow, self.last = self.model.inner, now.change > _SLOW * self.last, now.change
+        raised = getattr(inner, _RAISED, 1.0)
+        if is_slow and raised < _MOST_RAISED:
+            inner.stiffen(_RAISE)
+            setattr(inner, _RAISED, _RAISE * raised)
             self.last = float("inf")
-        else:
-            self.last = now.change
         return self.model.again(state)

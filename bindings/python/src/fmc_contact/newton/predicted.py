@@ -7,6 +7,7 @@ from typing import Any, Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .levels import condensed_of
 from .linear import solved, summed
 from .state import Model
 
@@ -29,6 +30,11 @@ def predicted(
     step = (np.asarray(prescribed, np.float64) - x).ravel()
     step[free] = 0.0
     state = model.at(x)
+    if solve is None and not state.result.pairs:
+        try:
+            return x + condensed_of(model).carried(x.ravel(), step, state.inside, state.matrix).reshape(x.shape)
+        except (ValueError, ImportError, RuntimeError, np.linalg.LinAlgError):
+            pass
     matrix = summed(state.matrix, contact.tangent(x, semidefinite=True))
     right = -(state.residual + matrix @ step)[free]
     try:
