@@ -51,6 +51,7 @@ mod option_values;
 mod options;
 mod pair_options;
 mod part;
+mod partner;
 mod parts;
 mod parts_creation;
 mod parts_getters;

@@ -2,7 +2,7 @@
 
 use super::evaluation::side_of;
 use super::failure::Failure;
-use super::pair_options::partner;
+use super::partner::partner;
 use super::status::fmc_status::{FMC_ERROR_NODE_OUT_OF_RANGE, FMC_ERROR_STRUCT_SIZE};
 use crate::contact::{Augmentation, Multiplier};
 use crate::overlap::Partner;

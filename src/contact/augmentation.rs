@@ -20,7 +20,8 @@ const REACH: f64 = 0.05;
 pub struct Augmentation {
     /// Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers.
     pub penetration: f64,
-    /// Largest change of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner, inside or outside.
+    /// Largest change that the gaps ask of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner,
+    /// inside or outside.
     pub change: f64,
     /// Whether both are no more than what was enough: the multipliers have then stayed.
     pub is_enough: bool,
@@ -30,7 +31,7 @@ pub struct Augmentation {
 
 impl<const D: usize> Contact<D> {
     /// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
-    /// ([`Self::gap_constraints`]) at `coords`, back where it has opened. Call it where the bodies are in equilibrium, or nearly,
+    /// ([`Self::gap_constraints`]) at `coords`, and more where the last update of a series has closed less than it moved out, back where it has opened. Call it where the bodies are in equilibrium, or nearly,
     /// solve again, and so on until [`Augmentation::is_enough`]; the law's stiffness may be any, but a low one takes more updates.
     /// All that is asked of the contact afterwards, forces, tangents, steps, is that of the surfaces moved out, whose penetration
     /// is pressure by stiffness; [`Self::gap_constraints`] and [`Self::evaluate_true`] are those of the true ones. What is moved out
@@ -49,8 +50,9 @@ impl<const D: usize> Contact<D> {
         check("penetration", enough)?;
         let (next, mut found) = self.measured(coords, reach)?;
         found.is_enough = found.penetration.max(found.change) <= enough;
-        if !found.is_enough {
-            self.multipliers = next;
+        match found.is_enough {
+            true => self.multipliers.end_series(),
+            false => self.multipliers = next,
         }
         found.count = self.multipliers.list().len();
         Ok(found)
@@ -158,7 +160,7 @@ impl<const D: usize> Multipliers<D> {
     /// Those after an update.
     fn moved_out(&self, gaps: &GapConstraints<D>) -> (Self, Augmentation) {
         let sides = self.sides(gaps);
-        let (mut next, mut found) = (Vec::new(), Augmentation::default());
+        let (mut next, mut past, mut found) = (Vec::new(), Vec::new(), Augmentation::default());
         let mut open: BTreeMap<_, f64> = self.list().iter().map(|one| ((one.node, one.partners), one.shift)).collect();
         for row in 0..gaps.gaps.len() {
             let (node, partners, area) = (gaps.nodes[row], gaps.partners[row], gaps.areas[row]);
@@ -168,9 +170,12 @@ impl<const D: usize> Multipliers<D> {
                 continue;
             }
             let (mean, before) = (gaps.gaps[row] / area, self.shift(node, partners));
-            let shift = (before - mean).max(0.0);
             found.penetration = found.penetration.max(-mean);
-            found.change = found.change.max((shift - before).abs());
+            found.change = found.change.max(((before - mean).max(0.0) - before).abs());
+            let shift = (before - self.pace(node, partners, mean) * mean).max(0.0);
+            if before > 0.0 || shift > 0.0 {
+                past.push(((node, partners), (before, mean)));
+            }
             open.remove(&(node, partners));
             if shift > 0.0 {
                 next.push(Multiplier { node, partners, shift, towards: (-away.normalize()).into() });
@@ -178,7 +183,9 @@ impl<const D: usize> Multipliers<D> {
         }
         // What is out of reach has opened.
         found.change = open.into_values().fold(found.change, f64::max);
-        (next.into_iter().collect(), found)
+        let mut next: Self = next.into_iter().collect();
+        next.remember(past.into_iter());
+        (next, found)
     }
 
     /// Of two bodies, whether the second has the multipliers: as before, or the one with more nodes there, of equals the first.

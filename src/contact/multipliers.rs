@@ -22,20 +22,27 @@ pub struct Multiplier<const D: usize> {
 }
 
 /// The node, its body and the partner.
-type Row = (u32, [Partner; 2]);
+pub(super) type Row = (u32, [Partner; 2]);
+
+/// Largest factor of a gap by which a surface is moved out.
+const MOST_PACE: f64 = 4.0;
 
 /// Those of all nodes that have any.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Multipliers<const D: usize>(BTreeMap<Row, (f64, Vector<D>)>);
+pub(super) struct Multipliers<const D: usize> {
+    rows: BTreeMap<Row, (f64, Vector<D>)>,
+    /// Shift and mean gap at the last update of the same series.
+    past: BTreeMap<Row, (f64, f64)>,
+}
 
 impl<const D: usize> Multipliers<D> {
     pub(super) fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.rows.is_empty()
     }
 
     /// Moves points out.
     pub(super) fn add_to(&self, points: &mut [[f64; D]]) {
-        for ((node, _), (shift, towards)) in &self.0 {
+        for ((node, _), (shift, towards)) in &self.rows {
             if let Some(point) = points.get_mut(*node as usize) {
                 (0..D).for_each(|axis| point[axis] += shift * towards[axis]);
             }
@@ -44,23 +51,43 @@ impl<const D: usize> Multipliers<D> {
 
     /// How far a node is moved out against a partner.
     pub(super) fn shift(&self, node: u32, partners: [Partner; 2]) -> f64 {
-        self.0.get(&(node, partners)).map_or(0.0, |(shift, _)| *shift)
+        self.rows.get(&(node, partners)).map_or(0.0, |(shift, _)| *shift)
+    }
+
+    /// By how much of its gap a surface is moved out: all of it, or more where the last time the gap has changed by less than the
+    /// shift, since a part alone of the facets about the node is pressed.
+    pub(super) fn pace(&self, node: u32, partners: [Partner; 2], mean: f64) -> f64 {
+        let row = (node, partners);
+        let Some((shift, gap)) = self.past.get(&row) else { return 1.0 };
+        let (moved, closed) = (self.shift(node, partners) - shift, mean - gap);
+        if moved * closed > 0.0 { (moved / closed).clamp(1.0, MOST_PACE) } else { 1.0 }
+    }
+
+    /// What an update was made of.
+    pub(super) fn remember(&mut self, past: impl Iterator<Item = (Row, (f64, f64))>) {
+        self.past = past.collect();
+    }
+
+    /// A series of updates has ended.
+    pub(super) fn end_series(&mut self) {
+        self.past.clear();
     }
 
     /// Of two bodies, whether the second has them; `None` where neither has.
     pub(super) fn side(&self, pair: [Partner; 2]) -> Option<bool> {
         let of_pair = |[body, partner]: [Partner; 2]| sorted([body, partner]) == pair;
-        self.0.keys().find(|(_, partners)| of_pair(*partners)).map(|(_, [body, _])| *body == pair[1])
+        self.rows.keys().find(|(_, partners)| of_pair(*partners)).map(|(_, [body, _])| *body == pair[1])
     }
 
     /// The same pressures by a stiffness that is higher by a factor.
     pub(super) fn stiffen(&mut self, factor: f64) {
-        self.0.values_mut().for_each(|(shift, _)| *shift /= factor);
+        self.rows.values_mut().for_each(|(shift, _)| *shift /= factor);
+        self.end_series();
     }
 
     /// Takes those against a partner out.
     pub(super) fn forget(&mut self, partner: Partner) {
-        self.0.retain(|(_, partners), _| !partners.contains(&partner));
+        self.rows.retain(|(_, partners), _| !partners.contains(&partner));
     }
 
     /// In ascending order.
@@ -71,14 +98,14 @@ impl<const D: usize> Multipliers<D> {
             shift,
             towards: towards.into(),
         };
-        self.0.iter().map(one).collect()
+        self.rows.iter().map(one).collect()
     }
 }
 
 impl<const D: usize> FromIterator<Multiplier<D>> for Multipliers<D> {
     fn from_iter<T: IntoIterator<Item = Multiplier<D>>>(list: T) -> Self {
         let row = |one: Multiplier<D>| ((one.node, one.partners), (one.shift, Vector::from(one.towards)));
-        Self(list.into_iter().map(row).collect())
+        Self { rows: list.into_iter().map(row).collect(), past: BTreeMap::new() }
     }
 }
 

@@ -15,7 +15,7 @@ fn a_host_of_its_own_gets_where_the_contact_step_does() {
         let (wanted, step) = scene.condensed(&ContactStepOptions { penetration: 1e-9, ..Default::default() });
         let (mut at, mut iterations) = scene.newton(DVector::zeros(wanted.len()));
         let by_law = iterations;
-        let mut updates = 0;
+        let (mut updates, mut last, mut raised) = (0, f64::INFINITY, 1.0);
         loop {
             let found = scene.contact.augment(&scene.at(&at), 0.1, 1e-9).unwrap();
             println!("k {k:e}: penetration {:.1e}, change {:.1e}", found.penetration, found.change);
@@ -24,11 +24,18 @@ fn a_host_of_its_own_gets_where_the_contact_step_does() {
                 break;
             }
             updates += 1;
+            // As the drivers do.
+            if found.change > 0.25 * last && k * raised < 16.0 * k {
+                scene.contact.stiffen(4.0).unwrap();
+                (last, raised) = (f64::INFINITY, 4.0 * raised);
+            } else {
+                last = found.change;
+            }
             let (next, more) = scene.newton(at);
             (at, iterations) = (next, iterations + more);
         }
         println!("{updates} updates, {iterations} iterations, {by_law} by the law; contact step: {} and {}", step.updates, step.iterations);
-        assert!(updates <= 20);
+        assert!(updates <= 14 && iterations <= 5 * by_law, "{updates} updates, {iterations} iterations");
         // Pressures are kept at nodes there, and everywhere on the facets here: both have the gaps closed at the same nodes.
         let apart = (&at - &wanted).amax();
         assert!(apart < 1e-6 * wanted.amax(), "{k:e}: {apart:e}");
@@ -78,7 +85,7 @@ fn what_is_far_apart_has_none() {
     contact.augment(&coords, 0.0, 1e-6).unwrap();
     let (far, _) = square(5.0);
     let found = contact.augment(&far, 0.0, 1e-6).unwrap();
-    assert!(found.change == 0.01 && found.count == 0 && found.penetration == 0.0, "{found:?}");
+    assert!((found.change - 0.01).abs() < 1e-15 && found.count == 0 && found.penetration == 0.0, "{found:?}");
 }
 
 #[test]

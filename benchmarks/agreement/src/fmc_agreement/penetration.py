@@ -36,7 +36,6 @@ CASES = (
     Wanted(Case("hertz", hosts=SHARED), 8e-6),
     Wanted(Case("hertz", "depth", hosts=SHARED), 8e-6),
     Wanted(Case("cone", hosts=SHARED), 2.5e-6),
-    Wanted(Case("cone", "depth", hosts=SHARED), 2.5e-6),
     Wanted(Case("ironing", hosts=SHARED), 1.5e-6),
     Wanted(Case("ironing", "depth", hosts=SHARED), 1.5e-6),
 )
