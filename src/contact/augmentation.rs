@@ -37,7 +37,7 @@ impl<const D: usize> Contact<D> {
     /// is pressure by stiffness; [`Self::gap_constraints`] and [`Self::evaluate_true`] are those of the true ones. What is moved out
     /// stays for the next load step; [`Self::set_multipliers`] with none moves it back.
     ///
-    /// Of two bodies the one with more nodes near the other has the multipliers, of equals the first.
+    /// Of two bodies the one with more nodes near the other when they meet has the multipliers, of equals the first.
     ///
     /// `reach`: how far from a partner gaps are measured, 0 for a twentieth of the bodies' extent. `enough`: the penetration and the
     /// change that are left alone.
@@ -184,7 +184,7 @@ impl<const D: usize> Multipliers<D> {
         // What is out of reach has opened.
         found.change = open.into_values().fold(found.change, f64::max);
         let mut next: Self = next.into_iter().collect();
-        next.remember(past.into_iter());
+        next.remember(past, sides);
         (next, found)
     }
 
@@ -196,9 +196,10 @@ impl<const D: usize> Multipliers<D> {
                 counts.entry(sorted(*partners)).or_default()[usize::from(partners[0] > partners[1])] += 1;
             }
         }
-        let chosen = |(pair, [first, second]): ([Partner; 2], [usize; 2])| {
-            (pair, self.side(pair).unwrap_or(second > first))
-        };
-        counts.into_iter().map(chosen).collect()
+        let mut sides = self.sides();
+        for (pair, [first, second]) in counts {
+            sides.entry(pair).or_insert(second > first);
+        }
+        sides
     }
 }

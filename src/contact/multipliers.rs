@@ -33,6 +33,9 @@ pub(super) struct Multipliers<const D: usize> {
     rows: BTreeMap<Row, (f64, Vector<D>)>,
     /// Shift and mean gap at the last update of the same series.
     past: BTreeMap<Row, (f64, f64)>,
+    /// Of two bodies, whether the second has them, also while none has any: on another side the equilibrium is another one, by the
+    /// size of the facets.
+    sides: BTreeMap<[Partner; 2], bool>,
 }
 
 impl<const D: usize> Multipliers<D> {
@@ -64,8 +67,8 @@ impl<const D: usize> Multipliers<D> {
     }
 
     /// What an update was made of.
-    pub(super) fn remember(&mut self, past: impl Iterator<Item = (Row, (f64, f64))>) {
-        self.past = past.collect();
+    pub(super) fn remember(&mut self, past: Vec<(Row, (f64, f64))>, sides: BTreeMap<[Partner; 2], bool>) {
+        (self.past, self.sides) = (past.into_iter().collect(), sides);
     }
 
     /// A series of updates has ended.
@@ -73,10 +76,9 @@ impl<const D: usize> Multipliers<D> {
         self.past.clear();
     }
 
-    /// Of two bodies, whether the second has them; `None` where neither has.
-    pub(super) fn side(&self, pair: [Partner; 2]) -> Option<bool> {
-        let of_pair = |[body, partner]: [Partner; 2]| sorted([body, partner]) == pair;
-        self.rows.keys().find(|(_, partners)| of_pair(*partners)).map(|(_, [body, _])| *body == pair[1])
+    /// Of two bodies, whether the second has them; those that are known.
+    pub(super) fn sides(&self) -> BTreeMap<[Partner; 2], bool> {
+        self.sides.clone()
     }
 
     /// The same pressures by a stiffness that is higher by a factor.
@@ -88,6 +90,7 @@ impl<const D: usize> Multipliers<D> {
     /// Takes those against a partner out.
     pub(super) fn forget(&mut self, partner: Partner) {
         self.rows.retain(|(_, partners), _| !partners.contains(&partner));
+        self.end_series();
     }
 
     /// In ascending order.
@@ -105,7 +108,13 @@ impl<const D: usize> Multipliers<D> {
 impl<const D: usize> FromIterator<Multiplier<D>> for Multipliers<D> {
     fn from_iter<T: IntoIterator<Item = Multiplier<D>>>(list: T) -> Self {
         let row = |one: Multiplier<D>| ((one.node, one.partners), (one.shift, Vector::from(one.towards)));
-        Self { rows: list.into_iter().map(row).collect(), past: BTreeMap::new() }
+        let rows: BTreeMap<_, _> = list.into_iter().map(row).collect();
+        let of_bodies = |(_, [body, partner]): &Row| match (body, partner) {
+            (Partner::Body(_), Partner::Body(_)) => Some((sorted([*body, *partner]), body > partner)),
+            _ => None,
+        };
+        let sides = rows.keys().filter_map(of_bodies).collect();
+        Self { rows, past: BTreeMap::new(), sides }
     }
 }
 
