@@ -91,6 +91,11 @@ class Condensed:
         """Whether there are factors of this matrix."""
         return self.matrix is not None and _same(self.matrix, matrix)
 
+    @property
+    def is_definite(self) -> bool:
+        """Whether the bodies' matrix was found to be symmetric and positive definite where they do not touch."""
+        return self.matrix is not None and hasattr(self.solve, "follow")
+
     def forget(self) -> None:
         """No unknown is known to feel contact."""
         self.freedoms, self.matrix = np.zeros(0, np.int64), None

@@ -12,7 +12,7 @@ Three things make the plain method converge, and none needs anything of the host
 After eight iterations, which a load step takes at most as a rule, a step is halved where the residual has not fallen.
 
 In two levels a step goes to the equilibrium of the contact as it is with linear bodies, and is shortened where that does not lower the
-energy of all.
+energy of all. It is not where the bodies' matrix is not positive definite, as with multipliers of the host's own: no energy is least there.
 
 An equilibrium is one for the stiffness asked for, never for a lower one.
 """

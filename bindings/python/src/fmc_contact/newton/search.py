@@ -109,7 +109,7 @@ class Search:
             step = self.plain_step(state)
         if self.step.any():
             return self.moved(state, step)
-        if self.levels is not None and self.has_energy:
+        if self.levels is not None and self.has_energy and self.levels.condensed.is_definite:
             reached = least_energy(self.model, state, step)
             if reached is not None:
                 return reached
@@ -121,7 +121,7 @@ class Search:
 
     @property
     def has_energy(self) -> bool:
-        """Whether forces are those of one energy: without friction, or where that is frozen."""
+        """Whether contact forces are those of one energy: without friction, or where that is frozen."""
         options = self.model.inner.options
         return self.frozen is not None or not (options["friction_coefficient"] or options["cohesion"])
 
