@@ -196,7 +196,7 @@ impl<const D: usize> Multipliers<D> {
                 counts.entry(sorted(*partners)).or_default()[usize::from(partners[0] > partners[1])] += 1;
             }
         }
-        let mut sides = self.sides();
+        let mut sides = self.known_sides();
         for (pair, [first, second]) in counts {
             sides.entry(pair).or_insert(second > first);
         }

@@ -77,7 +77,7 @@ impl<const D: usize> Multipliers<D> {
     }
 
     /// Of two bodies, whether the second has them; those that are known.
-    pub(super) fn sides(&self) -> BTreeMap<[Partner; 2], bool> {
+    pub(super) fn known_sides(&self) -> BTreeMap<[Partner; 2], bool> {
         self.sides.clone()
     }
 

@@ -94,7 +94,14 @@ class Condensed:
     @property
     def is_definite(self) -> bool:
         """Whether the bodies' matrix was found to be symmetric and positive definite where they do not touch."""
-        return self.matrix is not None and hasattr(self.solve, "follow")
+        if not isinstance(self.matrix, np.ndarray):
+            return self.matrix is not None and hasattr(self.solve, "follow")
+        rest = self.matrix[np.ix_(self.rest, self.rest)]
+        try:
+            np.linalg.cholesky(rest)
+        except np.linalg.LinAlgError:
+            return False
+        return bool(np.abs(rest - rest.T).max(initial=0.0) <= 1e-12 * np.abs(rest).max(initial=0.0))
 
     def forget(self) -> None:
         """No unknown is known to feel contact."""
