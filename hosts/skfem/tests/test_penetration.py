@@ -62,9 +62,9 @@ def test_a_disc_on_a_plane(element, two_level):
 def test_a_disc_on_a_block_over_load_steps():
     """Two bodies: one of them is moved out, forces balance, and the next load step begins with what the last one has found."""
     problem = problems.disc(64)
-    counts = {}
+    counts, moved_out, updates = {}, set(), 0
     for penetration in (None, 1e-6):
-        contact, u, counts[penetration] = problem.contact(100.0), np.zeros(problem.solid.offsets[-1]), []
+        contact, u, counts[penetration] = problem.contact(10.0), np.zeros(problem.solid.offsets[-1]), []
         for push in problem.pushes[3:]:
             prescribed = u.copy()
             prescribed[problem.moved] = push
@@ -72,10 +72,13 @@ def test_a_disc_on_a_block_over_load_steps():
             found = newton(host, contact, u, problem.free, prescribed, young=problem.young, penetration=penetration)
             u = found.x
             counts[penetration].append(found.iterations)
-            assert penetration is None or found.penetration <= penetration
-    print(counts)
-    assert sum(counts[1e-6]) <= 2 * sum(counts[None])
-    assert len(set(contact.contact.multipliers["body"].tolist())) == 1
+            if penetration is None:
+                continue
+            assert found.penetration <= penetration
+            moved_out |= set(contact.contact.multipliers["body"].tolist())
+            updates += found.updates
+    print(counts, updates)
+    assert updates > 0 and sum(counts[1e-6]) <= 2 * sum(counts[None]) and len(moved_out) <= 1
     forces = found.reactions.reshape(-1, 2).sum(axis=0)
     assert np.abs(forces).max() < 1e-6 * np.abs(found.reactions).sum()
 
