@@ -196,6 +196,8 @@ getfem: host-environment
 
 agree: dealii-program
 	$(RUN_HOSTS) FMC_DEALII=$(DEALII)/press $(HOSTS)/bin/python -m fmc_agreement out/agree
+	$(RUN_HOSTS) $(HOSTS)/bin/python -m fmc_agreement.penetration out/agree
+	$(RUN_HOSTS) $(HOSTS)/bin/python -m fmc_agreement.beside out/agree
 
 # GetFEM is a package for the system's own Python. Its BLAS is unpacked here for it alone: installed, OpenBLAS would change every
 # other program's.

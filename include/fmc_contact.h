@@ -956,6 +956,47 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_gap_constraint;
 
+// What `fmc_context_augment` says of the coordinates that it was called with.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers.
+  double penetration;
+  // Largest change of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner, inside or outside.
+  double change;
+  // Number of multipliers, for `fmc_context_multipliers`.
+  size_t multiplier_count;
+  // Whether both are no more than what was enough: the multipliers have then stayed.
+  int32_t is_enough;
+  // Zero.
+  int32_t reserved_flags;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_augmentation;
+
+// How far a surface is moved out at a node, against one partner.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // The node, counted from the option `index_base`; with cells of second order the point, see
+  // `fmc_context_point_weights`.
+  int64_t node;
+  // Its body, an index for `fmc_context_body`.
+  size_t body;
+  // What the partner is: a value of `fmc_partner`.
+  int32_t partner_kind;
+  // Zero.
+  int32_t reserved_flags;
+  // Index of the partner for `fmc_context_body` or `fmc_context_obstacle`.
+  size_t partner;
+  // How far, a positive length; by the law's stiffness the pressure without penetration.
+  double shift;
+  // Unit vector towards the partner; in 2D the last is 0.
+  double towards[3];
+  // Zero.
+  uint64_t reserved[4];
+} fmc_multiplier;
+
 // Position, rotation and scale of an obstacle: a point X of the shape is at position + scale rotation X.
 //
 // In 2D the first two entries of the position and the upper left two by two of the rotation are read.
@@ -1888,6 +1929,56 @@ fmc_status fmc_context_gap_gradient(const fmc_context *context,
                                     int64_t *cols,
                                     double *values,
                                     size_t capacity);
+
+// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
+// (`fmc_context_find_gap_constraints`) at `coords`, back where it has opened. It is the method of multipliers: by the law's
+// stiffness a shift is a pressure without penetration.
+//
+// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_enough`. The law's stiffness may be any,
+// but a low one takes more updates. All that is asked of the context afterwards, forces, tangents, steps, is that of the surfaces
+// moved out, whose penetration is pressure by stiffness; weighted gaps are those of the true ones. What is moved out stays for the
+// next load step; `fmc_context_set_multipliers` with none moves it back. Of two bodies the one with more nodes near the other has the
+// multipliers, of equals the first.
+//
+// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `enough`: the penetration and the
+// change that are left alone, a length. `found` receives what there was.
+//
+// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `enough` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
+// self-contact, a law whose pressure does not grow with the penetration, and a mesh in parts; else as `fmc_context_evaluate`.
+// The multipliers have then stayed. Threads: one call at a time on a context.
+fmc_status fmc_context_augment(fmc_context *context,
+                               const fmc_coords *coords,
+                               double reach,
+                               double enough,
+                               fmc_augmentation *found);
+
+// Multiplies the stiffness of the law, and of those that pairs have of their own, by `factor`; what surfaces that are moved out press
+// with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, a quarter say,
+// this helps more than another one. The options of the context have the new stiffness.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; nothing has changed then. Threads: one call at a time
+// on a context.
+fmc_status fmc_context_stiffen(fmc_context *context,
+                               double factor);
+
+// The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
+// again. `count` becomes their number; `rows`, which may be NULL to ask for that alone, has room for `capacity`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_multipliers(const fmc_context *context,
+                                   fmc_multiplier *rows,
+                                   size_t capacity,
+                                   size_t *count);
+
+// Sets the multipliers, `count` structs as `fmc_context_multipliers` writes them; none: surfaces are where they are again.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`, `FMC_ERROR_UNKNOWN_OPTION` for a kind of
+// partner that there is not, `FMC_ERROR_NOT_POSITIVE` for a shift or a direction that is none, `FMC_ERROR_UNSUPPORTED` as
+// `fmc_context_augment`, `FMC_ERROR_BUSY`; what was moved out then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_multipliers(fmc_context *context,
+                                       const fmc_multiplier *rows,
+                                       size_t count);
 
 // Sets a pose to the origin, without rotation and with scale 1.
 //

@@ -14,6 +14,7 @@
 // Whom a caller in C must obey is in the text of every function; "Safety" headings would go into the header.
 #![allow(clippy::missing_safety_doc)]
 
+mod augmentation;
 mod basis;
 mod boundary;
 mod boundary_facet;
@@ -39,6 +40,7 @@ mod in_parts;
 mod kept_tangent;
 mod last_error;
 mod mesh;
+mod multiplier;
 mod nodal_contact;
 mod nodal_lists;
 mod obstacle;
@@ -49,6 +51,7 @@ mod option_values;
 mod options;
 mod pair_options;
 mod part;
+mod partner;
 mod parts;
 mod parts_creation;
 mod parts_getters;

@@ -1,7 +1,9 @@
 //! Energy laws and the forces of all pairs.
 
+mod augmentation;
 mod compressed_rows;
 mod contact_step;
+pub mod descent;
 mod evaluation;
 mod fields;
 mod forces;
@@ -14,6 +16,7 @@ mod lanczos;
 mod laws;
 mod mass_scaled;
 mod momentum_correction;
+mod multipliers;
 mod obstacle_rotation;
 mod obstacles;
 mod onto_nodes;
@@ -33,6 +36,7 @@ mod submesh;
 mod tangent;
 mod workers;
 
+pub use augmentation::Augmentation;
 pub use compressed_rows::CompressedRows;
 pub(crate) use compressed_rows::compressed;
 pub use contact_step::{CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
@@ -42,6 +46,7 @@ pub use forces::{ContactForces, PairForces, Resultant};
 pub use friction::{Friction, FrictionTotals};
 pub use gap_constraints::GapConstraints;
 pub use laws::{EnergyLaw, FiberProfile};
+pub use multipliers::Multiplier;
 pub use options::Options;
 pub use pair_options::PairOptions;
 pub use pattern::Pattern;

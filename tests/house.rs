@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 36] = [
+const ROOMS: [&str; 37] = [
     "error",
     "dimension",
     "geometry",
@@ -36,6 +36,7 @@ const ROOMS: [&str; 36] = [
     "overlap",
     "contact/laws/energy_law",
     "contact/tangent",
+    "contact/descent",
     "contact/momentum_correction",
     "contact/laws",
     "contact/friction",

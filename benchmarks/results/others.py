@@ -12,7 +12,7 @@ def is_other(name):
 
 def found():
     """Runs by name, of those programs that have left something."""
-    return {**_agreement(), **_peers(), **_benches()}
+    return {**_agreement(), **_penetration(), **_beside(), **_peers(), **_benches()}
 
 
 def _rows(path):
@@ -31,6 +31,21 @@ def _agreement():
         figures = {"count": len(apart), "displacement": float(f"{max(apart.values()):.3g}")}
         runs["agree/equilibria"] = {"figures": figures}
     return runs
+
+
+def _penetration():
+    """penetration/CASE/HOST; what was found with the law alone ends in _law, with the penetration asked for in _wanted."""
+    runs = {}
+    for row in _rows(ROOT / "out" / "agree" / "penetration.json"):
+        both = {f"{key}_{way}": value for key, pair in row.items() if isinstance(pair, list) for way, value in zip(("law", "wanted"), pair)}
+        runs[f"penetration/{row['case']}/{row['host']}"] = {"figures": _numbers({"wanted": row["wanted"], **both})}
+    return runs
+
+
+def _beside():
+    """beside/CASE/HOST."""
+    rows = _rows(ROOT / "out" / "agree" / "beside.json")
+    return {f"beside/{row['case']}/{row['host']}": {"figures": _numbers(row)} for row in rows}
 
 
 def _peers():

@@ -5,10 +5,11 @@ from pathlib import Path
 
 import fields
 import hosts
+import penetration
 
 ROOT = Path(__file__).parents[2]
 TABLES = Path(__file__).parent / "tables"
-BUILT = {"hosts": hosts.table}
+BUILT = {"hosts": hosts.table, "penetration": penetration.table, "beside": penetration.beside}
 BLOCK = re.compile(r"(<!-- begin: ([\w-]+) -->\n)(.*?)(<!-- end -->\n)", re.S)
 
 

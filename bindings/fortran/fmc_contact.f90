@@ -28,7 +28,7 @@ module fmc_contact
              obstacle, pair, warning, add_half_space, add_ball, add_cuboid, add_cylinder, add_cone, &
              add_capsule, add_polytope, add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
-             contact_points, gap_constraints, boundary_facets, placed, unplaced, view, onto, checked, &
+             contact_points, gap_constraints, augment, multipliers, set_multipliers, boundary_facets, placed, unplaced, view, onto, checked, &
              copy_text, copied, finished
 
   ! Bodies in contact with one another and with obstacles. Given back when it goes out of scope; it cannot be copied.
@@ -44,6 +44,7 @@ module fmc_contact
     procedure :: add_signed_distance, set_pose, remove_obstacle
     procedure :: keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip
     procedure :: nodal_contact, contact_points, gap_constraints, boundary_facets
+    procedure :: augment, multipliers, set_multipliers
     procedure, private :: copied, take
     generic :: assignment(=) => copied
     final :: finished
@@ -582,6 +583,48 @@ contains
       rows%partner = rows%partner + 1
     end if
     call checked(status, stat)
+  end subroutine
+
+  ! Moves surfaces out by what they penetrate at x (fmc_context_augment); reach: 0 for a twentieth of the bodies' extent.
+  subroutine augment(self, x, enough, found, reach, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    real(c_double), intent(in) :: enough
+    type(fmc_augmentation), intent(out) :: found
+    real(c_double), intent(in), optional :: reach
+    integer, intent(out), optional :: stat
+    real(c_double) :: within
+    within = 0
+    if (present(reach)) within = reach
+    call checked(fmc_context_augment(self%handle, view(x), within, enough, found), stat)
+  end subroutine
+
+  ! How far surfaces are moved out, by nodes, bodies and partners that count from 1.
+  subroutine multipliers(self, found, stat)
+    class(contact), intent(in) :: self
+    type(fmc_multiplier), intent(out), allocatable :: found(:)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: count
+    integer(c_int32_t) :: status
+    count = 0
+    status = fmc_context_multipliers(self%handle, capacity=0_c_size_t, count=count)
+    allocate (found(count))
+    if (status == FMC_OK .and. count > 0) status = fmc_context_multipliers(self%handle, found, count, count)
+    found%body = found%body + 1
+    found%partner = found%partner + 1
+    call checked(status, stat)
+  end subroutine
+
+  ! Moves surfaces out as multipliers has told; none: back.
+  subroutine set_multipliers(self, given, stat)
+    class(contact), intent(inout) :: self
+    type(fmc_multiplier), intent(in) :: given(:)
+    integer, intent(out), optional :: stat
+    type(fmc_multiplier) :: rows(size(given))
+    rows = given
+    rows%body = rows%body - 1
+    rows%partner = rows%partner - 1
+    call checked(fmc_context_set_multipliers(self%handle, rows, size(rows, kind=c_size_t)), stat)
   end subroutine
 
   ! The facets of all bodies; local_face is VTK's number and counts from 0.

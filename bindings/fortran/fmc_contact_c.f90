@@ -394,6 +394,28 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_augmentation
+    integer(c_size_t) :: struct_size
+    real(c_double) :: penetration
+    real(c_double) :: change
+    integer(c_size_t) :: multiplier_count
+    integer(c_int32_t) :: is_enough
+    integer(c_int32_t) :: reserved_flags
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_multiplier
+    integer(c_size_t) :: struct_size
+    integer(c_int64_t) :: node
+    integer(c_size_t) :: body
+    integer(c_int32_t) :: partner_kind
+    integer(c_int32_t) :: reserved_flags
+    integer(c_size_t) :: partner
+    real(c_double) :: shift
+    real(c_double) :: towards(3)
+    integer(c_int64_t) :: reserved(4)
+  end type
+
   type, bind(c) :: fmc_pose
     real(c_double) :: position(3)
     real(c_double) :: rotation(9)
@@ -1093,6 +1115,36 @@ module fmc_contact_c
       real(c_double), intent(inout), optional :: values(*)
       integer(c_size_t), value :: capacity
       integer(c_int32_t) :: fmc_context_gap_gradient
+    end function
+    function fmc_context_augment(context, coords, reach, enough, found) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), value :: reach
+      real(c_double), value :: enough
+      type(fmc_augmentation), intent(inout), optional :: found
+      integer(c_int32_t) :: fmc_context_augment
+    end function
+    function fmc_context_stiffen(context, factor) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: factor
+      integer(c_int32_t) :: fmc_context_stiffen
+    end function
+    function fmc_context_multipliers(context, rows, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_multiplier), intent(inout), optional :: rows(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_multipliers
+    end function
+    function fmc_context_set_multipliers(context, rows, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_multiplier), intent(in), optional :: rows(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_multipliers
     end function
     function fmc_pose_init(pose) bind(c)
       import

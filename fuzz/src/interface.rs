@@ -4,6 +4,7 @@
 // The header documents them.
 #![allow(missing_docs, non_camel_case_types)]
 
+mod augment;
 mod condensation;
 mod contact_step;
 mod evaluation;
@@ -16,6 +17,7 @@ mod ranks;
 mod status;
 mod tangent;
 
+pub use augment::*;
 pub use condensation::*;
 pub use contact_step::*;
 pub use evaluation::*;

@@ -180,4 +180,11 @@ pub enum Call {
         reach: Number,
         hole: Hole,
     },
+    /// Moves surfaces out; `damage` goes into a field of the first multiplier.
+    Augment {
+        reach: Number,
+        enough: Number,
+        damage: Number,
+        hole: Hole,
+    },
 }

@@ -85,6 +85,25 @@ void forces_and_getters() {
     EXPECT(close((after.rows[r].gap - gaps.rows[r].gap) / step, slope, 1e-5));
   }
 
+  // Moved out by what it penetrates, the square presses twice as much; moved back, as before.
+  const auto moved_out = contact.augment(coords, 1e-9);
+  const auto multipliers = contact.multipliers();
+  EXPECT(!moved_out.is_enough && moved_out.penetration > 0 && multipliers.size() == moved_out.multiplier_count);
+  contact.evaluate(coords);
+  const double with = contact.body(1).force[0];
+  contact.set_multipliers({});
+  contact.evaluate(coords);
+  EXPECT(std::fabs(with) > 1.5 * std::fabs(contact.body(1).force[0]) && contact.multipliers().empty());
+  contact.set_multipliers(multipliers);
+  contact.stiffen(4);
+  EXPECT(close(contact.multipliers()[0].shift, multipliers[0].shift / 4, 1e-12));
+  contact.stiffen(0.25);
+  contact.set_multipliers(multipliers);
+  contact.evaluate(coords);
+  EXPECT(contact.body(1).force[0] == with);
+  contact.set_multipliers({});
+  contact.evaluate(coords);
+
   // Facets; points, which are the nodes here; and a basis whose unknowns are the nodes in the opposite order.
   EXPECT(contact.boundary_facets().size() == 8 && contact.boundary_facets()[0].cell == 0);
   const auto points = contact.point_weights();

@@ -50,6 +50,8 @@ contains
     type(fmc_pair) :: pair
     type(fmc_contact_point), allocatable :: points(:)
     type(fmc_gap_constraint), allocatable :: gaps(:)
+    type(fmc_multiplier), allocatable :: shifts(:)
+    type(fmc_augmentation) :: moved_out
     type(fmc_boundary_facet), allocatable :: skin(:)
 
     x(:, 1:4) = reshape([0d0, 0d0, 1d0, 0d0, 1d0, 1d0, 0d0, 1d0], [2, 4])
@@ -99,6 +101,17 @@ contains
     call expect("size of a point", real(c_sizeof(points(1)), c_double), real(points(1)%struct_size, c_double), 0d0)
     call expect("size of a gap", real(c_sizeof(gaps(1)), c_double), real(gaps(1)%struct_size, c_double), 0d0)
     call expect("gaps", minval(gaps%gap/gaps%area), -depth, 1d-9)
+    ! Moved out by what it penetrates the square presses twice as much; moved back, as before.
+    call squares%augment(x, 1d-9, moved_out)
+    call squares%multipliers(shifts)
+    call expect("shift", maxval(shifts%shift), depth, 1d-9)
+    call expect("nodes moved out", real(size(shifts), c_double), real(moved_out%multiplier_count, c_double), 0d0)
+    call expect("size of a multiplier", real(c_sizeof(shifts(1)), c_double), real(shifts(1)%struct_size, c_double), 0d0)
+    call squares%contact_points(x, points)
+    call expect("pressure moved out", maxval(points%pressure), 2*k*depth, 1d-9)
+    call squares%set_multipliers(shifts(1:0))
+    call squares%multipliers(shifts)
+    call expect("nodes moved back", real(size(shifts), c_double), 0d0, 0d0)
     call squares%boundary_facets(skin)
     call expect("facets", real(10*size(skin) + maxval(skin%cell), c_double), 82d0, 1d-15)
     masses = 1

@@ -342,6 +342,26 @@ class Context {
     return gaps;
   }
 
+  // Moves surfaces out by what they penetrate, see `fmc_context_augment`.
+  fmc_augmentation augment(Coords coords, double enough, double reach = 0) {
+    const auto x = coords.as_c(dim_);
+    fmc_augmentation found{};
+    call(fmc_context_augment(get(), &x, reach, enough, &found));
+    return found;
+  }
+  // Multiplies the stiffness of the laws; see `fmc_context_stiffen`.
+  void stiffen(double factor) { call(fmc_context_stiffen(get(), factor)); }
+  std::vector<fmc_multiplier> multipliers() const {
+    std::size_t count = 0;
+    check(fmc_context_multipliers(get(), nullptr, 0, &count));
+    std::vector<fmc_multiplier> found(count);
+    check(fmc_context_multipliers(get(), found.data(), count, &count));
+    return found;
+  }
+  void set_multipliers(const std::vector<fmc_multiplier> &multipliers) {
+    call(fmc_context_set_multipliers(get(), multipliers.data(), multipliers.size()));
+  }
+
   void set_pair_options(Partner a, Partner b, const PairOptions &options) {
     call(fmc_context_set_pair_options(get(), a.kind, a.index, b.kind, b.index, &options));
   }

@@ -2,15 +2,14 @@
 
 use super::boundary::entry;
 use super::context::{fmc_context, read, write};
-use super::evaluation::fmc_partner;
 use super::failure::Failure;
 use super::option_values::EXCLUDED;
 use super::options::{fmc_estimator, fmc_law, fmc_options};
+use super::partner::partner;
 use super::pointer::{Output, optional};
 use super::status::fmc_status;
 use super::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
 use crate::contact::PairOptions;
-use crate::overlap::Partner;
 use crate::{EnergyLaw, FiberProfile};
 
 /// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
@@ -137,15 +136,6 @@ impl fmc_pair_options {
         let estimator = fmc_estimator::FMC_ESTIMATOR_EXACT as i32;
         let alike = fmc_options { law, stiffness, exponent, smoothing_length, estimator, ..fmc_options::default() };
         Ok(Some(alike.to_options()?.law))
-    }
-}
-
-/// The partner that the host names.
-fn partner(kind: i32, index: usize) -> Result<Partner, Failure> {
-    match kind {
-        _ if kind == fmc_partner::FMC_PARTNER_BODY as i32 => Ok(Partner::Body(index)),
-        _ if kind == fmc_partner::FMC_PARTNER_OBSTACLE as i32 => Ok(Partner::Obstacle(index)),
-        _ => Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("{kind} is no value of fmc_partner"))),
     }
 }
 

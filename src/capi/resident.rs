@@ -8,6 +8,7 @@ use super::gap_constraint::KeptGaps;
 use super::in_parts::InParts;
 use super::kept_tangent::Kept;
 use super::mesh::Numbering;
+use super::multiplier::fmc_multiplier;
 use super::nodal_lists::NodalLists;
 use super::part::fmc_shape;
 use super::placement::Placement;
@@ -15,7 +16,7 @@ use super::pose::fmc_pose;
 use super::session::{Counts, Session};
 use super::shape::{ShapeOf, kind_of};
 use super::view::{check_node_count, fmc_coords, fmc_forces};
-use crate::contact::{CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
+use crate::contact::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
 use crate::overlap::Partner;
 use crate::{
     Basis, Communicator, Contact, ContactForces, Error, Obstacle, Options, PartitionedContact, PointWeights, Pose,
@@ -318,6 +319,32 @@ impl<const D: usize> Session for Resident<D> {
         // SAFETY: passed on to the caller.
         let found = unsafe { self.at(coords, index_base, |contact, rows| contact.gap_constraints(rows, reach)) }?;
         Ok(KeptGaps::new(&found, index_base))
+    }
+
+    unsafe fn augment(
+        &mut self,
+        coords: &fmc_coords,
+        reach: f64,
+        enough: f64,
+        index_base: i32,
+    ) -> Result<Augmentation, Failure> {
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.augment(rows, reach, enough)) }
+    }
+
+    fn stiffen(&mut self, factor: f64) -> Result<(), Failure> {
+        Ok(self.held.contact_mut().stiffen(factor)?)
+    }
+
+    fn multipliers(&self, index_base: i32) -> Vec<fmc_multiplier> {
+        let found = self.held.contact().multipliers();
+        found.iter().map(|one| fmc_multiplier::new(one, index_base)).collect()
+    }
+
+    fn set_multipliers(&mut self, multipliers: &[fmc_multiplier], index_base: i32) -> Result<(), Failure> {
+        let taken = multipliers.iter().enumerate().map(|(place, one)| one.taken(place, index_base));
+        let taken = taken.collect::<Result<Vec<_>, _>>()?;
+        self.held.contact_mut().set_multipliers(&taken).map_err(Failure::counted_from(index_base))
     }
 
     unsafe fn evaluate(

@@ -7,13 +7,14 @@ use super::failure::Failure;
 use super::gap_constraint::KeptGaps;
 use super::in_parts::InParts;
 use super::kept_tangent::Kept;
+use super::multiplier::fmc_multiplier;
 use super::nodal_lists::NodalLists;
 use super::part::fmc_shape;
 use super::placement::Placement;
 use super::pose::fmc_pose;
 use super::shape::ShapeOf;
 use super::view::{fmc_coords, fmc_forces};
-use crate::contact::{CondensedBodies, ContactStep, ContactStepOptions, PairOptions, TangentPart};
+use crate::contact::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, PairOptions, TangentPart};
 use crate::overlap::Partner;
 use crate::{Basis, Communicator, Options, PointWeights, RankCounts};
 
@@ -139,6 +140,27 @@ pub(super) trait Session: Send + Sync {
     /// The host guarantees the view.
     unsafe fn gap_constraints(&mut self, coords: &fmc_coords, reach: f64, index_base: i32)
     -> Result<KeptGaps, Failure>;
+
+    /// Moves surfaces out by their gaps.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn augment(
+        &mut self,
+        coords: &fmc_coords,
+        reach: f64,
+        enough: f64,
+        index_base: i32,
+    ) -> Result<Augmentation, Failure>;
+
+    /// Multiplies the stiffness of the laws.
+    fn stiffen(&mut self, factor: f64) -> Result<(), Failure>;
+
+    /// How far they are moved out.
+    fn multipliers(&self, index_base: i32) -> Vec<fmc_multiplier>;
+
+    /// Sets it.
+    fn set_multipliers(&mut self, multipliers: &[fmc_multiplier], index_base: i32) -> Result<(), Failure>;
 
     /// Largest time step of central differences.
     ///

@@ -13,6 +13,8 @@ mod large;
 mod multipliers;
 mod newton;
 mod options;
+#[cfg(feature = "solver")]
+mod reduced;
 mod soft_start;
 mod solve;
 mod touching;

@@ -6,6 +6,7 @@ use super::friction::{FrozenFriction, Step};
 use super::gap_constraints::GapConstraints;
 use super::kernels::{self, estimator, pair_law};
 use super::laws::PairLaw;
+use super::multipliers::Multipliers;
 use super::options::Options;
 use super::pair_table::PairTable;
 use super::rigid::Rigid;
@@ -47,6 +48,8 @@ pub struct Contact<const D: usize> {
     pub(super) step: Option<Step<D>>,
     /// Facets and pressures at which friction is frozen.
     pub(super) frozen: Option<FrozenFriction<D>>,
+    /// How far surfaces are moved out so that they press without penetration.
+    pub(super) multipliers: Multipliers<D>,
     pub(super) state: Mutex<Option<Box<State<D>>>>,
     /// Whether a node lies in a plane of symmetry; `None` where that was not said.
     pub(super) in_symmetry_plane: Option<Vec<bool>>,
@@ -78,6 +81,7 @@ impl<const D: usize> Contact<D> {
             turns: Turns::default(),
             step: None,
             frozen: None,
+            multipliers: Multipliers::default(),
             state: Mutex::new(None),
             in_symmetry_plane: None,
             depth: OnceLock::new(),
@@ -159,6 +163,7 @@ impl<const D: usize> Contact<D> {
         check_axisymmetry::<D>(&options)?;
         check_depth(&self.surface, &options)?;
         self.pair_table.check(&options)?;
+        self.check_beside_multipliers(&options.law, options.friction.is_active() || options.self_contact)?;
         if options.threads != self.options.threads {
             self.workers = Workers::new(options.threads)?;
         }
@@ -213,6 +218,15 @@ impl<const D: usize> Contact<D> {
     /// [`Error::UnfinishedLines`], [`Error::Overflow`]; with friction [`Error::NoStep`].
     pub fn evaluate(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
         kernels::evaluate(self, coords)
+    }
+
+    /// The same of the true surfaces where multipliers have moved them out ([`Self::augment`]): no forces of the contact then, but its
+    /// penetration.
+    ///
+    /// # Errors
+    /// As [`Self::evaluate`].
+    pub fn evaluate_true(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
+        kernels::evaluate_true(self, coords)
     }
 
     /// Second derivative of the contact energy at `coords`.

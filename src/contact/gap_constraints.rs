@@ -23,6 +23,8 @@ pub struct GapConstraints<const D: usize> {
     pub gaps: Vec<f64>,
     /// ∫ N dA by row, over the same part: g divided by it is the mean gap at the node.
     pub areas: Vec<f64>,
+    /// ∫ N ∇φ dA by row, over the same part: it points away from the partner.
+    pub away: Vec<[f64; D]>,
     /// Entries of row r: `row_starts[r]..row_starts[r + 1]`.
     pub row_starts: Vec<usize>,
     /// Node of every entry, ascending within a row.
@@ -41,12 +43,13 @@ impl<const D: usize> GapConstraints<D> {
                 all.partners.push(if found.of_b { [partners[1], partners[0]] } else { partners });
                 all.gaps.push(found.gap);
                 all.areas.push(found.area);
+                all.away.push(found.away.into());
                 all.columns.extend(found.gradient.iter().map(|(node, _)| *node));
                 all.slopes.extend(found.gradient.iter().map(|(_, slope)| <[f64; D]>::from(*slope)));
                 all.row_starts.push(all.columns.len());
             }
         }
-        let numbers = all.gaps.iter().chain(&all.areas).chain(all.slopes.iter().flatten());
+        let numbers = all.gaps.iter().chain(&all.areas).chain(all.slopes.iter().chain(&all.away).flatten());
         match numbers.copied().find(|x| !x.is_finite()) {
             Some(value) => Err(Error::Overflow { quantity: "gap of a node", value }),
             None => Ok(all),

@@ -21,21 +21,37 @@ pub(super) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
 /// Patches by pair.
 pub(super) type PatchesByPair<const D: usize> = Vec<([Partner; 2], Patches<D>)>;
 
+/// Which surfaces are measured.
+#[derive(Clone, Copy, PartialEq)]
+enum Surfaces {
+    /// Where they are.
+    True,
+    /// Moved out by the multipliers, if there are any.
+    Shifted,
+}
+
 /// What `work` finds at the points of the straight mesh, as the host's nodes have it.
 fn on_points<const D: usize, T: OntoNodes>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
+    surfaces: Surfaces,
     work: impl FnOnce(&[[f64; D]]) -> Result<T, Error>,
 ) -> Result<T, Error> {
-    let Some(division) = contact.surface.division() else { return work(coords) };
-    let points = division.map().points(coords)?;
-    let found = work(&points).map_err(|error| division.told(error))?;
-    Ok(found.onto_nodes(division))
+    let mut points = contact.surface.mesh_points(coords)?;
+    if surfaces == Surfaces::Shifted && !contact.multipliers.is_empty() {
+        contact.multipliers.add_to(points.to_mut());
+    }
+    let found = work(&points);
+    let Some(division) = contact.surface.division() else { return found };
+    Ok(found.map_err(|error| division.told(error))?.onto_nodes(division))
 }
 
 /// Hands `$public` over to `$work`, at D = 2 or 3.
 macro_rules! kernel {
     ($(#[$doc:meta])* $public:ident = $work:ident ( $($name:ident : $kind:ty),* ) -> $result:ident) => {
+        kernel! { $(#[$doc])* $public = $work($($name: $kind),*) -> $result, Shifted }
+    };
+    ($(#[$doc:meta])* $public:ident = $work:ident ( $($name:ident : $kind:ty),* ) -> $result:ident, $at:ident) => {
         $(#[$doc])*
         pub(super) fn $public<const D: usize>(
             contact: &Contact<D>,
@@ -43,10 +59,10 @@ macro_rules! kernel {
             $($name: $kind,)*
         ) -> Result<$result!(D), Error> {
             fn in_plane(contact: &Contact<2>, coords: &[[f64; 2]], $($name: $kind,)*) -> Result<$result!(2), Error> {
-                on_points(contact, coords, |points| $work(contact, points, $($name,)*))
+                on_points(contact, coords, Surfaces::$at, |points| $work(contact, points, $($name,)*))
             }
             fn in_space(contact: &Contact<3>, coords: &[[f64; 3]], $($name: $kind,)*) -> Result<$result!(3), Error> {
-                on_points(contact, coords, |points| $work(contact, points, $($name,)*))
+                on_points(contact, coords, Surfaces::$at, |points| $work(contact, points, $($name,)*))
             }
             let any: &dyn Any = contact;
             if let Some(contact) = any.downcast_ref() {
@@ -78,6 +94,8 @@ macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
 
 kernel! { /// Forces.
 evaluate = evaluate_in() -> forces }
+kernel! { /// Forces without multipliers.
+evaluate_true = evaluate_in() -> forces, True }
 kernel! { /// Second derivative of the energy.
 tangent = tangent_in(part: TangentPart) -> tangents }
 kernel! { /// Forces and second derivative of the energy.
@@ -93,7 +111,7 @@ nodal_contact = nodal_contact_in() -> nodal }
 kernel! { /// The contact points.
 contact_points = contact_points_in() -> point_list }
 kernel! { /// Gaps of the nodes within reach.
-gap_constraints = gap_constraints_in(reach: f64) -> constraint_rows }
+gap_constraints = gap_constraints_in(reach: f64) -> constraint_rows, True }
 kernel! { /// Facets on which friction acts.
 slip_facets = slip_facets_in() -> slip_list }
 kernel! { /// Patches of all pairs, for all facets.

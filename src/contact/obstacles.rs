@@ -28,6 +28,7 @@ impl<const D: usize> Contact<D> {
         let partner = Partner::Obstacle(obstacle);
         self.pair_table.forget(partner);
         self.kept.retain(|(pair, _)| !pair.contains(&partner));
+        self.multipliers.forget(partner);
         self.forget_found();
         Ok(())
     }

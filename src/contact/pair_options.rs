@@ -84,6 +84,11 @@ impl<const D: usize> Contact<D> {
             }
             _ => None,
         };
+        if let Some(PairOptions { law, friction_coefficient, excluded, .. }) = options {
+            let is_rubbed = friction_coefficient.is_some_and(|coefficient| coefficient > 0.0);
+            let is_own = pair[0] == pair[1] && !excluded;
+            self.check_beside_multipliers(&law.unwrap_or(self.options.law), is_rubbed || is_own)?;
+        }
         self.pair_table.set(pair, options, parallel, &self.options)?;
         if changes {
             self.forget_bearings();
@@ -101,7 +106,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The partners in the order in which pairs have them: bodies before obstacles, each by index.
-    fn checked_pair(&self, mut partners: [Partner; 2]) -> Result<[Partner; 2], Error> {
+    pub(super) fn checked_pair(&self, mut partners: [Partner; 2]) -> Result<[Partner; 2], Error> {
         for partner in partners {
             match partner {
                 Partner::Body(body) => {

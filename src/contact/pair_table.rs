@@ -2,7 +2,7 @@
 
 use super::friction::Friction;
 use super::kernels::pair_law;
-use super::laws::PairLaw;
+use super::laws::{EnergyLaw, PairLaw};
 use super::options::Options;
 use super::pair_options::PairOptions;
 use super::parallel::Parallel;
@@ -82,6 +82,22 @@ impl<const D: usize> PairTable<D> {
                 entry.parallel = Some(Parallel::new(rigid, entry.options.gap_offset));
             }
         }
+    }
+
+    /// What these laws are.
+    pub(super) fn own_laws(&self) -> impl Iterator<Item = EnergyLaw> + '_ {
+        self.0.values().filter_map(|entry| entry.options.law)
+    }
+
+    /// Multiplies the stiffness of these laws.
+    pub(super) fn stiffen(&mut self, factor: f64) -> Result<(), Error> {
+        for entry in self.0.values_mut() {
+            if let Some(law) = &mut entry.options.law {
+                *law = law.stiffened(factor);
+                entry.law = Some(pair_law(law)?);
+            }
+        }
+        Ok(())
     }
 
     /// The laws that pairs have of their own.

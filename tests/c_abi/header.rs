@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 48] = [
+const SOURCES: [&str; 50] = [
     "version",
     "status",
     "failure",
@@ -47,6 +47,8 @@ const SOURCES: [&str; 48] = [
     "contact_points",
     "gap_constraint",
     "gap_constraints",
+    "multiplier",
+    "augmentation",
     "pose",
     "part",
     "obstacle",

@@ -69,7 +69,7 @@ impl Scene {
     }
 
     /// Plain Newton from a start, with halved steps while the residual grows; also the number of iterations.
-    fn newton(&self, mut d: DVector<f64>) -> (DVector<f64>, usize) {
+    pub(crate) fn newton(&self, mut d: DVector<f64>) -> (DVector<f64>, usize) {
         for iteration in 0..200 {
             let r = self.residual_at(&d);
             if r.norm() <= 1e-11 * self.residual.norm() {

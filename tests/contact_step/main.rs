@@ -1,6 +1,7 @@
 //! Equilibrium of the contact with condensed bodies.
 
 mod equilibrium;
+mod moved_out;
 mod penetration;
 mod refused;
 mod soft_start;

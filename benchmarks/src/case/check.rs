@@ -175,8 +175,9 @@ impl Check<'_> {
             if steps.penetration.is_some() && self.case.contact.has_friction() {
                 self.flaw(&key.then("penetration"), "multipliers know no friction".into());
             }
-            if steps.penetration.is_some() && self.case.contact.law != LawName::Fiber {
-                self.flaw(&key.then("penetration"), "multipliers belong to the law \"fiber\", and to it alone".into());
+            let has_stiffness = matches!(self.case.contact.law, LawName::Fiber | LawName::Depth);
+            if steps.penetration.is_some() && (!has_stiffness || self.case.contact.linearised) {
+                self.flaw(&key.then("penetration"), "multipliers belong to the laws \"fiber\" and \"depth\"".into());
             }
             if steps.then.contains(&0) {
                 self.flaw(&key.then("then"), "its counts must be at least 1".into());

@@ -16,7 +16,8 @@ pub struct LoadSteps {
     pub tolerance: f64,
     /// Iterations of one step, at most.
     pub most_iterations: usize,
-    /// For the law `fiber`: penetration that multipliers are to reach, m; none if absent.
+    /// Largest mean penetration of a node that is wanted at the end of every step, m; that of the law if absent. With the laws `fiber`
+    /// and `depth`, without friction and self-contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub penetration: Option<f64>,
 }

@@ -136,6 +136,9 @@ fn run_in<const D: usize>(
     let mut summary = Summary::new(document, case, figures, [0.0; 2]);
     summary.iterations = equilibrium.iterations as u64;
     summary.contact_iterations = equilibrium.contact_iterations as u64;
+    summary.factorisations = equilibrium.factorisations();
+    summary.updates = case.load_steps.as_ref().and_then(|plan| plan.penetration).map(|_| equilibrium.updates);
+    summary.nodal_penetration = equilibrium.nodal_penetration().ok();
     (summary.seconds, summary.contact_seconds) = (seconds, equilibrium.contact_seconds);
     summary.crossings = contact.crossing_count;
     summary.residuals = log.iter().map(|iteration| iteration.residual).collect();

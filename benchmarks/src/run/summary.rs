@@ -50,6 +50,14 @@ pub struct Summary {
     pub iterations: u64,
     /// Iterations of the contact alone within these, of an equilibrium.
     pub contact_iterations: u64,
+    /// Updates of multipliers within these, where a penetration is wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub updates: Option<usize>,
+    /// Sparse matrices factorised, of an equilibrium.
+    pub factorisations: usize,
+    /// Largest mean penetration of a node at the end, of an equilibrium, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nodal_penetration: Option<f64>,
     /// Seconds that they took.
     pub seconds: f64,
     /// Seconds of these in contact.
@@ -149,6 +157,9 @@ impl Summary {
             references,
             iterations: 0,
             contact_iterations: 0,
+            updates: None,
+            factorisations: 0,
+            nodal_penetration: None,
             seconds: 0.0,
             contact_seconds: 0.0,
             crossings: 0,

@@ -11,9 +11,6 @@ use std::path::Path as Folder;
 /// ε of the linear law at first, by the size of the bodies.
 const FIRST_SMOOTHING: f64 = 1e-3;
 
-/// Solves of the method of multipliers, at most.
-const MOST_SOLVES: usize = 20;
-
 /// One equilibrium on the way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadStep {
@@ -27,7 +24,7 @@ pub struct LoadStep {
     pub force: Vec<f64>,
     /// Area of contact (2D: length), with all copies.
     pub contact_area: f64,
-    /// Largest penetration.
+    /// Largest penetration; where one is wanted, the largest mean of a node.
     pub penetration: f64,
     /// Energy that friction took out in this step, with all copies.
     pub dissipated: f64,
@@ -58,7 +55,8 @@ impl<const D: usize> Way<D> {
         let plan = case.load_steps.clone().unwrap_or_default();
         let mut equilibrium = Equilibrium::new(case.problem::<D>(folder, threads)?)?;
         let (tolerance, most_iterations) = (plan.tolerance, plan.most_iterations);
-        equilibrium.settings = NewtonSettings { tolerance, most_iterations, ..Default::default() };
+        let penetration = plan.penetration.unwrap_or(0.0);
+        equilibrium.settings = NewtonSettings { tolerance, most_iterations, penetration, ..Default::default() };
         let mut steps = Vec::new();
         let body = case.body(&case.figures.body).unwrap_or(0);
         let mut end = Ok(());
@@ -77,13 +75,16 @@ impl<const D: usize> Way<D> {
                     iterations: at.iterations,
                     force: contact.bodies[body].force.iter().map(|f| copies * f).collect(),
                     contact_area: copies * contact.contact_area,
-                    penetration: contact.penetration,
+                    penetration: match plan.penetration {
+                        Some(_) => at.nodal_penetration().unwrap_or(f64::NAN),
+                        None => contact.penetration,
+                    },
                     dissipated: copies * contact.friction.dissipated,
                     stick: [contact.friction.stick_area, contact.friction.slip_area].map(|area| copies * area),
                 });
                 reached(at);
             };
-            end = lead(&mut equilibrium, path, plan.penetration, watch, &mut told);
+            end = lead(&mut equilibrium, path, watch, &mut told);
             if end.is_err() {
                 break;
             }
@@ -112,7 +113,6 @@ impl<const D: usize> Way<D> {
 fn lead<const D: usize>(
     equilibrium: &mut Equilibrium<D>,
     path: Path,
-    penetration: Option<f64>,
     watch: &mut dyn FnMut(&Iteration) -> ControlFlow<()>,
     reached: &mut dyn FnMut(&Equilibrium<D>),
 ) -> Result<(), StaticsError> {
@@ -126,9 +126,6 @@ fn lead<const D: usize>(
             equilibrium.follow_telling(path, watch, reached)?;
             equilibrium.continue_smoothing(smoothing_length, watch)
         }
-        _ => {
-            equilibrium.follow_telling(path, watch, reached)?;
-            penetration.map_or(Ok(()), |target| equilibrium.augment(target, MOST_SOLVES, watch).map(|_| ()))
-        }
+        _ => equilibrium.follow_telling(path, watch, reached),
     }
 }

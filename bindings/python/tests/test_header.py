@@ -32,7 +32,7 @@ STRUCTS = {
     + ("fmc_resultant", "fmc_pair", "fmc_pair_options", "fmc_contact_side", "fmc_contact_point", "fmc_boundary_facet")
     + ("fmc_gap_constraint", "fmc_pose", "fmc_part", "fmc_friction_step")
     + ("fmc_contact_step_options", "fmc_contact_step_result", "fmc_communicator", "fmc_rank_counts")
-    + ("fmc_mesh_part", "fmc_carried_slip", "fmc_gathered_counts")
+    + ("fmc_mesh_part", "fmc_carried_slip", "fmc_gathered_counts", "fmc_augmentation", "fmc_multiplier")
 }
 # Pointers that stand for an array (by the argument's name) take numpy arrays; the others one struct or number.
 ARRAYS = {"double": _signatures.Float64Array, "int32_t": _signatures.Int32Array, "int64_t": _signatures.Int64Array}

@@ -226,3 +226,82 @@ def test_more_unknowns_in_contact_than_are_kept_are_a_reason(column, monkeypatch
     monkeypatch.setattr("fmc_contact.condensed.MOST_KEPT", 3)
     found = newton(host, contact, coords, FREE, pushed(coords, 0.15), young=YOUNG)
     assert found.plain_because == "8 unknowns feel contact, more than 3"
+
+
+def test_factors_of_linear_bodies_serve_later_load_steps(column):
+    sparse = pytest.importorskip("scipy.sparse")
+    coords, contact, host = column
+
+    def in_rows(x):
+        inside, matrix = host(x)
+        return inside, sparse.csr_matrix(matrix)
+
+    first = newton(in_rows, contact, coords, FREE, pushed(coords, 0.102), young=YOUNG)
+    second = newton(in_rows, contact, first.x, FREE, pushed(coords, 0.103), young=YOUNG)
+    assert first.factorisations >= 1 and second.factorisations == 0 and second.contact_iterations >= 1
+    # Other bodies are factorised.
+    third = newton(lambda x: tuple(2 * one for one in in_rows(x)), contact, second.x, FREE, young=YOUNG)
+    assert third.factorisations >= 1 and not np.array_equal(third.x, second.x)
+
+
+def yielding(coords, host, force=60.0, width=0.02):
+    """The same columns on springs that yield: residual, tangent, and energy."""
+
+    def bodies(x):
+        inside, matrix = host(x)
+        d = (x - coords).ravel()
+        held, size = np.tanh(d / width), abs(d / width)
+        stiff, log_cosh = 1.0 - held**2, size + np.log1p(np.exp(-2.0 * size)) - np.log(2.0)
+        energy = 0.5 * inside @ d + force * width * log_cosh.sum()
+        return inside + force * held, matrix + np.diag(force / width * stiff), energy
+
+    return bodies
+
+
+def test_a_step_that_goes_too_far_is_shortened(column):
+    coords, contact, host = column
+    target = pushed(coords, 0.11)
+    near = newton(yielding(coords, host), contact, coords, FREE, target, young=YOUNG)
+    # From where the springs have yielded a whole step leads as far beyond to the other side, and back.
+    start = near.x.copy()
+    start[2:6, 0] += 0.05
+    whole, residuals = start.ravel().copy(), []
+    for _ in range(10):
+        inside, matrix, _ = yielding(coords, host)(whole.reshape(-1, 2))
+        residuals.append(np.linalg.norm(inside[FREE]))
+        whole[FREE] -= np.linalg.solve(matrix[np.ix_(FREE, FREE)], inside[FREE])
+    assert residuals[-1] > 0.5 * residuals[0]
+    for given in (yielding(coords, host), lambda x: yielding(coords, host)(x)[:2]):
+        found = newton(given, contact, start, FREE, young=YOUNG)
+        assert found.plain_because == "" and found.iterations <= 7 and np.abs(found.x - near.x).max() < 1e-8
+
+
+def test_what_is_prescribed_is_moved_in_parts_where_all_of_it_turns_a_cell_inside_out():
+    coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+    contact = Contact(coords, [[0, 1, 2, 3]], "quad", stiffness=K, law="depth", estimator="auto")
+    contact.add_half_space((0, -5), (0, 1))
+
+    # The lower nodes hang on the upper ones by springs, of which the host's matrix does not know: they follow a solve later.
+    def hanging(x):
+        inside = np.zeros(8)
+        inside[[0, 2]], inside[[1, 3]] = x[:2, 0] - [0, 1], x[:2, 1] - x[[3, 2], 1] + 1.0
+        return inside, np.eye(8)
+
+    target = coords - [0.0, 1.5]
+    found = newton(hanging, contact, coords, np.arange(4), target, young=YOUNG, two_level=False)
+    assert np.array_equal(found.x[2:], target[2:]) and np.abs(found.x - target).max() < 1e-12
+    # Half of it turns none.
+    assert np.isnan(found.residuals).tolist()[:3] == [True, True, False]
+
+
+def test_bodies_are_carried_along_by_what_is_prescribed(column):
+    from fmc_contact.newton import predicted
+
+    coords, contact, host = column
+    moved = predicted(host, contact, coords, FREE, pushed(coords, 0.05))
+    # Nothing touches: the upper square follows as one, the lower one stays.
+    wanted = coords.copy()
+    wanted[4:, 1] -= 0.05
+    assert np.abs(moved - wanted).max() < 1e-12
+    singular = lambda x: (np.zeros(16), np.zeros((16, 16)))  # noqa: E731
+    assert predicted(singular, contact, coords, FREE, pushed(coords, 0.05)) is None

@@ -12,7 +12,7 @@
 //! the bodies and solves for the contact as it is, on the equations on which it acts: sparse factors of the bodies, once for
 //! linear ones, leave a dense Schur complement there. [`Path`] leads there in load steps that halve and grow. Bodies that
 //! only contact holds are first brought into light contact. [`Equilibrium::continue_smoothing`] makes the linear fiber law
-//! sharp, and [`Equilibrium::augment`] drives the penetration of the quadratic one to nothing. [`FixedPoint`] is the loop
+//! sharp, and [`NewtonSettings::penetration`] is as little as is wanted, whatever the stiffness. [`FixedPoint`] is the loop
 //! of Wang, Xu and Xue (Algorithm 2), to compare.
 //!
 //! Friction has no energy, since its limit follows the pressure: [`FrictionPressure`] says how its equilibrium is found. A load
@@ -22,7 +22,6 @@
 //! corrected to balance, for the same reason.
 
 mod approach;
-mod augmented;
 mod balance;
 mod contact_model;
 mod contact_step;
@@ -41,13 +40,13 @@ mod newton;
 mod newton_settings;
 mod noise;
 mod path;
+mod penetration;
 mod pressure;
 mod problem;
 mod soft_contact;
 mod stiffness;
 mod turn;
 
-pub use augmented::Augmentation;
 pub use balance::Balance;
 pub use equilibrium::Equilibrium;
 pub use error::StaticsError;

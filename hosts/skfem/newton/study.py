@@ -13,7 +13,7 @@ import time
 import numpy as np
 import problems
 from fmc_contact import FmcError, NotConvergedError, newton
-from fmc_contact.newton import _solved
+from fmc_contact.newton.linear import solved
 
 LAWS = {
     "depth": {"law": "depth", "estimator": "auto"},
@@ -37,7 +37,7 @@ def plainly(host, contact, u, problem, prescribed, semidefinite):
         if not step.any() and np.linalg.norm(residual[free]) <= 1e-9 * size:
             return u, iteration, inside
         matrix = (matrix + contact.tangent(u, semidefinite=iteration < semidefinite)).tocsr()
-        step[free] = _solved(matrix[free][:, free], -(residual + matrix @ step)[free])
+        step[free] = solved(matrix[free][:, free], -(residual + matrix @ step)[free])
         u, step = u + step, np.zeros(len(u))
     raise NotConvergedError("no end", [])
 

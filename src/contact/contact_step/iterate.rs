@@ -4,13 +4,8 @@ use super::bodies::Checked;
 use super::options::ContactStepOptions;
 use super::touching::{ROUNDING, Touch, Touching};
 use crate::Error;
+use crate::contact::descent::{Descent, FLAT, shortened};
 use nalgebra::DVector;
-
-/// Part of what the slope promises that a step must gain (Armijo).
-const GAIN: f64 = 1e-4;
-
-/// Part of the energies that a change must exceed to be distinguished from rounding of some thousand pieces of contact.
-const FLAT: f64 = 1e-12;
 
 #[derive(Clone, Debug)]
 pub(super) struct Iterate {
@@ -46,6 +41,10 @@ impl Iterate {
         self.residual.norm()
     }
 
+    pub(super) fn descent(&self) -> Descent {
+        Descent { energy: self.energy, norm: self.norm(), rounding: 0.0, flat: self.flat }
+    }
+
     /// The iterate after a part of a direction: one that lowers the energy, or, where there is none, the residual.
     /// Also the number of trials.
     pub(super) fn after(
@@ -61,12 +60,10 @@ impl Iterate {
         for trial in 1..=options.most_trials {
             match Self::new(bodies, contact, &self.displacement + direction * length) {
                 Ok(next) => {
-                    let is_flat = (next.energy - self.energy).abs() <= self.flat.max(next.flat);
-                    let is_less = next.norm() <= (1.0 - GAIN * length) * self.norm();
+                    let (from, to) = (self.descent(), next.descent());
                     let is_lower = match has_energy {
-                        // Near the end the energy is flat within rounding; then the forces tell.
-                        true => next.energy <= self.energy + GAIN * length * slope || is_flat && is_less,
-                        false => is_less,
+                        true => from.is_lowered_by(length, slope, &to),
+                        false => from.is_weakened_by(length, &to),
                     };
                     if is_lower {
                         return Ok((Some(next), trial));
@@ -82,10 +79,4 @@ impl Iterate {
         }
         Ok((None, options.most_trials))
     }
-}
-
-/// Shorter trial, where the slope would vanish if it were linear between those at the start and at this one.
-fn shortened(length: f64, slope: f64, there: f64) -> f64 {
-    let part = if there > slope { slope / (slope - there) } else { 0.5 };
-    length * part.clamp(0.1, 0.7)
 }

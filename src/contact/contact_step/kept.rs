@@ -25,6 +25,8 @@ pub(super) struct Kept<'a, 'p, const D: usize> {
     freedoms: &'a [usize],
     roles: Vec<Role>,
     place: Option<Place<'p, D>>,
+    /// Where the nodes were put last: forces and tangents are asked for at the same displacement.
+    last: Option<(DVector<f64>, Vec<[f64; D]>)>,
 }
 
 impl<'a, 'p, const D: usize> Kept<'a, 'p, D> {
@@ -37,10 +39,15 @@ impl<'a, 'p, const D: usize> Kept<'a, 'p, D> {
         let mut roles = vec![Role::Outside; start.len() * D];
         bodies.held.iter().for_each(|&freedom| roles[freedom] = Role::Held);
         bodies.freedoms.iter().enumerate().for_each(|(place, &freedom)| roles[freedom] = Role::Kept(place));
-        Self { contact, start, freedoms: bodies.freedoms, roles, place }
+        Self { contact, start, freedoms: bodies.freedoms, roles, place, last: None }
     }
 
     pub(super) fn placed(&mut self, displacement: &DVector<f64>) -> Result<Vec<[f64; D]>, Error> {
+        if let Some((there, coords)) = &self.last
+            && there == displacement
+        {
+            return Ok(coords.clone());
+        }
         let mut coords = self.start.to_vec();
         for (&freedom, by) in self.freedoms.iter().zip(displacement.iter()) {
             coords[freedom / D][freedom % D] += by;
@@ -48,6 +55,7 @@ impl<'a, 'p, const D: usize> Kept<'a, 'p, D> {
         if let Some(place) = &mut self.place {
             place(displacement.as_slice(), &mut coords)?;
         }
+        self.last = Some((displacement.clone(), coords.clone()));
         Ok(coords)
     }
 
@@ -109,6 +117,10 @@ impl<const D: usize> Touching for Kept<'_, '_, D> {
 
     fn freedom(&self, place: usize) -> usize {
         self.freedoms[place]
+    }
+
+    fn node(&self, place: usize) -> usize {
+        self.freedoms[place] / D
     }
 
     fn start(&self, place: usize) -> f64 {

@@ -147,6 +147,10 @@ impl<const D: usize> Touching for Multipliers<'_, '_, '_, D> {
         self.kept.freedom(place)
     }
 
+    fn node(&self, place: usize) -> usize {
+        self.kept.node(place)
+    }
+
     fn start(&self, place: usize) -> f64 {
         self.kept.start(place)
     }

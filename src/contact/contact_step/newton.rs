@@ -3,9 +3,14 @@
 use super::bodies::Checked;
 use super::dense::{Defect, if_definite, solve_definite, solve_general};
 use super::iterate::Iterate;
+#[cfg(feature = "solver")]
+use super::large;
 use super::options::{ContactStepOptions, ContactStepState};
+#[cfg(feature = "solver")]
+use super::reduced::Reduced;
 use super::touching::{ROUNDING, Touching};
 use crate::Error;
+use crate::contact::descent::TangentChoice;
 use crate::contact::tangent::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
@@ -15,6 +20,52 @@ pub(super) struct Search {
     pub(super) evaluations: usize,
     /// Residual that may be left in any case.
     pub(super) enough: f64,
+    /// The bodies factorised for systems that are solved on what contact touches alone, once there was one.
+    #[cfg(feature = "solver")]
+    reduced: Option<Option<Reduced>>,
+}
+
+impl Search {
+    pub(super) fn new(evaluations: usize, enough: f64) -> Self {
+        Self {
+            iterations: 0,
+            evaluations,
+            enough,
+            #[cfg(feature = "solver")]
+            reduced: None,
+        }
+    }
+
+    /// Solution of a large system with an energy, by what the contact touches: `Some(None)` where it is not positive definite,
+    /// `None` where this is not the way.
+    #[cfg(feature = "solver")]
+    fn reduced(
+        &mut self,
+        bodies: &Checked,
+        contact: &dyn Touching,
+        at: &Iterate,
+        tangent: &DMatrix<f64>,
+        right: &DVector<f64>,
+    ) -> Option<Option<DVector<f64>>> {
+        if bodies.count() < large::FROM {
+            return None;
+        }
+        let new = || Reduced::new(&bodies.symmetric, contact, at, tangent);
+        let reduced = self.reduced.get_or_insert_with(new).as_mut()?;
+        Some(reduced.solve(&bodies.symmetric, contact, at, tangent, right))
+    }
+
+    #[cfg(not(feature = "solver"))]
+    fn reduced(
+        &mut self,
+        _: &Checked,
+        _: &dyn Touching,
+        _: &Iterate,
+        _: &DMatrix<f64>,
+        _: &DVector<f64>,
+    ) -> Option<Option<DVector<f64>>> {
+        None
+    }
 }
 
 /// From an iterate to the equilibrium, or as near as it gets.
@@ -26,7 +77,7 @@ pub(super) fn newton(
     search: &mut Search,
     mut at: Iterate,
 ) -> Result<(Iterate, ContactStepState), Error> {
-    let mut full_failed = false;
+    let mut choice = TangentChoice::default();
     let last = search.iterations + options.most_iterations;
     loop {
         let (goal, scale) = bodies.goal(options, &at.touch.forces);
@@ -39,22 +90,16 @@ pub(super) fn newton(
         if search.iterations == last {
             return Ok((at, ContactStepState::NotConverged));
         }
-        let wish = if has_energy && full_failed {
-            TangentPart::Semidefinite
-        } else {
-            first_wish(options, &at, scale, has_energy)
-        };
-        let (direction, tangent, part) = direction(bodies, contact, &at, wish, has_energy)?;
+        let wish = wish(&choice, options, &at, scale, has_energy);
+        let (direction, tangent, part) = direction(bodies, contact, search, &at, wish, has_energy)?;
         search.iterations += 1;
         let (next, trials) = at.after(bodies, contact, &direction, options, has_energy)?;
         search.evaluations += trials;
+        choice.made(part, &at.descent(), next.as_ref().map(Iterate::descent).as_ref());
         match next {
-            Some(next) => {
-                full_failed = part == TangentPart::Full && next.norm() > 0.5 * at.norm();
-                at = next;
-            }
+            Some(next) => at = next,
             // The semidefinite tangent has not been tried here.
-            None if has_energy && part == TangentPart::Full => full_failed = true,
+            None if has_energy && part == TangentPart::Full => {}
             None if at.norm() <= rounding(bodies, contact, &at, &tangent) => {
                 return Ok((at, ContactStepState::Converged));
             }
@@ -63,18 +108,22 @@ pub(super) fn newton(
     }
 }
 
-/// The tangent to begin with: the semidefinite one where there is an energy and the residual is large by `scale`.
-pub(super) fn first_wish(options: &ContactStepOptions, at: &Iterate, scale: f64, has_energy: bool) -> TangentPart {
-    match has_energy && at.norm() > options.full_below * scale {
-        true => TangentPart::Semidefinite,
-        false => TangentPart::Full,
-    }
+/// The tangent to begin with; the full one where there is no energy.
+pub(super) fn wish(
+    choice: &TangentChoice,
+    options: &ContactStepOptions,
+    at: &Iterate,
+    scale: f64,
+    has_energy: bool,
+) -> TangentPart {
+    if has_energy { choice.wish(at.norm(), options.full_below, scale) } else { TangentPart::Full }
 }
 
 /// Newton's direction, with the contact's tangent and the part of it that was taken.
 pub(super) fn direction(
     bodies: &Checked,
     contact: &mut dyn Touching,
+    search: &mut Search,
     at: &Iterate,
     wish: TangentPart,
     has_energy: bool,
@@ -91,13 +140,20 @@ pub(super) fn direction(
         return Ok((found, tangent, wish));
     }
     if wish == TangentPart::Full {
-        let tangent = contact.tangent(&at.displacement, wish)?;
-        if let Ok(found) = if_definite(&finite(&bodies.symmetric + &tangent)?, &right) {
+        let tangent = finite(contact.tangent(&at.displacement, wish)?)?;
+        let found = match search.reduced(bodies, contact, at, &tangent, &right) {
+            Some(found) => found,
+            None => if_definite(&(&bodies.symmetric + &tangent), &right).ok(),
+        };
+        if let Some(found) = found {
             return Ok((found, tangent, wish));
         }
     }
     let part = TangentPart::Semidefinite;
-    let tangent = contact.tangent(&at.displacement, part)?;
+    let tangent = finite(contact.tangent(&at.displacement, part)?)?;
+    if let Some(Some(found)) = search.reduced(bodies, contact, at, &tangent, &right) {
+        return Ok((found, tangent, part));
+    }
     let matrix = finite(&bodies.symmetric + &tangent)?;
     let found = solve_definite(&matrix, &right).map_err(|defect| told(contact, defect))?;
     Ok((found, tangent, part))

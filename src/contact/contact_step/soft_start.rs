@@ -2,10 +2,11 @@
 
 use super::bodies::Checked;
 use super::iterate::Iterate;
-use super::newton::{Search, direction, first_wish, newton};
+use super::newton::{Search, direction, newton, wish};
 use super::options::ContactStepOptions;
 use super::touching::{Touch, Touching};
 use crate::Error;
+use crate::contact::descent::TangentChoice;
 use crate::contact::tangent::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
@@ -35,6 +36,10 @@ impl Touching for Softened<'_> {
         self.contact.freedom(place)
     }
 
+    fn node(&self, place: usize) -> usize {
+        self.contact.node(place)
+    }
+
     fn start(&self, place: usize) -> f64 {
         self.contact.start(place)
     }
@@ -55,8 +60,8 @@ pub(super) fn settle(
     if start.norm() <= goal || start.touch.outside(goal) > 0 {
         return Ok(start);
     }
-    let wish = first_wish(options, &start, scale, has_energy);
-    let (direction, tangent, _) = direction(bodies, contact, &start, wish, has_energy)?;
+    let wish = wish(&TangentChoice::default(), options, &start, scale, has_energy);
+    let (direction, tangent, _) = direction(bodies, contact, search, &start, wish, has_energy)?;
     let once = ContactStepOptions { most_trials: 1, ..*options };
     search.iterations += 1;
     search.evaluations += 1;

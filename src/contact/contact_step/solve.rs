@@ -20,7 +20,7 @@ pub(super) fn solve(
 ) -> Result<ContactStep, Error> {
     let mut start = Iterate::new(bodies, contact, start)?;
     let residual_at_start = start.norm();
-    let mut search = Search { iterations: 0, evaluations: 1, enough: left_over * residual_at_start };
+    let mut search = Search::new(1, left_over * residual_at_start);
     if options.soft_start {
         start = settle(bodies, contact, options, has_energy, &mut search, start)?;
     }

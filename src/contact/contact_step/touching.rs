@@ -40,6 +40,9 @@ pub(super) trait Touching {
     /// Number of a degree of freedom of the list among all.
     fn freedom(&self, place: usize) -> usize;
 
+    /// Number of its node.
+    fn node(&self, place: usize) -> usize;
+
     /// Its coordinate at the start.
     fn start(&self, place: usize) -> f64;
 }

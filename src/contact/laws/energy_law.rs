@@ -72,6 +72,15 @@ impl EnergyLaw {
         EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Quadratic }
     }
 
+    /// The same with another stiffness: k by a factor.
+    pub fn stiffened(self, factor: f64) -> Self {
+        match self {
+            EnergyLaw::Volume { stiffness, exponent } => EnergyLaw::Volume { stiffness: factor * stiffness, exponent },
+            EnergyLaw::Fiber { stiffness, profile } => EnergyLaw::Fiber { stiffness: factor * stiffness, profile },
+            EnergyLaw::Depth { stiffness, profile } => EnergyLaw::Depth { stiffness: factor * stiffness, profile },
+        }
+    }
+
     /// Energy of `measure`: of the overlap volume V; for the fiber law ψ of a length L; for the depth law of a
     /// penetration between flat surfaces, by area.
     pub fn energy(&self, measure: f64) -> f64 {

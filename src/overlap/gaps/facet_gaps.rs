@@ -19,6 +19,8 @@ pub(crate) struct FacetGap<const D: usize> {
     pub(crate) gaps: [f64; D],
     /// ∫ N dA over it.
     pub(crate) areas: [f64; D],
+    /// ∫ N ∇φ dA over it: away from the other side.
+    pub(crate) away: [Vector<D>; D],
     /// Derivatives of the gaps with respect to nodes, each of which may come several times.
     pub(crate) gradients: [Vec<(u32, Vector<D>)>; D],
     /// Whether there is such a part.
@@ -38,8 +40,13 @@ pub(crate) fn facet_gap<const D: usize>(
     let rule = degree_5(D - 1);
     let weights: Vec<[f64; D]> = rule.iter().map(|(at, _)| std::array::from_fn(|c| at[c])).collect();
     let points: Vec<Vector<D>> = weights.iter().map(|at| place(&facet.corners, at)).collect();
-    let mut gap =
-        FacetGap { gaps: [0.0; D], areas: [0.0; D], gradients: std::array::from_fn(|_| Vec::new()), is_near: false };
+    let mut gap = FacetGap {
+        gaps: [0.0; D],
+        areas: [0.0; D],
+        away: [Vector::zeros(); D],
+        gradients: std::array::from_fn(|_| Vec::new()),
+        is_near: false,
+    };
     let weighting = pair.weighting;
     for ((((_, bare), at), x), found) in rule.iter().zip(&weights).zip(&points).zip(surface.nearest(&points)?) {
         let share = bare * weighting.at(x);
@@ -53,6 +60,7 @@ pub(crate) fn facet_gap<const D: usize>(
         for corner in 0..D {
             let by = found.distance.gradient * (share * facet.measure * at[corner]);
             let of_weight = weighting.gradient() * (bare * facet.measure * at[corner] * phi);
+            gap.away[corner] += by;
             let gradient = &mut gap.gradients[corner];
             for (other, weights) in facet.weights.iter().enumerate() {
                 let own = facet.nodes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);

@@ -21,6 +21,8 @@ pub(crate) struct NodalGap<const D: usize> {
     pub(crate) gap: f64,
     /// ∫ N dA over the same part.
     pub(crate) area: f64,
+    /// ∫ N ∇φ dA over it: away from the other side.
+    pub(crate) away: Vector<D>,
     /// ∂gap/∂x of nodes, ascending.
     pub(crate) gradient: Vec<(u32, Vector<D>)>,
 }
@@ -58,12 +60,13 @@ fn of_side<const D: usize>(pair: &Pair<D>, of_b: bool, reach: f64) -> Result<Vec
             continue;
         }
         for (row, &node) in facet.nodes.iter().enumerate() {
-            let none = || NodalGap { node, of_b, gap: 0.0, area: 0.0, gradient: Vec::new() };
+            let none = || NodalGap { node, of_b, gap: 0.0, area: 0.0, away: Vector::zeros(), gradient: Vec::new() };
             let sum = nodes.entry(node).or_insert_with(none);
             for corner in 0..D {
                 let weight = facet.weights[corner][row];
                 sum.gap += weight * found.gaps[corner];
                 sum.area += weight * found.areas[corner];
+                sum.away += found.away[corner] * weight;
                 if weight != 0.0 {
                     sum.gradient.extend(found.gradients[corner].iter().map(|(node, slope)| (*node, slope * weight)));
                 }

@@ -35,6 +35,16 @@ impl Default for Schur {
 }
 
 impl Schur {
+    /// Of a dense symmetric matrix, by its lower triangle; `None` if it is not positive definite.
+    pub fn of(size: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Self> {
+        let mut factor = Mat::from_fn(size, size, |row, column| if row >= column { entry(row, column) } else { 0.0 });
+        let needed = llt::factor::cholesky_in_place_scratch::<f64>(size, Par::Seq, Default::default());
+        let (mut memory, no) = (MemBuffer::new(needed), Default::default());
+        let stack = MemStack::new(&mut memory);
+        llt::factor::cholesky_in_place(factor.as_mut(), no, Par::Seq, stack, Default::default()).ok()?;
+        Some(Self { factor, ..Self::default() })
+    }
+
     /// Number of equations.
     pub fn size(&self) -> usize {
         self.factor.nrows()

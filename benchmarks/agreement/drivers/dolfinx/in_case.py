@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -80,10 +79,9 @@ class Touching:
             part.take(at)
         return [part.model.u for part in self.parts]
 
-    def evaluate(self, u: np.ndarray) -> Result:
-        """With forces in the numbering of the case."""
-        result = self.adapter.evaluate(*self._taken(u))
-        return replace(result, forces=self.in_case(result.forces).reshape(u.shape))
+    def found(self, u: np.ndarray) -> Result:
+        """With forces on the nodes of the contact."""
+        return self.adapter.evaluate(*self._taken(u))
 
     def coords(self, u: np.ndarray) -> np.ndarray:
         """Coordinates that the contact is shown."""
@@ -97,7 +95,7 @@ class Touching:
 
     def force(self, u: np.ndarray) -> np.ndarray:
         """Contact forces (nodes, dim), as the adapter brings them to the unknowns."""
-        return self.evaluate(u).forces
+        return self.in_case(self.found(u).forces).reshape(u.shape)
 
     def tangent(self, u: np.ndarray, semidefinite: bool) -> csr_matrix:
         found = self.adapter.tangent(*self._taken(u), semidefinite=semidefinite)

@@ -12,7 +12,6 @@ import numpy as np
 import ufl
 from dolfinx import fem
 from fmc_agreement import bits, leapfrog, outcome, parts
-from fmc_agreement.direct import solve
 from fmc_agreement.equilibrium import Equilibrium
 from fmc_agreement.leapfrog import Motion, Touch
 from fmc_agreement.path import Path as LoadPath
@@ -61,7 +60,7 @@ def at_rest(problem: Problem, out: Path, host: str, through_snes: bool) -> None:
         bodies = [Part(Model(one)) for one in problems]
         touching, pull = Touching(problem, bodies), np.concatenate([part.load() for part in bodies])
         elastic = parts.Elastic(bodies, problems)
-        solved = LoadPath(Equilibrium(problem, elastic, touching, pull, solve)).follow()
+        solved = LoadPath(Equilibrium(problem, elastic, touching, pull)).follow()
         bits.begun_anew(problem, touching)
         models, arrays = [part.model for part in bodies], bits.compared(out, problem, touching.force)
         for part, u in elastic.each(solved.steps[-1].displacement):

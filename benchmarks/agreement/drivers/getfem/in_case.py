@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -25,10 +24,9 @@ class Touching:
         problem.add_obstacles(self.contact)
         self.dofs = bodies.dofs
 
-    def evaluate(self, u: np.ndarray) -> Result:
-        """With forces in the numbering of the case."""
-        result = self.adapter.evaluate(self.bodies.state(u))
-        return replace(result, forces=self.in_case(result.forces).reshape(u.shape))
+    def found(self, u: np.ndarray) -> Result:
+        """With forces on the nodes of the contact."""
+        return self.adapter.evaluate(self.bodies.state(u))
 
     def coords(self, u: np.ndarray) -> np.ndarray:
         """Coordinates that the contact is shown."""

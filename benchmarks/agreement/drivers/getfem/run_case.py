@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 from fmc_agreement import bits, leapfrog, outcome
-from fmc_agreement.direct import solve
 from fmc_agreement.equilibrium import Equilibrium
 from fmc_agreement.leapfrog import Motion, Touch
 from fmc_agreement.path import Path as LoadPath
@@ -20,7 +19,7 @@ def at_rest(problem: Problem, out: Path) -> None:
     """Solves a case of statics."""
     bodies = Model(problem)
     touching = Touching(problem, bodies)
-    solved = LoadPath(Equilibrium(problem, bodies, touching, bodies.load(), solve)).follow()
+    solved = LoadPath(Equilibrium(problem, bodies, touching, bodies.load())).follow()
     found: dict[str, float] = {}
     if problem.raw["figures"]["kind"] == "patch":
         pressure = problem.raw["loads"][0]["pressure"]

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 from fmc_agreement import bits, leapfrog, outcome, parts
-from fmc_agreement.direct import solve
 from fmc_agreement.equilibrium import Equilibrium
 from fmc_agreement.leapfrog import Motion, Touch
 from fmc_agreement.path import Path as LoadPath
@@ -22,7 +21,7 @@ def at_rest(problem: Problem, out: Path) -> None:
     models = [Model(one) for one in problems]
     elastic, touching = parts.Elastic(models, problems), Touching(problem, models)
     pull = np.concatenate([model.load()[model.dofs] for model in models])
-    solved = LoadPath(Equilibrium(problem, elastic, touching, pull, solve)).follow()
+    solved = LoadPath(Equilibrium(problem, elastic, touching, pull)).follow()
     found: dict[str, float] = {}
     if problem.raw["figures"]["kind"] == "patch":
         pressure = problem.raw["loads"][0]["pressure"]

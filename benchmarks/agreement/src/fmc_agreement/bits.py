@@ -9,8 +9,8 @@ import numpy as np
 from fmc_contact import Contact, Result
 
 from . import outcome
-from .equilibrium import Touching
 from .problem import Problem
+from .touching import Touching
 
 
 def package(problem: Problem, displacement: np.ndarray) -> Result:
@@ -29,6 +29,7 @@ def begun_anew(problem: Problem, touching: Touching) -> None:
     """Leaves nothing of the way behind: no patches, and with friction a step that begins where the bodies were at
     first."""
     touching.contact.release_patches()
+    touching.contact.release_multipliers()
     if problem.has_friction:
         touching.begin_step(np.zeros(problem.coords.shape))
         touching.contact.slip = np.zeros_like(touching.contact.slip)

@@ -60,7 +60,8 @@ def of_equilibrium(
     last = solved.steps[-1]
     write(
         folder, host, problem, {**figures, **found}, last.displacement, last.force, curve, solved.iterations,
-        solved.seconds, solved.contact_seconds, {**way(solved.steps), **arrays}, **more,
+        solved.seconds, solved.contact_seconds, {**way(solved.steps), **arrays},
+        contact_iterations=solved.contact_iterations, factorisations=solved.factorisations, updates=solved.updates, **more,
     )  # fmt: skip
 
 
@@ -85,11 +86,13 @@ def of_motion(
 
 
 def way(steps: list[Step]) -> dict[str, np.ndarray]:
-    """All equilibria as arrays of an outcome: stage and load (steps, 2), displacements and forces (steps, nodes, dim)."""
+    """All equilibria as arrays of an outcome: stage and load (steps, 2), displacements and forces (steps, nodes, dim),
+    penetrations (steps,)."""
     return {
         "way": np.array([[step.stage, step.load] for step in steps]),
         "way_displacement": np.array([step.displacement for step in steps]),
         "way_force": np.array([step.force for step in steps]),
+        "way_penetration": np.array([step.penetration for step in steps]),
     }
 
 

@@ -6,10 +6,11 @@ import math
 import time
 
 import numpy as np
-from fmc_contact import FmcError
+from fmc_contact import Equilibrium, FmcError
 
 from .approach import approach, loose_push, soft_stiffness
-from .equilibrium import FAR, Balance, Equilibrium, NoEquilibrium
+from .equilibrium import FAR
+from .equilibrium import Equilibrium as Solver
 from .solved import Solved, Step
 
 MOST_HALVINGS = 8
@@ -28,25 +29,28 @@ STRIDE = 100.0
 class Path:
     """The way through all stages of a case."""
 
-    def __init__(self, equilibrium: Equilibrium) -> None:
+    def __init__(self, equilibrium: Solver) -> None:
         self.equilibrium, self.problem = equilibrium, equilibrium.problem
         self.contact = equilibrium.touching.contact
         self.hard = self.contact.options["stiffness"]
         self.soft = min(self.hard, soft_stiffness(self.problem))
-        self.tolerance = self.problem.raw["load_steps"]["tolerance"]
+        plan = self.problem.raw["load_steps"]
+        self.tolerance, self.penetration = plan["tolerance"], plan.get("penetration")
         self.u = np.zeros(self.problem.coords.shape)
         self.load = 0.0
         self.found = Solved()
         self.slides = self.problem.has_friction
 
     def follow(self) -> Solved:
-        """Goes through all stages. Errors: ``NoEquilibrium``."""
+        """Goes through all stages. Errors: those of ``fmc_contact.newton``."""
         clock, found, solver = time.process_time(), self.found, self.equilibrium
         for stage, (count, values) in enumerate(self.problem.stages):
             self._stage(stage, count, values)
         found.seconds = time.process_time() - clock
         found.residuals, found.iterations = solver.residuals, solver.iterations
-        found.contact_seconds = solver.contact_seconds
+        found.contact_seconds = solver.touching.seconds
+        found.contact_iterations, found.factorisations = solver.contact_iterations, solver.factorisations
+        found.updates = solver.updates
         return found
 
     def _stage(self, stage: int, count: int, values: np.ndarray) -> None:
@@ -57,61 +61,82 @@ class Path:
         while self.load < 1.0:
             load = self.load + step if self.load + step <= 1.0 - 1e-9 else 1.0
             iterations = self.equilibrium.iterations
+            multipliers = self.contact.multipliers
             try:
-                u, balance = self._advance(load)
-            except NoEquilibrium:
+                found = self._advance(load)
+            except FmcError:
                 if step <= longest * 0.5**MOST_HALVINGS:
                     raise
+                self.contact.multipliers = multipliers
                 step *= 0.5
                 self.found.halvings += 1
                 continue
             if self.slides:
-                self.equilibrium.timed(self.equilibrium.touching.commit_step, u)
+                self.equilibrium.touching.commit_step(found.x)
             elif load == 1.0:
-                u, balance = self._on_its_own_patches(u, balance)
-            self.before, self.u, self.load = (self.u, self.load), u, load
-            touch = balance.touch
-            slid = touch.friction
-            sliding = (slid.dissipation, slid.stick_area, slid.slip_area)
-            self.found.steps.append(Step(stage, load, u, touch.forces, touch.penetration, sliding))
+                found = self._on_its_own_patches(found)
+            self.before, self.u, self.load = (self.u, self.load), found.x, load
+            self.found.steps.append(self._step(stage, load, found))
             if self.equilibrium.iterations - iterations <= EASY:
                 step = min(longest, 2.0 * step)
 
-    def _advance(self, load: float) -> tuple[np.ndarray, Balance]:
+    def _step(self, stage: int, load: float, found: Equilibrium) -> Step:
+        touch, shape = found.result, self.u.shape
+        sliding = (touch.friction.dissipation, touch.friction.stick_area, touch.friction.slip_area)
+        forces = self.equilibrium.touching.on_dofs(touch.forces).reshape(shape)
+        penetration = touch.penetration if found.penetration is None else found.penetration
+        return Step(stage, load, found.x, forces, penetration, sliding)
+
+    def _advance(self, load: float) -> Equilibrium:
         """Equilibrium at a load, from the last one."""
         solver = self.equilibrium
         part = self.part_before + load * (1.0 - self.part_before)
         solver.load = part * solver.full_load
         if self.slides:
-            solver.timed(solver.touching.begin_step, self.u)
+            solver.touching.begin_step(self.u)
             # Until friction is sought, it is that of the last equilibrium.
-            solver.timed(solver.touching.freeze_friction, self.u)
+            solver.touching.freeze_friction(self.u)
+        if self.slides and self.before is not None:
+            # As far beyond the last equilibrium as that is beyond the one before: what slides goes on sliding.
+            last, at = self.before
+            start = self._prescribed(self.u + (load - self.load) / (self.load - at) * (self.u - last), load)
+            return solver.newton(start, self.tolerance)
+        if self._is_loose(self.u) or self._meets_by_lines():
+            return solver.newton(self._led(load), self.tolerance, penetration=self.penetration)
+        prescribed = self._prescribed(self.u, load)
+        return solver.newton(self.u, self.tolerance, prescribed=prescribed, penetration=self.penetration)
+
+    def _led(self, load: float) -> np.ndarray:
+        """Where Newton's method begins when bodies meet: they are carried along, and where nothing but contact holds one, or they
+        overlap by too much, they settle on a soft contact. On hard contact a body that comes to rest would creep."""
         start = self._predicted(load)
         if self.soft < self.hard and (self._is_loose(start) or self._is_too_deep(start)):
-            # A body that comes to rest on hard contact would creep, and cells that hard contact drives out at once are
-            # turned inside out. On a soft contact both settle.
             try:
-                start = self._settled(start)
+                return self._settled(start)
             finally:
                 self.contact.set_options(stiffness=self.hard)
-        if not self.slides:
-            return solver.newton(start, self.tolerance)
-        try:
-            return solver.with_friction(start, self.tolerance)
-        finally:
-            self.contact.release_friction()
+        return start
 
-    def _on_its_own_patches(self, u: np.ndarray, balance: Balance) -> tuple[np.ndarray, Balance]:
+    def _meets_by_lines(self) -> bool:
+        """Whether bodies meet in this step by sampled lines, whose normal is a mean that may have several fixed points: the one that
+        is found depends on the way, and this is the reference host's."""
+        options = self.contact.options
+        if options["law"] != "fiber" or options["estimator"] != "fibers":
+            return False
+        self.contact.release_patches()
+        return not self.equilibrium.touching.evaluate(self.u).pairs
+
+    def _on_its_own_patches(self, found: Equilibrium) -> Equilibrium:
         """The equilibrium on the patches that are found where it is, and not on the way there."""
         for _ in range(MOST_TURNS):
-            turned = self.equilibrium.with_patches(u)
-            if turned.relative <= self.tolerance:
-                return u, turned
             try:
-                u, balance = self.equilibrium.newton(u, self.tolerance)
-            except NoEquilibrium:  # what was found remains one, on patches of its way
+                turned = self.equilibrium.newton(found.x, self.tolerance, penetration=self.penetration)
+            except FmcError:  # what was found remains one, on patches of its way
                 break
-        return u, balance
+            found = turned
+            if found.iterations == 0:
+                break
+        return found
 
     def _settled(self, u: np.ndarray) -> np.ndarray:
         """Rough equilibria on contacts of growing stiffness."""
@@ -121,37 +146,28 @@ class Path:
             self.contact.set_options(stiffness=self.soft * growth ** (stage / stages))
             if stage == 0:
                 self.contact.release_patches()
-                u = approach(self.problem, u, solver.load, lambda at: solver.timed(solver.touching.evaluate, at).forces)
-            u, _ = solver.newton(u, max(FAR, self.tolerance))
+                u = approach(self.problem, u, solver.load, solver.touching.forces)
+            u = solver.newton(u, max(FAR, self.tolerance)).x
         return u
 
     def _prescribed(self, u: np.ndarray, load: float) -> np.ndarray:
         return np.where(self.problem.held, self.start + load * (self.values - self.start), u)
 
     def _predicted(self, load: float) -> np.ndarray:
-        """As far beyond the last equilibrium as that is beyond the one before; or with what is prescribed moved on, and
-        the bodies following as their tangent says: else the cells at the supports alone would take all of it."""
-        u, solver = self.u, self.equilibrium
-        moved = self._prescribed(u, load)
-        if (moved == u).all():
-            return u
-        if self.before is not None:
-            last, at = self.before
-            ahead = self._prescribed(u + (load - self.load) / (self.load - at) * (u - last), load)
-            if not self._is_too_deep(ahead):
-                return ahead
-        solver.timed(solver.touching.keep_patches, u)
-        balance = solver.balance(u)
-        pull = solver.elastic.stiffness(u) @ (moved - u).ravel()
-        step = solver.linear(u, -balance.residual - pull.reshape(u.shape), True)
-        return moved if step is None else moved + step
+        """What is prescribed moved on, and the bodies following as their tangent says: else the cells at the supports alone would
+        take all of it."""
+        moved = self._prescribed(self.u, load)
+        if (moved == self.u).all():
+            return self.u
+        carried = self.equilibrium.predicted(self.u, moved)
+        return moved if carried is None else carried
 
     def _is_too_deep(self, u: np.ndarray) -> bool:
         """Whether the penetration calls for a pressure beyond Young's modulus, which nothing could bear."""
         self.contact.release_patches()
         try:
-            penetration = self.equilibrium.timed(self.equilibrium.touching.evaluate, u).penetration
-        except (NoEquilibrium, FmcError):  # Newton's method will hear it too
+            penetration = self.equilibrium.touching.evaluate(u).penetration
+        except FmcError:  # Newton's method will hear it too
             return False
         return penetration * self.hard > min(body.material.young for body in self.problem.bodies)
 
@@ -163,5 +179,5 @@ class Path:
         if not loose:
             return False
         self.contact.release_patches()
-        forces = self.equilibrium.timed(self.equilibrium.touching.evaluate, u).forces
+        forces = self.equilibrium.touching.forces(u)
         return not all(forces[body.nodes].any() for body in loose)

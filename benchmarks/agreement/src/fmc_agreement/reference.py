@@ -34,6 +34,7 @@ def run(folder: Path, case: str, variant: str | None = None, overrides: tuple[st
     outcome.write(
         folder, "reference", problem, summary["figures"], fields["displacement"], fields["contact_force"],
         _curve(own, problem, summary), summary["iterations"], summary["seconds"], summary["contact_seconds"], arrays,
+        **{key: summary.get(key) for key in ("contact_iterations", "factorisations", "updates", "nodal_penetration")},
     )  # fmt: skip
     return problem
 

@@ -18,6 +18,7 @@ class Step:
     force: np.ndarray
     """Of the contact."""
     penetration: float
+    """Largest; where one is wanted, the largest mean of a node."""
     sliding: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """With friction: energy taken out in the step; areas that stick and slip."""
 
@@ -37,3 +38,9 @@ class Solved:
     """Processor time."""
     contact_seconds: float = 0.0
     """What the contact took of it."""
+    contact_iterations: int = 0
+    """Dense systems solved for the contact alone."""
+    factorisations: int = 0
+    """Sparse matrices factorised."""
+    updates: int = 0
+    """Of the multipliers, where a penetration is wanted."""

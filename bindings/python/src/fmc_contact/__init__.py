@@ -4,7 +4,7 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    augmented  ->  newton  ->  contact_force, Contact  ->  linearised
+    newton  ->  contact_force, Contact  ->  linearised
             ->  mesh, obstacles, options, pair_options, friction, result, fields, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
@@ -17,7 +17,7 @@ from .contact import Contact
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
 from .gaps import GapConstraints
-from .augmented import Augmented, augmented
+from .multipliers import MULTIPLIER, Augmentation
 from .contact_step import ContactStep
 from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options
@@ -40,7 +40,8 @@ def has_feature(name: str) -> bool:
 
 __all__ = [
     "CARRIED_SLIP",
-    "Augmented",
+    "MULTIPLIER",
+    "Augmentation",
     "BoundaryFacets",
     "Condensation",
     "Contact",
@@ -64,7 +65,6 @@ __all__ = [
     "Result",
     "Resultant",
     "Tangent",
-    "augmented",
     "contact_force",
     "contact_force_step",
     "errors",

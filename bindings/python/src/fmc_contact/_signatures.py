@@ -8,6 +8,7 @@ import numpy as np
 
 from ._structs import (
     ALL_GATHER,
+    fmc_augmentation,
     fmc_boundary_facet,
     fmc_cell_block,
     fmc_cell_block_i64,
@@ -23,6 +24,7 @@ from ._structs import (
     fmc_forces,
     fmc_friction_step,
     fmc_gap_constraint,
+    fmc_multiplier,
     fmc_options,
     fmc_pair,
     fmc_pair_options,
@@ -222,6 +224,10 @@ FUNCTIONS = {
     "fmc_context_find_contact_points": (STATUS, [Context, _COORDS, _COUNT]),
     "fmc_context_contact_points": (STATUS, [Context, POINTER(fmc_contact_point), c_size_t]),
     "fmc_context_find_gap_constraints": (STATUS, [Context, _COORDS, c_double, _COUNT, _COUNT]),
+    "fmc_context_augment": (STATUS, [Context, _COORDS, c_double, c_double, POINTER(fmc_augmentation)]),
+    "fmc_context_stiffen": (STATUS, [Context, c_double]),
+    "fmc_context_multipliers": (STATUS, [Context, POINTER(fmc_multiplier), c_size_t, _COUNT]),
+    "fmc_context_set_multipliers": (STATUS, [Context, POINTER(fmc_multiplier), c_size_t]),
     "fmc_context_gap_constraints": (STATUS, [Context, POINTER(fmc_gap_constraint), c_size_t]),
     "fmc_context_gap_gradient": (STATUS, [Context, Int64Array, Int64Array, Float64Array, c_size_t]),
     "fmc_pose_init": (STATUS, [_POSE]),

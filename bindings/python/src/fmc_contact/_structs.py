@@ -389,6 +389,32 @@ class fmc_gap_constraint(Structure):
     ]
 
 
+class fmc_augmentation(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("penetration", c_double),
+        ("change", c_double),
+        ("multiplier_count", c_size_t),
+        ("is_enough", c_int32),
+        ("reserved_flags", c_int32),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_multiplier(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("node", c_int64),
+        ("body", c_size_t),
+        ("partner_kind", c_int32),
+        ("reserved_flags", c_int32),
+        ("partner", c_size_t),
+        ("shift", c_double),
+        ("towards", c_double * 3),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_pose(Structure):
     _fields_ = [("position", c_double * 3), ("rotation", c_double * 9), ("scale", c_double)]
 

@@ -11,10 +11,14 @@ from ._library import library
 from .cholesky import Cholesky
 from .contact import Contact
 from .contact_step import ContactStep
+from .errors import FmcError
 from .schur import Condense, SuperLU
 
 # Times that the unknowns are found to be too few in one step: contact spreads over more of them each time.
 _MOST_GROWTHS = 8
+
+MOST_EXPECTED = 1500
+"""Unknowns that may feel contact before any does, at most."""
 
 MOST_KEPT = 5000
 """Unknowns that feel contact, at most: what is left of the bodies is dense, 200 MB then, and takes half a second to solve."""
@@ -45,6 +49,13 @@ class Unknowns:
         """Coordinates that the contact is shown."""
         return x.reshape(-1, self.inner.dim) if self.contact is self.inner else self.contact.coords(x)
 
+    def near(self, x: np.ndarray, reach: float) -> np.ndarray:
+        """Degrees of freedom of the contact that move nodes whose mean gap is less than a reach, and what they are near."""
+        gaps = self.inner.gap_constraints(self.coords(x), reach)
+        (rows,) = np.nonzero(gaps.gap < reach * gaps.area)
+        entries = [np.arange(gaps.indptr[row], gaps.indptr[row + 1]) for row in rows]
+        return np.unique(gaps.indices[np.concatenate(entries)]) if entries else np.empty(0, np.int64)
+
     def touching(self, x: np.ndarray) -> np.ndarray:
         """Degrees of freedom of the contact in the pattern of its tangent."""
         rows, cols, _ = self.inner.tangent_parts(self.coords(x), semidefinite=True).triplets()
@@ -72,9 +83,48 @@ class Condensed:
         self.factorisations = 0
         self.soft_start = True
 
+    def is_of(self, size: int, free: np.ndarray) -> bool:
+        """Whether it is of these unknowns."""
+        return len(self.free) == size and np.array_equal(np.flatnonzero(self.free), np.sort(free))
+
+    def knows(self, matrix: Any) -> bool:
+        """Whether there are factors of this matrix."""
+        return self.matrix is not None and _same(self.matrix, matrix)
+
+    @property
+    def is_definite(self) -> bool:
+        """Whether the bodies' matrix was found to be symmetric and positive definite where they do not touch."""
+        if not isinstance(self.matrix, np.ndarray):
+            return self.matrix is not None and hasattr(self.solve, "follow")
+        rest = self.matrix[np.ix_(self.rest, self.rest)]
+        try:
+            np.linalg.cholesky(rest)
+        except np.linalg.LinAlgError:
+            return False
+        return bool(np.abs(rest - rest.T).max(initial=0.0) <= 1e-12 * np.abs(rest).max(initial=0.0))
+
+    def forget(self) -> None:
+        """No unknown is known to feel contact."""
+        self.freedoms, self.matrix = np.zeros(0, np.int64), None
+
     def grow(self, x: np.ndarray) -> bool:
         """Adds the degrees of freedom that feel contact at ``x``; whether there were any."""
-        found = self.unknowns.touching(x)
+        return self._add(self.unknowns.touching(x))
+
+    def expect(self, x: np.ndarray, moved: np.ndarray) -> None:
+        """Where nothing touches yet, adds those that may when what is prescribed is moved: nodes that are nearer to a partner than
+        anything moves. Factors without them would serve for one step."""
+        if len(self.freedoms) or not moved.any():
+            return
+        way = np.linalg.norm(moved[self.unknowns.of_freedom].reshape(-1, self.unknowns.inner.dim), axis=1).max()
+        try:
+            found = self.unknowns.near(x, float(way))
+        except FmcError:
+            return
+        if len(found) <= MOST_EXPECTED:
+            self._add(found)
+
+    def _add(self, found: np.ndarray) -> bool:
         found = found[self.free[self.unknowns.of_freedom[found]]]
         before = len(self.freedoms)
         self.freedoms = np.union1d(self.freedoms, found)
@@ -91,11 +141,25 @@ class Condensed:
         Errors: those of ``Contact.contact_step``; ``RuntimeError`` where the bodies are not held where they do not touch, or
         where too many unknowns feel contact."""
         self.grow(x)
+        self.expect(x, moved)
         for _ in range(_MOST_GROWTHS):
             change, found = self._step(x, moved, inside, matrix, tolerance, goal)
             if found.state != "outside" or not self.grow(x + change):
                 break
         return change, found
+
+    def carried(self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any) -> np.ndarray:
+        """The same change without contact, from where nothing touches."""
+        self.expect(x, moved)
+        self._condense(matrix)
+        right, change = inside + matrix @ moved, moved.copy()
+        loaded = self.solve(right[self.rest])
+        change[self.rest] -= loaded
+        if len(self.kept):
+            d = np.linalg.solve(self.schur, self.back @ loaded - right[self.kept])
+            change[self.kept] += d
+            change[self.rest] += self.follow(d)
+        return change
 
     def _step(
         self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any, tolerance: float, goal: float
@@ -128,7 +192,7 @@ class Condensed:
         """Factorises the bodies on all free unknowns but those that are kept, if that was not done yet."""
         if len(self.freedoms) > MOST_KEPT:
             raise RuntimeError(f"{len(self.freedoms)} unknowns feel contact, more than {MOST_KEPT}")
-        if self.matrix is not None and _same(self.matrix, matrix):
+        if self.knows(matrix):
             return
         self.kept = self.unknowns.of_freedom[self.freedoms]
         rest = self.free.copy()

@@ -18,6 +18,7 @@ from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .friction import Steps
 from .gaps import GapConstraints, gap_constraints
 from .linearised import Linearised
+from .multipliers import Multipliers
 from .options import changed, defaults, described
 from .pair_options import PairOptions
 from . import basis
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from .options import Options
 
 
-class Contact(PairOptions, Steps, Linearised, Shared):
+class Contact(PairOptions, Steps, Multipliers, Linearised, Shared):
     """Boundary, search trees and obstacles of a mesh, kept between evaluations.
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or

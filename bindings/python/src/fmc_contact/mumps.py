@@ -112,3 +112,24 @@ class _Factors:
         whole[: self.count], whole[self.count :] = right, 0.0
         self._call("MatSolve", self._factors, c_void_p(self._right.handle), c_void_p(self._found.handle))
         return self._found.getArray()[: self.count].copy()
+
+
+def solved(matrix: Any, right: np.ndarray) -> np.ndarray:
+    """Solution of a sparse system by L U. Errors: ``RuntimeError`` where it is singular."""
+    from petsc4py import PETSc
+
+    rows, numbers = matrix.tocsr(), PETSc.IntType
+    arrays = rows.indptr.astype(numbers), rows.indices.astype(numbers), rows.data
+    petsc, solver = PETSc.Mat().createAIJ(rows.shape, csr=arrays, comm=PETSc.COMM_SELF), PETSc.KSP().create(PETSc.COMM_SELF)
+    solver.setOperators(petsc)
+    solver.setType("preonly")
+    solver.getPC().setType("lu")
+    solver.getPC().setFactorSolverType("mumps")
+    given, solution = PETSc.Vec().createWithArray(right.copy(), comm=PETSc.COMM_SELF), petsc.createVecRight()
+    solver.solve(given, solution)
+    found, reason = solution.array.copy(), solver.getConvergedReason()
+    for one in (solver, petsc):
+        one.destroy()
+    if reason < 0 or not np.isfinite(found).all():
+        raise RuntimeError(f"PETSc reports {reason}")
+    return found

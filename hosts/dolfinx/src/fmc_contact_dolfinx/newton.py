@@ -1,4 +1,4 @@
-"""Equilibrium by the Newton's method of ``fmc_contact``, plain up to the eighth iteration, on one rank."""
+"""Equilibrium by the Newton's method of ``fmc_contact``, on one rank."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import dolfinx.fem.petsc as fpetsc
 import fmc_contact
 import numpy as np
 from fmc_contact import Equilibrium, Result
-from petsc4py import PETSc
 from scipy.sparse import csr_matrix
 
 from .adapter import DolfinxContact
@@ -22,8 +21,7 @@ def newton(problem: ContactProblem, *, young: float, **options: Any) -> Equilibr
 
     ``problem``: its boundary conditions say where prescribed unknowns are at the end of the step; the displacement is
     that of the step's start, best the last equilibrium, not yet moved by them. ``young`` and ``options`` as for
-    ``fmc_contact.newton``; so are what is returned, ``x`` being all unknowns, and the errors. The linear solver is
-    PETSc's LU, by MUMPS where it is there.
+    ``fmc_contact.newton``, ``penetration`` among them; so are what is returned, ``x`` being all unknowns, and the errors.
 
     On one rank; on several ``NotImplementedError``: take ``ContactProblem.solve``.
     """
@@ -36,9 +34,11 @@ def newton(problem: ContactProblem, *, young: float, **options: Any) -> Equilibr
     fpetsc.set_bc(prescribed, problem.bcs)
     held = [held_dofs(bc) for bc in problem.bcs]
     free = np.setdiff1d(np.arange(start.size), np.concatenate(held) if held else [])
-    options = {"solve": _solved, **options}
+    # Kept with the problem: factors of linear bodies serve later load steps.
+    if problem.on_unknowns is None:
+        problem.on_unknowns = _OnUnknowns(problem.contact)
     found = fmc_contact.newton(
-        lambda x: _bodies(problem, x), _OnUnknowns(problem.contact), start, free, prescribed.array, young=young, **options
+        lambda x: _bodies(problem, x), problem.on_unknowns, start, free, prescribed.array, young=young, **options
     )
     _take(problem, found.x)
     return found
@@ -66,6 +66,9 @@ class _OnUnknowns:
     def freeze_friction(self, x: np.ndarray) -> None:
         self.adapter.freeze_friction(x)
 
+    def keep_patches(self, x: np.ndarray) -> None:
+        self.adapter.keep_patches(x)
+
 
 def _take(problem: ContactProblem, x: np.ndarray) -> None:
     problem.u.x.array[: x.size] = x
@@ -83,28 +86,3 @@ def _bodies(problem: ContactProblem, x: np.ndarray) -> tuple[np.ndarray, csr_mat
     residual.destroy()
     matrix.destroy()
     return found
-
-
-def _solved(matrix: csr_matrix, right: np.ndarray) -> np.ndarray:
-    """Errors: ``RuntimeError`` where the matrix is singular."""
-    matrix = matrix.tocsr()
-    petsc = PETSc.Mat().createAIJ(matrix.shape, csr=(matrix.indptr, matrix.indices, matrix.data), comm=PETSc.COMM_SELF)
-    solver = PETSc.KSP().create(PETSc.COMM_SELF)
-    solver.setOperators(petsc)
-    solver.setType("preonly")
-    solver.getPC().setType("lu")
-    if PETSc.Sys.hasExternalPackage("mumps"):
-        solver.getPC().setFactorSolverType("mumps")
-    given, solution = PETSc.Vec().createWithArray(right.copy(), comm=PETSc.COMM_SELF), petsc.createVecRight()
-    solver.solve(given, solution)
-    found = solution.array.copy()
-    reason = solver.getConvergedReason()
-    for one in (solver, petsc):
-        one.destroy()
-    if reason < 0 or not np.isfinite(found).all():
-        raise RuntimeError(f"PETSc reports {reason}")
-    return found
-
-
-# For plain iterations; it does not stand in the way of two levels.
-_solved.is_of_adapter = True  # type: ignore[attr-defined]

@@ -43,6 +43,8 @@ class ContactProblem:
         self.semidefinite: bool | None = None
         self._is_far = True
         self._tangent: Any = None
+        self.on_unknowns: Any = None
+        self._raised = 1.0
         self.vector = create_vector(self.residual, space)
         self.matrix = fpetsc.create_matrix(self.jacobian)
 
@@ -123,10 +125,35 @@ class ContactProblem:
         FilteredMultigrid(self.u.function_space, lambda: self.touched, self.bodies).attach(solver.getPC())
         return snes
 
-    def solve(self, snes: Any = None) -> int:
+    def solve(self, snes: Any = None, *, penetration: float | None = None, reach: float = 0.0, max_updates: int = 20) -> int:
         """Solves from the displacement that is there; returns the number of iterations. Raises ``RuntimeError`` where
-        there is no convergence; the displacement is then the last one tried."""
+        there is no convergence; the displacement is then the last one tried.
+
+        ``penetration``: the largest mean penetration of a node that is wanted, a length; ``None``: what the law leaves. From the
+        equilibrium with the law on, surfaces are moved out by what they penetrate (``fmc_contact.Contact.augment``), at most
+        ``max_updates`` times; they stay so for the next load step. Where an update leaves more than a quarter, the contact's stiffness
+        is raised fourfold, sixteenfold at most, and stays raised. Not with friction, self-contact and a mesh in parts."""
         snes = self.solver() if snes is None else snes
+        iterations = self._solved(snes)
+        if penetration is None:
+            return iterations
+        last = float("inf")
+        for update in range(max_updates + 1):
+            found = self.contact.contact.augment(self.contact.coords(self.u), penetration, reach)
+            if found.is_enough:
+                return iterations
+            if found.change > 0.25 * last and self._raised < 16.0:
+                self.contact.contact.stiffen(4.0)
+                self._raised *= 4.0
+                last = float("inf")
+            else:
+                last = found.change
+            if update < max_updates:
+                iterations += self._solved(snes)
+        left = max(found.penetration, found.change)
+        raise RuntimeError(f"a penetration of {left:.1e} after {max_updates} updates, {penetration:.1e} is wanted")
+
+    def _solved(self, snes: Any) -> int:
         # SNES gets a vector of its own: the ghosts of the displacement's are updated here.
         x = vector_of(self.u).copy()
         try:

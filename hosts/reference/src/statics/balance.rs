@@ -3,6 +3,7 @@
 use super::noise::Noise;
 use crate::fem::Constraints;
 use fmc_contact::ContactForces;
+use fmc_contact::contact::descent::{Descent, FLAT};
 
 /// Energies of a displacement, and what they miss to balance.
 #[derive(Clone, Debug)]
@@ -37,6 +38,12 @@ impl<const D: usize> Balance<D> {
     /// alone, and by themselves these would never balance.
     pub fn relative(&self) -> f64 {
         if self.norm <= self.noise.force { 0.0 } else { self.norm / self.scale }
+    }
+
+    /// As far as the rules of a descent go.
+    pub(super) fn descent(&self) -> Descent {
+        let flat = FLAT * self.magnitude() + self.noise.energy;
+        Descent { energy: self.energy(), norm: self.norm, rounding: self.rounding(), flat }
     }
 
     /// What rounding may change in the energy.

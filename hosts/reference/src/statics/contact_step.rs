@@ -5,8 +5,8 @@ use super::contact_model::{At, Direction, Model};
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Tangent;
-use super::line_search::{FLAT, GAIN, shortened};
 use fmc_contact::ContactForces;
+use fmc_contact::contact::descent::{TangentChoice, shortened};
 
 /// Iterations of the contact, at most.
 const MOST_ITERATIONS: usize = 80;
@@ -51,21 +51,19 @@ impl<const D: usize> Equilibrium<D> {
         let mut at = self.at(&model, (none.clone(), 0.0, step), none, &balance.contact);
         let exact = 0.1 * self.settings.tolerance * balance.scale;
         let goal = if self.is_linear() { exact } else { exact.max(LEFT_OVER.min(balance.relative()) * balance.norm) };
-        let (mut iterations, mut full_failed) = (0, false);
+        let (mut iterations, mut choice) = (0, TangentChoice::default());
         while at.norm > goal && iterations < MOST_ITERATIONS {
-            let is_far = at.norm > self.settings.full_below * model.scale;
-            let wish = if is_far || full_failed { Tangent::Semidefinite } else { Tangent::Full };
+            let wish = choice.wish(at.norm, self.settings.full_below, model.scale).into();
             let Some(direction) = self.contact_direction(&model, &at, wish)? else { break };
-            let Some(next) = self.search_in(&model, &at, &direction)? else {
+            let next = self.search_in(&model, &at, &direction)?;
+            let reached = next.as_ref().map(|next| next.descent(&model));
+            choice.made(direction.tangent.part(), &at.descent(&model), reached.as_ref());
+            match next {
+                Some(next) => at = next,
                 // The semidefinite tangent has not been tried here.
-                if direction.tangent == Tangent::Full {
-                    full_failed = true;
-                    continue;
-                }
-                break;
-            };
-            full_failed = direction.tangent == Tangent::Full && next.norm > 0.5 * at.norm;
-            at = next;
+                None if direction.tangent == Tangent::Full => continue,
+                None => break,
+            }
             iterations += 1;
         }
         self.contact_iterations += iterations;
@@ -124,8 +122,7 @@ impl<const D: usize> Equilibrium<D> {
             match touch {
                 Ok(touch) => {
                     let next = self.at(model, (kept, part, step), pull, &touch);
-                    let is_flat = (next.energy - at.energy).abs() <= FLAT * model.magnitude;
-                    if next.energy <= at.energy + GAIN * length * slope || is_flat && next.norm <= 0.5 * at.norm {
+                    if at.descent(model).is_lowered_by(length, slope, &next.descent(model)) {
                         return Ok(Some(next));
                     }
                     length = shortened(length, slope, model.slope(at, direction, &next));

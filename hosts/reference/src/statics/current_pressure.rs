@@ -9,9 +9,6 @@ use super::newton::{State, Watch};
 use super::newton_settings::NewtonSettings;
 use fmc_contact::sparse::{Entries, solve_unsymmetric};
 
-/// Part of the residual that a whole step must take away; a part of a step, that part of it.
-const GAIN: f64 = 1e-4;
-
 /// Trials along a step: one that is still no better at 2⁻⁸ of it leads nowhere.
 const MOST_TRIALS: usize = 9;
 
@@ -88,7 +85,7 @@ impl<const D: usize> Equilibrium<D> {
         for _ in 0..MOST_TRIALS {
             let next = moved(u, direction, length);
             match self.evaluate(&next, load) {
-                Ok(reached) if reached.norm <= (1.0 - GAIN * length) * balance.norm => {
+                Ok(reached) if balance.descent().is_weakened_by(length, &reached.descent()) => {
                     return Ok((next, reached, length));
                 }
                 Ok(_) => inverted = None,

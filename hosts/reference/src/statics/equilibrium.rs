@@ -40,12 +40,14 @@ pub struct Equilibrium<const D: usize> {
     pub(super) unturned: Option<f64>,
     /// See [`Equilibrium::stalled_turn`].
     pub(super) stalled_turn: Option<f64>,
-    /// Added to the coordinates that the contact is shown; empty for none. See [`Equilibrium::augment`].
-    pub(super) offset: Vec<[f64; D]>,
     /// Iterations: with each, the bodies have been linearised anew.
     pub iterations: usize,
     /// Iterations of the contact alone, within these.
     pub contact_iterations: usize,
+    /// Factor by which the stiffness was raised for a penetration that is wanted.
+    pub(super) raised: f64,
+    /// Updates of the multipliers, where a penetration is wanted.
+    pub updates: usize,
     /// Load steps that failed and were halved.
     pub halvings: usize,
     /// Evaluations of forces and energy.
@@ -124,7 +126,8 @@ impl<const D: usize> Equilibrium<D> {
             halvings: 0,
             unturned: None,
             stalled_turn: None,
-            offset: Vec::new(),
+            updates: 0,
+            raised: 1.0,
             iterations: 0,
             contact_iterations: 0,
             evaluations: 0,
@@ -167,12 +170,12 @@ impl<const D: usize> Equilibrium<D> {
         self.equation_count
     }
 
-    /// What contact finds at the true coordinates of the last equilibrium, without the offset of an augmentation.
+    /// What contact finds at the last equilibrium where surfaces are, not where multipliers have moved them.
     ///
     /// # Errors
     /// Those of the contact.
     pub fn true_contact(&self) -> Result<ContactForces<D>, StaticsError> {
-        Ok(self.touch(&self.displacement, &self.placed(&self.displacement))?)
+        Ok(self.contact.evaluate_true(&self.placed(&self.displacement))?)
     }
 
     /// Contact at a displacement, with the coordinates that it is shown.
@@ -220,13 +223,6 @@ impl<const D: usize> Equilibrium<D> {
         coords.zip(displacement).map(|(x, u)| std::array::from_fn(|i| x[i] + u[i])).collect()
     }
 
-    /// Coordinates that the contact is shown.
-    pub(super) fn shown(&self, displacement: &[[f64; D]]) -> Vec<[f64; D]> {
-        let mut coords = self.placed(displacement);
-        coords.iter_mut().zip(&self.offset).for_each(|(x, o)| (0..D).for_each(|i| x[i] += o[i]));
-        coords
-    }
-
     /// Sets what is prescribed at a load.
     pub(super) fn prescribe(&self, displacement: &mut [[f64; D]], load: f64) {
         for (node, axis, value) in self.problem.supports.iter() {
@@ -258,7 +254,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Contact as it is shown at a displacement.
     pub(super) fn touch_at(&mut self, displacement: &[[f64; D]]) -> Result<ContactForces<D>, fmc_contact::Error> {
-        let coords = self.shown(displacement);
+        let coords = self.placed(displacement);
         self.evaluations += 1;
         let clock = Instant::now();
         let touch = self.touch(displacement, &coords);
@@ -268,7 +264,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Keeps the patches of the fiber law as they are at a displacement.
     pub(super) fn keep_patches(&mut self, displacement: &[[f64; D]]) -> Result<(), StaticsError> {
-        let coords = self.shown(displacement);
+        let coords = self.placed(displacement);
         self.contact.keep_patches(&coords)?;
         Ok(())
     }

@@ -22,6 +22,15 @@ pub enum StaticsError {
         /// Residual by the forces.
         residual: f64,
     },
+    /// Updates of multipliers have run out before the penetration wanted was reached.
+    Penetrates {
+        /// Part of the full load.
+        load: f64,
+        /// What is left of penetration or of its change, length.
+        penetration: f64,
+        /// Updates made.
+        updates: usize,
+    },
     /// Neither supports nor contact hold a body.
     Unsupported {
         /// Its name.
@@ -78,6 +87,9 @@ impl fmt::Display for StaticsError {
             }
             Self::LineSearch { load, residual } => {
                 write!(f, "the energy cannot be lowered any more at load {load:.4}, with a residual of {residual:.2e}")
+            }
+            Self::Penetrates { load, penetration, updates } => {
+                write!(f, "a penetration of {penetration:.1e} is left at load {load:.4} after {updates} updates of multipliers")
             }
             Self::Unsupported { body, motion } => {
                 write!(f, "'{body}' is not supported: neither supports nor contact resist its {motion}")

@@ -25,7 +25,7 @@ impl<const D: usize> Equilibrium<D> {
     /// Accepts the last equilibrium as the end of a load step: its elastic slip is carried into the next.
     pub(super) fn commit_step(&mut self) -> Result<(), StaticsError> {
         if self.has_friction() {
-            let coords = self.shown(&self.displacement);
+            let coords = self.placed(&self.displacement);
             self.contact.commit_step(&coords)?;
         }
         Ok(())
@@ -78,7 +78,7 @@ impl<const D: usize> Equilibrium<D> {
         let mut residual = f64::INFINITY;
         for _ in 0..MOST_FREEZES {
             self.keep_patches(&u)?;
-            self.contact.freeze_friction(&self.shown(&u))?;
+            self.contact.freeze_friction(&self.placed(&u))?;
             let balance = self.evaluate(&u, load)?;
             residual = balance.relative();
             if residual <= goal {

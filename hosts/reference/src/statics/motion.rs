@@ -137,7 +137,7 @@ impl<const D: usize> Equilibrium<D> {
         displacement: &[[f64; D]],
         part: TangentPart,
     ) -> Result<DMatrix<f64>, StaticsError> {
-        let tangent = self.contact.tangent(&self.shown(displacement), part)?;
+        let tangent = self.contact.tangent(&self.placed(displacement), part)?;
         let mut resistance = DMatrix::zeros(motions.len(), motions.len());
         for (q, motion) in motions.iter().enumerate() {
             let mut field = vec![[0.0; D]; displacement.len()];

@@ -5,6 +5,8 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
 use super::newton_settings::NewtonSettings;
+use super::penetration::Updates;
+use fmc_contact::contact::descent::TangentChoice;
 use fmc_contact::{EnergyLaw, FiberProfile};
 use std::ops::ControlFlow;
 
@@ -32,7 +34,7 @@ impl<const D: usize> Equilibrium<D> {
         let (mut u, mut balance) = (start.clone(), self.evaluate(&start, load)?);
         let mut kept = Extent::of(&balance);
         let has_patches = self.problem.contact.law.is_fiber();
-        let (mut full_failed, mut turned) = (false, false);
+        let (mut choice, mut turned, mut updates) = (TangentChoice::default(), false, Updates::default());
         for iteration in 0..=most_iterations {
             let mut residual = balance.relative();
             // The lines run along the contact normal of the start. Once the solution is near, they turn into that of
@@ -48,6 +50,10 @@ impl<const D: usize> Equilibrium<D> {
                 balance = self.evaluate(&u, load)?;
                 kept = Extent::of(&balance);
             }
+            if self.moves_out(&u, residual, &mut updates, load)? {
+                balance = self.evaluate(&u, load)?;
+                residual = balance.relative();
+            }
             let mut told = Iteration::at(&balance, load, iteration);
             if residual <= tolerance {
                 return self.tell(&told, watch).map(|()| (u, balance));
@@ -62,9 +68,7 @@ impl<const D: usize> Equilibrium<D> {
                     (step.direction, Tangent::Contact)
                 }
                 None => {
-                    let is_far = residual > full_below || full_failed;
-                    let wish = if is_far { Tangent::Semidefinite } else { Tangent::Full };
-                    self.direction(&u, &balance, load, wish)?
+                    self.direction(&u, &balance, load, choice.wish(residual, full_below, 1.0).into())?
                 }
             };
             let (next, reached, length) = match self.line_search(&u, &balance, &direction, load) {
@@ -73,7 +77,7 @@ impl<const D: usize> Equilibrium<D> {
             };
             (told.tangent, told.length) = (Some(tangent), length);
             self.tell(&told, watch)?;
-            full_failed = tangent == Tangent::Full && reached.norm > 0.5 * balance.norm;
+            choice.made(tangent.part(), &balance.descent(), Some(&reached.descent()));
             (u, balance) = (next, reached);
         }
         Err(self.not_converged(&balance, load, most_iterations))

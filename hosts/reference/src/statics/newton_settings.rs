@@ -16,6 +16,12 @@ pub struct NewtonSettings {
     pub full_below: f64,
     /// Times, at most, that the patches of the fiber law are found anew at the end of a path; three or four mostly do, seven where few facets touch.
     pub most_turns: usize,
+    /// Largest mean penetration of a node that is wanted, a length; 0: that of the law, as it is. Surfaces are then moved out until
+    /// they press without ([`Contact::augment`](fmc_contact::Contact::augment)), at every load step. Where an update leaves more
+    /// than a quarter, the law's stiffness is raised fourfold, sixteenfold at most, and stays so.
+    pub penetration: f64,
+    /// Updates of these multipliers in a load step, at most.
+    pub most_updates: usize,
     /// Which pressure friction has, where there is friction.
     pub friction: FrictionPressure,
 }
@@ -40,6 +46,8 @@ impl Default for NewtonSettings {
             most_iterations: 60,
             full_below: 0.1,
             most_turns: 8,
+            penetration: 0.0,
+            most_updates: 20,
             friction: FrictionPressure::default(),
         }
     }

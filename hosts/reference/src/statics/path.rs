@@ -48,7 +48,7 @@ impl<const D: usize> Equilibrium<D> {
         let mut step = longest;
         while self.load < 1.0 {
             let load = if self.load + step > 1.0 - 1e-9 { 1.0 } else { self.load + step };
-            let before = self.iterations;
+            let (before, multipliers) = (self.iterations, self.contact.multipliers());
             match self.advance(load, watch) {
                 Ok((u, balance)) => {
                     self.accept(u, balance, load);
@@ -66,6 +66,7 @@ impl<const D: usize> Equilibrium<D> {
                 {
                     step *= 0.5;
                     self.halvings += 1;
+                    self.contact.set_multipliers(&multipliers)?;
                 }
                 Err(error) => return Err(error),
             }

@@ -41,6 +41,7 @@ impl<const D: usize> Equilibrium<D> {
         }
         let settings = self.settings;
         self.settings.tolerance = settings.full_below.max(settings.tolerance);
+        self.settings.penetration = 0.0;
         let settled = self.settle(start, load, soft, k, watch);
         self.settings = settings;
         self.set_penalty(k)?;
@@ -81,7 +82,7 @@ impl<const D: usize> Equilibrium<D> {
         let Some(k) = self.penalty() else { return false };
         self.contact.release_patches();
         let young = self.least_young();
-        self.touch(u, &self.shown(u)).is_ok_and(|contact| {
+        self.touch(u, &self.placed(u)).is_ok_and(|contact| {
             k * contact.penetration > young || self.bearable(contact.penetration).is_some_and(|bearable| k > bearable)
         })
     }
@@ -99,7 +100,7 @@ impl<const D: usize> Equilibrium<D> {
         if !self.is_depth() {
             return soft;
         }
-        let found = self.touch(start, &self.shown(start)).ok();
+        let found = self.touch(start, &self.placed(start)).ok();
         found.and_then(|contact| self.bearable(contact.penetration)).map_or(soft, |bearable| soft.min(bearable))
     }
 

@@ -44,7 +44,7 @@ impl<const D: usize> Equilibrium<D> {
 
     fn touching_part(&mut self, u: &[[f64; D]], part: TangentPart) -> Result<Entries, StaticsError> {
         let clock = std::time::Instant::now();
-        let touch = self.contact.tangent(&self.shown(u), part);
+        let touch = self.contact.tangent(&self.placed(u), part);
         self.contact_seconds += clock.elapsed().as_secs_f64();
         let touch = touch?;
         let linearised = self.problem.linearised.iter().flat_map(|l| l.tangent(&self.problem.contact.law, u));

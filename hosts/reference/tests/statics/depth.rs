@@ -1,10 +1,10 @@
 //! The depth law, which stands on a soft contact first.
 
-use crate::scene::{exact, recorder, solved};
+use crate::scene::{exact, solved};
 use fmc_contact::{CellType, EnergyLaw};
 use fmc_shapes::rectangle_quad4;
 use fmc_solid::fem::{Constraints, Law, Material, Model, Part};
-use fmc_solid::statics::{Equilibrium, Problem, StaticsError};
+use fmc_solid::statics::Problem;
 
 /// A block of half the width on another, neo-Hookean, its top pushed down by `pressed` from a start `overlap` deep.
 fn blocks(overlap: f64, pressed: f64, law: EnergyLaw) -> Problem<2> {
@@ -43,14 +43,4 @@ fn the_law_is_as_it_was_asked_for_in_the_end() {
     // The mean pressure is 500 times the penetration by E, within the rise towards the corners.
     let penetration = at.balance().contact.penetration;
     assert!(penetration > 0.0 && penetration < 5e-3, "{penetration}");
-}
-
-#[test]
-fn multipliers_are_of_the_fiber_law() {
-    let mut equilibrium = Equilibrium::new(blocks(0.0, 0.01, EnergyLaw::depth(1e4))).unwrap();
-    let mut log = Vec::new();
-    equilibrium.follow(Default::default(), &mut recorder(&mut log)).unwrap();
-    let refused = equilibrium.augment(1e-6, 3, &mut recorder(&mut Vec::new())).unwrap_err();
-    assert!(matches!(&refused, StaticsError::Contact(fmc_contact::Error::Unsupported { .. })), "{refused}");
-    assert!(refused.to_string().contains("augmentation of another law than the quadratic fiber law"), "{refused}");
 }

@@ -1,0 +1,61 @@
+"""The tables of docs/hosts.md beside the agreement: penetration that is wanted, and the cost of the Python hosts."""
+
+from fields import number
+from hosts import HOSTS
+
+CASES = {
+    "hertz": "`hertz`",
+    "hertz, depth": "`hertz`, law `depth`",
+    "cone": "`cone`",
+    "cone, depth": "`cone`, law `depth`",
+    "ironing": "`ironing`, 23 steps",
+    "ironing, depth": "`ironing`, law `depth`",
+    "wedge": "`wedge`",
+    "punch": "`punch`",
+    "hertz3d": "`hertz3d`",
+}
+
+
+def table(results):
+    """Both ways of every case, where `python -m fmc_agreement.penetration` has found them."""
+    head = ("case", "host", "wanted", "penetration by the law", "reached", "iterations", "of the contact", "factorisations", "updates", "force")
+    lines = [head, ["---"] * len(head)]
+    for case, host, figures in _found(results, "penetration"):
+        pair = {key: " · ".join(number(figures[f"{key}_{way}"], ".0f") for way in ("law", "wanted")) for key in COUNTS}
+        force = figures["force_wanted"] / figures["force_law"] - 1
+        lines.append([case, host, number(figures["wanted"], ".1e"), number(figures["penetration_law"], ".0e"), number(figures["penetration_wanted"], ".0e"), *pair.values(), number(figures["updates_wanted"], ".0f"), number(force, "+.3%")])
+    return _text(lines)
+
+
+COUNTS = ("iterations", "contact_iterations", "factorisations")
+
+
+def beside(results):
+    """Iterations and time, where `python -m fmc_agreement.beside` has found them."""
+    head = ("case", "host", "iterations", "by the reference's", "factorisations", "time", "by the reference's", "with imports")
+    lines, theirs = [head, ["---"] * len(head)], {}
+    for case, host, figures in _found(results, "beside"):
+        is_first = host == HOSTS["reference"]
+        theirs = figures if is_first else theirs
+        by = ["–" if is_first else number(figures[key] / theirs[key], ".2f") for key in ("iterations", "seconds")]
+        lines.append([case, host, number(figures["iterations"], ".0f"), by[0], number(figures["factorisations"], ".0f"), _seconds(figures["seconds"]), by[1], "" if is_first else _seconds(figures["program"])])
+    return _text(lines)
+
+
+def _found(results, kind):
+    """Cases and hosts as they are shown, with the figures."""
+    for case, label in CASES.items():
+        shown = False
+        for host, name in HOSTS.items():
+            run = results.runs.get(f"{kind}/{case}/{host}")
+            if run:
+                yield "" if shown else label, name, run["figures"]
+                shown = True
+
+
+def _seconds(seconds):
+    return number(seconds, ".2f" if seconds < 0.995 else ".1f") + " s"
+
+
+def _text(lines):
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)

@@ -1,0 +1,10 @@
+"""Newton's method for bodies in contact, one load step a call.
+
+    driver  ->  search  ->  plain, levels, line_search, friction, patches, penetration  ->  state  ->  equilibrium
+"""
+
+from .driver import newton
+from .equilibrium import Equilibrium, NotConvergedError
+from .predicted import predicted
+
+__all__ = ["Equilibrium", "NotConvergedError", "newton", "predicted"]

@@ -1,0 +1,93 @@
+"""As little penetration as is wanted, at the stiffness that is there."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmc_contact import NotConvergedError, newton
+from fmc_contact_skfem import SkfemContact
+from skfem import Basis, ElementTriP1, ElementTriP2, ElementVector, MeshTri
+from skfem.models.elasticity import lame_parameters, linear_elasticity
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "newton"))
+import problems  # noqa: E402
+
+R, E, NU, DOWN = 1.0, 1e3, 0.3, 0.02
+
+
+def pressed_disc(element, **options):
+    """A disc on a rigid plane, its upper half moved down as one: what ``newton`` asks for."""
+    mesh = MeshTri.init_circle(5).translated((0, R))
+    basis = Basis(mesh, ElementVector(element))
+    stiffness = linear_elasticity(*lame_parameters(E, NU)).assemble(basis)
+    contact = SkfemContact(basis, stiffness=10 * E / mesh.param(), **options)
+    contact.contact.add_half_space((0, 0), (0, 1))
+    held = basis.get_dofs(elements=mesh.elements_satisfying(lambda x: x[1] > R))
+    prescribed = np.zeros(basis.N)
+    prescribed[held.all("u^2")] = -DOWN
+    free = np.setdiff1d(np.arange(basis.N), held.all())
+    return (lambda u: (stiffness @ u, stiffness)), contact, np.zeros(basis.N), free, prescribed
+
+
+@pytest.mark.parametrize("two_level", [True, False])
+@pytest.mark.parametrize("element", [ElementTriP1(), ElementTriP2()])
+def test_a_disc_on_a_plane(element, two_level):
+    arguments = pressed_disc(element)
+    contact = arguments[1]
+    soft = newton(*arguments, young=E, two_level=two_level)
+    left = contact.contact.gap_constraints(contact.coords(soft.x), reach=0.1 * R)
+    found = newton(*arguments, young=E, two_level=two_level, penetration=1e-6 * R)
+    print(soft.iterations, found.iterations, found.updates, found.contact_iterations, found.penetration)
+    gaps = contact.contact.gap_constraints(contact.coords(found.x), reach=0.1 * R)
+    mean = gaps.gap / gaps.area
+    assert -(left.gap / left.area).min() > 1e-4 * R and found.penetration <= 1e-6 * R
+    assert found.penetration == pytest.approx(max(0.0, -mean.min()), abs=1e-12)
+    assert found.updates <= 12 and found.factorisations <= (1 if two_level else found.iterations)
+    # What presses touches: those that are moved out, and no others.
+    moved = contact.contact.multipliers
+    assert (moved["shift"] > 0).all() and moved["towards"][:, 1] == pytest.approx(-1.0, abs=1e-12)
+    assert np.abs(mean[np.isin(gaps.node, moved["node"])]).max() <= 1e-6 * R
+    # The law alone comes as near with a stiffness that is as much higher, and to the same force.
+    contact.contact.release_multipliers()
+    contact.contact.set_options(stiffness=1e3 * contact.contact.options["stiffness"])
+    hard = newton(*arguments[:2], soft.x, *arguments[3:], young=E, max_iterations=60)
+    pushed = arguments[4] != 0
+    forces = [one.reactions[pushed].sum() for one in (soft, hard, found)]
+    print(forces)
+    # There every point counts, here the mean at a node: with two facets in half a width that is 1 % of the force.
+    assert forces[2] == pytest.approx(forces[1], rel=1.5e-2) and abs(forces[2]) > 1.005 * abs(forces[0])
+
+
+def test_a_disc_on_a_block_over_load_steps():
+    """Two bodies: one of them is moved out, forces balance, and the next load step begins with what the last one has found."""
+    problem = problems.disc(64)
+    counts, moved_out, updates = {}, set(), 0
+    for penetration in (None, 1e-6):
+        contact, u, counts[penetration] = problem.contact(10.0), np.zeros(problem.solid.offsets[-1]), []
+        for push in problem.pushes[3:]:
+            prescribed = u.copy()
+            prescribed[problem.moved] = push
+            host = lambda u: (problem.solid.forces(u), problem.solid.stiffness(u))  # noqa: E731
+            found = newton(host, contact, u, problem.free, prescribed, young=problem.young, penetration=penetration)
+            u = found.x
+            counts[penetration].append(found.iterations)
+            if penetration is None:
+                continue
+            assert found.penetration <= penetration
+            moved_out |= set(contact.contact.multipliers["body"].tolist())
+            updates += found.updates
+    print(counts, updates)
+    assert updates > 0 and sum(counts[1e-6]) <= 2 * sum(counts[None]) and len(moved_out) <= 1
+    forces = found.reactions.reshape(-1, 2).sum(axis=0)
+    assert np.abs(forces).max() < 1e-6 * np.abs(found.reactions).sum()
+
+
+def test_what_is_refused():
+    arguments = pressed_disc(ElementTriP1(), friction_coefficient=0.3)
+    with pytest.raises(ValueError, match="with friction"):
+        newton(*arguments, young=E, penetration=1e-6)
+    with pytest.raises(ValueError, match="a positive one"):
+        newton(*pressed_disc(ElementTriP1()), young=E, penetration=0.0)
+    with pytest.raises(NotConvergedError, match="after 1 updates, 1.0e-09 is wanted"):
+        newton(*pressed_disc(ElementTriP1()), young=E, penetration=1e-9, max_updates=1)

@@ -1,0 +1,205 @@
+//! As little penetration as is wanted, whatever iterates the bodies: the method of multipliers.
+
+use super::Contact;
+use super::gap_constraints::GapConstraints;
+use super::kernels;
+use super::laws::EnergyLaw;
+use super::multipliers::{Multiplier, Multipliers, sorted};
+use super::options::Options;
+use crate::Error;
+use crate::geometry::Vector;
+use crate::geometry::aabb::Aabb;
+use crate::overlap::Partner;
+use std::collections::BTreeMap;
+
+/// Reach of the gaps, by the bodies' extent: what is farther apart is taken for open.
+const REACH: f64 = 0.05;
+
+/// What an update of the multipliers says of the coordinates it was made at.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Augmentation {
+    /// Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers.
+    pub penetration: f64,
+    /// Largest change that the gaps ask of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner,
+    /// inside or outside.
+    pub change: f64,
+    /// Whether both are no more than what was enough: the multipliers have then stayed.
+    pub is_enough: bool,
+    /// Number of multipliers.
+    pub count: usize,
+}
+
+impl<const D: usize> Contact<D> {
+    /// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
+    /// ([`Self::gap_constraints`]) at `coords`, and more where the last update of a series has closed less than it moved out, back where it has opened. Call it where the bodies are in equilibrium, or nearly,
+    /// solve again, and so on until [`Augmentation::is_enough`]; the law's stiffness may be any, but a low one takes more updates.
+    /// All that is asked of the contact afterwards, forces, tangents, steps, is that of the surfaces moved out, whose penetration
+    /// is pressure by stiffness; [`Self::gap_constraints`] and [`Self::evaluate_true`] are those of the true ones. What is moved out
+    /// stays for the next load step; [`Self::set_multipliers`] with none moves it back.
+    ///
+    /// Of two bodies the one with more nodes near the other when they meet has the multipliers, of equals the first.
+    ///
+    /// `reach`: how far from a partner gaps are measured, 0 for a twentieth of the bodies' extent. `enough`: the penetration and the
+    /// change that are left alone.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a reach or a penetration that is negative or no number; [`Error::Unsupported`] with friction,
+    /// self-contact, a law whose pressure does not grow with the penetration, and a mesh in parts; else as [`Self::evaluate`]. The
+    /// multipliers have then stayed.
+    pub fn augment(&mut self, coords: &[[f64; D]], reach: f64, enough: f64) -> Result<Augmentation, Error> {
+        check("penetration", enough)?;
+        let (next, mut found) = self.measured(coords, reach)?;
+        found.is_enough = found.penetration.max(found.change) <= enough;
+        match found.is_enough {
+            true => self.multipliers.end_series(),
+            false => self.multipliers = next,
+        }
+        found.count = self.multipliers.list().len();
+        Ok(found)
+    }
+
+    /// The largest mean penetration of a node over its part of the surface at `coords`, of the side of each pair that has the
+    /// multipliers, or would have them.
+    ///
+    /// # Errors
+    /// As [`Self::augment`].
+    pub fn nodal_penetration(&self, coords: &[[f64; D]], reach: f64) -> Result<f64, Error> {
+        Ok(self.measured(coords, reach)?.1.penetration)
+    }
+
+    /// The next multipliers.
+    fn measured(&self, coords: &[[f64; D]], reach: f64) -> Result<(Multipliers<D>, Augmentation), Error> {
+        self.check_multipliers()?;
+        check("reach", reach)?;
+        let mut extent = Aabb::empty();
+        self.surface.mesh_points(coords)?.iter().for_each(|x| extent.include(&Vector::from(*x)));
+        let reach = if reach > 0.0 { reach } else { REACH * extent.extent().max() };
+        Ok(self.multipliers.moved_out(&kernels::gap_constraints(self, coords, reach)?))
+    }
+
+    /// How far surfaces are moved out, ascending by node and partner: with the coordinates all that a restart needs, or a load step
+    /// that is tried again.
+    pub fn multipliers(&self) -> Vec<Multiplier<D>> {
+        self.multipliers.list()
+    }
+
+    /// Moves surfaces out as said, `&[]`: back.
+    ///
+    /// # Errors
+    /// As [`Self::augment`]; [`Error::NodeOutOfRange`], naming the place in the list as its cell; [`Error::BodyOutOfRange`],
+    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::NotPositive`] for a shift or a direction that is none. What was moved out then stays.
+    pub fn set_multipliers(&mut self, multipliers: &[Multiplier<D>]) -> Result<(), Error> {
+        if !multipliers.is_empty() {
+            self.check_multipliers()?;
+        }
+        let node_count = self.point_weights().point_count();
+        for (cell, one) in multipliers.iter().enumerate() {
+            if one.node as usize >= node_count {
+                return Err(Error::NodeOutOfRange { cell, node: one.node.into(), node_count });
+            }
+            self.checked_pair(one.partners)?;
+            let length = Vector::from(one.towards).norm();
+            for (name, value) in [("shift", one.shift), ("length of a direction", length)] {
+                if !(value.is_finite() && value > 0.0) {
+                    return Err(Error::NotPositive { name, value });
+                }
+            }
+        }
+        self.multipliers = multipliers.iter().copied().collect();
+        Ok(())
+    }
+
+    /// Multiplies the stiffness of the law, and of those that pairs have of their own, by a factor; what surfaces that are moved out
+    /// press with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, this
+    /// helps more than another one.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a factor that is not, or a stiffness that would not be; nothing has then changed.
+    pub fn stiffen(&mut self, factor: f64) -> Result<(), Error> {
+        if !(factor.is_finite() && factor > 0.0) {
+            return Err(Error::NotPositive { name: "factor", value: factor });
+        }
+        let options = Options { law: self.options.law.stiffened(factor), ..self.options };
+        let of_pairs = self.pair_table.own_laws().map(|law| law.stiffened(factor));
+        std::iter::once(options.law).chain(of_pairs).try_for_each(|law| law.check())?;
+        self.pair_table.stiffen(factor)?;
+        self.set_options(options)?;
+        self.multipliers.stiffen(factor);
+        Ok(())
+    }
+
+    fn check_multipliers(&self) -> Result<(), Error> {
+        self.surface.refuse_submesh("multipliers of a part of a mesh")?;
+        let is_rubbed = self.has_friction() || self.options.self_contact;
+        refuse(is_rubbed, self.laws().all(|law| law.initial_stiffness().is_some()))
+    }
+
+    /// Refuses options that do not go with multipliers, where there are some.
+    pub(super) fn check_beside_multipliers(&self, law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
+        if self.multipliers.is_empty() { Ok(()) } else { refuse(is_rubbed, !matches!(law, EnergyLaw::Volume { .. })) }
+    }
+}
+
+fn check(name: &'static str, value: f64) -> Result<(), Error> {
+    if value.is_finite() && value >= 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
+}
+
+fn refuse(is_rubbed: bool, has_stiffness: bool) -> Result<(), Error> {
+    if is_rubbed {
+        return Err(Error::Unsupported { what: "a penetration asked for with friction or self-contact" });
+    }
+    match has_stiffness {
+        true => Ok(()),
+        false => {
+            Err(Error::Unsupported { what: "a penetration asked for under a law without a stiffness by penetration" })
+        }
+    }
+}
+
+impl<const D: usize> Multipliers<D> {
+    /// Those after an update.
+    fn moved_out(&self, gaps: &GapConstraints<D>) -> (Self, Augmentation) {
+        let sides = self.sides(gaps);
+        let (mut next, mut past, mut found) = (Vec::new(), Vec::new(), Augmentation::default());
+        let mut open: BTreeMap<_, f64> = self.list().iter().map(|one| ((one.node, one.partners), one.shift)).collect();
+        for row in 0..gaps.gaps.len() {
+            let (node, partners, area) = (gaps.nodes[row], gaps.partners[row], gaps.areas[row]);
+            let is_mine = sides.get(&sorted(partners)).is_none_or(|second| *second == (partners[0] > partners[1]));
+            let away = Vector::from(gaps.away[row]);
+            if !(area > 0.0 && is_mine && away.norm() > 0.0) {
+                continue;
+            }
+            let (mean, before) = (gaps.gaps[row] / area, self.shift(node, partners));
+            found.penetration = found.penetration.max(-mean);
+            found.change = found.change.max(((before - mean).max(0.0) - before).abs());
+            let shift = (before - self.pace(node, partners, mean) * mean).max(0.0);
+            if before > 0.0 || shift > 0.0 {
+                past.push(((node, partners), (before, mean)));
+            }
+            open.remove(&(node, partners));
+            if shift > 0.0 {
+                next.push(Multiplier { node, partners, shift, towards: (-away.normalize()).into() });
+            }
+        }
+        // What is out of reach has opened.
+        found.change = open.into_values().fold(found.change, f64::max);
+        let mut next: Self = next.into_iter().collect();
+        next.remember(past, sides);
+        (next, found)
+    }
+
+    /// Of two bodies, whether the second has the multipliers: as before, or the one with more nodes there, of equals the first.
+    fn sides(&self, gaps: &GapConstraints<D>) -> BTreeMap<[Partner; 2], bool> {
+        let mut counts: BTreeMap<[Partner; 2], [usize; 2]> = BTreeMap::new();
+        for (partners, _) in gaps.partners.iter().zip(&gaps.areas).filter(|(_, area)| **area > 0.0) {
+            if let [Partner::Body(_), Partner::Body(_)] = partners {
+                counts.entry(sorted(*partners)).or_default()[usize::from(partners[0] > partners[1])] += 1;
+            }
+        }
+        let mut sides = self.known_sides();
+        for (pair, [first, second]) in counts {
+            sides.entry(pair).or_insert(second > first);
+        }
+        sides
+    }
+}

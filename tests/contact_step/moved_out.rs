@@ -1,0 +1,156 @@
+//! As little penetration as is wanted, by surfaces that are moved out between a host's own iterations.
+
+use crate::equilibrium::{K, scene};
+use crate::springs::square;
+use fmc_contact::contact::{ContactStepOptions, Friction, Multiplier};
+use fmc_contact::overlap::Partner;
+use fmc_contact::{EnergyLaw, Error, Options};
+use nalgebra::DVector;
+
+/// Beside the contact step, which has pressures at nodes in place of a law, and gaps as constraints.
+#[test]
+fn a_host_of_its_own_gets_where_the_contact_step_does() {
+    for k in [3.0 * K, 10.0 * K] {
+        let mut scene = scene(EnergyLaw::depth(k), 0.0);
+        let (wanted, step) = scene.condensed(&ContactStepOptions { penetration: 1e-9, ..Default::default() });
+        let (mut at, mut iterations) = scene.newton(DVector::zeros(wanted.len()));
+        let by_law = iterations;
+        let (mut updates, mut last, mut raised) = (0, f64::INFINITY, 1.0);
+        loop {
+            let found = scene.contact.augment(&scene.at(&at), 0.1, 1e-9).unwrap();
+            println!("k {k:e}: penetration {:.1e}, change {:.1e}", found.penetration, found.change);
+            if found.is_enough {
+                assert!(found.penetration <= 1e-9 && found.count > 1);
+                break;
+            }
+            updates += 1;
+            // As the drivers do.
+            if found.change > 0.25 * last && k * raised < 16.0 * k {
+                scene.contact.stiffen(4.0).unwrap();
+                (last, raised) = (f64::INFINITY, 4.0 * raised);
+            } else {
+                last = found.change;
+            }
+            let (next, more) = scene.newton(at);
+            (at, iterations) = (next, iterations + more);
+        }
+        println!("{updates} updates, {iterations} iterations, {by_law} by the law; contact step: {} and {}", step.updates, step.iterations);
+        assert!(updates <= 14 && iterations <= 5 * by_law, "{updates} updates, {iterations} iterations");
+        // Pressures are kept at nodes there, and everywhere on the facets here: both have the gaps closed at the same nodes.
+        let apart = (&at - &wanted).amax();
+        assert!(apart < 1e-6 * wanted.amax(), "{k:e}: {apart:e}");
+        // What the contact presses with is what the bodies bear, and balances with the obstacle's.
+        let forces = scene.contact.evaluate(&scene.at(&at)).unwrap();
+        let pressed = DVector::from_column_slice(forces.forces.as_flattened());
+        assert!((&pressed - scene.pressed(&at)).amax() < 1e-9 * pressed.amax());
+        let of_obstacle = forces.obstacles[0].force;
+        let sums: [f64; 2] = std::array::from_fn(|axis| forces.forces.iter().map(|f| f[axis]).sum());
+        assert!((0..2).all(|axis| (sums[axis] + of_obstacle[axis]).abs() < 1e-10 * pressed.amax()));
+    }
+}
+
+/// A square pressed on a plane by a height of 0.01: moved out by what it penetrates, it presses twice as much where it is, and is let go
+/// where it has come off.
+#[test]
+fn shifts_grow_by_the_penetration_and_shrink_by_the_gap() {
+    let (coords, mut contact) = square(-0.01);
+    let force = |contact: &fmc_contact::Contact<2>, coords: &[[f64; 2]]| contact.evaluate(coords).unwrap().bodies[0].force[1];
+    let before = force(&contact, &coords);
+    let found = contact.augment(&coords, 0.0, 1e-6).unwrap();
+    assert!((found.penetration - 0.01).abs() < 1e-15 && (found.change - 0.01).abs() < 1e-15 && !found.is_enough);
+    assert!((force(&contact, &coords) - 2.0 * before).abs() < 1e-9 * before);
+    // The true surfaces are where they were.
+    assert_eq!(contact.evaluate_true(&coords).unwrap().bodies[0].force[1], before);
+    assert!((contact.nodal_penetration(&coords, 0.0).unwrap() - 0.01).abs() < 1e-15);
+    for one in contact.multipliers() {
+        assert_eq!(one.partners, [Partner::Body(0), Partner::Obstacle(0)]);
+        assert!((one.shift - 0.01).abs() < 1e-15 && (one.towards[1] + 1.0).abs() < 1e-12, "{one:?}");
+    }
+    // Where it just touches the shift bears all, and stays.
+    let (touching, _) = square(0.0);
+    assert!((force(&contact, &touching) - before).abs() < 1e-9 * before);
+    assert!(contact.augment(&touching, 0.0, 1e-9).unwrap().is_enough);
+    let (apart, _) = square(0.004);
+    contact.augment(&apart, 0.0, 1e-9).unwrap();
+    assert!(contact.multipliers().iter().all(|one| (one.shift - 0.006).abs() < 1e-15));
+    contact.augment(&apart, 0.0, 1e-9).unwrap();
+    contact.augment(&apart, 0.0, 1e-9).unwrap();
+    assert!(contact.multipliers().is_empty() && force(&contact, &coords) == before);
+}
+
+/// Out of reach of any gap they are let go, too.
+#[test]
+fn what_is_far_apart_has_none() {
+    let (coords, mut contact) = square(-0.01);
+    contact.augment(&coords, 0.0, 1e-6).unwrap();
+    let (far, _) = square(5.0);
+    let found = contact.augment(&far, 0.0, 1e-6).unwrap();
+    assert!((found.change - 0.01).abs() < 1e-15 && found.count == 0 && found.penetration == 0.0, "{found:?}");
+}
+
+#[test]
+fn they_are_set_again_after_a_step_that_is_thrown_away() {
+    let (coords, mut contact) = square(-0.01);
+    contact.augment(&coords, 0.0, 1e-6).unwrap();
+    let (kept, forces) = (contact.multipliers(), contact.evaluate(&coords).unwrap());
+    contact.augment(&coords, 0.0, 1e-6).unwrap();
+    assert_ne!(contact.multipliers(), kept);
+    contact.set_multipliers(&kept).unwrap();
+    assert_eq!(contact.evaluate(&coords).unwrap(), forces);
+    contact.set_multipliers(&[]).unwrap();
+    assert_eq!(contact.evaluate(&coords).unwrap(), square(-0.01).1.evaluate(&coords).unwrap());
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let (coords, mut contact) = square(-0.01);
+    let mut refused = |options: Options| {
+        contact.set_options(options).unwrap();
+        let error = contact.augment(&coords, 0.0, 1e-6).unwrap_err();
+        assert!(matches!(error, Error::Unsupported { what } if what.contains("penetration")), "{error}");
+    };
+    let rubbed = Options { friction: Friction::coulomb(0.3), ..Options::new(EnergyLaw::depth(1.0)) };
+    let itself = Options { self_contact: true, ..Options::new(EnergyLaw::depth(1.0)) };
+    let volume = Options::new(EnergyLaw::volume(1.0));
+    for options in [rubbed, itself, volume] {
+        refused(options);
+    }
+    let law = Options::new(EnergyLaw::fiber(1.0));
+    contact.set_options(law).unwrap();
+    for (reach, enough) in [(-1.0, 1.0), (f64::NAN, 1.0), (1.0, -1.0), (1.0, f64::INFINITY)] {
+        assert!(matches!(contact.augment(&coords, reach, enough), Err(Error::NotPositive { .. })));
+    }
+    contact.augment(&coords, 0.0, 1e-6).unwrap();
+    let kept = contact.multipliers();
+    for options in [rubbed, itself, volume] {
+        assert!(matches!(contact.set_options(options), Err(Error::Unsupported { .. })));
+    }
+    let with = |change: fn(&mut Multiplier<2>)| {
+        let mut list = kept.clone();
+        change(&mut list[0]);
+        list
+    };
+    assert!(matches!(contact.set_multipliers(&with(|one| one.node = 4)), Err(Error::NodeOutOfRange { cell: 0, .. })));
+    assert!(matches!(contact.set_multipliers(&with(|one| one.shift = 0.0)), Err(Error::NotPositive { .. })));
+    assert!(matches!(contact.set_multipliers(&with(|one| one.towards = [0.0; 2])), Err(Error::NotPositive { .. })));
+    let unknown = with(|one| one.partners[1] = Partner::Obstacle(7));
+    assert!(matches!(contact.set_multipliers(&unknown), Err(Error::ObstacleOutOfRange { .. })));
+    assert_eq!(contact.multipliers(), kept);
+}
+
+/// What surfaces that just touch press with stays, and what they penetrate is resisted more.
+#[test]
+fn a_law_is_stiffened_with_the_same_pressures() {
+    let (coords, mut contact) = square(-0.01);
+    let force = |contact: &fmc_contact::Contact<2>, coords: &[[f64; 2]]| contact.evaluate(coords).unwrap().bodies[0].force[1];
+    contact.augment(&coords, 0.0, 1e-6).unwrap();
+    let (touching, _) = square(0.0);
+    let [deep, light] = [force(&contact, &coords), force(&contact, &touching)];
+    contact.stiffen(4.0).unwrap();
+    assert_eq!(contact.options().law, EnergyLaw::fiber(4.0 * crate::springs::K));
+    assert!((force(&contact, &touching) - light).abs() < 1e-9 * light);
+    assert!((force(&contact, &coords) - light - 4.0 * (deep - light)).abs() < 1e-9 * deep);
+    for factor in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e308] {
+        assert!(matches!(contact.stiffen(factor), Err(Error::NotPositive { .. })), "{factor}");
+    }
+}
