@@ -1092,8 +1092,8 @@ fmc_status fmc_options_set(fmc_options *options, const char *key, const char *va
 // a context, bit for bit; a context finds the boundary facets once for many evaluations, accepts mixed meshes, strides
 // and obstacles, and reports forces per body, pairs and warnings.
 //
-// Errors: those of `fmc_context_new_from_cells` and `fmc_context_evaluate`; the text, with the offending indices, is
-// given by `fmc_last_error`. Threads: any, also at once.
+// Errors: those of `fmc_context_new_from_cells` and `fmc_context_evaluate`; with friction `FMC_ERROR_NO_STEP`, as that takes
+// `fmc_contact_force_step`; the text, with the offending indices, is given by `fmc_last_error`. Threads: any, also at once.
 fmc_status fmc_contact_force(int32_t dim,
                              const double *coords,
                              size_t node_count,

@@ -105,9 +105,7 @@ pub unsafe extern "C" fn fmc_context_set_multipliers(
     entry(|| {
         // SAFETY: the host passes a context and `count` structs.
         unsafe {
-            write(context, |state| {
-                state.session.set_multipliers(slice("rows", rows, count, 1)?, state.index_base)
-            })
+            write(context, |state| state.session.set_multipliers(slice("rows", rows, count, 1)?, state.index_base))
         }
     })
 }

@@ -85,7 +85,10 @@ impl fmc_multiplier {
     /// Number `place` of a list.
     pub(super) fn taken<const D: usize>(&self, place: usize, index_base: i32) -> Result<Multiplier<D>, Failure> {
         if self.struct_size != size_of::<Self>() {
-            let text = format!("multiplier {place} was not written by fmc_context_multipliers: its struct_size is {}", self.struct_size);
+            let text = format!(
+                "multiplier {place} was not written by fmc_context_multipliers: its struct_size is {}",
+                self.struct_size
+            );
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
         }
         let node = self.node.checked_sub(i64::from(index_base)).and_then(|node| u32::try_from(node).ok());

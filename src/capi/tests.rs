@@ -11,6 +11,7 @@ use super::getters::fmc_context_body;
 use super::in_parts::InParts;
 use super::kept_tangent::Kept;
 use super::mesh::{fmc_cell_block, fmc_cell_type};
+use super::multiplier::fmc_multiplier;
 use super::nodal_lists::NodalLists;
 use super::options::fmc_options;
 use super::part::fmc_shape;
@@ -22,7 +23,8 @@ use super::status::fmc_status;
 use super::status::fmc_status::*;
 use super::view::{fmc_coords, fmc_forces};
 use crate::contact::{
-    CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, NodalContact, PairOptions, TangentPart,
+    Augmentation, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, NodalContact, PairOptions,
+    TangentPart,
 };
 use crate::overlap::Partner;
 use crate::{
@@ -174,6 +176,22 @@ impl Session for Brittle {
     }
 
     fn set_obstacle_rotations(&mut self, _: bool) {}
+
+    unsafe fn augment(&mut self, _: &fmc_coords, _: f64, _: f64, _: i32) -> Result<Augmentation, Failure> {
+        panic!("an update")
+    }
+
+    fn stiffen(&mut self, _: f64) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn multipliers(&self, _: i32) -> Vec<fmc_multiplier> {
+        Vec::new()
+    }
+
+    fn set_multipliers(&mut self, _: &[fmc_multiplier], _: i32) -> Result<(), Failure> {
+        Ok(())
+    }
 
     unsafe fn keep_patches(&mut self, _: Option<&fmc_coords>, _: i32) -> Result<usize, Failure> {
         Ok(0)

@@ -28,7 +28,8 @@ impl Descent {
     /// energy is flat within rounding, near the end, to smaller forces.
     pub fn is_lowered_by(&self, length: f64, slope: f64, there: &Self) -> bool {
         let is_flat = (there.energy - self.energy).abs() <= self.flat.max(there.flat);
-        there.energy <= self.energy + GAIN * length * slope + self.rounding || is_flat && self.is_weakened_by(length, there)
+        there.energy <= self.energy + GAIN * length * slope + self.rounding
+            || is_flat && self.is_weakened_by(length, there)
     }
 
     /// Whether it leads to smaller forces: what is asked where there is no energy.

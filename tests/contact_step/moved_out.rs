@@ -34,7 +34,10 @@ fn a_host_of_its_own_gets_where_the_contact_step_does() {
             let (next, more) = scene.newton(at);
             (at, iterations) = (next, iterations + more);
         }
-        println!("{updates} updates, {iterations} iterations, {by_law} by the law; contact step: {} and {}", step.updates, step.iterations);
+        println!(
+            "{updates} updates, {iterations} iterations, {by_law} by the law; contact step: {} and {}",
+            step.updates, step.iterations
+        );
         assert!(updates <= 14 && iterations <= 5 * by_law, "{updates} updates, {iterations} iterations");
         // Pressures are kept at nodes there, and everywhere on the facets here: both have the gaps closed at the same nodes.
         let apart = (&at - &wanted).amax();
@@ -54,7 +57,8 @@ fn a_host_of_its_own_gets_where_the_contact_step_does() {
 #[test]
 fn shifts_grow_by_the_penetration_and_shrink_by_the_gap() {
     let (coords, mut contact) = square(-0.01);
-    let force = |contact: &fmc_contact::Contact<2>, coords: &[[f64; 2]]| contact.evaluate(coords).unwrap().bodies[0].force[1];
+    let force =
+        |contact: &fmc_contact::Contact<2>, coords: &[[f64; 2]]| contact.evaluate(coords).unwrap().bodies[0].force[1];
     let before = force(&contact, &coords);
     let found = contact.augment(&coords, 0.0, 1e-6).unwrap();
     assert!((found.penetration - 0.01).abs() < 1e-15 && (found.change - 0.01).abs() < 1e-15 && !found.is_enough);
@@ -142,7 +146,8 @@ fn what_cannot_be_is_refused() {
 #[test]
 fn a_law_is_stiffened_with_the_same_pressures() {
     let (coords, mut contact) = square(-0.01);
-    let force = |contact: &fmc_contact::Contact<2>, coords: &[[f64; 2]]| contact.evaluate(coords).unwrap().bodies[0].force[1];
+    let force =
+        |contact: &fmc_contact::Contact<2>, coords: &[[f64; 2]]| contact.evaluate(coords).unwrap().bodies[0].force[1];
     contact.augment(&coords, 0.0, 1e-6).unwrap();
     let (touching, _) = square(0.0);
     let [deep, light] = [force(&contact, &coords), force(&contact, &touching)];

@@ -28,7 +28,12 @@ pub(super) struct Reduced {
 
 impl Reduced {
     /// `None` where even with the contact's stiffness at `at` the bodies are not positive definite.
-    pub(super) fn new(bodies: &DMatrix<f64>, contact: &dyn Touching, at: &Iterate, tangent: &DMatrix<f64>) -> Option<Self> {
+    pub(super) fn new(
+        bodies: &DMatrix<f64>,
+        contact: &dyn Touching,
+        at: &Iterate,
+        tangent: &DMatrix<f64>,
+    ) -> Option<Self> {
         let order = by_depth(contact, at, tangent);
         let alone = Self::ordered(bodies, order.clone(), None);
         alone.or_else(|| Self::ordered(bodies, order, Some(tangent.clone())))

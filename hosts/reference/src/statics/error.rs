@@ -89,7 +89,10 @@ impl fmt::Display for StaticsError {
                 write!(f, "the energy cannot be lowered any more at load {load:.4}, with a residual of {residual:.2e}")
             }
             Self::Penetrates { load, penetration, updates } => {
-                write!(f, "a penetration of {penetration:.1e} is left at load {load:.4} after {updates} updates of multipliers")
+                write!(
+                    f,
+                    "a penetration of {penetration:.1e} is left at load {load:.4} after {updates} updates of multipliers"
+                )
             }
             Self::Unsupported { body, motion } => {
                 write!(f, "'{body}' is not supported: neither supports nor contact resist its {motion}")

@@ -67,9 +67,7 @@ impl<const D: usize> Equilibrium<D> {
                     told.contact_iterations = step.iterations;
                     (step.direction, Tangent::Contact)
                 }
-                None => {
-                    self.direction(&u, &balance, load, choice.wish(residual, full_below, 1.0).into())?
-                }
+                None => self.direction(&u, &balance, load, choice.wish(residual, full_below, 1.0).into())?,
             };
             let (next, reached, length) = match self.line_search(&u, &balance, &direction, load) {
                 Err(StaticsError::LineSearch { .. }) if residual <= 1e3 * tolerance => return Ok((u, balance)),
