@@ -28,8 +28,8 @@ module fmc_contact
              obstacle, pair, warning, add_half_space, add_ball, add_cuboid, add_cylinder, add_cone, &
              add_capsule, add_polytope, add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
-             contact_points, gap_constraints, augment, multipliers, set_multipliers, boundary_facets, placed, unplaced, view, onto, checked, &
-             copy_text, copied, finished
+             contact_points, gap_constraints, augment, multipliers, set_multipliers, boundary_facets, placed, &
+             unplaced, view, onto, checked, copy_text, copied, finished
 
   ! Bodies in contact with one another and with obstacles. Given back when it goes out of scope; it cannot be copied.
   type :: contact

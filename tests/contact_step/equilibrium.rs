@@ -53,6 +53,11 @@ fn fan() -> Vec<[f64; 2]> {
 }
 
 impl Scene {
+    /// Number of unknowns.
+    pub(crate) fn length(&self) -> usize {
+        self.residual.len()
+    }
+
     /// What contact must bear for equilibrium.
     pub(crate) fn pressed(&self, d: &DVector<f64>) -> DVector<f64> {
         &self.residual + &self.stiffness * d

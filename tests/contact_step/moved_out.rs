@@ -1,6 +1,6 @@
 //! As little penetration as is wanted, by surfaces that are moved out between a host's own iterations.
 
-use crate::equilibrium::{K, scene};
+use crate::equilibrium::{K, Scene, scene};
 use crate::springs::square;
 use fmc_contact::contact::{ContactStepOptions, Friction, Multiplier};
 use fmc_contact::overlap::Partner;
@@ -13,43 +13,82 @@ fn a_host_of_its_own_gets_where_the_contact_step_does() {
     for k in [3.0 * K, 10.0 * K] {
         let mut scene = scene(EnergyLaw::depth(k), 0.0);
         let (wanted, step) = scene.condensed(&ContactStepOptions { penetration: 1e-9, ..Default::default() });
-        let (mut at, mut iterations) = scene.newton(DVector::zeros(wanted.len()));
-        let by_law = iterations;
-        let (mut updates, mut last, mut raised) = (0, f64::INFINITY, 1.0);
-        loop {
-            let found = scene.contact.augment(&scene.at(&at), 0.1, 1e-9).unwrap();
-            println!("k {k:e}: penetration {:.1e}, change {:.1e}", found.penetration, found.change);
-            if found.is_enough {
-                assert!(found.penetration <= 1e-9 && found.count > 1);
-                break;
-            }
-            updates += 1;
-            // As the drivers do.
-            if found.change > 0.25 * last && k * raised < 16.0 * k {
-                scene.contact.stiffen(4.0).unwrap();
-                (last, raised) = (f64::INFINITY, 4.0 * raised);
-            } else {
-                last = found.change;
-            }
-            let (next, more) = scene.newton(at);
-            (at, iterations) = (next, iterations + more);
-        }
+        let (start, by_law) = scene.newton(DVector::zeros(wanted.len()));
+        let Series { at, iterations, updates, count } = series(&mut scene, start, false);
         println!(
             "{updates} updates, {iterations} iterations, {by_law} by the law; contact step: {} and {}",
             step.updates, step.iterations
         );
-        assert!(updates <= 14 && iterations <= 5 * by_law, "{updates} updates, {iterations} iterations");
-        // Pressures are kept at nodes there, and everywhere on the facets here: both have the gaps closed at the same nodes.
-        let apart = (&at - &wanted).amax();
-        assert!(apart < 1e-6 * wanted.amax(), "{k:e}: {apart:e}");
-        // What the contact presses with is what the bodies bear, and balances with the obstacle's.
-        let forces = scene.contact.evaluate(&scene.at(&at)).unwrap();
-        let pressed = DVector::from_column_slice(forces.forces.as_flattened());
-        assert!((&pressed - scene.pressed(&at)).amax() < 1e-9 * pressed.amax());
-        let of_obstacle = forces.obstacles[0].force;
-        let sums: [f64; 2] = std::array::from_fn(|axis| forces.forces.iter().map(|f| f[axis]).sum());
-        assert!((0..2).all(|axis| (sums[axis] + of_obstacle[axis]).abs() < 1e-10 * pressed.amax()));
+        assert!(count > 0 && updates <= 14, "{count} multipliers, {updates} updates");
+        // The mean gaps of the same nodes are closed. Pressures are kept at nodes there, and here by the law on the part of the facets
+        // that is pressed, which bears on the nodes in somewhat other parts: the fan's tip presses less than two facets.
+        let apart = (&at - &wanted).amax() / wanted.amax();
+        assert!(apart < 0.02, "{k:e}: {apart:e}");
+        let gaps = scene.contact.gap_constraints(&scene.at(&at), 0.1).unwrap();
+        let pressed = scene.contact.multipliers();
+        for (row, node) in gaps.nodes.iter().enumerate().filter(|(row, _)| gaps.partners[*row][0] == Partner::Body(0)) {
+            let (mean, is_pressed) = (gaps.gaps[row] / gaps.areas[row], pressed.iter().any(|one| one.node == *node));
+            assert!(mean >= -1e-9 && (!is_pressed || mean <= 1e-9), "node {node}: {mean:e}, pressed: {is_pressed}");
+        }
+        balances(&scene, &at);
     }
+}
+
+/// The tip of a fan presses less than a facet: there a law that is stiffer leaves no mean penetration by itself.
+#[test]
+fn a_law_that_is_made_stiffer_needs_fewer_updates() {
+    for k in [3.0 * K, 10.0 * K] {
+        let run = |is_stiffened: bool| {
+            let mut scene = scene(EnergyLaw::depth(k), 0.0);
+            let (start, by_law) = scene.newton(DVector::zeros(scene.length()));
+            let found = series(&mut scene, start, is_stiffened);
+            balances(&scene, &found.at);
+            (found.updates, found.iterations, by_law)
+        };
+        let (plain, stiffened) = (run(false), run(true));
+        println!("k {k:e}: updates, iterations, by the law: {plain:?}, stiffened {stiffened:?}");
+        assert!(stiffened.0 < plain.0 && stiffened.1 <= 5 * stiffened.2, "{stiffened:?}, {plain:?}");
+    }
+}
+
+/// Updates until no node penetrates, in the mean over its part of the surface, by more than 1e-9.
+struct Series {
+    at: DVector<f64>,
+    iterations: usize,
+    updates: usize,
+    count: usize,
+}
+
+fn series(scene: &mut Scene, mut at: DVector<f64>, is_stiffened: bool) -> Series {
+    let (mut iterations, mut updates, mut last, mut raised) = (0, 0, f64::INFINITY, 1.0);
+    loop {
+        let found = scene.contact.augment(&scene.at(&at), 0.1, 1e-9).unwrap();
+        println!("penetration {:.1e}, change {:.1e}, {} multipliers", found.penetration, found.change, found.count);
+        if found.is_enough {
+            assert!(found.penetration <= 1e-9);
+            return Series { at, iterations, updates, count: found.count };
+        }
+        updates += 1;
+        // As the drivers do.
+        if is_stiffened && found.change > 0.25 * last && raised < 16.0 {
+            scene.contact.stiffen(4.0).unwrap();
+            (last, raised) = (f64::INFINITY, 4.0 * raised);
+        } else {
+            last = found.change;
+        }
+        let (next, more) = scene.newton(at);
+        (at, iterations) = (next, iterations + more);
+    }
+}
+
+/// What the contact presses with is what the bodies bear, and balances with the obstacle's.
+fn balances(scene: &Scene, at: &DVector<f64>) {
+    let forces = scene.contact.evaluate(&scene.at(at)).unwrap();
+    let pressed = DVector::from_column_slice(forces.forces.as_flattened());
+    assert!((&pressed - scene.pressed(at)).amax() < 1e-9 * pressed.amax());
+    let of_obstacle = forces.obstacles[0].force;
+    let sums: [f64; 2] = std::array::from_fn(|axis| forces.forces.iter().map(|f| f[axis]).sum());
+    assert!((0..2).all(|axis| (sums[axis] + of_obstacle[axis]).abs() < 1e-10 * pressed.amax()));
 }
 
 /// A square pressed on a plane by a height of 0.01: moved out by what it penetrates, it presses twice as much where it is, and is let go
