@@ -278,7 +278,7 @@ book:
 	.ci/book-links out/book $(REPOSITORY)
 
 header:
-	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header
+	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi header::
 	UPDATE_HEADER=1 $(CARGO) test --release --test c_abi fortran::the_committed
 	.ci/c-reference write
 

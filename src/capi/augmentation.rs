@@ -10,8 +10,9 @@ use super::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;
 use super::view::fmc_coords;
 
 /// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
-/// (`fmc_context_find_gap_constraints`) at `coords`, back where it has opened. It is the method of multipliers: by the law's
-/// stiffness a shift is a pressure without penetration.
+/// (`fmc_context_find_gap_constraints`) at `coords`, up to four times as far where the last update of a series has closed less than it
+/// moved out, and back where it has opened. It is the method of multipliers: by the law's stiffness a shift is a pressure without
+/// penetration.
 ///
 /// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_enough`. The law's stiffness may be any,
 /// but a low one takes more updates. All that is asked of the context afterwards, forces, tangents, steps, is that of the surfaces

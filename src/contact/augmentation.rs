@@ -31,8 +31,8 @@ pub struct Augmentation {
 
 impl<const D: usize> Contact<D> {
     /// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
-    /// ([`Self::gap_constraints`]) at `coords`, and more where the last update of a series has closed less than it moved out, back where it has opened. Call it where the bodies are in equilibrium, or nearly,
-    /// solve again, and so on until [`Augmentation::is_enough`]; the law's stiffness may be any, but a low one takes more updates.
+    /// ([`Self::gap_constraints`]) at `coords`, up to four times as far where the last update of a series has closed less than it moved
+    /// out, and back where it has opened. Call it where the bodies are in equilibrium, or nearly, solve again, and so on until [`Augmentation::is_enough`]; the law's stiffness may be any, but a low one takes more updates.
     /// All that is asked of the contact afterwards, forces, tangents, steps, is that of the surfaces moved out, whose penetration
     /// is pressure by stiffness; [`Self::gap_constraints`] and [`Self::evaluate_true`] are those of the true ones. What is moved out
     /// stays for the next load step; [`Self::set_multipliers`] with none moves it back.
@@ -87,7 +87,8 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::augment`]; [`Error::NodeOutOfRange`], naming the place in the list as its cell; [`Error::BodyOutOfRange`],
-    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::NotPositive`] for a shift or a direction that is none. What was moved out then stays.
+    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::NotPositive`] for a shift or a direction that is none. What
+    /// was moved out then stays.
     pub fn set_multipliers(&mut self, multipliers: &[Multiplier<D>]) -> Result<(), Error> {
         if !multipliers.is_empty() {
             self.check_multipliers()?;

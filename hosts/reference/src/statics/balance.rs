@@ -3,7 +3,7 @@
 use super::noise::Noise;
 use crate::fem::Constraints;
 use fmc_contact::ContactForces;
-use fmc_contact::contact::descent::{Descent, FLAT};
+use fmc_contact::contact::descent::Descent;
 
 /// Energies of a displacement, and what they miss to balance.
 #[derive(Clone, Debug)]
@@ -42,7 +42,7 @@ impl<const D: usize> Balance<D> {
 
     /// As far as the rules of a descent go.
     pub(super) fn descent(&self) -> Descent {
-        let flat = FLAT * self.magnitude() + self.noise.energy;
+        let flat = Descent::FLAT * self.magnitude() + self.noise.energy;
         Descent { energy: self.energy(), norm: self.norm, rounding: self.rounding(), flat }
     }
 

@@ -4,7 +4,7 @@ use super::balance::Balance;
 use super::equilibrium::Equilibrium;
 use super::iteration::Tangent;
 use fmc_contact::ContactForces;
-use fmc_contact::contact::descent::{Descent, FLAT};
+use fmc_contact::contact::descent::Descent;
 use fmc_contact::sparse::Condensed;
 
 /// Least energy over steps d, with r the residual of the bodies and K their stiffness at u:
@@ -52,7 +52,7 @@ pub(super) struct Direction {
 impl At {
     /// As far as the rules of a descent go.
     pub(super) fn descent<const D: usize>(&self, model: &Model<D>) -> Descent {
-        Descent { energy: self.energy, norm: self.norm, rounding: 0.0, flat: FLAT * model.magnitude }
+        Descent { energy: self.energy, norm: self.norm, rounding: 0.0, flat: Descent::FLAT * model.magnitude }
     }
 }
 
