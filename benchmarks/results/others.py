@@ -12,7 +12,7 @@ def is_other(name):
 
 def found():
     """Runs by name, of those programs that have left something."""
-    return {**_agreement(), **_penetration(), **_beside(), **_peers(), **_benches(), **_scaling()}
+    return {**_agreement(), **_penetration(), **_beside(), **_peers(), **_benches(), **_kept("scaling"), **_kept("statics")}
 
 
 def _rows(path):
@@ -67,11 +67,11 @@ def _benches():
     return runs
 
 
-def _scaling():
-    """scaling/SCENE/PATH, times in milliseconds."""
-    path = ROOT / "out" / "bench" / "scaling.json"
+def _kept(bench):
+    """scaling/SCENE/PATH, times in milliseconds; statics/CASE, SIZE."""
+    path = ROOT / "out" / "bench" / f"{bench}.json"
     found = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    return {f"scaling/{name}": {"figures": _numbers(figures)} for name, figures in found.items()}
+    return {f"{bench}/{name}": {"figures": _numbers(figures)} for name, figures in found.items()}
 
 
 def _numbers(row):
