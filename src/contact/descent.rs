@@ -25,9 +25,10 @@ impl Descent {
     pub const FLAT: f64 = 1e-12;
 
     /// Whether a part `length` of a step that begins with this slope leads lower: by a part of what the slope promises, or, where the
-    /// energy is flat within rounding, near the end, to smaller forces.
+    /// energy is flat within rounding, near the end, or what the slope promises is, to smaller forces.
     pub fn is_lowered_by(&self, length: f64, slope: f64, there: &Self) -> bool {
-        let is_flat = (there.energy - self.energy).abs() <= self.flat.max(there.flat);
+        let (gain, promise) = ((there.energy - self.energy).abs(), length * slope.abs());
+        let is_flat = gain.min(promise) <= self.flat.max(there.flat);
         there.energy <= self.energy + GAIN * length * slope + self.rounding
             || is_flat && self.is_weakened_by(length, there)
     }
