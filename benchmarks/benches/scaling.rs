@@ -1,14 +1,19 @@
 //! What an evaluation costs, by mesh size, by bodies and by threads: the least of several times on one thread, in one run.
 //!
 //! `cargo bench -p fmc-benchmarks --bench scaling` prints a table; `-- quick` leaves out the largest meshes, and
-//! `-- size`, `corner`, `plates`, `bodies` or `small` prints a part.
+//! `-- size`, `corner`, `plates`, `bodies` or `small` prints a part. What was measured is left in out/bench/scaling.json for the pages.
 
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{
     Bodies, CellBlock, CellType, Contact, EnergyLaw, Estimator, FiberOptions, Obstacle, Options, Pose, Shape, Surface,
 };
 use fmc_shapes::{Mesh, cuboid_tet4, icosphere};
+use std::collections::BTreeMap;
+use std::path::Path;
 use std::time::Instant;
+
+/// Figures by scene and path, times in milliseconds.
+type Figures = BTreeMap<String, BTreeMap<&'static str, f64>>;
 
 /// A mesh in contact.
 struct Scene {
@@ -94,7 +99,7 @@ fn block(divisions: [usize; 3], low: [f64; 3], high: [f64; 3]) -> Mesh<3> {
     cuboid_tet4(low, high, divisions)
 }
 
-fn by_size(levels: &[usize]) {
+fn by_size(levels: &[usize], figures: &mut Figures) {
     println!("µs per facet of the whole mesh, some 250 facets in contact: force / tangent (asked 0.02, tangent twice)");
     for &level in levels {
         let scene = spheres(level);
@@ -106,12 +111,13 @@ fn by_size(levels: &[usize]) {
             let per_facet = |ms: f64| 1e3 * ms / facets as f64;
             let (f, t) = (force(&contact, &scene.coords, 7), tangent(&contact, &scene.coords, 5));
             print!(" · {name} ({found}) {:.4} / {:.4}", per_facet(f), per_facet(t));
+            figures.insert(format!("spheres {facets}/{name}"), [("force", f), ("tangent", t)].into());
         }
         println!();
     }
 }
 
-fn corner() {
+fn corner(figures: &mut Figures) {
     println!("exact fiber, a corner in a block: ms (asked 5 at 86 k facets)");
     for n in [10usize, 20, 40, 60] {
         let cube = block([n; 3], [0.0; 3], [1.0; 3]).rotated([1.0, -1.0, 0.0], 0.955).translated([0.0, 0.0, 0.98]);
@@ -121,11 +127,9 @@ fn corner() {
         let options = Options { estimator: Estimator::Exact, ..Options::new(EnergyLaw::fiber(1.0)) };
         let contact = scene.contact(options);
         let found = contact.evaluate(&scene.coords).expect("a force").facet_count;
-        println!(
-            "{:>8} facets, {found} in contact: {:.2}",
-            scene.surface.facet_count(),
-            force(&contact, &scene.coords, 5)
-        );
+        let (facets, ms) = (scene.surface.facet_count(), force(&contact, &scene.coords, 5));
+        println!("{facets:>8} facets, {found} in contact: {ms:.2}");
+        figures.insert(format!("corner {facets}/exact fiber"), [("force", ms)].into());
     }
 }
 
@@ -137,7 +141,7 @@ fn plates() -> Scene {
     Scene::of_cells(&[lower, upper], CellType::Tet4)
 }
 
-fn whole_faces() {
+fn whole_faces(figures: &mut Figures) {
     let scene = plates();
     println!("plates on one another, {} facets: ms, force / tangent; on two threads", scene.surface.facet_count());
     for (name, options) in paths() {
@@ -145,6 +149,8 @@ fn whole_faces() {
         let found = one.evaluate(&scene.coords).expect("a force").facet_count;
         let times = [&one, &two].map(|c| (force(c, &scene.coords, 5), tangent(c, &scene.coords, 3)));
         let [(f, t), (f2, t2)] = times;
+        let of_path = [("force", f), ("tangent", t), ("force_gain", f / f2), ("tangent_gain", t / t2)];
+        figures.insert(format!("plates/{name}"), of_path.into());
         println!(
             "{name:>14} ({found}): {f:.1} / {t:.1}; {f2:.1} / {t2:.1} ({:.2} and {:.2} times faster)",
             f / f2,
@@ -153,7 +159,7 @@ fn whole_faces() {
     }
 }
 
-fn bodies() {
+fn bodies(figures: &mut Figures) {
     let cube = |i: usize, gap: f64| {
         let at = [i % 13, i / 13 % 13, i / 169].map(|k| k as f64 * (1.0 + gap));
         block([2, 2, 2], at, at.map(|x| x + 1.0))
@@ -162,12 +168,15 @@ fn bodies() {
         |count: usize, gap: f64| Scene::of_cells(&(0..count).map(|i| cube(i, gap)).collect::<Vec<_>>(), CellType::Tet4);
     let apart = many(2000, 0.1);
     let options = Options { check_cells: false, ..Options::new(EnergyLaw::volume(1.0)) };
-    println!("2 000 bodies apart: {:.3} ms (asked 0.5)", force(&apart.contact(options), &apart.coords, 9));
+    let ms = force(&apart.contact(options), &apart.coords, 9);
+    println!("2 000 bodies apart: {ms:.3} ms (asked 0.5)");
+    figures.insert("bodies apart".into(), [("force", ms)].into());
     for count in [20, 200, 2000] {
         let scene = many(count, -0.01);
         let contact = scene.contact(Options { estimator: Estimator::Exact, ..options });
         let pairs = contact.evaluate(&scene.coords).expect("a force").pairs.len();
         let ms = force(&contact, &scene.coords, 5);
+        figures.insert(format!("touching {count}"), [("each", ms / pairs as f64)].into());
         println!(
             "{count:>5} bodies that touch, {pairs} pairs, exact volume: {:.2} µs per pair",
             1e3 * ms / pairs as f64
@@ -194,52 +203,68 @@ fn bodies() {
                 .collect::<Vec<_>>(),
             3,
         );
-        let ms = force(&scene.contact(options), &scene.coords, 5);
+        let each = (force(&scene.contact(options), &scene.coords, 5) - alone).max(0.0) / count as f64;
+        figures.insert(format!("slab/{name}"), [("each", each)].into());
         println!(
             "{count} bodies on a slab, {} facets, {name}: {:.1} µs per body (asked 30); nothing touching {alone:.2} ms",
             scene.surface.facet_count(),
-            1e3 * (ms - alone).max(0.0) / count as f64
+            1e3 * each
         );
     }
 }
 
-fn small_things() {
+fn small_things(figures: &mut Figures) {
     let scene = Scene::of_cells(&[block([2, 2, 2], [0.0; 3], [1.0; 3])], CellType::Tet4);
     let mut contact = scene.contact(Options { estimator: Estimator::Exact, ..Options::new(EnergyLaw::volume(1.0)) });
     for i in 0..1000 {
         let pose = Pose::at([0.0, 0.0, -1.0 - f64::from(i)]);
         contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose }).expect("a half-space");
     }
-    println!("1 000 half-spaces far away, exact: {:.3} ms (asked 1)", force(&contact, &scene.coords, 9));
+    let ms = force(&contact, &scene.coords, 9);
+    println!("1 000 half-spaces far away, exact: {ms:.3} ms (asked 1)");
+    figures.insert("half-spaces".into(), [("force", ms)].into());
     let turned = block([20, 20, 20], [0.0; 3], [1.0; 3]).rotated([1.0, 2.0, 3.0], 0.4);
     let scene = Scene::of_cells(&[turned], CellType::Tet4);
     let plain = Options { check_cells: false, ..Options::new(EnergyLaw::volume(1.0)) };
     for (name, options) in paths() {
         let own = scene.contact(Options { self_contact: true, check_cells: false, ..options });
-        println!(
-            "self-contact of an unfolded block of 48 k cells, {name}: {:.3} ms (asked 1)",
-            force(&own, &scene.coords, 9)
-        );
+        let ms = force(&own, &scene.coords, 9);
+        println!("self-contact of an unfolded block of 48 k cells, {name}: {ms:.3} ms (asked 1)");
+        figures.insert(format!("self-contact/{name}"), [("force", ms)].into());
     }
     let checked = scene.contact(Options { check_cells: true, ..plain });
     let without = force(&scene.contact(plain), &scene.coords, 15);
     let cells = 48_000.0;
-    println!(
-        "check of cells: {:.2} ns a cell (asked 1.5)",
-        1e6 * (force(&checked, &scene.coords, 15) - without) / cells
-    );
+    let each = (force(&checked, &scene.coords, 15) - without) / cells;
+    println!("check of cells: {:.2} ns a cell (asked 1.5)", 1e6 * each);
+    figures.insert("check of cells".into(), [("each", each)].into());
+}
+
+/// Leaves the figures beside those of earlier runs.
+fn keep(figures: Figures) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../out/bench");
+    let path = folder.join("scaling.json");
+    let earlier = std::fs::read_to_string(&path).ok();
+    let mut all: BTreeMap<String, serde_json::Value> =
+        earlier.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
+    all.extend(figures.into_iter().map(|(name, of_scene)| (name, serde_json::json!(of_scene))));
+    let text = serde_json::to_string_pretty(&all).expect("numbers");
+    std::fs::create_dir_all(folder).and_then(|()| std::fs::write(path, text)).expect("a file of figures");
 }
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     let is_quick = words.iter().any(|word| word == "quick");
     let is_asked = |name: &str| words.iter().all(|word| word == "quick") || words.iter().any(|word| word == name);
-    let parts: [(&str, &dyn Fn()); 5] = [
-        ("size", &|| by_size(if is_quick { &[4, 5] } else { &[4, 5, 6, 7] })),
+    let sizes: &[usize] = if is_quick { &[4, 5] } else { &[4, 5, 6, 7] };
+    let parts: [(&str, &dyn Fn(&mut Figures)); 5] = [
+        ("size", &|figures| by_size(sizes, figures)),
         ("corner", &corner),
         ("plates", &whole_faces),
         ("bodies", &bodies),
         ("small", &small_things),
     ];
-    parts.iter().filter(|(name, _)| is_asked(name)).for_each(|(_, part)| part());
+    let mut figures = Figures::new();
+    parts.iter().filter(|(name, _)| is_asked(name)).for_each(|(_, part)| part(&mut figures));
+    keep(figures);
 }

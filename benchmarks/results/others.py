@@ -1,4 +1,4 @@
-"""What other programs have left: `make agree` in out/agree, `make peers` in out/peers, `make bench` in target/criterion."""
+"""What other programs have left: `make agree` in out/agree, `make peers` in out/peers, `make bench` in target/criterion and out/bench."""
 
 import json
 import os
@@ -12,7 +12,7 @@ def is_other(name):
 
 def found():
     """Runs by name, of those programs that have left something."""
-    return {**_agreement(), **_penetration(), **_beside(), **_peers(), **_benches()}
+    return {**_agreement(), **_penetration(), **_beside(), **_peers(), **_benches(), **_kept("scaling"), **_kept("statics")}
 
 
 def _rows(path):
@@ -65,6 +65,13 @@ def _benches():
         figures = {"seconds": seconds, **({"crossings": about["throughput"]["Elements"]} if about["throughput"] else {})}
         runs[f"bench/{about['full_id'].replace(':', '')}"] = {"figures": _numbers(figures)}
     return runs
+
+
+def _kept(bench):
+    """scaling/SCENE/PATH, times in milliseconds; statics/CASE, SIZE."""
+    path = ROOT / "out" / "bench" / f"{bench}.json"
+    found = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    return {f"{bench}/{name}": {"figures": _numbers(figures)} for name, figures in found.items()}
 
 
 def _numbers(row):
