@@ -7,6 +7,9 @@ use super::tangent::TangentPart;
 /// Part of what the slope promises that a step must gain (Armijo).
 const GAIN: f64 = 1e-4;
 
+/// Part of the energies that a change must exceed to be distinguished from rounding of some thousand pieces of contact.
+const FLAT: f64 = 1e-12;
+
 /// A place on the way, as far as the rules go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Descent {
@@ -16,13 +19,15 @@ pub struct Descent {
     pub norm: f64,
     /// What rounding of sums may change in the energy.
     pub rounding: f64,
-    /// Change of the energy that is not to be distinguished from rounding: [`Self::FLAT`] of the sum of what it is made of, and more.
+    /// Change of the energy that is not to be distinguished from rounding: [`Self::flatness`], and more.
     pub flat: f64,
 }
 
 impl Descent {
-    /// Part of the energies that a change must exceed to be distinguished from rounding of some thousand pieces of contact.
-    pub const FLAT: f64 = 1e-12;
+    /// Change of an energy that is not to be distinguished from rounding, if what it is made of adds up to `magnitude`.
+    pub fn flatness(magnitude: f64) -> f64 {
+        FLAT * magnitude
+    }
 
     /// Whether a part `length` of a step that begins with this slope leads lower: by a part of what the slope promises, or, where the
     /// energy is flat within rounding, near the end, or what the slope promises is, to smaller forces.

@@ -10,11 +10,12 @@ PAGE = Path(__file__).parents[3] / "docs" / "second-order.md"
 BEFORE = """
 from fmc_contact_skfem import SkfemContact
 from skfem import Basis, ElementTriP3, ElementVector, MeshTri
+import numpy as np
 mesh = MeshTri().refined(1)
+u = np.zeros(Basis(mesh, ElementVector(ElementTriP3())).N)
 """
 
 AFTER = """
-import numpy as np
 size = Basis(mesh, ElementVector(ElementTriP3())).N
 assert contact.force(np.zeros(size)).shape == (size,) and contact.tangent(np.zeros(size)).shape == (size, size)
 assert contact.nodes(np.zeros(size)).shape[1] == 2
@@ -22,6 +23,7 @@ assert contact.nodes(np.zeros(size)).shape[1] == 2
 
 
 def test_elements_of_third_order():
-    (piece,) = [one for one in re.findall(r"```python\n(.*?)```", PAGE.read_text(), flags=re.S) if "SkfemContact" in one]
+    pieces = re.findall(r"```python\n(.*?)```", PAGE.read_text(), flags=re.S)
+    (piece,) = [one for one in pieces if "SkfemContact" in one]
     run = subprocess.run([sys.executable, "-c", BEFORE + piece + AFTER], capture_output=True, text=True, timeout=60)
     assert run.returncode == 0, run.stderr

@@ -30,7 +30,7 @@ impl Iterate {
         // Coordinates are known to a bit, and the energy to the work of the forces along it.
         let coords = (0..bodies.count()).map(|place| contact.start(place).abs() + displacement[place].abs());
         let known: f64 = touch.forces.iter().zip(coords).map(|(force, x)| force.abs() * x).sum();
-        let flat = Descent::FLAT * magnitude + ROUNDING * known;
+        let flat = Descent::flatness(magnitude) + ROUNDING * known;
         match energy.is_finite() && residual.iter().all(|r| r.is_finite()) {
             true => Ok(Self { displacement, touch, energy, flat, residual }),
             false => Err(Error::Overflow { quantity: "energy of a contact step", value: energy }),

@@ -42,7 +42,7 @@ impl<const D: usize> Balance<D> {
 
     /// As far as the rules of a descent go.
     pub(super) fn descent(&self) -> Descent {
-        let flat = Descent::FLAT * self.magnitude() + self.noise.energy;
+        let flat = Descent::flatness(self.magnitude()) + self.noise.energy;
         Descent { energy: self.energy(), norm: self.norm, rounding: self.rounding(), flat }
     }
 

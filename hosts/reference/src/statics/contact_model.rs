@@ -52,7 +52,7 @@ pub(super) struct Direction {
 impl At {
     /// As far as the rules of a descent go.
     pub(super) fn descent<const D: usize>(&self, model: &Model<D>) -> Descent {
-        Descent { energy: self.energy, norm: self.norm, rounding: 0.0, flat: Descent::FLAT * model.magnitude }
+        Descent { energy: self.energy, norm: self.norm, rounding: 0.0, flat: Descent::flatness(model.magnitude) }
     }
 }
 

@@ -35,8 +35,8 @@ def least_energy(model: Model, state: State, step: np.ndarray) -> State | None:
             length *= 0.5
             continue
         gained, rounding, flat = state.gained(reached, length * step)
-        # Near the end the energy is flat within rounding; then the forces tell.
-        is_less = abs(gained) <= flat and reached.norm <= 0.5 * state.norm
+        # Near the end the energy is flat within rounding, or what the step promises is; then the forces tell.
+        is_less = min(abs(gained), -slope) <= flat and reached.norm <= 0.5 * state.norm
         if gained <= _GAIN * length * slope + rounding or is_less:
             return reached
         there = float(reached.residual @ step)
