@@ -76,16 +76,16 @@ static void add_cells(Blocks *b, int block, PetscInt start, PetscInt next) {
         }
 }
 
-PetscErrorCode blocks_create(PetscInt lower, PetscInt upper, double down, Blocks *b) {
+PetscErrorCode blocks_create(const PetscInt of_blocks[2], double width, double down, Blocks *b) {
   PetscInt start[2], next[2], nodes = 0, cells = 0;
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(b, sizeof *b));
   PetscCallMPI(MPI_Comm_rank(PETSC_COMM_WORLD, &b->rank));
   PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &b->ranks));
-  b->cells[0] = lower, b->cells[1] = upper, b->down = down;
+  b->cells[0] = of_blocks[0], b->cells[1] = of_blocks[1], b->width = width, b->down = down;
   for (int axis = 0; axis < 3; axis++) {
     b->low[0][axis] = 0.0, b->high[0][axis] = 1.0;
-    b->low[1][axis] = axis < 2 ? 0.1 : 1.0 - down, b->high[1][axis] = axis < 2 ? 0.9 : 1.8 - down;
+    b->low[1][axis] = axis < 2 ? 0.5 * (1.0 - width) : 1.0 - down, b->high[1][axis] = b->low[1][axis] + width;
   }
   for (int block = 0; block < 2; block++) {
     b->first[block] = first_layer(b, block, b->rank), b->last[block] = first_layer(b, block, b->rank + 1);

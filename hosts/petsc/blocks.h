@@ -15,7 +15,7 @@ typedef struct {
   int rank, ranks;
   PetscInt cells[2];            /* along an edge of each block */
   double low[2][3], high[2][3]; /* corners of the blocks */
-  double down;                  /* by which the top of the upper block is pressed down */
+  double width, down;           /* of the upper block; by which its top is pressed down */
   PetscInt first[2], last[2];   /* layers of nodes of this rank */
   PetscInt owned, node_count;   /* nodes that this rank owns; those of its cells, the others last */
   int64_t *numbers;             /* of these nodes */
@@ -26,8 +26,8 @@ typedef struct {
   int32_t *bodies;
 } Blocks;
 
-/* The upper block lies `down` deep in the lower one. */
-PetscErrorCode blocks_create(PetscInt lower, PetscInt upper, double down, Blocks *blocks);
+/* The lower block is a cube of edge 1, the upper one a cube of edge `width` on the middle of it, `down` deep in it. */
+PetscErrorCode blocks_create(const PetscInt cells[2], double width, double down, Blocks *blocks);
 void blocks_free(Blocks *blocks);
 /* All nodes. */
 PetscInt blocks_count(const Blocks *blocks);

@@ -111,11 +111,11 @@ static PetscErrorCode set_solver(Press *h, SNES snes) {
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode press_create(PetscInt lower, PetscInt upper, double ratio, Press *h) {
+PetscErrorCode press_create(const PetscInt cells[2], double width, double ratio, Press *h) {
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(h, sizeof *h));
-  PetscCall(blocks_create(lower, upper, DOWN, &h->blocks));
-  PetscCall(parts_create(&h->blocks, ratio * YOUNG * lower, &h->parts));
+  PetscCall(blocks_create(cells, width, DOWN, &h->blocks));
+  PetscCall(parts_create(&h->blocks, ratio * YOUNG * cells[0], &h->parts));
   PetscCall(tetrahedra_stiffness(&h->blocks, YOUNG, POISSON, &h->stiffness));
   PetscCall(tetrahedra_rigid_motions(&h->blocks, &h->motions));
   PetscCall(find_held(h));

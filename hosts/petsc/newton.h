@@ -18,7 +18,8 @@ typedef struct {
   PetscInt touched, krylov; /* unknowns that feel contact, and most iterations */
 } Press;
 
-PetscErrorCode press_create(PetscInt lower, PetscInt upper, double ratio, Press *press);
+/* Cells along an edge of the lower and of the upper block, width of the upper one, k h / E. */
+PetscErrorCode press_create(const PetscInt cells[2], double width, double ratio, Press *press);
 /* Solves from the start; the solver, which then can be asked, is the caller's. */
 PetscErrorCode press_solve(Press *press, Vec u, SNES *snes);
 PetscErrorCode press_free(Press *press);

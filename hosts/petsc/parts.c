@@ -163,17 +163,18 @@ PetscErrorCode parts_tangent(Parts *p, Vec u, PetscBool semidefinite, Mat *tange
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
-PetscErrorCode parts_counts(const Parts *p, PetscInt *own, PetscInt *received) {
-  fmc_gathered_counts counts;
+PetscErrorCode parts_counts(const Parts *p, PartsCounts *counts) {
   int64_t *cells;
   PetscFunctionBeginUser;
-  PetscCall(together(fmc_context_gathered_counts(p->context, &counts)));
-  PetscCall(PetscMalloc1(counts.cell_count, &cells));
-  PetscCall(together(fmc_context_gathered_cells(p->context, cells, counts.cell_count)));
-  *own = (PetscInt)counts.own_cell_count, *received = (PetscInt)counts.cell_count;
+  PetscCall(together(fmc_context_rank_counts(p->context, &counts->work)));
+  PetscCall(together(fmc_context_gathered_counts(p->context, &counts->gathered)));
+  const uint64_t own = counts->gathered.own_cell_count, count = counts->gathered.cell_count;
+  PetscCall(PetscMalloc1(count, &cells));
+  PetscCall(together(fmc_context_gathered_cells(p->context, cells, count)));
+  counts->own_cells = (PetscInt)own, counts->received_cells = (PetscInt)count;
   /* Both ascend. */
-  for (uint64_t at = 0, cell = 0; at < counts.cell_count && cell < counts.own_cell_count;)
-    if (cells[at] == p->blocks->cell_numbers[cell]) at++, cell++, --*received;
+  for (uint64_t at = 0, cell = 0; at < count && cell < own;)
+    if (cells[at] == p->blocks->cell_numbers[cell]) at++, cell++, counts->received_cells--;
     else if (cells[at] < p->blocks->cell_numbers[cell]) at++;
     else cell++;
   PetscCall(PetscFree(cells));

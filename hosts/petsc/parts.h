@@ -17,13 +17,19 @@ typedef struct {
   double size;        /* norm of the forces */
 } Parts;
 
+typedef struct {
+  PetscInt own_cells, received_cells; /* of this rank, and those of others that it has */
+  fmc_gathered_counts gathered;       /* facets and cells that every rank has */
+  fmc_rank_counts work;               /* calls of the communicator, bytes */
+} PartsCounts;
+
 PetscErrorCode parts_create(const Blocks *blocks, double stiffness, Parts *parts);
 PetscErrorCode parts_keep_patches(Parts *parts, Vec u);
 /* Evaluates at a displacement; subtracts the forces from what this rank owns of a residual. */
 PetscErrorCode parts_evaluate(Parts *parts, Vec u, Vec residual);
 /* The tangent, without what is held; and the rows of this rank that feel contact. */
 PetscErrorCode parts_tangent(Parts *parts, Vec u, PetscBool semidefinite, Mat *tangent, IS *touched);
-/* Cells of this rank, and those of other ranks that it has. */
-PetscErrorCode parts_counts(const Parts *parts, PetscInt *own, PetscInt *received);
+/* What this rank has of the mesh, and what that took so far. */
+PetscErrorCode parts_counts(const Parts *parts, PartsCounts *counts);
 PetscErrorCode parts_free(Parts *parts);
 #endif

@@ -25,9 +25,10 @@ struct Facets<const D: usize> {
     tree: Option<Tree<D>>,
 }
 
-/// Ball around a cell: its middle, and the distance of its farthest node.
+/// Ball around a cell: that around its box, no smaller than the distance of its farthest node.
 struct Ball<const D: usize> {
     body: usize,
+    aabb: Aabb<D>,
     middle: Vector<D>,
     radius: f64,
 }
@@ -69,7 +70,7 @@ impl<const D: usize> Anchors<D> {
                 let reach = |node: &u64| (place(*node) - aabb.center()).norm();
                 // Points of cells of second order lie beyond their nodes, as far as half of the extent.
                 let radius = cell.nodes.iter().map(reach).fold(0.5 * aabb.extent().max(), f64::max);
-                Ball { body: cell.body as usize, middle: aabb.center(), radius }
+                Ball { body: cell.body as usize, aabb, middle: aabb.center(), radius }
             })
             .collect();
         // A node on the surface is one of a facet.
@@ -78,12 +79,23 @@ impl<const D: usize> Anchors<D> {
             cells.iter().zip(&balls).map(|(cell, ball)| if has_facet(cell) { ball.radius } else { f64::INFINITY });
         let mut bounds: Vec<f64> = bounds.collect();
         let inner: Vec<usize> = (0..cells.len()).filter(|&cell| bounds[cell].is_infinite()).collect();
-        let own: Vec<f64> =
-            inner.iter().map(|&cell| self.bodies[balls[cell].body].bound(&balls[cell].middle)).collect();
-        for of_rank in ranks.gather_lists(&own)? {
-            for (&cell, bound) in inner.iter().zip(of_rank) {
-                bounds[cell] = bounds[cell].min(bound);
+        // All ranks have these cells: what is told is only what is nearer than those of them that have facets.
+        let mut gathered: Vec<Facets<D>> = self.bodies.iter().map(|_| Facets::default()).collect();
+        for (_, ball) in cells.iter().zip(&balls).filter(|(cell, _)| has_facet(cell)) {
+            gathered[ball.body].boxes.push(ball.aabb);
+        }
+        gathered.iter_mut().for_each(|of_body| of_body.tree = Some(Tree::new(&of_body.boxes)));
+        let mut nearer: Vec<(u64, f64)> = Vec::new();
+        for cell in inner {
+            let Ball { body, middle, .. } = &balls[cell];
+            bounds[cell] = gathered[*body].bound(middle);
+            let own = self.bodies[*body].bound(middle);
+            if own < bounds[cell] {
+                nearer.push((cell as u64, own));
             }
+        }
+        for (cell, bound) in ranks.gather_lists(&nearer)?.into_iter().flatten() {
+            bounds[cell as usize] = bounds[cell as usize].min(bound);
         }
         let mut found = Vec::new();
         for (ball, bound) in balls.iter().zip(bounds).filter(|(_, bound)| bound.is_finite()) {

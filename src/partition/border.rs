@@ -30,7 +30,8 @@ impl<const D: usize> OwnMesh<D> {
         own.body_ids = ids;
         let lone = own.surface.as_ref().map_or(Ok(Vec::new()), Surface::lone_faces);
         let lone = ranks.agree(lone, 1)?;
-        let Border { surface_faces, whole } = find(&own, &lone, ranks)?;
+        let Border { surface_faces, first_cells, whole } = find(&own, &lone, ranks)?;
+        own.first_cells = own.cells_of(&first_cells);
         (own.surface_faces, own.whole) = (surface_faces, whole);
         let own_surface =
             own.surface.as_mut().map_or(Ok(()), |surface| surface.make_submesh(&own.surface_faces, &own.whole));
@@ -46,6 +47,8 @@ impl<const D: usize> OwnMesh<D> {
 struct Border<const D: usize> {
     /// Bit f of an own cell: its face f is surface of the whole mesh.
     pub(super) surface_faces: Vec<u8>,
+    /// Number of one cell of every body: the first on the surface, whose depths are measured from facets that are near.
+    pub(super) first_cells: Vec<u64>,
     pub(super) whole: Whole<D>,
 }
 
@@ -102,20 +105,35 @@ fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> R
         |surface| on_surface(own, surface, &surface_faces),
     );
     let mut shared: Vec<(u32, u64)> = Vec::new();
-    let mut surface_node_counts: Vec<usize> = Vec::with_capacity(points.len());
+    let mut sent: Vec<(usize, bool, u64)> = Vec::with_capacity(points.len());
+    let first_cells = first_cells(own, &surface_faces);
     for (body, nodes) in surface_nodes.iter().enumerate() {
         let of_others = nodes.iter().filter(|&&node| may_be_shared(&[node]));
         let before = shared.len();
         shared.extend(of_others.map(|&node| (body as u32, own.node_numbers[node as usize])));
-        surface_node_counts.push(points[body] + nodes.len() - (shared.len() - before));
+        let (is_inner, cell) = first_cells[body];
+        sent.push((points[body] + nodes.len() - (shared.len() - before), is_inner, cell));
     }
-    let sums = ranks.gather_lists(&surface_node_counts)?;
+    let of_ranks = ranks.gather_lists(&sent)?;
+    let of_body = |body: usize| of_ranks.iter().map(move |of_rank| of_rank[body]);
     let mut surface_node_counts =
-        (0..points.len()).map(|body| sums.iter().map(|of_rank| of_rank[body]).sum()).collect::<Vec<usize>>();
+        (0..points.len()).map(|body| of_body(body).map(|(count, ..)| count).sum()).collect::<Vec<usize>>();
+    let first = |body| of_body(body).map(|(_, is_inner, cell)| (is_inner, cell)).min().map_or(0, |(_, cell)| cell);
+    let first_cells = (0..points.len()).map(first).collect();
     let shared: BTreeSet<(u32, u64)> = ranks.gather_lists(&shared)?.into_iter().flatten().collect();
     shared.iter().for_each(|(body, _)| surface_node_counts[*body as usize] += 1);
     let reference_box = boxes.iter().fold(Aabb::empty(), |all, aabb| all.union(aabb));
-    Ok(Border { surface_faces, whole: Whole { surface_node_counts, reference_box } })
+    Ok(Border { surface_faces, first_cells, whole: Whole { surface_node_counts, reference_box } })
+}
+
+/// Whether it has no face on the surface, and number of the first own cell of every body, those on the surface before others.
+fn first_cells<const D: usize>(own: &OwnMesh<D>, surface_faces: &[u8]) -> Vec<(bool, u64)> {
+    let mut first = vec![(true, u64::MAX); own.body_ids.len()];
+    for ((&body, faces), &number) in own.body.iter().zip(surface_faces).zip(&own.cell_numbers) {
+        let first = &mut first[body as usize];
+        *first = (*first).min((*faces == 0, number));
+    }
+    first
 }
 
 /// Own nodes on the surface of the whole mesh, by body, and how many other points there are of cells of second order.

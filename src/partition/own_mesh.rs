@@ -44,6 +44,8 @@ pub(super) struct OwnMesh<const D: usize> {
     pub(super) surface_vertices: Vec<Vec<u32>>,
     /// Of all ranks.
     pub(super) body_ids: Vec<i64>,
+    /// One cell of every body, of whatever rank, which are gathered so that each body has some: those that are here.
+    pub(super) first_cells: Vec<u32>,
     pub(super) whole: Whole<D>,
     /// Mean extent of a cell, the largest of all ranks.
     pub(super) cell_size: f64,
@@ -103,6 +105,7 @@ impl<const D: usize> OwnMesh<D> {
             surface_faces: Vec::new(),
             surface_vertices: Vec::new(),
             body_ids: Vec::new(),
+            first_cells: Vec::new(),
             whole: Whole { surface_node_counts: Vec::new(), reference_box: Aabb::empty() },
             cell_size: 0.0,
             reference: coords.to_vec(),
@@ -144,15 +147,6 @@ impl<const D: usize> OwnMesh<D> {
             surface_faces: self.surface_faces[cell],
             nodes,
         }
-    }
-
-    /// The first cell of every body here, so that each has one somewhere.
-    pub(super) fn first_cells(&self) -> Vec<u32> {
-        let mut first: Vec<Option<u32>> = vec![None; self.body_ids.len()];
-        for cell in 0..self.len() as u32 {
-            first[self.body[cell as usize] as usize].get_or_insert(cell);
-        }
-        first.into_iter().flatten().collect()
     }
 
     /// Own cells of some numbers.

@@ -48,7 +48,7 @@ impl Zone {
         ranks: &Ranks,
     ) -> Result<(Self, Surface<D>, Vec<bool>), Error> {
         let mut selected = selected.to_vec();
-        selected.extend(own.first_cells());
+        selected.extend(&own.first_cells);
         selected.sort_unstable();
         selected.dedup();
         let mut found = Gathered::<D>::default();

@@ -144,11 +144,18 @@ fn little_is_gathered() {
     let scene = Scene::of(&[&a, &b]);
     let options = Options { law: EnergyLaw::depth(50.0), ..exact() };
     same_in_parts(&scene, std::slice::from_ref(&scene.coords), options, &[], 4, stripes(4, 60.0));
-    let counts = on_ranks(4, None, |rank, own| {
-        let part = Part::of(&scene, |cell, x| stripes(4, 60.0)(cell, x) == rank);
-        PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.0).unwrap().counts()
-    });
-    for counts in counts {
+    let counts = |size| {
+        on_ranks(size, None, |rank, own| {
+            let part = Part::of(&scene, |cell, x| stripes(size, 60.0)(cell, x) == rank);
+            let parts = PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.0).unwrap();
+            (parts.counts(), parts.contact().rank_counts())
+        })
+    };
+    let alone = counts(1)[0].0.gathered_facet_count;
+    for (counts, work) in [counts(4), counts(7)].concat() {
+        println!("{counts:?} {work:?}; {alone} facets on one rank");
+        // Near the contact is what lies within two cells, of a size that ranks take from the largest of their mean extents.
+        assert!(counts.gathered_facet_count.abs_diff(alone) * 50 <= alone, "{counts:?}");
         assert_eq!(counts.facet_count, 2 * (6000 + 20 + 47 + 40));
         assert!(counts.gathered_facet_count < counts.facet_count / 20, "{counts:?}");
     }

@@ -32,6 +32,21 @@ fn whole_faces_are_divided_evenly() {
     }
 }
 
+/// Every rank receives what all found, whatever their number: what is added by a rank more is the few bytes in which each says how
+/// much follows, and its number and length before every chunk are those of one rank fewer.
+#[test]
+fn what_a_rank_receives_is_what_all_found() {
+    for law in [EnergyLaw::volume(1.0), EnergyLaw::fiber(1.0), EnergyLaw::depth(1.0)] {
+        let [two, four, seven] = [2, 4, 7].map(|size| counts(64, size, law)[0]);
+        println!("{law:?}: received on 2, 4, 7 ranks {two:?} {four:?} {seven:?}");
+        assert_eq!((two.item_count, two.call_count), (four.item_count, four.call_count));
+        assert_eq!((two.item_count, two.call_count), (seven.item_count, seven.call_count));
+        let a_rank_more = (four.received_bytes - two.received_bytes) / 2;
+        assert!(a_rank_more <= 16 * two.call_count);
+        assert_eq!(seven.received_bytes - four.received_bytes, 3 * a_rank_more);
+    }
+}
+
 /// What would take longer to send than to do is done by all, with two calls in which they agree.
 #[test]
 fn little_work_is_not_shared() {

@@ -204,6 +204,20 @@ def tell(out, *cases):
         np.savez(out, **found)
 
 
+def near():
+    """A small block on a large one; each rank tells what it has of the mesh, and what that took."""
+    x, cells = block("hexahedron", 40, [0.0] * 3, [1.0, 1.0, 0.9])
+    y, more = block("hexahedron", 3, [0.45, 0.45, 0.89], [0.54, 0.54, 1.0])
+    space = vector_space(mesh_from_cells(COMM, np.concatenate([x, y]), np.concatenate([cells, more + len(x)]), "hexahedron"))
+    contact = DolfinxContact(space, stiffness=1e4, in_parts=True)
+    result = contact.evaluate(fem.Function(space))
+    gathered, work = contact.contact.gathered(), contact.contact.rank_counts()
+    counts = (gathered.own_cell_count, contact.received_cell_count, gathered.facet_count, gathered.whole_facet_count)
+    rows = COMM.gather((*counts, work.call_count, work.received_bytes))
+    if COMM.rank == 0:
+        print(repr(result.bodies[1].force[2]), *(number for row in rows for number in row))
+
+
 def entries():
     """A direct solver follows a matrix that gets entries at new places: few, many, few again, and none."""
     size, random = 60, np.random.default_rng(2)
@@ -284,4 +298,4 @@ def fail(kind):
 
 
 if __name__ == "__main__":
-    {"solve": solve, "tell": tell, "entries": entries, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])
+    {"solve": solve, "tell": tell, "near": near, "entries": entries, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])

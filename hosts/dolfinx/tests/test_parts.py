@@ -52,6 +52,18 @@ def test_bits_are_those_of_one_rank(ranks, alone, tmp_path, group, count):
         assert np.abs(one[f"{case}/tangent"][:, 2]).max() > 1.0
 
 
+def test_a_rank_receives_what_is_near_a_small_contact(ranks):
+    run = ranks(4, "near")
+    assert run.returncode == 0, run.stdout + run.stderr
+    force, *numbers = run.stdout.split()
+    # k times the depth on the face; at its rim the walls are nearer.
+    assert float(force) == pytest.approx(1e4 * 0.01 * 0.09**2, rel=0.2)
+    for own, received, facets, of_all, calls, received_bytes in np.array(numbers, int).reshape(4, 6):
+        print(f"{own} own cells, {received} received, {facets} of {of_all} facets, {calls} calls, {received_bytes} B")
+        assert own + received < 0.35 * (40**3 + 3**3) and of_all == 2 * 2 * 6 * (40**2 + 3**2)
+        assert 0 < facets <= 0.05 * of_all and calls < 80 and received_bytes < 3000 * facets
+
+
 @pytest.mark.parametrize("kind, order", [("triangle", 1), ("quad", 2), ("tetra", 1), ("hexahedron", 2)])
 def test_one_rank_may_have_its_mesh_in_parts(kind, order):
     x, cells, _ = permuted(*bodies(kind))

@@ -35,6 +35,12 @@ def force_alone():
     return float(run(1, *EXACTLY)[0]["force"])
 
 
+def of_ranks(said):
+    """Own cells, those received, facets near the contact, all facets, calls, bytes received, MB of every rank."""
+    names = r"rank \d+: (\d+) own cells, (\d+) received, (\d+) of (\d+) facets, (\d+) calls, (\d+) bytes received, (\d+) MB"
+    return [[int(word) for word in of_rank] for of_rank in re.findall(names, said)]
+
+
 EXACTLY = ("-cells", "6", "-ratio", "100", "-check", "-ksp_rtol", "1e-10", "-snes_rtol", "1e-11")
 
 
@@ -47,7 +53,7 @@ def test_it_is_the_equilibrium_of_a_direct_solver(ranks, force_alone):
     # Of a few hundred sums of products.
     assert float(asymmetry) < 1e-12 and float(energy) > 0
     assert float(row["force"]) == pytest.approx(force_alone, rel=1e-9)
-    cells = [[int(n) for n in of_rank] for of_rank in re.findall(r"rank \d+: (\d+) own cells, (\d+) received", said)]
+    cells = [of_rank[:2] for of_rank in of_ranks(said)]
     whole = 6 * (6**3 + 4**3)
     assert len(cells) == ranks and sum(own for own, _ in cells) == whole
     assert all(own + received < whole for own, received in cells) or ranks == 1
@@ -71,3 +77,17 @@ def test_few_iterations_whatever_the_stiffness_of_contact():
     assert all(counts[4, k] <= counts[1, k] + 4 for k in ("1", "1000"))
     # Without the direct solve on the contact some fifty.
     assert int(run(1, "-cells", "8", "-ratio", "1000", "-plain")[0]["krylov"]) > 2 * counts[1, "1000"]
+
+
+def test_a_rank_has_its_part_and_what_is_near_the_contact():
+    """A small block on a large one, 128 817 unknowns; one step of Newton's method, with loose tolerances, takes the memory of all."""
+    words = ("-cells", "34", "-width", "0.09", "-upper", "3", "-ratio", "1", "-snes_rtol", "0.9", "-ksp_rtol", "0.5")
+    (alone,), four = (of_ranks(run(count, *words)[1]) for count in (1, 4))
+    for own, received, near, facets, calls, received_bytes, megabytes in four:
+        print(f"{own} + {received} cells, {near} of {facets} facets, {calls} calls, {received_bytes} B, {megabytes} MB")
+        assert facets == 12 * (34**2 + 3**2) and 0 < near <= 0.05 * facets
+        assert own + received < 0.35 * 6 * (34**3 + 3**3)
+        # Faces between ranks are told to all, some 36 B each: six to a facet here.
+        assert calls < 100 and received_bytes < 100 * facets
+        # Of the process: some 60 MB before there is a mesh, and PETSc's matrices; tests/memory_in_parts.rs has the library's alone.
+        assert megabytes <= 0.5 * alone[-1]
