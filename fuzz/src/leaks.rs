@@ -29,8 +29,13 @@ unsafe impl GlobalAlloc for Counting {
 /// Times that something may be taken for good on the first call: a text of the last error, pools of threads, kept mappings.
 const TRIES: usize = 5;
 
-/// Threads of a pool that has been given up end in their own time, on a busy machine after a while.
-const MOST_WAITS: usize = 500;
+/// Threads of a pool that has been given up end in their own time: mostly at once, on a busy machine after a while.
+const FIRST_WAIT: Duration = Duration::from_micros(20);
+/// What they leave is freed when epochs have passed (crossbeam's, under rayon): others that work would make them pass.
+const EPOCHS: usize = 8;
+/// Each wait is twice the one before. After the first run, which may take something for good, little is waited: running again
+/// costs no more.
+const MOST_WAITS: [u32; 2] = [5, 18];
 
 /// Runs, and if more is taken than before, runs again: what is taken every time is lost.
 pub fn none_from(run: impl Fn()) {
@@ -39,10 +44,14 @@ pub fn none_from(run: impl Fn()) {
         let before = TAKEN.load(Relaxed);
         run();
         let growth = || TAKEN.load(Relaxed) - before;
-        let mut waits = 0;
-        while attempt > 0 && growth() > 0 && waits < MOST_WAITS {
-            std::thread::sleep(Duration::from_millis(10));
-            waits += 1;
+        for wait in 0..MOST_WAITS[attempt.min(1)] {
+            if growth() <= 0 {
+                break;
+            }
+            (0..EPOCHS).for_each(|_| crossbeam_epoch::pin().flush());
+            if growth() > 0 {
+                std::thread::sleep(FIRST_WAIT * 2u32.pow(wait));
+            }
         }
         grown[attempt] = growth();
         if grown[attempt] <= 0 {
