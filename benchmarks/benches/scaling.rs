@@ -15,6 +15,9 @@ use std::time::Instant;
 /// Figures by scene and path, times in milliseconds.
 type Figures = BTreeMap<String, BTreeMap<&'static str, f64>>;
 
+/// A part of the table.
+type Part = dyn Fn(&mut Figures);
+
 /// A mesh in contact.
 struct Scene {
     surface: Surface<3>,
@@ -257,7 +260,7 @@ fn main() {
     let is_quick = words.iter().any(|word| word == "quick");
     let is_asked = |name: &str| words.iter().all(|word| word == "quick") || words.iter().any(|word| word == name);
     let sizes: &[usize] = if is_quick { &[4, 5] } else { &[4, 5, 6, 7] };
-    let parts: [(&str, &dyn Fn(&mut Figures)); 5] = [
+    let parts: [(&str, &Part); 5] = [
         ("size", &|figures| by_size(sizes, figures)),
         ("corner", &corner),
         ("plates", &whole_faces),
