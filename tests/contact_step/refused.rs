@@ -66,6 +66,14 @@ fn bodies_that_nothing_holds_are_told_from_those_that_give_way() {
     assert_eq!(error, Error::IndefiniteStiffness { freedom: 0, pivot });
 }
 
+/// The entries are finite, their norm is not: no displacement is an equilibrium beside it. Found by fuzzing.
+#[test]
+fn a_residual_beyond_the_range_of_a_double_is_told() {
+    let error = refused(&[1, 3], &[], &[SPRING, 0.0, 0.0, SPRING], &[1e200; 2]);
+    let quantity = "residual of a contact step";
+    assert!(matches!(error, Error::Overflow { quantity: found, .. } if found == quantity), "{error}");
+}
+
 #[test]
 fn a_function_that_fails_is_told() {
     let (coords, contact) = square(-0.05);

@@ -31,10 +31,15 @@ impl Iterate {
         let coords = (0..bodies.count()).map(|place| contact.start(place).abs() + displacement[place].abs());
         let known: f64 = touch.forces.iter().zip(coords).map(|(force, x)| force.abs() * x).sum();
         let flat = Descent::flatness(magnitude) + ROUNDING * known;
-        match energy.is_finite() && residual.iter().all(|r| r.is_finite()) {
-            true => Ok(Self { displacement, touch, energy, flat, residual }),
-            false => Err(Error::Overflow { quantity: "energy of a contact step", value: energy }),
+        if !energy.is_finite() {
+            return Err(Error::Overflow { quantity: "energy of a contact step", value: energy });
         }
+        // Entries may be finite whose norm is not, and what is compared with an infinite one has always converged.
+        let norms = residual.norm() + bodies.residual.norm() + touch.forces.norm();
+        if !norms.is_finite() {
+            return Err(Error::Overflow { quantity: "residual of a contact step", value: norms });
+        }
+        Ok(Self { displacement, touch, energy, flat, residual })
     }
 
     pub(super) fn norm(&self) -> f64 {
