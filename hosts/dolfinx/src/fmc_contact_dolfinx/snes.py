@@ -9,6 +9,7 @@ import numpy as np
 import ufl
 from dolfinx import fem
 from fmc_contact.errors import InvertedCellError
+from fmc_contact.newton import Raising
 from petsc4py import PETSc
 
 from .adapter import DolfinxContact
@@ -44,7 +45,6 @@ class ContactProblem:
         self._is_far = True
         self._tangent: Any = None
         self.on_unknowns: Any = None
-        self._raised = 1.0
         self.vector = create_vector(self.residual, space)
         self.matrix = fpetsc.create_matrix(self.jacobian)
 
@@ -137,17 +137,12 @@ class ContactProblem:
         iterations = self._solved(snes)
         if penetration is None:
             return iterations
-        last = float("inf")
+        raising = Raising()
         for update in range(max_updates + 1):
             found = self.contact.contact.augment(self.contact.coords(self.u), penetration, reach)
             if found.is_enough:
                 return iterations
-            if found.change > 0.25 * last and self._raised < 16.0:
-                self.contact.contact.stiffen(4.0)
-                self._raised *= 4.0
-                last = float("inf")
-            else:
-                last = found.change
+            raising.updated(self.contact.contact, found.change)
             if update < max_updates:
                 iterations += self._solved(snes)
         left = max(found.penetration, found.change)

@@ -30,6 +30,7 @@ from .levels import Levels
 from .linear import solved
 from .patches import Patches
 from .penetration import Penetration
+from .prescribed import moved, start
 from .search import Search
 from .softening import Softening
 from .state import Model
@@ -97,11 +98,10 @@ def newton(
     Errors: ``NotConvergedError``, also where a cell is inverted, the matrix singular or the residual not finite. A
     smaller load step helps; if the matrix is singular, a body must be held. ``ValueError`` for shapes.
     """
-    x, free = np.array(x, np.float64), np.asarray(free)
-    free = np.flatnonzero(free) if free.dtype == bool else free
+    x, free = start(x, free)
     model = Model(residual_and_tangent, contact, x.shape, free)
     softening = Softening(model, young)
-    search = Search(model, x, _moved(x, free, prescribed), softening, solve or solved)
+    search = Search(model, x, moved(x, free, prescribed), softening, solve or solved)
     if penetration is not None:
         search.penetration = Penetration(model, penetration, reach, max_updates)
     if find_patches and model.inner.options["law"] == "fiber":
@@ -119,18 +119,6 @@ def newton(
         softening.undone()
         if lagged:
             model.inner.release_friction()
-
-
-def _moved(x: np.ndarray, free: np.ndarray, prescribed: ArrayLike | None) -> np.ndarray:
-    """What is prescribed, less what it is, (size,)."""
-    if prescribed is None:
-        return np.zeros(x.size)
-    values = np.asarray(prescribed, np.float64)
-    if values.shape != x.shape:
-        raise ValueError(f"prescribed values have shape {values.shape}, that of x is {x.shape}")
-    step = (values - x).ravel()
-    step[free] = 0.0
-    return step
 
 
 def _levels(model: Model, tolerance: float, wanted: bool | None, has_solve: bool) -> tuple[Levels | None, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..contact import Contact
 from .equilibrium import NotConvergedError
 from .state import Model, State
 
@@ -19,6 +20,22 @@ _MOST_RAISED = 16.0
 _RAISED = "_raised_by_newton"
 
 
+class Raising:
+    """The stiffness of a contact from one update of its multipliers to the next."""
+
+    def __init__(self) -> None:
+        self.last = float("inf")
+
+    def updated(self, contact: Contact, change: float) -> None:
+        """After an update that was asked for such a change."""
+        is_slow, self.last = change > _SLOW * self.last, change
+        raised = getattr(contact, _RAISED, 1.0)
+        if is_slow and raised < _MOST_RAISED:
+            contact.stiffen(_RAISE)
+            setattr(contact, _RAISED, _RAISE * raised)
+            self.last = float("inf")
+
+
 class Penetration:
     """Updates of the multipliers in a load step."""
 
@@ -31,7 +48,7 @@ class Penetration:
         if options["self_contact"]:
             raise ValueError("a penetration asked for with a body in contact with itself is not there")
         self.model, self.wanted, self.reach, self.most = model, wanted, reach, most
-        self.updates, self.found, self.is_enough, self.last = 0, float("nan"), False, float("inf")
+        self.updates, self.found, self.is_enough, self.raising = 0, float("nan"), False, Raising()
 
     def moved_out(self, state: State, tolerance: float) -> State:
         """The state with surfaces moved out by what they penetrate, if the bodies are near an equilibrium and that is too much."""
@@ -46,10 +63,5 @@ class Penetration:
             left = max(now.penetration, now.change)
             raise NotConvergedError(f"a penetration of {left:.1e} after {self.most} updates, {self.wanted:.1e} is wanted", [])
         self.updates += 1
-        inner, is_slow, self.last = self.model.inner, now.change > _SLOW * self.last, now.change
-        raised = getattr(inner, _RAISED, 1.0)
-        if is_slow and raised < _MOST_RAISED:
-            inner.stiffen(_RAISE)
-            setattr(inner, _RAISED, _RAISE * raised)
-            self.last = float("inf")
+        self.raising.updated(self.model.inner, now.change)
         return self.model.again(state)

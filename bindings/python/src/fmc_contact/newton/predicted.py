@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from .levels import condensed_of
 from .linear import solved, summed
+from .prescribed import moved, start
 from .state import Model
 
 
@@ -24,11 +25,9 @@ def predicted(
     """Where one linear solve leads from the equilibrium ``x`` when what is prescribed is moved, in the shape of ``x``: bodies follow as
     their tangent and the semidefinite one of the contact say, without a look at what they meet there. ``None`` where the matrix is
     singular. Arguments as for ``newton``."""
-    x, free = np.array(x, np.float64), np.asarray(free)
-    free = np.flatnonzero(free) if free.dtype == bool else free
+    x, free = start(x, free)
     model = Model(residual_and_tangent, contact, x.shape, free)
-    step = (np.asarray(prescribed, np.float64) - x).ravel()
-    step[free] = 0.0
+    step = moved(x, free, prescribed)
     state = model.at(x)
     if solve is None and not state.result.pairs:
         try:
