@@ -32,10 +32,11 @@ pub struct Augmentation {
 impl<const D: usize> Contact<D> {
     /// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
     /// ([`Self::gap_constraints`]) at `coords`, up to four times as far where the last update of a series has closed less than it moved
-    /// out, and back where it has opened. Call it where the bodies are in equilibrium, or nearly, solve again, and so on until [`Augmentation::is_enough`]; the law's stiffness may be any, but a low one takes more updates.
-    /// All that is asked of the contact afterwards, forces, tangents, steps, is that of the surfaces moved out, whose penetration
-    /// is pressure by stiffness; [`Self::gap_constraints`] and [`Self::evaluate_true`] are those of the true ones. What is moved out
-    /// stays for the next load step; [`Self::set_multipliers`] with none moves it back.
+    /// out, and back where it has opened. Call it where the bodies are in equilibrium, or nearly, solve again, and so on until
+    /// [`Augmentation::is_enough`]; the law's stiffness may be any, but a low one takes more updates. All that is asked of the contact
+    /// afterwards, forces, tangents, steps, is that of the surfaces moved out, whose penetration is pressure by stiffness;
+    /// [`Self::gap_constraints`] and [`Self::evaluate_true`] are those of the true ones. What is moved out stays for the next load
+    /// step; [`Self::set_multipliers`] with none moves it back.
     ///
     /// Of two bodies the one with more nodes near the other when they meet has the multipliers, of equals the first.
     ///
@@ -132,12 +133,13 @@ impl<const D: usize> Contact<D> {
     fn check_multipliers(&self) -> Result<(), Error> {
         self.surface.refuse_submesh("multipliers of a part of a mesh")?;
         let is_rubbed = self.has_friction() || self.options.self_contact;
-        refuse(is_rubbed, self.laws().all(|law| law.initial_stiffness().is_some()))
+        let mut laws = std::iter::once(self.options.law).chain(self.pair_table.own_laws());
+        laws.try_for_each(|law| refuse(&law, is_rubbed))
     }
 
     /// Refuses options that do not go with multipliers, where there are some.
     pub(super) fn check_beside_multipliers(&self, law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
-        if self.multipliers.is_empty() { Ok(()) } else { refuse(is_rubbed, !matches!(law, EnergyLaw::Volume { .. })) }
+        if self.multipliers.is_empty() { Ok(()) } else { refuse(law, is_rubbed) }
     }
 }
 
@@ -145,16 +147,14 @@ fn check(name: &'static str, value: f64) -> Result<(), Error> {
     if value.is_finite() && value >= 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
 }
 
-fn refuse(is_rubbed: bool, has_stiffness: bool) -> Result<(), Error> {
-    if is_rubbed {
-        return Err(Error::Unsupported { what: "a penetration asked for with friction or self-contact" });
-    }
-    match has_stiffness {
-        true => Ok(()),
-        false => {
-            Err(Error::Unsupported { what: "a penetration asked for under a law without a stiffness by penetration" })
-        }
-    }
+/// Refuses what does not go with multipliers.
+fn refuse(law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
+    let what = match law {
+        _ if is_rubbed => "a penetration asked for with friction or self-contact",
+        EnergyLaw::Volume { .. } => "a penetration asked for under a law without a stiffness by penetration",
+        EnergyLaw::Fiber { .. } | EnergyLaw::Depth { .. } => return Ok(()),
+    };
+    Err(Error::Unsupported { what })
 }
 
 impl<const D: usize> Multipliers<D> {

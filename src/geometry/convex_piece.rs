@@ -68,7 +68,7 @@ impl<const D: usize> Piece<D> {
 }
 
 /// Value of the linear function with these values at the facet's corners.
-fn value<const D: usize>(w: &[f64; D], at_corners: &[f64; D]) -> f64 {
+pub(crate) fn value<const D: usize>(w: &[f64; D], at_corners: &[f64; D]) -> f64 {
     (0..D).map(|a| w[a] * at_corners[a]).sum()
 }
 

@@ -3,7 +3,7 @@
 use super::work::Work;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{Corners, cut};
+use crate::geometry::convex_piece::{Corners, cut, value};
 use crate::geometry::quadrature::measure;
 use crate::geometry::tree::Tree;
 use crate::overlap::pair::surface_point::SurfacePoint;
@@ -278,11 +278,6 @@ const FEW: usize = 64;
 
 /// Bounds of the part of a piece that a facet hides: its own edges, and the two ends of the lines.
 const MOST_BOUNDS: usize = 5;
-
-/// Value of a linear function, given at the facet's corners.
-fn value<const D: usize>(w: &[f64; D], bound: &[f64; D]) -> f64 {
-    (0..D).map(|a| w[a] * bound[a]).sum()
-}
 
 /// Whether some linear function, given at the facet's corners, is nowhere on a piece larger than `least`.
 fn is_clear<const D: usize>(piece: &[[f64; D]], bounds: &[[f64; D]], least: f64) -> bool {
