@@ -3,13 +3,15 @@
 //! `cargo bench -p fmc-benchmarks --bench scaling` prints a table; `-- quick` leaves out the largest meshes, and
 //! `-- size`, `corner`, `plates`, `bodies` or `small` prints a part. What was measured is left in out/bench/scaling.json for the pages.
 
+mod kept;
+
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{
     Bodies, CellBlock, CellType, Contact, EnergyLaw, Estimator, FiberOptions, Obstacle, Options, Pose, Shape, Surface,
 };
 use fmc_shapes::{Mesh, cuboid_tet4, icosphere};
+use kept::keep;
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::time::Instant;
 
 /// Figures by scene and path, times in milliseconds.
@@ -243,18 +245,6 @@ fn small_things(figures: &mut Figures) {
     figures.insert("check of cells".into(), [("each", each)].into());
 }
 
-/// Leaves the figures beside those of earlier runs.
-fn keep(figures: Figures) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../out/bench");
-    let path = folder.join("scaling.json");
-    let earlier = std::fs::read_to_string(&path).ok();
-    let mut all: BTreeMap<String, serde_json::Value> =
-        earlier.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
-    all.extend(figures.into_iter().map(|(name, of_scene)| (name, serde_json::json!(of_scene))));
-    let text = serde_json::to_string_pretty(&all).expect("numbers");
-    std::fs::create_dir_all(folder).and_then(|()| std::fs::write(path, text)).expect("a file of figures");
-}
-
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     let is_quick = words.iter().any(|word| word == "quick");
@@ -269,5 +259,5 @@ fn main() {
     ];
     let mut figures = Figures::new();
     parts.iter().filter(|(name, _)| is_asked(name)).for_each(|(_, part)| part(&mut figures));
-    keep(figures);
+    keep("scaling", figures.into_iter().map(|(scene, found)| (scene, serde_json::json!(found))));
 }

@@ -3,13 +3,15 @@
 //! `cargo bench -p fmc-benchmarks --bench statics` prints a table; `-- hertz3d` or `cone` prints a part. What was measured is left in
 //! out/bench/statics.json for the pages.
 
+mod kept;
+
 use fmc_benchmarks::case::{Case, Document};
 use fmc_benchmarks::run::solve;
 use fmc_contact::sparse::{Factorisation, Lower};
 use fmc_solid::statics::Equilibrium;
-use serde_json::{Map, Value, json};
+use kept::keep;
+use serde_json::json;
 use std::ops::ControlFlow;
-use std::path::Path;
 use std::time::Instant;
 
 /// Cases with changes that make them large; by how much, as a name.
@@ -50,9 +52,6 @@ fn factorisation(equilibrium: &Equilibrium<3>) -> f64 {
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../out/bench/statics.json");
-    let earlier = std::fs::read_to_string(&path).ok();
-    let mut all: Map<String, Value> = earlier.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
     for (name, size, changes) in
         PROBLEMS.iter().filter(|problem| words.is_empty() || words.iter().any(|w| w == problem.0))
     {
@@ -77,9 +76,6 @@ fn main() {
             "equations": equilibrium.equation_count(), "iterations": outer, "contact_iterations": inner,
             "factorisations": equilibrium.factorisations(), "seconds": seconds, "factorisation": one, "times": seconds / one,
         });
-        all.insert(format!("{name}, {size}"), figures);
-        let text = serde_json::to_string_pretty(&all).expect("numbers");
-        std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
-        std::fs::write(&path, text).expect("a file of figures");
+        keep("statics", [(format!("{name}, {size}"), figures)]);
     }
 }
