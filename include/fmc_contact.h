@@ -627,6 +627,18 @@ typedef struct {
 // in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
 typedef int32_t (*fmc_all_gather)(void *user, const void *send, const uint64_t *counts, void *received);
 
+// Sends bytes to every rank, this one too, and receives what they have for this one: `send` has `send_counts[r]` bytes for rank r, one
+// rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
+// MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
+//
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. It is called as `fmc_all_gather` is,
+// and must not do what that must not.
+typedef int32_t (*fmc_all_to_all)(void *user,
+                                  const void *send,
+                                  const uint64_t *send_counts,
+                                  void *received,
+                                  const uint64_t *received_counts);
+
 // Ranks of a parallel program, as the host's message passing library has them. Initialise it with `fmc_communicator_init`.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
@@ -638,10 +650,13 @@ typedef struct {
   int32_t size;
   // Moves bytes.
   fmc_all_gather all_gather;
-  // Handed to it.
+  // Handed to the functions.
   void *user;
+  // Moves bytes to single ranks; may be NULL, on all ranks, and what is for one rank then goes to all by `all_gather`. With a mesh
+  // in parts it takes the faces between ranks to those that may have the other side.
+  fmc_all_to_all all_to_all;
   // Zero. Room for functions of later versions.
-  uint64_t reserved[6];
+  uint64_t reserved[5];
 } fmc_communicator;
 
 // What ranks did since the communicator was set: of this rank, but for `item_count`.
@@ -1945,8 +1960,8 @@ fmc_status fmc_context_gap_gradient(const fmc_context *context,
 // change that are left alone, a length. `found` receives what there was.
 //
 // Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `enough` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
-// self-contact, a law whose pressure does not grow with the penetration, and a mesh in parts; else as `fmc_context_evaluate`.
-// The multipliers have then stayed. Threads: one call at a time on a context.
+// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
+// `fmc_context_evaluate`. The multipliers have then stayed. Threads: one call at a time on a context.
 fmc_status fmc_context_augment(fmc_context *context,
                                const fmc_coords *coords,
                                double reach,

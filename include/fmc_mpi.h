@@ -54,6 +54,50 @@ static inline int32_t fmc_mpi_all_gather(void *user, const void *send, const uin
   return MPI_SUCCESS;
 }
 
+static inline int32_t fmc_mpi_all_to_all(void *user, const void *send, const uint64_t *send_counts, void *received,
+                                         const uint64_t *received_counts) {
+  MPI_Comm comm = *(MPI_Comm *)user;
+  int rank, size, code = MPI_Comm_rank(comm, &rank);
+  if (code == MPI_SUCCESS) code = MPI_Comm_size(comm, &size);
+  if (code != MPI_SUCCESS) return code;
+  uint64_t *at = (uint64_t *)calloc((size_t)size + 1, sizeof(uint64_t)), *to = (uint64_t *)calloc((size_t)size + 1, sizeof(uint64_t));
+  uint64_t largest = 0;
+  int *numbers = (int *)malloc(4 * sizeof(int) * (size_t)size);
+  if (!at || !to || !numbers) code = MPI_ERR_NO_MEM;
+  for (int r = 0; code == MPI_SUCCESS && r < size; ++r) {
+    at[r + 1] = at[r] + send_counts[r];
+    to[r + 1] = to[r] + received_counts[r];
+  }
+  if (code == MPI_SUCCESS) largest = at[size] > to[size] ? at[size] : to[size];
+  /* All go the same way. */
+  if (code == MPI_SUCCESS) code = MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_UINT64_T, MPI_MAX, comm);
+  if (code == MPI_SUCCESS && largest <= FMC_MPI_LARGEST) {
+    for (int r = 0; r < size; ++r) {
+      numbers[r] = (int)send_counts[r];
+      numbers[size + r] = (int)at[r];
+      numbers[2 * size + r] = (int)received_counts[r];
+      numbers[3 * size + r] = (int)to[r];
+    }
+    code = MPI_Alltoallv(send, numbers, numbers + size, MPI_BYTE, received, numbers + 2 * size, numbers + 3 * size, MPI_BYTE, comm);
+  } else {
+    for (int step = 0; step < size; ++step) {
+      const int target = (rank + step) % size, source = (rank + size - step) % size;
+      for (uint64_t done = 0; code == MPI_SUCCESS && (done < send_counts[target] || done < received_counts[source]); done += FMC_MPI_LARGEST) {
+        const uint64_t out = done < send_counts[target] ? send_counts[target] - done : 0;
+        const uint64_t in = done < received_counts[source] ? received_counts[source] - done : 0;
+        code = MPI_Sendrecv((const char *)send + at[target] + done, (int)(out < FMC_MPI_LARGEST ? out : FMC_MPI_LARGEST), MPI_BYTE,
+                            out ? target : MPI_PROC_NULL, 0, (char *)received + to[source] + done,
+                            (int)(in < FMC_MPI_LARGEST ? in : FMC_MPI_LARGEST), MPI_BYTE, in ? source : MPI_PROC_NULL, 0, comm,
+                            MPI_STATUS_IGNORE);
+      }
+    }
+  }
+  free(at);
+  free(to);
+  free(numbers);
+  return code;
+}
+
 /* Fills `ranks` for a communicator of MPI, and returns what MPI returns. */
 static inline int fmc_mpi_communicator(MPI_Comm *comm, fmc_communicator *ranks) {
   int rank, size, code = MPI_Comm_rank(*comm, &rank);
@@ -63,6 +107,7 @@ static inline int fmc_mpi_communicator(MPI_Comm *comm, fmc_communicator *ranks) 
   ranks->rank = rank;
   ranks->size = size;
   ranks->all_gather = fmc_mpi_all_gather;
+  ranks->all_to_all = fmc_mpi_all_to_all;
   ranks->user = comm;
   return MPI_SUCCESS;
 }

@@ -35,7 +35,7 @@ pub use geometry::{
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
 pub use partition::{CarriedSlip, MeshPart, PartitionCounts, PartitionedContact};
-pub use ranks::{Communicator, RankCounts};
+pub use ranks::{AllToAll, Communicator, RankCounts};
 pub use sampling::FiberPattern;
 
 /// The documentation's Rust code, run by the tests.

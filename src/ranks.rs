@@ -5,14 +5,15 @@
 //! there on all do the same, with the same bits as one rank alone.
 //!
 //! `communicator` (what a host gives) · `packed` (results as bytes) · `shared_work` (who does what, and that all agree) ·
-//! `sharing` (by which the rest of the code asks for it).
+//! `exchange` (what is for single ranks) · `sharing` (by which the rest of the code asks for it).
 
 mod communicator;
+mod exchange;
 mod packed;
 mod shared_work;
 mod sharing;
 
-pub use communicator::Communicator;
+pub use communicator::{AllToAll, Communicator};
 pub(crate) use packed::{Packed, packed};
 pub use shared_work::RankCounts;
 pub(crate) use shared_work::Ranks;

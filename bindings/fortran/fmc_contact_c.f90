@@ -250,7 +250,8 @@ module fmc_contact_c
     integer(c_int32_t) :: size
     type(c_funptr) :: all_gather
     type(c_ptr) :: user
-    integer(c_int64_t) :: reserved(6)
+    type(c_funptr) :: all_to_all
+    integer(c_int64_t) :: reserved(5)
   end type
 
   type, bind(c) :: fmc_rank_counts
@@ -447,6 +448,15 @@ module fmc_contact_c
       integer(c_int64_t), intent(in) :: counts(*)
       type(c_ptr), value :: received
       integer(c_int32_t) :: fmc_all_gather
+    end function
+    function fmc_all_to_all(user, send, send_counts, received, received_counts) bind(c)
+      import
+      type(c_ptr), value :: user
+      type(c_ptr), value :: send
+      integer(c_int64_t), intent(in) :: send_counts(*)
+      type(c_ptr), value :: received
+      integer(c_int64_t), intent(in) :: received_counts(*)
+      integer(c_int32_t) :: fmc_all_to_all
     end function
     function fmc_place(user, n, displacement, coords) bind(c)
       import

@@ -21,7 +21,7 @@ mod stateless;
 mod tangent;
 
 pub(crate) use array::{Array, checked, unless};
-pub(crate) use callbacks::echo;
+pub(crate) use callbacks::{echo, to_itself};
 pub(crate) use creation::{cell_size, create};
 
 use crate::condensation;

@@ -1,7 +1,7 @@
 //! A mesh in one part beside the same mesh whole.
 
 use crate::guarded::Guarded;
-use crate::host::{Array, cell_size, checked, create, echo, unless};
+use crate::host::{Array, cell_size, checked, create, echo, to_itself, unless};
 use crate::interface::*;
 use crate::mesh::Mesh;
 use crate::program::{Hole, Layout};
@@ -53,6 +53,7 @@ fn of_part(mesh: &Mesh, ids: &[i64], options: &fmc_options, reach: f64, hole: Ho
         assert_eq!(checked(fmc_communicator_init(&raw mut ranks)), OK);
         ranks.all_gather = Some(echo);
         ranks.user = std::ptr::without_provenance_mut(256);
+        ranks.all_to_all = (hole % 2 == 0).then_some(to_itself);
         let part = fmc_mesh_part {
             struct_size: size_of::<fmc_mesh_part>(),
             coords: coords.view,

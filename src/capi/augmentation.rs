@@ -24,8 +24,8 @@ use super::view::fmc_coords;
 /// change that are left alone, a length. `found` receives what there was.
 ///
 /// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `enough` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
-/// self-contact, a law whose pressure does not grow with the penetration, and a mesh in parts; else as `fmc_context_evaluate`.
-/// The multipliers have then stayed. Threads: one call at a time on a context.
+/// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
+/// `fmc_context_evaluate`. The multipliers have then stayed. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_augment(
     context: *mut fmc_context,

@@ -6,7 +6,7 @@ use super::failure::Failure;
 use super::pointer::{Output, optional};
 use super::status::fmc_status;
 use super::status::fmc_status::{FMC_ERROR_BAD_RANK, FMC_ERROR_NULL_POINTER, FMC_ERROR_STRUCT_SIZE};
-use crate::{Communicator, Error};
+use crate::{AllToAll, Communicator, Error};
 use std::ffi::c_void;
 
 /// Sends bytes to all ranks, this one too, and receives what they send: rank r sends `counts[r]` bytes, and `received` gets
@@ -17,6 +17,22 @@ use std::ffi::c_void;
 /// in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
 pub type fmc_all_gather = Option<
     unsafe extern "C" fn(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32,
+>;
+
+/// Sends bytes to every rank, this one too, and receives what they have for this one: `send` has `send_counts[r]` bytes for rank r, one
+/// rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
+/// MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
+///
+/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. It is called as `fmc_all_gather` is,
+/// and must not do what that must not.
+pub type fmc_all_to_all = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        send: *const c_void,
+        send_counts: *const u64,
+        received: *mut c_void,
+        received_counts: *const u64,
+    ) -> i32,
 >;
 
 /// Ranks of a parallel program, as the host's message passing library has them. Initialise it with `fmc_communicator_init`.
@@ -32,10 +48,13 @@ pub struct fmc_communicator {
     pub size: i32,
     /// Moves bytes.
     pub all_gather: fmc_all_gather,
-    /// Handed to it.
+    /// Handed to the functions.
     pub user: *mut c_void,
+    /// Moves bytes to single ranks; may be NULL, on all ranks, and what is for one rank then goes to all by `all_gather`. With a mesh
+    /// in parts it takes the faces between ranks to those that may have the other side.
+    pub all_to_all: fmc_all_to_all,
     /// Zero. Room for functions of later versions.
-    pub reserved: [u64; 6],
+    pub reserved: [u64; 5],
 }
 
 /// What ranks did since the communicator was set: of this rank, but for `item_count`.
@@ -66,7 +85,8 @@ pub unsafe extern "C" fn fmc_communicator_init(communicator: *mut fmc_communicat
             size: 1,
             all_gather: None,
             user: std::ptr::null_mut(),
-            reserved: [0; 6],
+            all_to_all: None,
+            reserved: [0; 5],
         };
         // SAFETY: the host guarantees room for a struct.
         unsafe { output.write(alone) };
@@ -131,19 +151,20 @@ pub unsafe extern "C" fn fmc_context_rank_counts(
 pub(super) struct HostRanks {
     rank: usize,
     size: usize,
-    function: unsafe extern "C" fn(*mut c_void, *const c_void, *const u64, *mut c_void) -> i32,
+    all_gather: unsafe extern "C" fn(*mut c_void, *const c_void, *const u64, *mut c_void) -> i32,
+    all_to_all: fmc_all_to_all,
     user: *mut c_void,
 }
 
-// SAFETY: the pointer is handed through, never followed, and the function is called by the thread that evaluates the context
-// only; the host promises in `fmc_context_set_communicator` that it may be called from whichever that is.
+// SAFETY: the pointer is handed through, never followed, and the functions are called by the thread that evaluates the context
+// only; the host promises in `fmc_context_set_communicator` that they may be called from whichever that is.
 unsafe impl Send for HostRanks {}
 // SAFETY: as above; evaluations of one context exclude one another.
 unsafe impl Sync for HostRanks {}
 
 impl HostRanks {
     pub(super) fn new(given: &fmc_communicator) -> Result<Self, Failure> {
-        if given.struct_size != size_of::<fmc_communicator>() || given.reserved != [0; 6] {
+        if given.struct_size != size_of::<fmc_communicator>() || given.reserved != [0; 5] {
             let text = "the communicator was not set by fmc_communicator_init";
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
         }
@@ -154,10 +175,10 @@ impl HostRanks {
         if rank >= size {
             return Err(Error::BadRank { rank, size }.into());
         }
-        let Some(function) = given.all_gather else {
+        let Some(all_gather) = given.all_gather else {
             return Err(Failure::new(FMC_ERROR_NULL_POINTER, "'all_gather' of the communicator is NULL"));
         };
-        Ok(Self { rank, size, function, user: given.user })
+        Ok(Self { rank, size, all_gather, all_to_all: given.all_to_all, user: given.user })
     }
 }
 
@@ -174,8 +195,25 @@ impl Communicator for HostRanks {
         let counts: Vec<u64> = counts.iter().map(|count| *count as u64).collect();
         // SAFETY: there is one count for every rank, `send` has that of this one, and `received` has room for their sum; the host
         // guarantees a function that keeps to its contract.
-        let code =
-            unsafe { (self.function)(self.user, send.as_ptr().cast(), counts.as_ptr(), received.as_mut_ptr().cast()) };
+        let code = unsafe {
+            (self.all_gather)(self.user, send.as_ptr().cast(), counts.as_ptr(), received.as_mut_ptr().cast())
+        };
+        if code == 0 { Ok(()) } else { Err(code) }
+    }
+
+    fn all_to_all(&self) -> Option<&dyn AllToAll> {
+        self.all_to_all.map(|_| self as &dyn AllToAll)
+    }
+}
+
+impl AllToAll for HostRanks {
+    fn all_to_all(&self, send: &[u8], to: &[usize], from: &[usize], received: &mut [u8]) -> Result<(), i32> {
+        let Some(function) = self.all_to_all else { return Err(0) };
+        let [to, from] = [to, from].map(|counts| counts.iter().map(|count| *count as u64).collect::<Vec<u64>>());
+        let (send, received) = (send.as_ptr().cast(), received.as_mut_ptr().cast());
+        // SAFETY: there is one count of either kind for every rank, `send` has their sum, and `received` has room for that of the
+        // others; the host guarantees a function that keeps to its contract.
+        let code = unsafe { function(self.user, send, to.as_ptr(), received, from.as_ptr()) };
         if code == 0 { Ok(()) } else { Err(code) }
     }
 }

@@ -3,7 +3,7 @@
 use super::Contact;
 use super::gap_constraints::GapConstraints;
 use super::kernels;
-use super::laws::EnergyLaw;
+use super::laws::{EnergyLaw, FiberProfile};
 use super::multipliers::{Multiplier, Multipliers, sorted};
 use super::options::Options;
 use crate::Error;
@@ -45,7 +45,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a reach or a penetration that is negative or no number; [`Error::Unsupported`] with friction,
-    /// self-contact, a law whose pressure does not grow with the penetration, and a mesh in parts; else as [`Self::evaluate`]. The
+    /// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as [`Self::evaluate`]. The
     /// multipliers have then stayed.
     pub fn augment(&mut self, coords: &[[f64; D]], reach: f64, enough: f64) -> Result<Augmentation, Error> {
         check("penetration", enough)?;
@@ -147,12 +147,16 @@ fn check(name: &'static str, value: f64) -> Result<(), Error> {
     if value.is_finite() && value >= 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
 }
 
-/// Refuses what does not go with multipliers.
+/// Refuses what does not go with multipliers: a shift stands for a pressure, whatever the stiffness is raised to, only where pressure is
+/// stiffness times penetration.
 fn refuse(law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
     let what = match law {
         _ if is_rubbed => "a penetration asked for with friction or self-contact",
-        EnergyLaw::Volume { .. } => "a penetration asked for under a law without a stiffness by penetration",
-        EnergyLaw::Fiber { .. } | EnergyLaw::Depth { .. } => return Ok(()),
+        EnergyLaw::Fiber { profile: FiberProfile::Quadratic, .. }
+        | EnergyLaw::Depth { profile: FiberProfile::Quadratic, .. } => {
+            return Ok(());
+        }
+        _ => "a penetration asked for under a law whose pressure is not a stiffness times the penetration",
     };
     Err(Error::Unsupported { what })
 }

@@ -60,70 +60,81 @@ type Key = (u32, Vec<u64>);
 /// # Errors
 /// [`Error::NonManifold`] for a face of more than two cells.
 fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> Result<Border<D>, Error> {
-    let place = |node: u32| Vector::<D>::from(own.reference[node as usize]);
-    let mut own_box = Aabb::empty();
-    lone.iter().flat_map(|face| &face.corners).for_each(|&node| own_box.include(&place(node)));
-    let boxes: Vec<Aabb<D>> = ranks
-        .gather_lists(&[[own_box.min, own_box.max]])?
-        .concat()
-        .iter()
-        .map(|[min, max]| Aabb { min: *min, max: *max })
-        .collect();
-    let others: Vec<Aabb<D>> =
-        boxes.iter().enumerate().filter(|(rank, _)| *rank != ranks.rank()).map(|(_, aabb)| *aabb).collect();
+    let boxes = boxes(own, lone, ranks)?;
     // Only what lies in the box of another rank can be that one's too.
-    let may_be_shared = |corners: &[u32]| {
-        let aabb = corners.iter().fold(Aabb::empty(), |mut aabb, &node| {
-            aabb.include(&place(node));
+    let may_have = |corners: &[u32]| {
+        let places = corners.iter().map(|&node| Vector::<D>::from(own.reference[node as usize]));
+        let aabb = places.fold(Aabb::empty(), |mut aabb, x| {
+            aabb.include(&x);
             aabb
         });
         let aabb = aabb.inflated(aabb.rounding());
-        others.iter().any(|other| other.meets(&aabb))
+        let others = boxes.iter().enumerate().filter(|(rank, _)| *rank != ranks.rank());
+        others.filter(|(_, other)| other.meets(&aabb)).map(|(rank, _)| rank).collect::<Vec<usize>>()
     };
     let key = |face: &LoneFace| -> Key {
         let mut numbers: Vec<u64> = face.corners.iter().map(|&node| own.node_numbers[node as usize]).collect();
         numbers.sort_unstable();
         (own.body[face.cell], numbers)
     };
-    let sent: Vec<Key> = lone.iter().filter(|face| may_be_shared(&face.corners)).map(key).collect();
-    let mut count: BTreeMap<Key, usize> = BTreeMap::new();
-    for key in ranks.gather_lists(&sent)?.into_iter().flatten() {
-        *count.entry(key).or_default() += 1;
+    let mut sent = vec![Vec::new(); boxes.len()];
+    for face in lone {
+        may_have(&face.corners).into_iter().for_each(|rank| sent[rank].push(key(face)));
     }
-    let crowded = lone.iter().find(|face| count.get(&key(face)).is_some_and(|count| *count > 2));
-    let crowded = crowded.map_or(Ok(()), |face| {
+    let mut of_others: BTreeMap<Key, usize> = BTreeMap::new();
+    for key in ranks.exchange(&sent)?.into_iter().flatten() {
+        *of_others.entry(key).or_default() += 1;
+    }
+    let behind = |face: &LoneFace| of_others.get(&key(face)).copied().unwrap_or(0);
+    let crowded = lone.iter().find(|face| behind(face) > 1).map_or(Ok(()), |face| {
         let nodes = [face.corners[0] as usize, face.corners[1] as usize];
         Err(Error::NonManifold { facet: face.cell, nodes })
     });
     ranks.agree(crowded, 3)?;
     let mut surface_faces = vec![0; own.len()];
-    for face in lone.iter().filter(|face| count.get(&key(face)).is_none_or(|count| *count < 2)) {
+    for face in lone.iter().filter(|face| behind(face) == 0) {
         surface_faces[face.cell] |= 1 << face.face;
     }
     let (surface_nodes, points) = own.surface.as_ref().map_or_else(
         || (vec![Vec::new(); own.body_ids.len()], vec![0; own.body_ids.len()]),
         |surface| on_surface(own, surface, &surface_faces),
     );
-    let mut shared: Vec<(u32, u64)> = Vec::new();
-    let mut sent: Vec<(usize, bool, u64)> = Vec::with_capacity(points.len());
-    let first_cells = first_cells(own, &surface_faces);
+    let mut sent = vec![Vec::new(); boxes.len()];
     for (body, nodes) in surface_nodes.iter().enumerate() {
-        let of_others = nodes.iter().filter(|&&node| may_be_shared(&[node]));
-        let before = shared.len();
-        shared.extend(of_others.map(|&node| (body as u32, own.node_numbers[node as usize])));
+        for &node in nodes {
+            let key = (body as u32, own.node_numbers[node as usize]);
+            may_have(&[node]).into_iter().for_each(|rank| sent[rank].push(key));
+        }
+    }
+    // A node of several ranks counts for the first of them.
+    let counted: BTreeSet<(u32, u64)> = ranks.exchange(&sent)?.into_iter().take(ranks.rank()).flatten().collect();
+    let first_cells = first_cells(own, &surface_faces);
+    let mut sent: Vec<(usize, bool, u64)> = Vec::with_capacity(points.len());
+    for (body, nodes) in surface_nodes.iter().enumerate() {
+        let is_mine = |node: &&u32| !counted.contains(&(body as u32, own.node_numbers[**node as usize]));
         let (is_inner, cell) = first_cells[body];
-        sent.push((points[body] + nodes.len() - (shared.len() - before), is_inner, cell));
+        sent.push((points[body] + nodes.iter().filter(is_mine).count(), is_inner, cell));
     }
     let of_ranks = ranks.gather_lists(&sent)?;
     let of_body = |body: usize| of_ranks.iter().map(move |of_rank| of_rank[body]);
-    let mut surface_node_counts =
-        (0..points.len()).map(|body| of_body(body).map(|(count, ..)| count).sum()).collect::<Vec<usize>>();
+    let surface_node_counts = (0..points.len()).map(|body| of_body(body).map(|(count, ..)| count).sum()).collect();
     let first = |body| of_body(body).map(|(_, is_inner, cell)| (is_inner, cell)).min().map_or(0, |(_, cell)| cell);
     let first_cells = (0..points.len()).map(first).collect();
-    let shared: BTreeSet<(u32, u64)> = ranks.gather_lists(&shared)?.into_iter().flatten().collect();
-    shared.iter().for_each(|(body, _)| surface_node_counts[*body as usize] += 1);
     let reference_box = boxes.iter().fold(Aabb::empty(), |all, aabb| all.union(aabb));
     Ok(Border { surface_faces, first_cells, whole: Whole { surface_node_counts, reference_box } })
+}
+
+/// By rank, the box of the nodes of its faces that have no own cell behind them.
+fn boxes<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> Result<Vec<Aabb<D>>, Error> {
+    let mut own_box = Aabb::empty();
+    let corners = lone.iter().flat_map(|face| face.corners.iter().copied());
+    // Faces of second order bulge beyond their corners.
+    let facets = own.surface.iter().flat_map(|surface| surface.boundary_facets()).flat_map(|facet| facet.nodes);
+    for node in corners.chain(facets).filter(|&node| (node as usize) < own.node_count()) {
+        own_box.include(&Vector::from(own.reference[node as usize]));
+    }
+    let boxes = ranks.gather_lists(&[[own_box.min, own_box.max]])?.concat();
+    Ok(boxes.into_iter().map(|[min, max]| Aabb { min, max }).collect())
 }
 
 /// Whether it has no face on the surface, and number of the first own cell of every body, those on the surface before others.

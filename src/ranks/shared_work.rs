@@ -28,9 +28,9 @@ pub struct RankCounts {
 
 /// The ranks that share the work of one contact.
 pub(crate) struct Ranks {
-    communicator: Box<dyn Communicator>,
+    pub(super) communicator: Box<dyn Communicator>,
     rank: usize,
-    size: usize,
+    pub(super) size: usize,
     counts: Mutex<RankCounts>,
     /// What went wrong first in the evaluation in hand.
     failure: Mutex<Option<Error>>,
@@ -129,6 +129,11 @@ impl Ranks {
         own.len().pack(&mut send);
         own.iter().for_each(|item| item.pack(&mut send));
         let received = self.gather(&send, tag::<T>(0, 0));
+        self.lists_in(received)
+    }
+
+    /// Lists of all ranks in what was received, or why there are none.
+    pub(super) fn lists_in<T: Packed>(&self, received: Option<Vec<u8>>) -> Result<Vec<Vec<T>>, Error> {
         let failed = || {
             let failure = self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
             failure.unwrap_or(Error::RanksDiffer { rank: self.rank })
@@ -181,11 +186,17 @@ impl Ranks {
 
     /// What all ranks send, one after the other; `None` where it cannot be had, or the ranks do not do the same.
     fn gather(&self, send: &[u8], tag: u64) -> Option<Vec<u8>> {
-        if self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).is_some() {
+        if self.has_failed() {
             return None;
         }
+        let counts = self.lengths(send.len(), tag)?;
+        self.all_gather(send, &counts)
+    }
+
+    /// How much all ranks are about to send; `None` as above.
+    pub(super) fn lengths(&self, length: usize, tag: u64) -> Option<Vec<usize>> {
         let mut about = Vec::new();
-        [send.len() as u64, tag].pack(&mut about);
+        [length as u64, tag].pack(&mut about);
         let received = self.all_gather(&about, &vec![about.len(); self.size])?;
         let of_ranks: Vec<[u64; 2]> =
             received.chunks(about.len()).filter_map(|mut bytes| Packed::unpack(&mut bytes)).collect();
@@ -193,8 +204,7 @@ impl Ranks {
             self.fail(Error::RanksDiffer { rank });
             return None;
         }
-        let counts: Vec<usize> = of_ranks.iter().map(|[count, _]| *count as usize).collect();
-        self.all_gather(send, &counts)
+        Some(of_ranks.iter().map(|[length, _]| *length as usize).collect())
     }
 
     fn all_gather(&self, send: &[u8], counts: &[usize]) -> Option<Vec<u8>> {
@@ -204,13 +214,20 @@ impl Ranks {
             sum.sent_bytes += send.len() as u64;
             sum.received_bytes += received.len() as u64;
         });
-        match self.communicator.all_gather(send, counts, &mut received) {
-            Ok(()) => Some(received),
-            Err(code) => {
-                self.fail(Error::Communication { code });
-                None
-            }
+        let done = self.communicator.all_gather(send, counts, &mut received);
+        self.is_done(done).then_some(received)
+    }
+
+    /// Whether the host's function has done what it should; else that it has not is kept for [`Self::agree`].
+    pub(super) fn is_done(&self, done: Result<(), i32>) -> bool {
+        if let Err(code) = done {
+            self.fail(Error::Communication { code });
         }
+        done.is_ok()
+    }
+
+    pub(super) fn has_failed(&self) -> bool {
+        self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).is_some()
     }
 
     fn fail(&self, error: Error) {
@@ -218,13 +235,13 @@ impl Ranks {
         failure.get_or_insert(error);
     }
 
-    fn count(&self, add: impl FnOnce(&mut RankCounts)) {
+    pub(super) fn count(&self, add: impl FnOnce(&mut RankCounts)) {
         add(&mut self.counts.lock().unwrap_or_else(|poisoned| poisoned.into_inner()));
     }
 }
 
 /// What is sent, and how many: ranks that do different things are found out.
-fn tag<U>(chunk_count: usize, item_count: usize) -> u64 {
+pub(super) fn tag<U>(chunk_count: usize, item_count: usize) -> u64 {
     let mut hasher = rustc_hash::FxHasher::default();
     hasher.write(type_name::<U>().as_bytes());
     hasher.write_usize(chunk_count);

@@ -4,7 +4,7 @@ use crate::equilibrium::{K, Scene, scene};
 use crate::springs::square;
 use fmc_contact::contact::{ContactStepOptions, Friction, Multiplier};
 use fmc_contact::overlap::Partner;
-use fmc_contact::{EnergyLaw, Error, Options};
+use fmc_contact::{EnergyLaw, Error, Estimator, FiberOptions, FiberProfile, Options};
 use nalgebra::DVector;
 
 /// Beside the contact step, which has pressures at nodes in place of a law, and gaps as constraints.
@@ -155,7 +155,12 @@ fn what_cannot_be_is_refused() {
     let rubbed = Options { friction: Friction::coulomb(0.3), ..Options::new(EnergyLaw::depth(1.0)) };
     let itself = Options { self_contact: true, ..Options::new(EnergyLaw::depth(1.0)) };
     let volume = Options::new(EnergyLaw::volume(1.0));
-    for options in [rubbed, itself, volume] {
+    // What a shift presses with would not stay when the law is made stiffer, and never comes to more than the law's k.
+    let profile = FiberProfile::Linear { smoothing_length: 1e-3 };
+    let bounded = [EnergyLaw::Fiber { stiffness: 1.0, profile }, EnergyLaw::Depth { stiffness: 1.0, profile }];
+    let by_lines = Estimator::Fibers(FiberOptions::default());
+    let [fiber, depth] = bounded.map(|law| Options { estimator: by_lines, ..Options::new(law) });
+    for options in [rubbed, itself, volume, fiber, depth] {
         refused(options);
     }
     let law = Options::new(EnergyLaw::fiber(1.0));
@@ -165,7 +170,7 @@ fn what_cannot_be_is_refused() {
     }
     contact.augment(&coords, 0.0, 1e-6).unwrap();
     let kept = contact.multipliers();
-    for options in [rubbed, itself, volume] {
+    for options in [rubbed, itself, volume, fiber] {
         assert!(matches!(contact.set_options(options), Err(Error::Unsupported { .. })));
     }
     let with = |change: fn(&mut Multiplier<2>)| {

@@ -7,6 +7,7 @@ mod communicator;
 
 mod bodies_in_parts;
 mod carried_over;
+mod faces_between;
 mod failures;
 mod partition;
 mod parts;

@@ -25,6 +25,7 @@ NUMBERS = {
 }
 CALLBACKS = {"fmc_signed_distance": _signatures.SIGNED_DISTANCE, "fmc_log_callback": _signatures.LOG}
 CALLBACKS["fmc_place"], CALLBACKS["fmc_all_gather"] = _signatures.PLACE, _signatures.ALL_GATHER
+CALLBACKS["fmc_all_to_all"] = _signatures.ALL_TO_ALL
 STRUCTS = {
     name: getattr(_structs, name)
     for name in ("fmc_options", "fmc_coords", "fmc_forces", "fmc_cell_block", "fmc_cell_block_i64", "fmc_result")

@@ -10,6 +10,17 @@ pub type fmc_all_gather = Option<
     unsafe extern "C" fn(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32,
 >;
 
+/// As in the header.
+pub type fmc_all_to_all = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        send: *const c_void,
+        send_counts: *const u64,
+        received: *mut c_void,
+        received_counts: *const u64,
+    ) -> i32,
+>;
+
 #[repr(C)]
 pub struct fmc_communicator {
     pub struct_size: usize,
@@ -17,7 +28,8 @@ pub struct fmc_communicator {
     pub size: i32,
     pub all_gather: fmc_all_gather,
     pub user: *mut c_void,
-    pub reserved: [u64; 6],
+    pub all_to_all: fmc_all_to_all,
+    pub reserved: [u64; 5],
 }
 
 #[repr(C)]

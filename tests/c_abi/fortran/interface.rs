@@ -112,7 +112,7 @@ fn argument_of(argument: &Variable, of_callback: bool) -> String {
 }
 
 fn is_callback(c: &str) -> bool {
-    matches!(c, "fmc_all_gather" | "fmc_log_callback" | "fmc_place" | "fmc_signed_distance")
+    matches!(c, "fmc_all_gather" | "fmc_all_to_all" | "fmc_log_callback" | "fmc_place" | "fmc_signed_distance")
 }
 
 fn type_of(c: &str) -> String {

@@ -8,6 +8,7 @@ import numpy as np
 
 from ._structs import (
     ALL_GATHER,
+    ALL_TO_ALL,
     fmc_augmentation,
     fmc_boundary_facet,
     fmc_cell_block,

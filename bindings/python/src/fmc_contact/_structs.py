@@ -294,6 +294,10 @@ ALL_GATHER = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_uint64), c_void_p)
 """``fmc_all_gather``."""
 
 
+ALL_TO_ALL = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_uint64), c_void_p, POINTER(c_uint64))
+"""``fmc_all_to_all``."""
+
+
 class fmc_communicator(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -301,7 +305,8 @@ class fmc_communicator(Structure):
         ("size", c_int32),
         ("all_gather", ALL_GATHER),
         ("user", c_void_p),
-        ("reserved", c_uint64 * 6),
+        ("all_to_all", ALL_TO_ALL),
+        ("reserved", c_uint64 * 5),
     ]
 
 

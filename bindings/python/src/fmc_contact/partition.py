@@ -110,7 +110,7 @@ class PartitionedContact(Contact):
         ranks = described(comm, lambda function: guarded(function, raised))
         new = library.fmc_context_new_from_part
         handle = Handle(lambda to: new(dim, byref(ranks), byref(part), byref(self._options), to), raised)
-        handle.keep("communicator", ranks.all_gather)
+        handle.keep("communicator", (ranks.all_gather, ranks.all_to_all))
         self._own_node_count = view.node_count
         self._begin(mesh.Start(handle, dim, view.is_columns))
         self._read_nodes()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Callable, Protocol
 import numpy as np
 
 from ._library import check, library
-from ._signatures import ALL_GATHER
+from ._signatures import ALL_GATHER, ALL_TO_ALL
 from ._structs import fmc_communicator, fmc_rank_counts
 
 if TYPE_CHECKING:
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 
 class Communicator(Protocol):
-    """What is used of a communicator: one of mpi4py, or anything with the same three."""
+    """What is used of a communicator: one of mpi4py, or anything with the same three. Where it has ``Alltoallv`` too, as that has, what is
+    for single ranks goes to these alone."""
 
     rank: int
     size: int
@@ -62,7 +63,7 @@ class Shared:
         given = described(comm, self._handle.guarded)
         with self._handle:
             self._handle.call(library.fmc_context_set_communicator, byref(given))
-            self._handle.keep("communicator", given.all_gather)
+            self._handle.keep("communicator", (given.all_gather, given.all_to_all))
 
     def rank_counts(self) -> RankCounts:
         """What was shared since the communicator was set; zeros without one. Errors: ``BusyError``."""
@@ -73,19 +74,31 @@ class Shared:
 
 
 def described(comm: Communicator, guard: Callable[[Callable[..., None]], Callable[..., int]]) -> fmc_communicator:
-    """A communicator as the library takes it; its function is guarded by ``guard``, and kept by the caller."""
+    """A communicator as the library takes it; its functions are guarded by ``guard``, and kept by the caller."""
     rank, size = int(comm.rank), int(comm.size)
 
     def gather(_user: object, send: int, counts: object, received: int) -> None:
-        every = np.ctypeslib.as_array(counts, (size,)).astype(np.int64)
-        displacements = np.concatenate([[0], np.cumsum(every)[:-1]])
-        comm.Allgatherv(_bytes(send, every[rank]), [_bytes(received, every.sum()), (every, displacements)])
+        every, places = _counts(counts, size)
+        comm.Allgatherv(_bytes(send, every[rank]), [_bytes(received, every.sum()), (every, places)])
+
+    def to_single(_user: object, send: int, to: object, received: int, given: object) -> None:
+        parts = [(_bytes(address, counts.sum()), (counts, places)) for address, (counts, places) in (
+            (send, _counts(to, size)), (received, _counts(given, size)))]
+        comm.Alltoallv(list(parts[0]), list(parts[1]))
 
     given = fmc_communicator()
     check(library.fmc_communicator_init(byref(given)))
     given.rank, given.size = rank, size
     given.all_gather = ALL_GATHER(guard(gather))
+    if hasattr(comm, "Alltoallv"):
+        given.all_to_all = ALL_TO_ALL(guard(to_single))
     return given
+
+
+def _counts(counts: object, size: int) -> tuple[np.ndarray, np.ndarray]:
+    """Bytes of every rank, and where they begin."""
+    every = np.ctypeslib.as_array(counts, (size,)).astype(np.int64)
+    return every, np.concatenate([[0], np.cumsum(every)[:-1]])
 
 
 def _bytes(address: int | None, count: int) -> np.ndarray:
