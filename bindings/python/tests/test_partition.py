@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from test_ranks import blocks, contact_of, grid, on_ranks  # noqa: F401
+from test_ranks import Rank, SendingRank, blocks, contact_of, grid, on_ranks  # noqa: F401
 
 import fmc_contact
 
@@ -28,8 +28,9 @@ def parted(blocks, comm, **options):
     return fmc_contact.PartitionedContact(comm, coords, conn, "quad", stiffness=30.0, **numbers, **options), numbers
 
 
+@pytest.mark.parametrize("kind", [Rank, SendingRank])
 @pytest.mark.parametrize("law", ["fiber", "depth", "volume"])
-def test_parts_have_the_bits_of_the_whole(blocks, law):
+def test_parts_have_the_bits_of_the_whole(blocks, law, kind):
     expected = whole(blocks, law=law).evaluate(blocks[0])
 
     def work(comm):
@@ -44,7 +45,7 @@ def test_parts_have_the_bits_of_the_whole(blocks, law):
         assert counts.whole_facet_count == 2 * (602 + 532) and counts.gather_count == 1
         return result.volume
 
-    assert on_ranks(3, work) == [expected.volume] * 3
+    assert on_ranks(3, work, kind) == [expected.volume] * 3
 
 
 def test_steps_with_friction_go_on_with_other_ranks(blocks):

@@ -32,13 +32,27 @@ class Rank:
         self.meeting.barrier.wait()
 
 
-def on_ranks(size, work):
+class SendingRank(Rank):
+    """One that sends to single others too."""
+
+    def Alltoallv(self, sendbuf, recvbuf):
+        sent, (counts, displacements) = sendbuf
+        self.meeting.sent[self.rank] = [bytes(sent[at : at + count]) for count, at in zip(counts, displacements)]
+        self.meeting.barrier.wait()
+        received, (counts, displacements) = recvbuf
+        for lists, count, at in zip(self.meeting.sent, counts, displacements):
+            assert len(lists[self.rank]) == count
+            received[at : at + count] = np.frombuffer(lists[self.rank], np.uint8)
+        self.meeting.barrier.wait()
+
+
+def on_ranks(size, work, kind=Rank):
     """What ``work(rank)`` returns or raises on every rank."""
     meeting, found = Meeting(size), [None] * size
 
     def run(rank):
         try:
-            found[rank] = work(Rank(meeting, rank))
+            found[rank] = work(kind(meeting, rank))
         except Exception as error:
             found[rank] = error
 

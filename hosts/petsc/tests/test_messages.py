@@ -1,0 +1,20 @@
+"""Bytes that ``fmc_mpi.h`` moves, also where there are more than MPI counts in one message."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+
+@pytest.mark.parametrize("ranks", [1, 3, 4])
+@pytest.mark.parametrize("parts", [(), ("-DIN_PARTS",)], ids=["whole", "in parts"])
+def test_every_byte_arrives(parts, ranks, tmp_path):
+    source, prefix = Path(__file__).with_name("messages.c"), Path(os.environ["FMC_PRESS"]).parents[1]
+    program = tmp_path / "messages"
+    library = ["-I", prefix / "include", "-L", prefix / "lib", "-lfmc_contact", f"-Wl,-rpath,{prefix / 'lib'}"]
+    subprocess.run(["mpicc", "-std=c99", "-Wall", "-Wextra", "-Werror", *parts, source, "-o", program, *library], check=True)
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    command = ["timeout", "60", "mpirun", "--oversubscribe", "-n", str(ranks), program]
+    found = subprocess.run(command, capture_output=True, text=True, env=environment)
+    assert found.returncode == 0, found.stdout + found.stderr
