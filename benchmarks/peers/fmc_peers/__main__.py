@@ -18,6 +18,7 @@ from . import measure, table
 FORMULATIONS = {
     "wedge": ("nodal", "nodal, unsymmetric", "integral"),
     "cone": ("nodal", "integral"),
+    "hertz3d": ("nodal", "integral"),
     "punch": ("rays from the last body",),
     "ironing": ("rays from the last body", "rays from the first body"),
     "ironing-friction": ("rays from the last body", "rays from the first body"),
@@ -55,7 +56,7 @@ def main() -> None:
         turns = [[program() for program in programs] for _ in range(given.repetitions)]
         runs = [list(of_one) for of_one in zip(*turns)]
         everything += table.rows(problem, runs)
-        if case in ("wedge", "cone"):
+        if case in ("wedge", "cone", "hertz3d"):
             draw(folder / "pressure.svg", problem, runs)
         if case == "punch" and not given.override:
             everything += tied_rows(problem)

@@ -1,6 +1,8 @@
-"""A linear elastic body on a rigid wedge or cone, in GetFEM: nodes or points of integration may not pass its surface."""
+"""A linear elastic body on a rigid wedge, cone or plane, in GetFEM: nodes or points of integration may not pass its surface."""
 
 from __future__ import annotations
+
+from typing import Callable
 
 import getfem as gf
 import numpy as np
@@ -21,8 +23,11 @@ NEAR = 0.2
 
 
 def distance(problem: Problem, places: np.ndarray) -> tuple[str, np.ndarray]:
-    """Distance from the rigid shape, tip at the origin and opening upwards, as a formula, and at places (n, dim)."""
+    """Distance from the rigid shape as a formula, and at places (n, dim): a plane through the origin, below the body, or a tip there that
+    opens upwards."""
     (shape,) = problem.raw["obstacles"]
+    if shape["shape"] == "half-space":
+        return "xyz"[problem.dim - 1], places[:, -1]
     if shape["shape"] == "polygon":
         (x, y), across, formula = shape["points"][1], places[:, 0], "x"
         slope = y / x
@@ -36,14 +41,26 @@ def distance(problem: Problem, places: np.ndarray) -> tuple[str, np.ndarray]:
     return f"({slope!r}*{formula}-{up})/{size!r}", (slope * across - places[:, -1]) / size
 
 
+def may_touch(problem: Problem, solid: Solid) -> Callable[[np.ndarray], bool]:
+    """Whether a face of these corners (corners, dim) may: near the last axis, on the upper side or of a ball below its flat ones."""
+    near = NEAR * np.ptp(solid.coords[:, 0])
+    if problem.raw["figures"]["kind"] != "balls":
+        top = solid.coords[:, -1].max()
+        return lambda x: (x[:, -1] > top - 1e-9).all() and (np.linalg.norm(x[:, :-1], axis=1) < near).all()
+    # Of a quarter of a ball, which is as wide as its radius.
+    radius, rounding = np.ptp(solid.coords[:, 0]), 1e-9 * np.ptp(solid.coords[:, 0])
+    pole = np.array([*[0.0] * (problem.dim - 1), radius])
+    is_round = lambda x: (np.abs(np.linalg.norm(x - pole, axis=1) - radius) < rounding).all()
+    return lambda x: is_round(x) and (np.linalg.norm(x[:, :-1], axis=1) < 2.0 * near).all()
+
+
 def solve(problem: Problem, formulation: str, clock: Clock) -> Solution:
     """From rest, in one step, to a residual of 1e-9."""
     kind, option = FORMULATIONS[formulation]
     (body,) = problem.bodies
     solid = Solid(problem, body)
     formula, at_dofs = distance(problem, solid.scalar.basic_dof_nodes().T)
-    top, near = solid.coords[:, -1].max(), NEAR * np.ptp(solid.coords[:, 0])
-    solid.region(1, lambda x: (x[:, -1] > top - 1e-9).all() and (np.linalg.norm(x[:, :-1], axis=1) < near).all())
+    solid.region(1, may_touch(problem, solid))
     model = gf.Model("real")
     model.add_fem_variable("u", solid.space)
     model.add_initialized_data("lame", [body.material.lame])

@@ -14,7 +14,7 @@ from fmc_agreement.problem import from_json
 from . import pair, rigid
 from .solution import Clock
 
-SOLVERS = {"wedge": rigid.solve, "cone": rigid.solve, "punch": pair.solve, "ironing": pair.solve}
+SOLVERS = {"wedge": rigid.solve, "cone": rigid.solve, "balls": rigid.solve, "punch": pair.solve, "ironing": pair.solve}
 
 
 def main() -> None:

@@ -30,7 +30,7 @@ def rows(problem: Problem, runs: list[list[Run]]) -> list[dict[str, Any]]:
             "force": force(problem, run, about),
             "friction": problem.raw["contact"].get("friction_coefficient", 0.0),
         }
-        if problem.raw["figures"]["kind"] in ("wedge", "cone"):
+        if problem.raw["figures"]["kind"] in ("wedge", "cone", "balls"):
             own = Surface(problem, about, run.force)
             row["half_width"] = own.reach()
             row["profile_difference"] = apart(own, first)
