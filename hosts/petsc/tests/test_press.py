@@ -87,7 +87,7 @@ def test_a_rank_has_its_part_and_what_is_near_the_contact():
         print(f"{own} + {received} cells, {near} of {facets} facets, {calls} calls, {received_bytes} B, {megabytes} MB")
         assert facets == 12 * (34**2 + 3**2) and 0 < near <= 0.05 * facets
         assert own + received < 0.35 * 6 * (34**3 + 3**3)
-        # Faces between ranks are told to all, some 36 B each: six to a facet here.
-        assert calls < 100 and received_bytes < 100 * facets
+        # A rank is told of faces between ranks by its neighbours alone: 0.33 to 0.43 MB, of which one rank alone has 0.23.
+        assert calls < 100 and received_bytes < 40 * facets
         # Of the process: some 60 MB before there is a mesh, and PETSc's matrices; tests/memory_in_parts.rs has the library's alone.
         assert megabytes <= 0.5 * alone[-1]
