@@ -82,7 +82,8 @@ static inline int32_t fmc_mpi_all_to_all(void *user, const void *send, const uin
   } else {
     for (int step = 0; step < size; ++step) {
       const int target = (rank + step) % size, source = (rank + size - step) % size;
-      for (uint64_t done = 0; code == MPI_SUCCESS && (done < send_counts[target] || done < received_counts[source]); done += FMC_MPI_LARGEST) {
+      const uint64_t more = send_counts[target] > received_counts[source] ? send_counts[target] : received_counts[source];
+      for (uint64_t done = 0; code == MPI_SUCCESS && done < more; done += FMC_MPI_LARGEST) {
         const uint64_t out = done < send_counts[target] ? send_counts[target] - done : 0;
         const uint64_t in = done < received_counts[source] ? received_counts[source] - done : 0;
         code = MPI_Sendrecv((const char *)send + at[target] + done, (int)(out < FMC_MPI_LARGEST ? out : FMC_MPI_LARGEST), MPI_BYTE,

@@ -10,6 +10,7 @@ pub mod leaks;
 pub mod mesh;
 pub mod number;
 pub mod program;
+pub mod timed;
 
 /// Case documents.
 #[cfg(feature = "cases")]

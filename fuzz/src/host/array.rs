@@ -3,6 +3,7 @@
 use crate::guarded::Guarded;
 use crate::interface::*;
 use crate::program::{Hole, Layout};
+use crate::timed;
 use std::ffi::CStr;
 use std::ptr::null_mut;
 
@@ -11,6 +12,7 @@ pub(super) const CANARY: u64 = 0x7ff8_dead_beef_cafe;
 
 /// The statuses that exist, but for a panic.
 pub(crate) fn checked(status: fmc_status) -> fmc_status {
+    timed::call();
     if status == PANIC {
         // SAFETY: a text that is valid until the next failure.
         panic!("{}", unsafe { CStr::from_ptr(fmc_last_error()) }.to_string_lossy());
