@@ -62,5 +62,5 @@ def test_what_is_refused(pressed):
     assert np.array_equal(contact.multipliers, kept)
     contact.release_multipliers()
     contact.set_options(law="volume")
-    with pytest.raises(errors.UnsupportedError, match="without a stiffness"):
+    with pytest.raises(errors.UnsupportedError, match="not a stiffness"):
         contact.augment(coords, 1e-6)

@@ -73,6 +73,10 @@ pub(super) fn options(from: &Options, is_ordinary: bool) -> fmc_options {
             options.fiber_length = 0.0;
         }
     }
+    // By themselves they lie an eighth as far apart, which takes seconds in space.
+    if options.weights == 1 && options.spacing == 0.0 && options.fiber_count == 0 {
+        options.fiber_count = 400;
+    }
     options
 }
 
