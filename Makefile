@@ -8,7 +8,7 @@
 # make examples  NGSolve and FElupe with contact, and the notebook, in an environment of their own
 # make hosts     the adapters for scikit-fem, FEniCSx, GetFEM and PETSc, and their tests, against the reference host too
 # make agree     the cases in all hosts, deal.II too, side by side: table and pictures in out/agree
-# make peers     wedge, cone, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
+# make peers     wedge, cone, two balls, punch and ironing in GetFEM too, on the same meshes in the same run: table in out/peers
 # make compat    the FEniCSx adapter under another Debian's dolfinx, SUITE=trixie, in a root file system of 3 GB
 # make fuzz      arbitrary input for 60 s; make fuzz-long: ten million executions
 # make large     two blocks of a million unknowns by multigrid, in PETSc: iterations in out/large; hours
