@@ -84,6 +84,11 @@ def contact_of(blocks, **options):
     return fmc_contact.Contact(coords, conn, "quad", stiffness=30.0, **options)
 
 
+def arrays(matrix):
+    """Of a tangent: row pointers, columns, values; without SciPy it is these already."""
+    return matrix if isinstance(matrix, tuple) else (matrix.indptr, matrix.indices, matrix.data)
+
+
 @pytest.mark.parametrize("law", ["fiber", "depth", "volume"])
 def test_every_rank_has_the_bits_of_one(blocks, law):
     alone, matrix = contact_of(blocks, law=law).evaluate_tangent(blocks[0])
@@ -95,7 +100,7 @@ def test_every_rank_has_the_bits_of_one(blocks, law):
 
     for found, shared, counts in on_ranks(3, work):
         assert np.array_equal(found.forces, alone.forces) and found.energy == alone.energy
-        assert np.array_equal(shared.toarray(), matrix.toarray())
+        assert all(np.array_equal(x, y) for x, y in zip(arrays(shared), arrays(matrix), strict=True))
         # The exact volume clips few facets here: those near the ends of the contact.
         assert counts.own_item_count < counts.item_count or law == "volume"
         assert counts.received_bytes >= counts.sent_bytes
