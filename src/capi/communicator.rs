@@ -152,7 +152,13 @@ pub(super) struct HostRanks {
     rank: usize,
     size: usize,
     all_gather: unsafe extern "C" fn(*mut c_void, *const c_void, *const u64, *mut c_void) -> i32,
-    all_to_all: fmc_all_to_all,
+    all_to_all: Option<HostAllToAll>,
+    user: *mut c_void,
+}
+
+/// Its operation for single ranks.
+struct HostAllToAll {
+    function: unsafe extern "C" fn(*mut c_void, *const c_void, *const u64, *mut c_void, *const u64) -> i32,
     user: *mut c_void,
 }
 
@@ -178,7 +184,8 @@ impl HostRanks {
         let Some(all_gather) = given.all_gather else {
             return Err(Failure::new(FMC_ERROR_NULL_POINTER, "'all_gather' of the communicator is NULL"));
         };
-        Ok(Self { rank, size, all_gather, all_to_all: given.all_to_all, user: given.user })
+        let all_to_all = given.all_to_all.map(|function| HostAllToAll { function, user: given.user });
+        Ok(Self { rank, size, all_gather, all_to_all, user: given.user })
     }
 }
 
@@ -192,28 +199,35 @@ impl Communicator for HostRanks {
     }
 
     fn all_gather(&self, send: &[u8], counts: &[usize], received: &mut [u8]) -> Result<(), i32> {
-        let counts: Vec<u64> = counts.iter().map(|count| *count as u64).collect();
+        let counts = wide(counts);
         // SAFETY: there is one count for every rank, `send` has that of this one, and `received` has room for their sum; the host
         // guarantees a function that keeps to its contract.
         let code = unsafe {
             (self.all_gather)(self.user, send.as_ptr().cast(), counts.as_ptr(), received.as_mut_ptr().cast())
         };
-        if code == 0 { Ok(()) } else { Err(code) }
+        done(code)
     }
 
     fn all_to_all(&self) -> Option<&dyn AllToAll> {
-        self.all_to_all.map(|_| self as &dyn AllToAll)
+        self.all_to_all.as_ref().map(|operation| operation as &dyn AllToAll)
     }
 }
 
-impl AllToAll for HostRanks {
+impl AllToAll for HostAllToAll {
     fn all_to_all(&self, send: &[u8], to: &[usize], from: &[usize], received: &mut [u8]) -> Result<(), i32> {
-        let Some(function) = self.all_to_all else { return Err(0) };
-        let [to, from] = [to, from].map(|counts| counts.iter().map(|count| *count as u64).collect::<Vec<u64>>());
+        let [to, from] = [to, from].map(wide);
         let (send, received) = (send.as_ptr().cast(), received.as_mut_ptr().cast());
         // SAFETY: there is one count of either kind for every rank, `send` has their sum, and `received` has room for that of the
         // others; the host guarantees a function that keeps to its contract.
-        let code = unsafe { function(self.user, send, to.as_ptr(), received, from.as_ptr()) };
-        if code == 0 { Ok(()) } else { Err(code) }
+        done(unsafe { (self.function)(self.user, send, to.as_ptr(), received, from.as_ptr()) })
     }
+}
+
+fn wide(counts: &[usize]) -> Vec<u64> {
+    counts.iter().map(|count| *count as u64).collect()
+}
+
+/// What a function of the host returned.
+fn done(code: i32) -> Result<(), i32> {
+    if code == 0 { Ok(()) } else { Err(code) }
 }

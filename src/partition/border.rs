@@ -1,11 +1,11 @@
 //! Faces between cells of different ranks: they are no surface.
 
 use super::mesh_part::MeshPart;
-use super::own_mesh::OwnMesh;
+use super::own_mesh::{OwnMesh, box_of};
 use crate::Error;
+use crate::geometry::Surface;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::submesh::{LoneFace, Whole};
-use crate::geometry::{Surface, Vector};
 use crate::ranks::Ranks;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -60,17 +60,13 @@ type Key = (u32, Vec<u64>);
 /// # Errors
 /// [`Error::NonManifold`] for a face of more than two cells.
 fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> Result<Border<D>, Error> {
-    let boxes = boxes(own, lone, ranks)?;
+    let boxes = boxes(own, ranks)?;
     // Only what lies in the box of another rank can be that one's too.
-    let may_have = |corners: &[u32]| {
-        let places = corners.iter().map(|&node| Vector::<D>::from(own.reference[node as usize]));
-        let aabb = places.fold(Aabb::empty(), |mut aabb, x| {
-            aabb.include(&x);
-            aabb
-        });
+    let may_have = |corners: &[u32]| -> Vec<usize> {
+        let aabb = box_of(corners, &own.reference);
         let aabb = aabb.inflated(aabb.rounding());
         let others = boxes.iter().enumerate().filter(|(rank, _)| *rank != ranks.rank());
-        others.filter(|(_, other)| other.meets(&aabb)).map(|(rank, _)| rank).collect::<Vec<usize>>()
+        others.filter(|(_, other)| other.meets(&aabb)).map(|(rank, _)| rank).collect()
     };
     let key = |face: &LoneFace| -> Key {
         let mut numbers: Vec<u64> = face.corners.iter().map(|&node| own.node_numbers[node as usize]).collect();
@@ -85,14 +81,14 @@ fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> R
     for key in ranks.exchange(&sent)?.into_iter().flatten() {
         *of_others.entry(key).or_default() += 1;
     }
-    let behind = |face: &LoneFace| of_others.get(&key(face)).copied().unwrap_or(0);
-    let crowded = lone.iter().find(|face| behind(face) > 1).map_or(Ok(()), |face| {
+    let behind: Vec<usize> = lone.iter().map(|face| of_others.get(&key(face)).copied().unwrap_or(0)).collect();
+    let crowded = lone.iter().zip(&behind).find(|(_, count)| **count > 1).map_or(Ok(()), |(face, _)| {
         let nodes = [face.corners[0] as usize, face.corners[1] as usize];
         Err(Error::NonManifold { facet: face.cell, nodes })
     });
     ranks.agree(crowded, 3)?;
     let mut surface_faces = vec![0; own.len()];
-    for face in lone.iter().filter(|face| behind(face) == 0) {
+    for (face, _) in lone.iter().zip(&behind).filter(|(_, count)| **count == 0) {
         surface_faces[face.cell] |= 1 << face.face;
     }
     let (surface_nodes, points) = own.surface.as_ref().map_or_else(
@@ -100,10 +96,10 @@ fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> R
         |surface| on_surface(own, surface, &surface_faces),
     );
     let mut sent = vec![Vec::new(); boxes.len()];
+    let named = |body: usize, node: u32| (body as u32, own.node_numbers[node as usize]);
     for (body, nodes) in surface_nodes.iter().enumerate() {
         for &node in nodes {
-            let key = (body as u32, own.node_numbers[node as usize]);
-            may_have(&[node]).into_iter().for_each(|rank| sent[rank].push(key));
+            may_have(&[node]).into_iter().for_each(|rank| sent[rank].push(named(body, node)));
         }
     }
     // A node of several ranks counts for the first of them.
@@ -111,7 +107,7 @@ fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> R
     let first_cells = first_cells(own, &surface_faces);
     let mut sent: Vec<(usize, bool, u64)> = Vec::with_capacity(points.len());
     for (body, nodes) in surface_nodes.iter().enumerate() {
-        let is_mine = |node: &&u32| !counted.contains(&(body as u32, own.node_numbers[**node as usize]));
+        let is_mine = |node: &&u32| !counted.contains(&named(body, **node));
         let (is_inner, cell) = first_cells[body];
         sent.push((points[body] + nodes.iter().filter(is_mine).count(), is_inner, cell));
     }
@@ -124,15 +120,10 @@ fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> R
     Ok(Border { surface_faces, first_cells, whole: Whole { surface_node_counts, reference_box } })
 }
 
-/// By rank, the box of the nodes of its faces that have no own cell behind them.
-fn boxes<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> Result<Vec<Aabb<D>>, Error> {
-    let mut own_box = Aabb::empty();
-    let corners = lone.iter().flat_map(|face| face.corners.iter().copied());
-    // Faces of second order bulge beyond their corners.
-    let facets = own.surface.iter().flat_map(|surface| surface.boundary_facets()).flat_map(|facet| facet.nodes);
-    for node in corners.chain(facets).filter(|&node| (node as usize) < own.node_count()) {
-        own_box.include(&Vector::from(own.reference[node as usize]));
-    }
+/// By rank, the box of the nodes of its faces that have no own cell behind them; those of second order bulge beyond their corners.
+fn boxes<const D: usize>(own: &OwnMesh<D>, ranks: &Ranks) -> Result<Vec<Aabb<D>>, Error> {
+    let nodes = own.surface.iter().flat_map(|surface| &surface.nodes);
+    let own_box = box_of(nodes.filter(|node| (**node as usize) < own.node_count()), &own.reference);
     let boxes = ranks.gather_lists(&[[own_box.min, own_box.max]])?.concat();
     Ok(boxes.into_iter().map(|[min, max]| Aabb { min, max }).collect())
 }

@@ -132,8 +132,7 @@ impl<const D: usize> OwnMesh<D> {
 
     /// Box of a cell; around one of second order wider, since it bulges beyond its nodes.
     pub(super) fn cell_box(&self, cell: usize, coords: &[[f64; D]]) -> Aabb<D> {
-        let mut aabb = Aabb::empty();
-        self.nodes(cell).iter().for_each(|&node| aabb.include(&Vector::from(coords[node as usize])));
+        let aabb = box_of(self.nodes(cell), coords);
         if self.types[cell].straight() == self.types[cell] { aabb } else { aabb.inflated(0.5 * aabb.extent().max()) }
     }
 
@@ -199,4 +198,11 @@ impl<const D: usize> OwnMesh<D> {
         let sum: f64 = (0..self.len()).map(|cell| self.cell_box(cell, &self.reference).extent().max()).sum();
         if self.len() == 0 { 0.0 } else { sum / self.len() as f64 }
     }
+}
+
+/// Box of some nodes.
+pub(super) fn box_of<'a, const D: usize>(nodes: impl IntoIterator<Item = &'a u32>, coords: &[[f64; D]]) -> Aabb<D> {
+    let mut aabb = Aabb::empty();
+    nodes.into_iter().for_each(|&node| aabb.include(&Vector::from(coords[node as usize])));
+    aabb
 }

@@ -35,28 +35,19 @@ impl Ranks {
         let (mut send, mut counts) = (Vec::new(), Vec::with_capacity(self.size));
         for list in lists {
             let before = send.len();
-            list.len().pack(&mut send);
-            list.iter().for_each(|item| item.pack(&mut send));
+            list.pack(&mut send);
             counts.push(send.len() - before);
         }
         // That all do the same; what follows is by pairs.
         self.lengths(send.len(), tag::<T>(0, 1))?;
         let (mut about, each) = (Vec::new(), vec![size_of::<usize>(); self.size]);
         counts.iter().for_each(|count| count.pack(&mut about));
-        let received = self.all_to_all(host, &about, [&each, &each])?;
+        let move_all = |send: &[u8], to: &[usize], from: &[usize]| {
+            self.received(send.len(), from, |received| host.all_to_all(send, to, from, received))
+        };
+        let received = move_all(&about, &each, &each)?;
         let mut bytes = &received[..];
         let from: Vec<usize> = std::iter::from_fn(|| usize::unpack(&mut bytes)).collect();
-        self.all_to_all(host, &send, [&counts, &from])
-    }
-
-    fn all_to_all(&self, host: &dyn AllToAll, send: &[u8], [to, from]: [&[usize]; 2]) -> Option<Vec<u8>> {
-        let mut received = vec![0; from.iter().sum()];
-        self.count(|sum| {
-            sum.call_count += 1;
-            sum.sent_bytes += send.len() as u64;
-            sum.received_bytes += received.len() as u64;
-        });
-        let done = host.all_to_all(send, to, from, &mut received);
-        self.is_done(done).then_some(received)
+        move_all(&send, &counts, &from)
     }
 }

@@ -5,8 +5,8 @@ use super::packed::Packed;
 use crate::Error;
 use std::any::type_name;
 use std::hash::Hasher;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard};
 
 /// Chunks for each rank below which every rank does all of them: sending takes longer than the work.
 const LEAST_CHUNKS: usize = 2;
@@ -134,10 +134,7 @@ impl Ranks {
 
     /// Lists of all ranks in what was received, or why there are none.
     pub(super) fn lists_in<T: Packed>(&self, received: Option<Vec<u8>>) -> Result<Vec<Vec<T>>, Error> {
-        let failed = || {
-            let failure = self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
-            failure.unwrap_or(Error::RanksDiffer { rank: self.rank })
-        };
+        let failed = || self.failure().take().unwrap_or(Error::RanksDiffer { rank: self.rank });
         let received = received.ok_or_else(failed)?;
         let mut bytes = &received[..];
         (0..self.size).map(|_| Vec::unpack(&mut bytes).ok_or(Error::RanksDiffer { rank: self.rank })).collect()
@@ -161,11 +158,10 @@ impl Ranks {
     pub(crate) fn agree<T>(&self, found: Result<T, Error>, given: u64) -> Result<T, Error> {
         let mut send = Vec::new();
         [u64::from(found.is_err()), given].pack(&mut send);
-        let failure = || self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
         // Ranks that have found out that they differ have no more to say: the others may have gone on to here.
-        let is_lost = failure().is_some();
+        let is_lost = self.has_failed();
         let received = if is_lost { None } else { self.all_gather(&send, &vec![send.len(); self.size]) };
-        let failure = failure().take();
+        let failure = self.failure().take();
         let value = found?;
         if let Some(failure) = failure {
             return Err(failure);
@@ -208,34 +204,44 @@ impl Ranks {
     }
 
     fn all_gather(&self, send: &[u8], counts: &[usize]) -> Option<Vec<u8>> {
+        self.received(send.len(), counts, |received| self.communicator.all_gather(send, counts, received))
+    }
+
+    /// What a function of the host leaves, so many bytes of every rank; `None` where it fails, which is kept for [`Self::agree`].
+    pub(super) fn received(
+        &self,
+        sent: usize,
+        counts: &[usize],
+        function: impl FnOnce(&mut [u8]) -> Result<(), i32>,
+    ) -> Option<Vec<u8>> {
         let mut received = vec![0; counts.iter().sum()];
         self.count(|sum| {
             sum.call_count += 1;
-            sum.sent_bytes += send.len() as u64;
+            sum.sent_bytes += sent as u64;
             sum.received_bytes += received.len() as u64;
         });
-        let done = self.communicator.all_gather(send, counts, &mut received);
-        self.is_done(done).then_some(received)
-    }
-
-    /// Whether the host's function has done what it should; else that it has not is kept for [`Self::agree`].
-    pub(super) fn is_done(&self, done: Result<(), i32>) -> bool {
-        if let Err(code) = done {
-            self.fail(Error::Communication { code });
+        match function(&mut received) {
+            Ok(()) => Some(received),
+            Err(code) => {
+                self.fail(Error::Communication { code });
+                None
+            }
         }
-        done.is_ok()
     }
 
     pub(super) fn has_failed(&self) -> bool {
-        self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).is_some()
+        self.failure().is_some()
     }
 
     fn fail(&self, error: Error) {
-        let mut failure = self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-        failure.get_or_insert(error);
+        self.failure().get_or_insert(error);
     }
 
-    pub(super) fn count(&self, add: impl FnOnce(&mut RankCounts)) {
+    fn failure(&self) -> MutexGuard<'_, Option<Error>> {
+        self.failure.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+    }
+
+    fn count(&self, add: impl FnOnce(&mut RankCounts)) {
         add(&mut self.counts.lock().unwrap_or_else(|poisoned| poisoned.into_inner()));
     }
 }

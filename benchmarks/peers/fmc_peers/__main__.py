@@ -56,7 +56,7 @@ def main() -> None:
         turns = [[program() for program in programs] for _ in range(given.repetitions)]
         runs = [list(of_one) for of_one in zip(*turns)]
         everything += table.rows(problem, runs)
-        if case in ("wedge", "cone", "hertz3d"):
+        if table.has_profile(problem):
             draw(folder / "pressure.svg", problem, runs)
         if case == "punch" and not given.override:
             everything += tied_rows(problem)

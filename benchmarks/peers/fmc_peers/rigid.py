@@ -47,11 +47,15 @@ def may_touch(problem: Problem, solid: Solid) -> Callable[[np.ndarray], bool]:
     if problem.raw["figures"]["kind"] != "balls":
         top = solid.coords[:, -1].max()
         return lambda x: (x[:, -1] > top - 1e-9).all() and (np.linalg.norm(x[:, :-1], axis=1) < near).all()
-    # Of a quarter of a ball, which is as wide as its radius.
-    radius, rounding = np.ptp(solid.coords[:, 0]), 1e-9 * np.ptp(solid.coords[:, 0])
-    pole = np.array([*[0.0] * (problem.dim - 1), radius])
-    is_round = lambda x: (np.abs(np.linalg.norm(x - pole, axis=1) - radius) < rounding).all()
-    return lambda x: is_round(x) and (np.linalg.norm(x[:, :-1], axis=1) < 2.0 * near).all()
+    # Of a quarter of a ball, which is as wide as its radius and lies on the origin.
+    radius = np.ptp(solid.coords[:, 0])
+    middle = np.array([0.0, 0.0, radius])
+
+    def is_round_and_near(x: np.ndarray) -> bool:
+        off = np.abs(np.linalg.norm(x - middle, axis=1) - radius)
+        return (off < 1e-9 * radius).all() and (np.linalg.norm(x[:, :-1], axis=1) < 2.0 * near).all()
+
+    return is_round_and_near
 
 
 def solve(problem: Problem, formulation: str, clock: Clock) -> Solution:

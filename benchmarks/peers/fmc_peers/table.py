@@ -12,6 +12,11 @@ from fmc_agreement.problem import Problem
 from .measure import Run
 
 
+def has_profile(problem: Problem) -> bool:
+    """Whether a body is pressed on a rigid shape, so that its pressure is a curve over the place."""
+    return problem.raw["figures"]["kind"] in ("wedge", "cone", "balls")
+
+
 def rows(problem: Problem, runs: list[list[Run]]) -> list[dict[str, Any]]:
     """A row for every program: its repetitions in a list, ours first."""
     about = problem.about
@@ -30,7 +35,7 @@ def rows(problem: Problem, runs: list[list[Run]]) -> list[dict[str, Any]]:
             "force": force(problem, run, about),
             "friction": problem.raw["contact"].get("friction_coefficient", 0.0),
         }
-        if problem.raw["figures"]["kind"] in ("wedge", "cone", "balls"):
+        if has_profile(problem):
             own = Surface(problem, about, run.force)
             row["half_width"] = own.reach()
             row["profile_difference"] = apart(own, first)

@@ -82,9 +82,8 @@ def described(comm: Communicator, guard: Callable[[Callable[..., None]], Callabl
         comm.Allgatherv(_bytes(send, every[rank]), [_bytes(received, every.sum()), (every, places)])
 
     def to_single(_user: object, send: int, to: object, received: int, given: object) -> None:
-        parts = [(_bytes(address, counts.sum()), (counts, places)) for address, (counts, places) in (
-            (send, _counts(to, size)), (received, _counts(given, size)))]
-        comm.Alltoallv(list(parts[0]), list(parts[1]))
+        to, given = _counts(to, size), _counts(given, size)
+        comm.Alltoallv([_bytes(send, to[0].sum()), to], [_bytes(received, given[0].sum()), given])
 
     given = fmc_communicator()
     check(library.fmc_communicator_init(byref(given)))
