@@ -1,9 +1,10 @@
 //! Contact mechanics as a plug-in for any finite element code.
 //!
 //! The module takes node coordinates and connectivity and returns nodal contact forces, overlap volumes and energies.
-//! There is no master and slave, and meshes need not match: lines ("fibers") are laid through the bodies, their parts
-//! inside two bodies at once measure the overlap, and the derivative of that measure is the contact force (Fiber Monte
-//! Carlo, Wang, Xu and Xue, "Solving contact problems using Fiber Monte Carlo").
+//! There is no master and slave, and meshes need not match: every overlap has an energy, and its derivative by the
+//! coordinates is the contact force. By default the energy is k/2 times the integral, over what is inside both bodies, of
+//! the depths below both surfaces, measured exactly on straight cells. Overlaps can also be sampled by lines ("fibers"), as
+//! in Wang, Xu and Xue, "Solving contact problems using Fiber Monte Carlo", from which the module comes.
 //!
 //! The layers of the code, each of which imports only from those after it:
 //! `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · [`overlap`] (volume and contact points, sampled or exact) · `configuration` (the

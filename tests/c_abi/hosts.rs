@@ -1,4 +1,4 @@
-//! The hosts in hosts/c and hosts/cpp: compiled without a warning, run, and run again under valgrind.
+//! The hosts in hosts/c and hosts/cpp, and the programs in benchmarks/host_checks: compiled without a warning, run, and run again under valgrind.
 
 use super::program::{built, compiler, is_sanitized, root, run, scratch, succeed, watched};
 use super::symbols::declared;
@@ -16,6 +16,12 @@ pub(crate) enum Link {
     Static,
 }
 
+/// A host to start from, or a program that checks the interface.
+fn place(language: &str, source: &str) -> PathBuf {
+    let host = root().join("hosts").join(language).join(source);
+    if host.exists() { host } else { root().join("benchmarks/host_checks").join(language).join(source) }
+}
+
 /// Compiles a host into `folder`, against the library of this build.
 fn compile(source: &str, folder: &Path, link: Link) -> PathBuf {
     let (mut command, language) = match source.ends_with(".cpp") {
@@ -26,7 +32,7 @@ fn compile(source: &str, folder: &Path, link: Link) -> PathBuf {
     command.args(["-g", "-O1", "-ffp-contract=off", "-pedantic", "-Wall", "-Wextra", "-Werror", "-I"]);
     command.arg(root().join("include"));
     let program = folder.join(source.replace('.', "_"));
-    command.arg("-o").arg(&program).arg(root().join("hosts").join(language).join(source));
+    command.arg("-o").arg(&program).arg(place(language, source));
     match link {
         Link::Shared => {
             // The program asks for the library by its soname, so that is the name it must be found under.

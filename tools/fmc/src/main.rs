@@ -34,7 +34,7 @@ const AFTER_HELP: &str = "To begin with:
 Built without the commands that solve: cargo run --release -p fmc has them.
 Exit status: 0 on success, 2 for bad usage or input.";
 
-/// Contact forces from overlap volume, by Fiber Monte Carlo
+/// Contact forces between any meshes, from how deep they overlap
 #[derive(Parser)]
 #[command(
     version,

@@ -1,0 +1,25 @@
+# The Python package and the examples, each in an environment of its own.
+#
+# make python    the Python package, in an environment of its own under target/, and its tests
+# make examples  NGSolve and FElupe with contact, and the notebook, in an environment of their own
+
+PYTHON ?= python3
+VENV = $(TARGET)/python
+
+# Debian has the module that makes environments in a package of its own.
+ENVIRONMENT = $(PYTHON) -c 'import ensurepip' 2>/dev/null \
+	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3 python3-venv; }; \
+	$(1)/bin/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(1)
+
+python:
+	@$(call ENVIRONMENT,$(VENV))
+	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
+	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q bindings/python
+
+# What is stored in the notebook is renewed with UPDATE_NOTEBOOK=1.
+EXAMPLES = $(abspath $(TARGET))/examples
+
+examples:
+	@$(call ENVIRONMENT,$(EXAMPLES))
+	$(EXAMPLES)/bin/python -m pip install -q ./bindings/python ./hosts/skfem matplotlib ngsolve felupe nbclient ipykernel pytest
+	$(SUITE_OF) "examples" $(EXAMPLES)/bin/python -m pytest -q -p no:cacheprovider examples/python
