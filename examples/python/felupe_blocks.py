@@ -32,7 +32,7 @@ class ContactItem:
 
 
 item = ContactItem(field)
-item.contact.set_symmetry_nodes(np.flatnonzero((mesh.points[:, :2] % 1 == 0).any(axis=1)))  # at the walls, the cubes go on
+item.contact.mesh.set_symmetry_nodes(np.flatnonzero((mesh.points[:, :2] % 1 == 0).any(axis=1)))  # at the walls, the cubes go on
 
 # 3. The box holds the cubes, smoothly. Its lid goes down by 0.5 in load steps that grow, and k from 10 E / h to a hundredfold.
 walls = {f"{axis}{at}": (axis, at) for axis, at in (("x", 0), ("x", 1), ("y", 0), ("y", 1), ("z", 0), ("z", 2))}

@@ -28,7 +28,7 @@ free = np.array(V.FreeDofs())[by_node]
 # 3. The contact: coordinates and triangles; at the side walls, planes of symmetry, the blocks go on.
 nodes = np.array([vertex.point for vertex in mesh.vertices])
 contact = Contact(nodes, [[p.nr for p in cell.vertices] for cell in mesh.Elements()], "triangle", stiffness=k)
-contact.set_symmetry_nodes(np.flatnonzero((nodes[:, 0] < 1e-9) | (nodes[:, 0] > 1 - 1e-9)))
+contact.mesh.set_symmetry_nodes(np.flatnonzero((nodes[:, 0] < 1e-9) | (nodes[:, 0] > 1 - 1e-9)))
 
 # 4. Newton's method: the top goes down by a thousandth.
 top, bottom = nodes[:, 1] > 2 - 1e-9, nodes[:, 1] < 1e-9

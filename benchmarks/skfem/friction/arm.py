@@ -16,7 +16,7 @@ class Arm:
         self.coefficient, self.alpha = coefficient, alpha
         k = factor * YOUNG / 0.125
         self.block = block = Bodies([mesh], [YOUNG], 0.3, k, law)
-        block.contact.contact.add_half_space((0, 0), (0, 1))
+        block.contact.contact.obstacles.add_half_space((0, 0), (0, 1))
         block.load[1::2] = -WEIGHT / block.size * 2
         block.z[1::2] = -WEIGHT / k
         self.side = block.dofs(lambda p: (p[0] > 1 - 1e-9) & (np.abs(p[1] - 0.1875) < 0.07))[0]

@@ -44,7 +44,7 @@ class Balls:
         far = bodies.dofs(lambda p: p[2] > (reach - 1e-6) * WIDTH)
         bottom = bodies.dofs(lambda p: p[2] < -(reach - 1e-6) * WIDTH, 1)
         plane = np.concatenate([bodies.dofs(lambda p: p[1] < 1e-9, body)[1] for body in (0, 1)])
-        bodies.contact.contact.set_symmetry_nodes(plane // 3)
+        bodies.contact.contact.mesh.set_symmetry_nodes(plane // 3)
         still = np.union1d(plane, np.concatenate([bottom.ravel(), far[1]]))
         (still, self.along, self.down), single = bodies.move_as_one([still, far[0], far[2]])
         self.still, self.ends = [still], (far[0], far[2])

@@ -23,9 +23,9 @@ class Capstan:
         if law == "fiber":
             # The estimator ``exact`` knows no curved obstacles: a polygon with corners on the nodes and between them.
             turn = np.linspace(0, 2 * np.pi, 8 * cells, endpoint=False)
-            self.strip.contact.contact.add_convex_hull(RADIUS * np.column_stack([np.cos(turn), np.sin(turn)]))
+            self.strip.contact.contact.obstacles.add_convex_hull(RADIUS * np.column_stack([np.cos(turn), np.sin(turn)]))
         else:
-            self.strip.contact.contact.add_ball(RADIUS)
+            self.strip.contact.contact.obstacles.add_ball(RADIUS)
         # As deep as the tension presses it; a chord is below the drum by itself.
         deep = PULL / RADIUS / (SOFT * YOUNG / facet) - facet**2 / 12 / RADIUS
         self.strip.z[:] = (-deep * mesh.p / np.linalg.norm(mesh.p, axis=0)).T.ravel()

@@ -64,7 +64,7 @@ class Cylinders:
         self.facets = facets, round(0.7 * facets)
         meshes = [_cylinder(count, sign, ratio, reach) for count, sign in zip(self.facets, (1, -1))]
         self.bodies = bodies = Bodies(meshes, [YOUNG] * 2, POISSON, factor * YOUNG * facets / WIDTH, law)
-        bodies.contact.contact.set_symmetry_nodes([])
+        bodies.contact.contact.mesh.set_symmetry_nodes([])
         far = bodies.dofs(lambda p: p[1] > (reach - 1e-6) * WIDTH)
         bottom = bodies.dofs(lambda p: p[1] < -(reach - 1e-6) * WIDTH, 1)
         _, single = bodies.move_as_one([bottom[0], bottom[1], far[0], far[1]])
@@ -112,7 +112,7 @@ class Cylinders:
         bodies, contact = self.bodies, self.bodies.contact
         # Facets are in the order of cells, and no cell near the contact has two.
         order = [m.boundary_facets()[np.argsort(m.f2t[0, m.boundary_facets()], kind="stable")] for m in bodies.meshes]
-        slip = contact.contact.slip[sum(map(len, order[:body])) :][: len(order[body])]
+        slip = contact.contact.friction.slip[sum(map(len, order[:body])) :][: len(order[body])]
         q = (1, -1)[body] * contact.contact.options["stiffness"] * slip[:, 0]
         points = contact.contact.contact_points(contact.coords(bodies.u))
         centre = np.average(points.position[:, 0], weights=points.pressure * points.area)

@@ -15,7 +15,7 @@ class Plate:
         mesh, facet = grid(line, line), SIDE / cells
         k = factor * YOUNG / facet
         self.plate = plate = Bodies([mesh], [YOUNG], 0.2, k, law)
-        plate.contact.contact.add_half_space((0, 0), (0, 1))
+        plate.contact.contact.obstacles.add_half_space((0, 0), (0, 1))
         share = np.full(cells + 1, facet)
         share[[0, -1]] /= 2
         self.full = np.zeros(plate.size)

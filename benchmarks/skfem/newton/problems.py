@@ -47,7 +47,7 @@ class Problem:
         """Contact of all bodies; ``stiffness`` by Young's modulus and the size of a facet."""
         pairs = list(zip(self.solid.bases, self.solid.offsets))
         found = SkfemContact(pairs, stiffness=stiffness * self.young / self.facet, **options)
-        found.contact.set_symmetry_nodes(self.symmetry)
+        found.contact.mesh.set_symmetry_nodes(self.symmetry)
         return found
 
 

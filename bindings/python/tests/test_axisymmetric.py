@@ -9,7 +9,7 @@ RING = np.array([[0.5, 0.0], [1.0, 0.0], [1.0, 0.4], [0.5, 0.4]])
 
 def test_a_ring_on_a_plane():
     contact = Contact(RING, [[0, 1, 2, 3]], "quad", stiffness=1e4, axisymmetric=True)
-    contact.add_half_space((0, 1e-3), (0, 1))
+    contact.obstacles.add_half_space((0, 1e-3), (0, 1))
     result = contact.evaluate(RING)
     area = np.pi * (1.0**2 - 0.5**2)
     assert result.bodies[0].force[1] == pytest.approx(1e4 * 1e-3 * area, rel=1e-12)
@@ -31,8 +31,8 @@ def test_what_is_refused():
 
 def test_friction_acts_on_whole_rings():
     contact = Contact(RING, [[0, 1, 2, 3]], "quad", stiffness=1e4, axisymmetric=True, friction_coefficient=0.3)
-    contact.add_half_space((0, 1e-3), (0, 1))
-    contact.begin_step(RING)
+    contact.obstacles.add_half_space((0, 1e-3), (0, 1))
+    contact.friction.begin_step(RING)
     result = contact.evaluate(RING + [0.01, 0])
     area = np.pi * (1.01**2 - 0.51**2)
     # The walls, 1e-3 high, do not face the plane.

@@ -32,20 +32,20 @@ def test_forces_and_tangent_come_back_through_the_matrix(index_base, is_sparse):
     found = Contact(SQUARES, cells, "quad", stiffness=1e3, index_base=index_base)
     if is_sparse:
         sparse = pytest.importorskip("scipy.sparse")
-        found.set_basis(sparse.coo_matrix(matrix))
+        found.mesh.set_basis(sparse.coo_matrix(matrix))
     else:
-        found.set_basis(matrix)
+        found.mesh.set_basis(matrix)
     assert (found.node_count, found.unknown_count) == (8, 6)
     result = found.evaluate(unknowns)
     np.testing.assert_allclose(result.forces, matrix.T @ expected.forces, atol=1e-12)
     assert abs(result.energy - expected.energy) < 1e-12
-    weights = found.point_weights()
+    weights = found.mesh.point_weights()
     np.testing.assert_allclose(weights.to_points(unknowns), SQUARES, atol=1e-15)
     assert found.nodal_contact(unknowns).pressure.shape == (8,)
     assert np.isfinite(found.stable_step(unknowns, np.ones(6)))
     if find_spec("scipy"):
         assert found.tangent(unknowns).shape == (12, 12)
-    found.set_basis(None)
+    found.mesh.set_basis(None)
     np.testing.assert_array_equal(found.evaluate(SQUARES).forces, expected.forces)
 
 
@@ -53,13 +53,13 @@ def test_what_is_no_basis_is_refused():
     matrix, unknowns = rigid()
     found = contact()
     with pytest.raises(ValueError, match="8 nodes"):
-        found.set_basis(matrix[:7])
+        found.mesh.set_basis(matrix[:7])
     with pytest.raises(ValueError, match="unknowns"):
-        found.set_basis(matrix[0])
+        found.mesh.set_basis(matrix[0])
     matrix[3, 1] = np.nan
     with pytest.raises(errors.FmcError, match="not|nan|NaN"):
-        found.set_basis(matrix)
+        found.mesh.set_basis(matrix)
     assert found.evaluate(SQUARES).energy > 0
-    found.set_basis(rigid()[0])
+    found.mesh.set_basis(rigid()[0])
     with pytest.raises(errors.FmcError):
         found.evaluate(SQUARES)

@@ -38,7 +38,7 @@ def area_vectors(facets, coords):
 def test_facets_are_outward_faces_of_their_cells(cell_type, base):
     coords, cells = MESHES[cell_type][0], np.array(MESHES[cell_type][1])
     contact = Contact(coords, cells + base, cell_type, stiffness=K, index_base=base)
-    facets = contact.boundary_facets()
+    facets = contact.mesh.boundary_facets()
     assert len(facets) == contact.facet_count == len(facets.cell) == len(facets.local_face) == len(facets.nodes)
     for cell, face, nodes in zip(facets.cell, facets.local_face, facets.nodes):
         assert set(nodes[nodes >= 0] - base) == set(cells[cell][FACES[cell_type][face]])
@@ -53,7 +53,7 @@ def test_facets_are_outward_faces_of_their_cells(cell_type, base):
 
 def test_bodies_come_in_the_order_of_results(squares):
     coords, cells = squares
-    facets = Contact(coords, cells, "quad", stiffness=K, bodies=[7, -1]).boundary_facets()
+    facets = Contact(coords, cells, "quad", stiffness=K, bodies=[7, -1]).mesh.boundary_facets()
     np.testing.assert_array_equal(facets.body, [0] * 4 + [1] * 4)
     np.testing.assert_array_equal(facets.cell, [1] * 4 + [0] * 4)
 
@@ -61,7 +61,7 @@ def test_bodies_come_in_the_order_of_results(squares):
 def test_facets_keep_the_numbers_that_they_were_given():
     edges = np.array([[0, 1], [4, 5], [1, 2], [5, 6], [2, 0], [6, 4]])
     coords = np.array([[0, 0], [1, 0], [0, 1], [9, 9], [3, 0], [4, 0], [3, 1]], dtype=float)
-    facets = Contact.from_facets(coords, edges, stiffness=K, law="fiber", bodies=[1, 0] * 3).boundary_facets()
+    facets = Contact.from_facets(coords, edges, stiffness=K, law="fiber", bodies=[1, 0] * 3).mesh.boundary_facets()
     np.testing.assert_array_equal(facets.given, [1, 3, 5, 0, 2, 4])
     np.testing.assert_array_equal(facets.nodes, edges[facets.given])
     np.testing.assert_array_equal(facets.body, [0] * 3 + [1] * 3)

@@ -12,7 +12,7 @@ COORDS = np.array([[0, -0.05], [1, -0.05], [1, 0.95], [0, 0.95]])
 def square():
     """A unit square that reaches into a plane by 0.05."""
     contact = Contact(COORDS, [[0, 1, 2, 3]], "quad", stiffness=K, law="fiber", estimator="exact")
-    contact.add_half_space([0, 0], [0, 1])
+    contact.obstacles.add_half_space([0, 0], [0, 1])
     return contact
 
 
@@ -72,7 +72,7 @@ def test_as_little_penetration_as_is_wanted() -> None:
     # A unit square on springs of 100, 0.1 above a plane, that is pushed down by 20 at either lower node.
     coords = np.array([[0.0, 0.1], [1.0, 0.1], [1.0, 1.1], [0.0, 1.1]])
     contact = Contact(coords, [[0, 1, 2, 3]], "quad", stiffness=3000.0, law="depth")
-    contact.add_half_space((0, 0), (0, 1))
+    contact.obstacles.add_half_space((0, 0), (0, 1))
 
     def place(d: np.ndarray, coords: np.ndarray) -> None:
         coords[[3, 2], 1] += d[[1, 3]]

@@ -65,19 +65,19 @@ def test_reference_and_planes_of_symmetry() -> None:
     coords, conn = blocks(4)
     contact = Contact(coords, conn, "quad", stiffness=K, law="depth", estimator="exact")
     free = contact.evaluate(coords).bodies[1].force[1]
-    contact.set_symmetry_nodes(np.flatnonzero(coords[:, 0] % 1.0 == 0.0))
+    contact.mesh.set_symmetry_nodes(np.flatnonzero(coords[:, 0] % 1.0 == 0.0))
     held = contact.evaluate(coords).bodies[1].force[1]
     assert held == pytest.approx(K * DEPTH, rel=1e-12)
     assert free < 0.995 * held
-    contact.set_symmetry_nodes([])
+    contact.mesh.set_symmetry_nodes([])
     assert contact.evaluate(coords).bodies[1].force[1] == free
-    contact.set_reference(coords * [1.0, 2.0])
+    contact.mesh.set_reference(coords * [1.0, 2.0])
     assert contact.evaluate(coords).bodies[1].force[1] > 1.5 * free
     with pytest.raises(errors.NodeOutOfRangeError) as refused:
-        contact.set_symmetry_nodes([0, 1000])
+        contact.mesh.set_symmetry_nodes([0, 1000])
     assert "1000" in str(refused.value)
     with pytest.raises(errors.InvertedCellError):
-        contact.set_reference(coords * [1.0, -1.0])
+        contact.mesh.set_reference(coords * [1.0, -1.0])
     assert contact.evaluate(coords).bodies[1].force[1] > 1.5 * free
 
 

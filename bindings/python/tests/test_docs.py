@@ -63,7 +63,7 @@ grid = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1
 edges = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
 coords = np.vstack([grid, [(grid[a] + grid[b]) / 2 for a, b in edges]])
 contact = Contact(coords, [np.arange(20)], "hexahedron20", stiffness=1e6)
-at_points = np.ones_like(contact.point_weights().to_points(coords))
+at_points = np.ones_like(contact.mesh.point_weights().to_points(coords))
 """
 
 BASIS = """

@@ -121,28 +121,28 @@ def test_after_an_error_a_contact_is_as_it_was(squares):
         (errors.InvertedCellError, "cell 1", lambda: contact.evaluate(moved(coords, 6, 1.1, 0.2), out=out)),
         (errors.BufferTooSmallError, "room for 7 nodes, the mesh has 8", lambda: contact.evaluate(coords, out=out[:7])),
         (errors.StrideError, "'forces' overlap", lambda: contact.evaluate(coords, as_strided(out, (8, 2), (8, 8)))),
-        (errors.NotPositiveError, "'radius' is -2", lambda: contact.add_ball(-2)),
-        (errors.NotPositiveError, "is 0", lambda: contact.add_cuboid((1, 0))),
-        (errors.NotPositiveError, "is NaN", lambda: contact.add_cylinder(1, np.nan)),
-        (errors.BadPoseError, "no direction", lambda: contact.add_half_space((0, 0), (0, 0))),
-        (errors.BadPoseError, "obstacle 0", lambda: contact.add_ball(1, Pose((0, 0), [[2, 0], [0, 1]]))),
-        (errors.BadPoseError, "obstacle 0", lambda: contact.add_ball(1, Pose((0, 0), scale=0))),
-        (errors.OpenSurfaceError, "at node", lambda: contact.add_polytope(coords[:3], [[0, 1], [1, 2]])),
-        (errors.ObstacleOutOfRangeError, "no obstacle 0", lambda: contact.set_pose(0, (0, 0))),
-        (IndexError, "no obstacle -1", lambda: contact.set_pose(-1, (0, 0))),
-        (ValueError, "the pose has 3 axes, the contact 2", lambda: contact.add_ball(1, (0, 0, 0))),
-        (ValueError, r"normal has shape \(3,\)", lambda: contact.add_half_space((0, 0), (0, 0, 1))),
+        (errors.NotPositiveError, "'radius' is -2", lambda: contact.obstacles.add_ball(-2)),
+        (errors.NotPositiveError, "is 0", lambda: contact.obstacles.add_cuboid((1, 0))),
+        (errors.NotPositiveError, "is NaN", lambda: contact.obstacles.add_cylinder(1, np.nan)),
+        (errors.BadPoseError, "no direction", lambda: contact.obstacles.add_half_space((0, 0), (0, 0))),
+        (errors.BadPoseError, "obstacle 0", lambda: contact.obstacles.add_ball(1, Pose((0, 0), [[2, 0], [0, 1]]))),
+        (errors.BadPoseError, "obstacle 0", lambda: contact.obstacles.add_ball(1, Pose((0, 0), scale=0))),
+        (errors.OpenSurfaceError, "at node", lambda: contact.obstacles.add_polytope(coords[:3], [[0, 1], [1, 2]])),
+        (errors.ObstacleOutOfRangeError, "no obstacle 0", lambda: contact.obstacles.set_pose(0, (0, 0))),
+        (IndexError, "no obstacle -1", lambda: contact.obstacles.set_pose(-1, (0, 0))),
+        (ValueError, "the pose has 3 axes, the contact 2", lambda: contact.obstacles.add_ball(1, (0, 0, 0))),
+        (ValueError, r"normal has shape \(3,\)", lambda: contact.obstacles.add_half_space((0, 0), (0, 0, 1))),
     ]:
         with pytest.raises(error, match=text):
             call()
-    assert np.all(out == 7) and contact.obstacle_count == 0
+    assert np.all(out == 7) and contact.obstacles.count == 0
     assert same_bits(contact.evaluate(coords).forces, expected)
 
 
 def test_what_the_package_itself_never_asks_for(squares):
     coords, conn = squares
     contact = Contact(coords, conn, "quad", **OPTIONS)
-    pointer, empty, options = contact._handle.pointer, fmc_options(), changed(defaults(), OPTIONS)
+    pointer, empty, options = contact._core.handle.pointer, fmc_options(), changed(defaults(), OPTIONS)
     odd = np.zeros(65, np.uint8)[1:].view(np.float64)
     for error, text, call in [
         (errors.NullPointerError, "'options'", lambda: library.fmc_options_init(None)),
@@ -165,7 +165,7 @@ def entries_without_room(contact, coords):
     contact.set_options(law="fiber")
     contact.tangent(coords)
     none = np.empty(0, np.int32)
-    return library.fmc_context_tangent_entries(contact._handle.pointer, none, none, np.empty(0), 0)
+    return library.fmc_context_tangent_entries(contact._core.handle.pointer, none, none, np.empty(0), 0)
 
 
 def test_errors_are_what_python_would_call_them():
@@ -189,6 +189,6 @@ def test_counts_of_a_context(squares):
     coords, conn = squares
     contact = Contact(coords, conn, "quad", **OPTIONS)
     nodes = c_size_t()
-    contact._handle.call(library.fmc_context_counts, byref(nodes), None, None)
+    contact._core.handle.call(library.fmc_context_counts, byref(nodes), None, None)
     assert nodes.value == contact.node_count == 8
-    assert (contact.dim, contact.facet_count, contact.body_count, contact.obstacle_count) == (2, 8, 2, 0)
+    assert (contact.dim, contact.facet_count, contact.body_count, contact.obstacles.count) == (2, 8, 2, 0)

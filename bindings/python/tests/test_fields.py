@@ -48,7 +48,7 @@ def test_points_stand_on_both_sides(cubes):
 def test_a_plane_has_no_nodes(squares):
     coords, cells = squares
     contact = Contact(coords, cells, "quad", stiffness=K, law="fiber")
-    contact.add_half_space((0, 0.05), (0, 1))
+    contact.obstacles.add_half_space((0, 0.05), (0, 1))
     points = contact.contact_points(coords)
     of_plane = points.is_obstacle[:, 1]
     assert of_plane.any() and (points.nodes[of_plane, 1] == -1).all() and (points.cell[of_plane, 1] == -1).all()

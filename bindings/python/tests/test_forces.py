@@ -64,7 +64,7 @@ def test_force_is_minus_the_gradient_of_the_energy(cubes, law, estimator, h):
     coords, conn = cubes
     coords = coords + 0.02 * np.random.default_rng(1).standard_normal(coords.shape)
     contact = Contact(coords, conn, "hexahedron", stiffness=K, law=law, estimator=estimator, momentum_correction=False)
-    contact.keep_patches(coords)
+    contact.patches.keep(coords)
     forces = contact.evaluate(coords).forces
     direction = np.random.default_rng(2).standard_normal(coords.shape)
     after, before = (contact.evaluate(coords + sign * h * direction).energy for sign in (1, -1))

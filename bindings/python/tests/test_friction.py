@@ -14,7 +14,7 @@ def block_on_block(**options: object) -> tuple[Contact, np.ndarray]:
     """The second of two blocks 1e-2 deep in the first, a step begun."""
     coords, conn = blocks(4)
     contact = Contact(coords, conn, "quad", stiffness=K, friction_coefficient=MU, **options)
-    contact.begin_step(coords)
+    contact.friction.begin_step(coords)
     return contact, coords
 
 
@@ -41,12 +41,12 @@ def test_it_sticks_and_slides(law: str) -> None:
 def test_a_restart_has_the_same_bits() -> None:
     contact, coords = block_on_block()
     middle, end = moved(coords, 4e-3), moved(coords, 1e-3)
-    contact.commit_step(middle)
+    contact.friction.commit_step(middle)
     again, _ = block_on_block()
-    again.begin_step(middle)
-    again.slip = contact.slip
+    again.friction.begin_step(middle)
+    again.friction.slip = contact.friction.slip
     assert np.array_equal(again.evaluate(end).forces, contact.evaluate(end).forces)
-    assert np.abs(contact.slip).max() == pytest.approx(MU * DEPTH, rel=0.1)
+    assert np.abs(contact.friction.slip).max() == pytest.approx(MU * DEPTH, rel=0.1)
 
 
 def test_a_call_that_keeps_nothing_has_the_same_bits() -> None:
@@ -58,8 +58,8 @@ def test_a_call_that_keeps_nothing_has_the_same_bits() -> None:
             start, end, conn, "quad", stiffness=K, friction_coefficient=MU, slip=slip, reference=coords
         )
         assert np.array_equal(found.forces, contact.evaluate(end).forces)
-        contact.commit_step(end)
-        assert np.array_equal(slip, contact.slip) and np.abs(slip).max() > 0
+        contact.friction.commit_step(end)
+        assert np.array_equal(slip, contact.friction.slip) and np.abs(slip).max() > 0
         start = end
 
 
@@ -84,35 +84,35 @@ def test_frozen_friction_has_a_symmetric_tangent() -> None:
     full, symmetric = contact.tangent(slid), contact.tangent(slid, symmetric=True)
     size = abs(full).max()
     assert abs(full - full.T).max() > 0.1 * size and abs(symmetric - symmetric.T).max() < 1e-9 * size
-    contact.freeze_friction(slid)
+    contact.friction.freeze(slid)
     frozen = contact.tangent(slid)
     assert abs(frozen - frozen.T).max() < 1e-9 * size
-    contact.release_friction()
+    contact.friction.release()
     assert abs(contact.tangent(slid) - full).max() == 0
 
 
 def test_a_pair_has_a_coefficient_of_its_own() -> None:
     contact, coords = block_on_block()
-    contact.set_pair(0, 1, friction_coefficient=0.0)
-    assert contact.pair_options(0, 1)["friction_coefficient"] == 0.0
+    contact.pairs.set(0, 1, friction_coefficient=0.0)
+    assert contact.pairs.options(0, 1)["friction_coefficient"] == 0.0
     assert contact.evaluate(moved(coords, 0.02)).friction.slip_area == 0.0
 
 
 def test_what_is_refused() -> None:
     coords, conn = blocks(2)
     contact = Contact(coords, conn, "quad", stiffness=K, friction_coefficient=MU)
-    for call in (contact.evaluate, contact.tangent, contact.commit_step, contact.freeze_friction):
+    for call in (contact.evaluate, contact.tangent, contact.friction.commit_step, contact.friction.freeze):
         with pytest.raises(errors.NoStepError, match="begin_step"):
             call(coords)
     with pytest.raises(errors.NoStepError):
-        contact.slip
-    contact.begin_step(coords)
-    slip = contact.slip
+        contact.friction.slip
+    contact.friction.begin_step(coords)
+    slip = contact.friction.slip
     with pytest.raises(errors.LengthError, match="slip"):
-        contact.slip = slip[1:]
+        contact.friction.slip = slip[1:]
     slip[3, 1] = np.nan
     with pytest.raises(errors.NonFiniteSlipError, match="facet 3"):
-        contact.slip = slip
+        contact.friction.slip = slip
     with pytest.raises(errors.NotPositiveError, match="friction_coefficient"):
         contact.set_options(friction_coefficient=-0.1)
     with pytest.raises(errors.UnsupportedError, match="friction_stiffness"):

@@ -88,7 +88,7 @@ def test_coordinates_that_are_none_are_refused(squares):
     coords, conn = squares
     contact = Contact(coords, conn, "quad", **OPTIONS)
     for error, text, array in bad_coords(coords):
-        for call in (contact.evaluate, contact.tangent, contact.keep_patches):
+        for call in (contact.evaluate, contact.tangent, contact.patches.keep):
             with pytest.raises(error, match=text):
                 call(array)
         with pytest.raises(error, match=text):

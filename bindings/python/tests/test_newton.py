@@ -127,7 +127,7 @@ import numpy as np
 from fmc_contact import Contact, newton
 coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
 contact = Contact(coords, [[0, 1, 2, 3]], "quad", stiffness=1e3, law="depth", estimator="auto")
-contact.add_half_space((0, 0.1), (0, 1))
+contact.obstacles.add_half_space((0, 0.1), (0, 1))
 host = lambda x: ((x - coords).ravel() * 1e3, np.eye(8) * 1e3)
 print(newton(host, contact, coords, range(8), young=1e3).iterations)
 """
@@ -279,7 +279,7 @@ def test_a_step_that_goes_too_far_is_shortened(column):
 def test_what_is_prescribed_is_moved_in_parts_where_all_of_it_turns_a_cell_inside_out():
     coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
     contact = Contact(coords, [[0, 1, 2, 3]], "quad", stiffness=K, law="depth", estimator="auto")
-    contact.add_half_space((0, -5), (0, 1))
+    contact.obstacles.add_half_space((0, -5), (0, 1))
 
     # The lower nodes hang on the upper ones by springs, of which the host's matrix does not know: they follow a solve later.
     def hanging(x):

@@ -53,16 +53,16 @@ def plane(points):
 
 # Every flat obstacle reaches up into the body from below, 0.25 deep and wider than the body.
 FLAT = {
-    "half space": lambda c, d: c.add_half_space(centre(d, 0.25), up(d)),
-    "half space of any normal": lambda c, d: c.add_half_space(centre(d, 0.25), [3 * x for x in up(d)]),
-    "cuboid": lambda c, d: c.add_cuboid((1,) * d, centre(d, -0.75)),
-    "cylinder": lambda c, d: c.add_cylinder(2, 0.5, centre(d, -0.25)),
-    "polytope": lambda c, d: c.add_polytope(*wedge(d), centre(d, 0.25)),
-    "polytope of int32": lambda c, d: c.add_polytope(wedge(d)[0], np.array(wedge(d)[1], np.int32), centre(d, 0.25)),
-    "polytope in columns": lambda c, d: c.add_polytope(wedge(d)[0].T, wedge(d)[1], centre(d, 0.25)),
-    "signed distance": lambda c, d: c.add_signed_distance(plane, centre(d, 0.25)),
-    "scaled cuboid": lambda c, d: c.add_cuboid((0.5,) * d, Pose(centre(d, -0.75), scale=2)),
-    "turned cuboid": lambda c, d: c.add_cuboid((1,) * d, Pose.along(centre(d, -0.75), [-x for x in up(d)])),
+    "half space": lambda c, d: c.obstacles.add_half_space(centre(d, 0.25), up(d)),
+    "half space of any normal": lambda c, d: c.obstacles.add_half_space(centre(d, 0.25), [3 * x for x in up(d)]),
+    "cuboid": lambda c, d: c.obstacles.add_cuboid((1,) * d, centre(d, -0.75)),
+    "cylinder": lambda c, d: c.obstacles.add_cylinder(2, 0.5, centre(d, -0.25)),
+    "polytope": lambda c, d: c.obstacles.add_polytope(*wedge(d), centre(d, 0.25)),
+    "polytope of int32": lambda c, d: c.obstacles.add_polytope(wedge(d)[0], np.array(wedge(d)[1], np.int32), centre(d, 0.25)),
+    "polytope in columns": lambda c, d: c.obstacles.add_polytope(wedge(d)[0].T, wedge(d)[1], centre(d, 0.25)),
+    "signed distance": lambda c, d: c.obstacles.add_signed_distance(plane, centre(d, 0.25)),
+    "scaled cuboid": lambda c, d: c.obstacles.add_cuboid((0.5,) * d, Pose(centre(d, -0.75), scale=2)),
+    "turned cuboid": lambda c, d: c.obstacles.add_cuboid((1,) * d, Pose.along(centre(d, -0.75), [-x for x in up(d)])),
 }
 
 
@@ -70,7 +70,7 @@ FLAT = {
 @pytest.mark.parametrize("name", FLAT)
 def test_flat_obstacles_push_upwards(name, dim):
     contact = body(dim)
-    assert FLAT[name](contact, dim) == 0 and contact.obstacle_count == 1
+    assert FLAT[name](contact, dim) == 0 and contact.obstacles.count == 1
     result = contact.evaluate(SQUARE if dim == 2 else CUBE)
     assert result.volume == pytest.approx(0.25, rel=0.01)
     (obstacle,) = result.obstacles
@@ -82,13 +82,13 @@ def test_flat_obstacles_push_upwards(name, dim):
 
 # Half of each round obstacle is inside the body: centred on its lower face.
 ROUND = {
-    "ball": (lambda c, d: c.add_ball(0.25, centre(d, 0)), {2: np.pi / 32, 3: np.pi / 96}),
+    "ball": (lambda c, d: c.obstacles.add_ball(0.25, centre(d, 0)), {2: np.pi / 32, 3: np.pi / 96}),
     "capsule": (
-        lambda c, d: c.add_capsule(0.125, 0.25, centre(d, 0)),
+        lambda c, d: c.obstacles.add_capsule(0.125, 0.25, centre(d, 0)),
         {2: 0.0625 + np.pi / 128, 3: np.pi / 256 + np.pi / 768},
     ),
     # Apex 0.25 above the face, base 0.25 below it: half its radius where they meet.
-    "cone": (lambda c, d: c.add_cone(0.25, 0.25, centre(d, 0)), {2: 0.125 * 0.25, 3: np.pi * 0.125**2 * 0.25 / 3}),
+    "cone": (lambda c, d: c.obstacles.add_cone(0.25, 0.25, centre(d, 0)), {2: 0.125 * 0.25, 3: np.pi * 0.125**2 * 0.25 / 3}),
 }
 
 
@@ -105,13 +105,13 @@ def test_round_obstacles_overlap_by_their_volume(name, dim):
 
 def test_an_obstacle_moves_with_its_pose():
     contact = body(2, estimator="exact")
-    wall = contact.add_half_space((0, -1), (0, 1))
+    wall = contact.obstacles.add_half_space((0, -1), (0, 1))
     assert contact.evaluate(SQUARE).volume == 0
-    contact.set_pose(wall, (0, 0.25))
+    contact.obstacles.set_pose(wall, (0, 0.25))
     assert contact.evaluate(SQUARE).volume == pytest.approx(0.25)
-    contact.set_pose(wall, Pose.along((0, 0.75), (0, -1)))
+    contact.obstacles.set_pose(wall, Pose.along((0, 0.75), (0, -1)))
     assert contact.evaluate(SQUARE).volume == pytest.approx(0.25)
-    contact.set_pose(wall, None)
+    contact.obstacles.set_pose(wall, None)
     assert contact.evaluate(SQUARE).volume == pytest.approx(0)
 
 
@@ -120,32 +120,32 @@ def test_a_removed_obstacle_is_gone_and_the_others_keep_their_numbers():
         raise AssertionError("a removed obstacle is asked for its distance")
 
     contact, alone = body(2), body(2)
-    moved = contact.add_signed_distance(gone)
-    wall = contact.add_half_space((0, 0.25), (0, 1))
-    alone.add_half_space((0, 0.25), (0, 1))
+    moved = contact.obstacles.add_signed_distance(gone)
+    wall = contact.obstacles.add_half_space((0, 0.25), (0, 1))
+    alone.obstacles.add_half_space((0, 0.25), (0, 1))
     pose = Pose.along((1, 2), (3, 4), scale=2)
-    contact.set_pose(moved, pose)
-    shape, found = contact.obstacle(moved)
+    contact.obstacles.set_pose(moved, pose)
+    shape, found = contact.obstacles.get(moved)
     assert shape == "signed_distance" and repr(found) == repr(pose)
-    assert contact.obstacle(wall)[0] == "half_space" and contact.obstacle(wall)[1].position.tolist() == [0, 0.25]
-    contact.set_pair(0, ("obstacle", moved), excluded=True)
-    contact.remove_obstacle(moved)
+    assert contact.obstacles.get(wall)[0] == "half_space" and contact.obstacles.get(wall)[1].position.tolist() == [0, 0.25]
+    contact.pairs.set(0, ("obstacle", moved), excluded=True)
+    contact.obstacles.remove(moved)
     result, expected = contact.evaluate(SQUARE), alone.evaluate(SQUARE)
     assert same_bits(result.forces, expected.forces)
     assert [obstacle.force.tolist() for obstacle in result.obstacles] == [[0, 0], expected.obstacles[0].force.tolist()]
     for call in (
-        lambda: contact.remove_obstacle(moved),
-        lambda: contact.obstacle(moved),
-        lambda: contact.set_pose(moved, None),
-        lambda: contact.set_pair(0, ("obstacle", moved)),
+        lambda: contact.obstacles.remove(moved),
+        lambda: contact.obstacles.get(moved),
+        lambda: contact.obstacles.set_pose(moved, None),
+        lambda: contact.pairs.set(0, ("obstacle", moved)),
     ):
         with pytest.raises(ObstacleRemovedError, match="obstacle 0 was removed"):
             call()
     with pytest.raises(ObstacleOutOfRangeError, match="no obstacle 2"):
-        contact.remove_obstacle(2)
+        contact.obstacles.remove(2)
     with pytest.raises(IndexError, match="no obstacle -1"):
-        contact.obstacle(-1)
-    assert contact.add_ball(1.0, (5, 5)) == 2 == contact.obstacle_count - 1
+        contact.obstacles.get(-1)
+    assert contact.obstacles.add_ball(1.0, (5, 5)) == 2 == contact.obstacles.count - 1
 
 
 def test_poses_say_where_they_are():
@@ -166,7 +166,7 @@ def test_what_a_signed_distance_raises_comes_out():
         raise Unexpected(f"{len(points)} points")
 
     contact = body(2)
-    contact.add_signed_distance(fail)
+    contact.obstacles.add_signed_distance(fail)
     out = np.full((4, 2), 7.0)
     with pytest.raises(Unexpected, match="points"):
         contact.evaluate(SQUARE, out=out)
@@ -181,7 +181,7 @@ def test_a_keyboard_interrupt_comes_out():
         raise KeyboardInterrupt
 
     contact = body(2)
-    contact.add_signed_distance(interrupt)
+    contact.obstacles.add_signed_distance(interrupt)
     with pytest.raises(KeyboardInterrupt):
         contact.evaluate(SQUARE)
 
@@ -194,11 +194,11 @@ def test_bad_signed_distances_are_refused():
         (TypeError, "None", lambda x: None),
     ]:
         contact = body(2)
-        contact.add_signed_distance(function)
+        contact.obstacles.add_signed_distance(function)
         with pytest.raises(error, match=text):
             contact.evaluate(SQUARE)
     contact = body(2, estimator="exact")
-    contact.add_signed_distance(plane)
+    contact.obstacles.add_signed_distance(plane)
     with pytest.raises(UnsupportedError):
         contact.evaluate(SQUARE)
 
@@ -211,7 +211,7 @@ def test_points_of_a_signed_distance_may_be_kept():
         return plane(points)
 
     contact = body(2)
-    contact.add_signed_distance(remember, (0, 0.25))
+    contact.obstacles.add_signed_distance(remember, (0, 0.25))
     contact.evaluate(SQUARE)
     assert kept and all(points.flags.owndata and np.isfinite(points).all() for points in kept)
 
@@ -222,8 +222,8 @@ def test_hulls_and_flat_height_fields_are_boxes(dim):
     corners = np.stack(np.meshgrid(*[(-1.0, 1.0)] * (dim - 1), (-1.0, 0.0), indexing="ij"), -1).reshape(-1, dim)
     for estimator in ("exact", "fibers"):
         for add in (
-            lambda contact: contact.add_convex_hull(corners, centre(dim, 0.2)),
-            lambda contact: contact.add_height_field(np.zeros((3, 4)[: dim - 1]), (2,) * (dim - 1), 1, centre(dim, 0.2)),
+            lambda contact: contact.obstacles.add_convex_hull(corners, centre(dim, 0.2)),
+            lambda contact: contact.obstacles.add_height_field(np.zeros((3, 4)[: dim - 1]), (2,) * (dim - 1), 1, centre(dim, 0.2)),
         ):
             contact = body(dim, estimator=estimator)
             add(contact)
@@ -234,7 +234,7 @@ def test_hulls_and_flat_height_fields_are_boxes(dim):
 def test_a_compound_is_the_union_of_its_parts():
     parts = [Part("ball", (x, 0, 0), radius=0.25) for x in (-0.1, 0.1)]
     contact = body(3)
-    contact.add_compound(parts, centre(3, 0.5))
+    contact.obstacles.add_compound(parts, centre(3, 0.5))
     height = 0.25 - 0.1
     lens = 2 * np.pi * height**2 * (3 * 0.25 - height) / 3
     union = 2 * 4 / 3 * np.pi * 0.25**3 - lens
@@ -244,13 +244,13 @@ def test_a_compound_is_the_union_of_its_parts():
 def test_what_cannot_be_built_says_why():
     contact = body(3)
     with pytest.raises(DegenerateHullError):
-        contact.add_convex_hull(np.c_[SQUARE, np.zeros(4)])
+        contact.obstacles.add_convex_hull(np.c_[SQUARE, np.zeros(4)])
     with pytest.raises(TooFewHeightsError):
-        contact.add_height_field(np.zeros((3, 1)), (1, 1), 1)
+        contact.obstacles.add_height_field(np.zeros((3, 1)), (1, 1), 1)
     with pytest.raises(NonFiniteHeightError):
-        contact.add_height_field([[0, np.nan], [0, 0]], (1, 1), 1)
+        contact.obstacles.add_height_field([[0, np.nan], [0, 0]], (1, 1), 1)
     with pytest.raises(EmptyCompoundError):
-        contact.add_compound([])
+        contact.obstacles.add_compound([])
     with pytest.raises(ValueError, match="no shape 'torus'"):
         Part("torus")
-    assert contact.obstacle_count == 0
+    assert contact.obstacles.count == 0

@@ -52,26 +52,26 @@ def test_steps_with_friction_go_on_with_other_ranks(blocks):
     coords = blocks[0]
     moved = coords + np.outer(np.arange(len(coords)) >= 601 * 3, [1e-3, 0])
     contact = whole(blocks, **OPTIONS)
-    contact.begin_step(coords)
-    contact.commit_step(moved)
+    contact.friction.begin_step(coords)
+    contact.friction.commit_step(moved)
     expected = contact.evaluate(coords).forces
 
     def first(comm):
         contact, numbers = parted(blocks, comm, **OPTIONS)
-        contact.begin_step(contact.coords)
-        contact.bring(moved[numbers["node_numbers"]])
-        contact.commit_step(contact.coords)
-        return contact.carried_slip()
+        contact.friction.begin_step(contact.coords)
+        contact.set_coords(moved[numbers["node_numbers"]])
+        contact.friction.commit_step(contact.coords)
+        return contact.friction.carried_slip
 
     carried = on_ranks(3, first)
     assert len(carried[0]) > 100 and all(np.array_equal(carried[0], other) for other in carried)
 
     def second(comm):
         contact, numbers = parted(blocks, comm, **OPTIONS)
-        contact.bring(moved[numbers["node_numbers"]])
-        contact.begin_step(contact.coords)
-        contact.set_carried_slip(carried[0])
-        contact.bring(coords[numbers["node_numbers"]])
+        contact.set_coords(moved[numbers["node_numbers"]])
+        contact.friction.begin_step(contact.coords)
+        contact.friction.carried_slip = carried[0]
+        contact.set_coords(coords[numbers["node_numbers"]])
         return np.array_equal(contact.evaluate(contact.coords).forces, expected[contact.nodes])
 
     assert on_ranks(2, second) == [True, True]
@@ -87,17 +87,17 @@ def test_errors_are_told_on_all_ranks():
         if comm.rank == 1:
             wrong[3, 1] = np.nan
         with pytest.raises(fmc_contact.FmcError) as caught:
-            contact.bring(wrong)
+            contact.set_coords(wrong)
         with pytest.raises((fmc_contact.errors.LengthError, fmc_contact.errors.OnOtherRankError)):
-            contact.bring(wrong[: len(wrong) - comm.rank])
-        contact.bring(blocks[0][numbers["node_numbers"]])
-        contact.add_half_space((0, 8.9), (0, -1))
+            contact.set_coords(wrong[: len(wrong) - comm.rank])
+        contact.set_coords(blocks[0][numbers["node_numbers"]])
+        contact.obstacles.add_half_space((0, 8.9), (0, -1))
         with pytest.raises(fmc_contact.errors.NotGatheredError):
             contact.evaluate(contact.coords)
         with pytest.raises(fmc_contact.errors.UnsupportedError):
-            contact.set_reference(contact.coords)
+            contact.mesh.set_reference(contact.coords)
         with pytest.raises(fmc_contact.errors.UnsupportedError):
-            contact.begin_step(contact.coords + 1e-9)
+            contact.friction.begin_step(contact.coords + 1e-9)
         return type(caught.value)
 
     errors = fmc_contact.errors
@@ -107,7 +107,7 @@ def test_errors_are_told_on_all_ranks():
 def test_other_contacts_are_not_in_parts(blocks):
     contact = whole(blocks)
     with pytest.raises(fmc_contact.errors.UnsupportedError, match="fmc_context_new_from_part"):
-        contact._handle.call(fmc_contact.partition.library.fmc_context_bring, None, None)
+        contact._core.handle.call(fmc_contact.partition.library.fmc_context_bring, None, None)
     with pytest.raises(ValueError, match="node_numbers has 3 entries"):
         fmc_contact.PartitionedContact(
             None, blocks[0], blocks[1], "quad", stiffness=1.0, node_numbers=[1, 2, 3], cell_numbers=[], bodies=[]

@@ -95,8 +95,8 @@ def test_every_rank_has_the_bits_of_one(blocks, law):
 
     def work(comm):
         contact = contact_of(blocks, law=law)
-        contact.set_communicator(comm)
-        return *contact.evaluate_tangent(blocks[0]), contact.rank_counts()
+        contact.ranks.set_communicator(comm)
+        return *contact.evaluate_tangent(blocks[0]), contact.ranks.counts()
 
     for found, shared, counts in on_ranks(3, work):
         assert np.array_equal(found.forces, alone.forces) and found.energy == alone.energy
@@ -111,7 +111,7 @@ def test_one_error_is_told_on_all(blocks):
 
     def work(comm):
         contact = contact_of(blocks)
-        contact.set_communicator(comm)
+        contact.ranks.set_communicator(comm)
         wrong = coords.copy()
         if comm.rank == 1:
             wrong[7, 1] = np.nan
@@ -125,7 +125,7 @@ def test_one_error_is_told_on_all(blocks):
 
 def shared(comm, blocks):
     contact = contact_of(blocks)
-    contact.set_communicator(comm)
+    contact.ranks.set_communicator(comm)
     return contact
 
 
@@ -139,7 +139,7 @@ def test_what_a_communicator_raises_comes_out(blocks):
     contact = shared(Broken(), blocks)
     with pytest.raises(ConnectionError, match="no other rank"):
         contact.evaluate(blocks[0])
-    contact.set_communicator(None)
-    assert contact.evaluate(blocks[0]).energy > 0 and contact.rank_counts().call_count == 0
+    contact.ranks.set_communicator(None)
+    assert contact.evaluate(blocks[0]).energy > 0 and contact.ranks.counts().call_count == 0
     with pytest.raises(fmc_contact.errors.BadRankError, match="rank 2 of 2"):
         shared(type("Nobody", (Broken,), {"rank": 2})(), blocks)

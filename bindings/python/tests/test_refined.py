@@ -39,7 +39,7 @@ def test_what_hangs_is_where_its_parents_put_it():
     moved = coords.copy()
     moved[HANGING] += [0.01, -0.02]
     np.testing.assert_array_equal(contact.evaluate(moved).forces, expected)
-    np.testing.assert_allclose(contact.point_weights().to_points(moved)[HANGING], [0.5, 0.5])
+    np.testing.assert_allclose(contact.mesh.point_weights().to_points(moved)[HANGING], [0.5, 0.5])
 
 
 def test_a_node_beside_the_middle_is_refused():

@@ -150,9 +150,9 @@ def test_cells_that_fit_together():
     coords, cells = with_middles(corners, blocks)
     contact = Contact(coords, cells, stiffness=K, law="volume", estimator="exact")
     assert contact.body_count == 1
-    contact.add_half_space((0, 0, 0.1), (0, 0, 1))
+    contact.obstacles.add_half_space((0, 0, 0.1), (0, 0, 1))
     assert contact.evaluate(coords).volume == pytest.approx(0.1, rel=1e-12)
-    found = contact.boundary_facets()
+    found = contact.mesh.boundary_facets()
     # Five faces of the hexahedron, three of the pyramid, three of the tetrahedron.
     assert len(found) == contact.facet_count == 5 * 16 + 3 * 4 + 3 * 4
     assert {cell: set(found.local_face[found.cell == cell]) for cell in range(3)}[0] == {0, 1, 2, 3, 4}
@@ -184,8 +184,8 @@ def test_points_are_brought_to_nodes(name, base):
     contact = Contact(
         coords, [(name, np.array(conn) + base) for name, conn in cells], stiffness=K, law="fiber", index_base=base
     )
-    contact.add_half_space(np.full(dim, 0.01), np.eye(dim)[-1])
-    weights = contact.point_weights()
+    contact.obstacles.add_half_space(np.full(dim, 0.01), np.eye(dim)[-1])
+    weights = contact.mesh.point_weights()
     middles = {"quad8": 1, "hexahedron20": 7, "wedge15": 5, "pyramid13": 6}.get(name, 0)
     assert len(weights) == len(coords) + middles and weights.indptr[0] == 0
     matrix = np.zeros((len(weights), len(coords)))
@@ -196,7 +196,7 @@ def test_points_are_brought_to_nodes(name, base):
     np.testing.assert_allclose(weights.to_points(coords[:, 0]), matrix @ coords[:, 0], atol=1e-14)
     # Straight edges: points are where the nodes are, middles of faces in their middles.
     np.testing.assert_allclose(weights.to_points(coords)[: len(coords)], coords, atol=1e-14)
-    facets = contact.boundary_facets()
+    facets = contact.mesh.boundary_facets()
     assert facets.nodes.max() - base < len(weights)
     points, result = contact.contact_points(coords), contact.evaluate(coords)
     at_points = np.zeros((len(weights), dim))
@@ -213,7 +213,7 @@ def test_points_are_brought_to_nodes(name, base):
 
 
 def test_straight_cells_are_their_own_points(cubes):
-    weights = Contact(*cubes, "hexahedron", stiffness=K).point_weights()
+    weights = Contact(*cubes, "hexahedron", stiffness=K).mesh.point_weights()
     np.testing.assert_array_equal(weights.indptr, np.arange(17))
     np.testing.assert_array_equal(weights.indices, np.arange(16))
     np.testing.assert_array_equal(weights.data, 1.0)
@@ -256,7 +256,7 @@ def test_facets_have_the_forces_of_cells(name, dtype):
     found = contact.evaluate(both)
     assert found.volume == pytest.approx(expected.volume, rel=1e-12) and contact.body_count == 2
     assert found.forces == pytest.approx(expected.forces, abs=1e-12 * np.abs(expected.forces).max())
-    given = contact.boundary_facets().given
+    given = contact.mesh.boundary_facets().given
     assert set(given) == set(range(sum(len(conn) for _, conn in twice(facets))))
     # One type by name, with bodies.
     (of, conn), *others = facets
@@ -299,7 +299,7 @@ def test_a_cell_that_folds_is_named_with_the_place():
     x[3, 0] = 0.2
     # ∂x/∂ξ at the corner is 4 * 0.2 - 1, ∂y/∂η one.
     with pytest.raises(errors.InvertedCellError, match=r"cell 0 .* node 0, .* determinant is (-1\.9999\d*|-2|-2\.0000\d*)e-1:"):
-        contact.set_reference(x)
+        contact.mesh.set_reference(x)
     # At a node alone: iterates of a solver may pass there.
     contact.evaluate(x)
     x[3, 0] = -0.9

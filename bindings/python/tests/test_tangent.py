@@ -36,7 +36,7 @@ def test_tangent_is_minus_the_derivative_of_the_forces(squares, law, estimator):
     coords = turned(coords, 20) + 0.01 * np.random.default_rng(3).standard_normal(coords.shape)
     exponent = {"exponent": 2} if law == "volume" else {}
     contact = Contact(coords, conn, "quad", stiffness=K, law=law, estimator=estimator, momentum_correction=False, **exponent)
-    assert contact.keep_patches(coords) == (1 if law == "fiber" else 0)
+    assert contact.patches.keep(coords) == (1 if law == "fiber" else 0)
     tangent = contact.tangent(coords)
     assert sparse.issparse(tangent) and tangent.format == "csr" and tangent.shape == (16, 16)
     dense = tangent.toarray()
@@ -51,14 +51,14 @@ def test_the_forms_of_the_tangent_agree(squares, law):
     coords, conn = squares
     exponent = {"exponent": 2} if law == "volume" else {}
     contact = Contact(coords, conn, "quad", stiffness=K, law=law, estimator="exact", **exponent)
-    contact.add_half_space((0, 0.05), (0, 1))
+    contact.obstacles.add_half_space((0, 0.05), (0, 1))
     for obstacles, size in ((False, 16), (True, 18)):
         parts = contact.tangent_parts(coords, obstacles=obstacles)
         assert parts.size == size and (len(parts.rank_one) > 0) == (law == "volume")
         dense = contact.tangent(coords, obstacles=obstacles).toarray()
         x = np.random.default_rng(4).standard_normal(size)
         y = np.empty(size)
-        check(library.fmc_context_tangent_product(contact._handle.pointer, x, y, c_size_t(size)))
+        check(library.fmc_context_tangent_product(contact._core.handle.pointer, x, y, c_size_t(size)))
         tolerance = 1e-12 * np.abs(dense).max()
         assert parts @ x == pytest.approx(dense @ x, abs=tolerance)
         assert parts.operator() @ x == pytest.approx(dense @ x, abs=tolerance)
@@ -94,7 +94,7 @@ def test_newton_reaches_the_equilibrium_of_hosts_c_newton():
     motion = np.zeros(16)
     motion[9::2] = -1
     u = 0.12
-    contact.keep_patches(start + u * motion.reshape(8, 2))
+    contact.patches.keep(start + u * motion.reshape(8, 2))
     for _ in range(3):
         coords = start + u * motion.reshape(8, 2)
         residual = 0.8 - u + contact.evaluate(coords).forces.ravel() @ motion
@@ -110,11 +110,11 @@ def test_patches_are_kept_and_released(squares):
     coords, conn = squares
     contact = Contact(coords, conn, "quad", stiffness=K, law="fiber", estimator="exact")
     free = contact.evaluate(turned(coords, 5)).forces
-    assert contact.keep_patches(coords) == 1
+    assert contact.patches.keep(coords) == 1
     kept = contact.evaluate(turned(coords, 5)).forces
     # The direction no longer turns with the squares.
     assert np.abs(kept - free).max() > 1e-6 * K
-    contact.release_patches()
+    contact.patches.release()
     assert np.array_equal(contact.evaluate(turned(coords, 5)).forces, free)
 
 
@@ -124,7 +124,7 @@ def test_blocks_are_the_same_matrix(squares, law, obstacles):
     coords, conn = squares
     exponent = {"exponent": 2} if law == "volume" else {}
     contact = Contact(coords, conn, "quad", stiffness=K, law=law, estimator="exact", **exponent)
-    contact.add_half_space((0, 0.05), (0, 1))
+    contact.obstacles.add_half_space((0, 0.05), (0, 1))
     rows = contact.tangent(coords, obstacles=obstacles)
     blocks = contact.tangent(coords, obstacles=obstacles, blocks=True)
     assert rows.format == "csr" and blocks.format == "bsr" and blocks.blocksize == (2, 2)
@@ -141,12 +141,12 @@ def test_entries_of_the_library_are_those_of_the_rows(squares):
     found = contact.tangent_parts(coords)
     count = len(found.values)
     rows, cols, values = np.empty(count, np.int32), np.empty(count, np.int32), np.empty(count)
-    check(library.fmc_context_tangent_entries(contact._handle.pointer, rows, cols, values, c_size_t(count)))
+    check(library.fmc_context_tangent_entries(contact._core.handle.pointer, rows, cols, values, c_size_t(count)))
     order = np.lexsort((cols, rows))
     assert np.array_equal(rows[order], found.rows) and np.array_equal(cols[order], found.cols)
     assert np.array_equal(values[order], found.values)
     offsets, wide = np.empty(17, np.int64), np.empty(count, np.int64)
-    check(library.fmc_context_tangent_csr_i64(contact._handle.pointer, 16, offsets, wide, values, c_size_t(count)))
+    check(library.fmc_context_tangent_csr_i64(contact._core.handle.pointer, 16, offsets, wide, values, c_size_t(count)))
     assert np.array_equal(offsets, found.offsets + 1) and np.array_equal(wide, found.cols + 1)
     assert np.array_equal(values, found.values)
 
@@ -171,12 +171,12 @@ def test_a_kept_pattern_only_grows(squares):
     coords, conn = squares
     contact = Contact(coords, conn, "quad", stiffness=K, law="fiber", estimator="exact")
     before = contact.tangent(coords)
-    contact.keep_pattern()
+    contact.pattern.keep()
     apart = coords + np.where(np.arange(8) < 4, 0, 5)[:, None]
     assert contact.tangent(apart).nnz == before.nnz and not contact.tangent(apart).toarray().any()
     slid = coords + np.where(np.arange(8) < 4, 0, 0.3)[:, None] * [0, 1]
     grown = contact.tangent(slid)
-    contact.release_pattern()
+    contact.pattern.release()
     assert grown.nnz >= before.nnz and np.array_equal(grown.toarray(), contact.tangent(slid).toarray())
     assert contact.tangent(apart).nnz == 0
 
@@ -204,14 +204,14 @@ def test_obstacles_turn(squares):
     contact = Contact(coords, cells, "quad", stiffness=K, law="depth")
     pose = np.array([0.2, 0.05]), 0.1
     turned = lambda at, angle: Pose(at, [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])  # noqa: E731
-    contact.add_half_space(pose[0], (-np.sin(pose[1]), np.cos(pose[1])))
+    contact.obstacles.add_half_space(pose[0], (-np.sin(pose[1]), np.cos(pose[1])))
     plain = contact.tangent_parts(coords, obstacles=True)
-    contact.set_obstacle_rotations(True)
+    contact.obstacles.set_rotations(True)
     tangent = contact.tangent_parts(coords, obstacles=True)
     assert (plain.size, tangent.size) == (18, 20)
 
     def moment(angle):
-        contact.set_pose(0, turned(pose[0], pose[1] + angle))
+        contact.obstacles.set_pose(0, turned(pose[0], pose[1] + angle))
         result = contact.evaluate(coords)
         obstacle = result.obstacles[0]
         about = np.ravel(obstacle.moment)[-1] - (pose[0][0] * obstacle.force[1] - pose[0][1] * obstacle.force[0])
@@ -222,6 +222,6 @@ def test_obstacles_turn(squares):
     unit[18] = 1
     np.testing.assert_allclose((tangent @ unit)[:19], expected, atol=1e-6 * abs(expected).max())
     contact.set_options(friction_coefficient=0.3)
-    contact.begin_step(coords)
+    contact.friction.begin_step(coords)
     with pytest.raises(errors.UnsupportedError, match="rotation of obstacles"):
         contact.tangent(coords)

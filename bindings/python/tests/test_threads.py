@@ -29,7 +29,7 @@ def test_a_second_thread_is_told_that_the_contact_is_busy(squares):
         assert leave.wait(60)
         return plane(points)
 
-    contact.add_signed_distance(wait)
+    contact.obstacles.add_signed_distance(wait)
     results = []
     thread = threading.Thread(target=lambda: results.append(contact.evaluate(coords)))
     thread.start()
@@ -40,9 +40,9 @@ def test_a_second_thread_is_told_that_the_contact_is_busy(squares):
             lambda: contact.evaluate(coords),
             lambda: contact.tangent(coords),
             lambda: contact.set_options(stiffness=1),
-            lambda: contact.add_ball(1),
-            lambda: contact.set_pose(0, None),
-            lambda: contact.keep_patches(coords),
+            lambda: contact.obstacles.add_ball(1),
+            lambda: contact.obstacles.set_pose(0, None),
+            lambda: contact.patches.keep(coords),
         ):
             with pytest.raises(BusyError, match="in use by another call"):
                 call()
@@ -55,7 +55,7 @@ def test_a_second_thread_is_told_that_the_contact_is_busy(squares):
 def test_a_function_that_calls_back_in_is_told_so(squares):
     coords, conn = squares
     contact = Contact(coords, conn, "quad", **OPTIONS)
-    contact.add_signed_distance(lambda points: contact.evaluate(coords))
+    contact.obstacles.add_signed_distance(lambda points: contact.evaluate(coords))
     with pytest.raises(BusyError):
         contact.evaluate(coords)
 
@@ -84,9 +84,9 @@ def test_a_context_is_freed_with_its_contact(squares, monkeypatch):
     monkeypatch.setattr(_handle, "_free", lambda pointer: (freed.append(pointer.value), free(pointer)))
     contact = Contact(coords, conn, "quad", **OPTIONS)
     # A function that refers to its own contact makes a circle.
-    contact.add_signed_distance(lambda points: plane(points) if contact else None)
+    contact.obstacles.add_signed_distance(lambda points: plane(points) if contact else None)
     contact.evaluate(coords)
-    pointer, alive = contact._handle.pointer.value, weakref.ref(contact)
+    pointer, alive = contact._core.handle.pointer.value, weakref.ref(contact)
     del contact
     gc.collect()
     assert alive() is None and freed == [pointer]
@@ -96,7 +96,7 @@ def test_functions_live_as_long_as_their_contact(squares):
     coords, conn = squares
     contact = Contact(coords, conn, "quad", **OPTIONS)
     function = lambda points: plane(points)  # noqa: E731, the only reference to it
-    contact.add_signed_distance(function)
+    contact.obstacles.add_signed_distance(function)
     contact.set_log(lambda text: None)
     del function
     gc.collect()
@@ -112,7 +112,7 @@ def slow(points):
     entered.set()
     time.sleep(60)
 contact = Contact([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], "triangle", stiffness=1.0, law="volume")
-contact.add_signed_distance(slow)
+contact.obstacles.add_signed_distance(slow)
 threading.Thread(target=contact.evaluate, args=([[0, 0], [1, 0], [0, 1]],), daemon=True).start()
 assert entered.wait(30)
 """
@@ -123,7 +123,7 @@ def test_nothing_grows_with_the_number_of_evaluations(squares):
     resource = pytest.importorskip("resource")
     coords, conn = squares
     contact = Contact(coords, conn, "quad", **OPTIONS)
-    contact.add_signed_distance(plane)
+    contact.obstacles.add_signed_distance(plane)
 
     def work(count):
         for _ in range(count):

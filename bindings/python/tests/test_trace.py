@@ -85,7 +85,7 @@ def test_facets_carry_the_forces_of_cells():
     whole = Contact(CUBE, [("hexahedron", cell)], stiffness=K, law="fiber", estimator="exact")
     faces = Contact.from_facets(skin.points(CUBE), skin.facets, stiffness=K, law="fiber", estimator="exact")
     for contact in (whole, faces):
-        contact.add_half_space((0.1, 0.1, 0.1), (0.1, 0.2, 1.0))
+        contact.obstacles.add_half_space((0.1, 0.1, 0.1), (0.1, 0.2, 1.0))
     expected = whole.evaluate(bent).forces
     found = skin.to_nodes(faces.evaluate(skin.points(bent)).forces)
     assert np.abs(expected).max() > 0.0 and np.abs(found - expected).max() < 1e-12 * np.abs(expected).max()

@@ -44,11 +44,11 @@ contact = PartitionedContact(
 )
 
 # Every step: bring the mesh to the coordinates of the rank's own nodes, evaluate at those gathered, take what is on own nodes.
-contact.bring(mesh.geometry.x)
+contact.set_coords(mesh.geometry.x)
 result = contact.evaluate(contact.coords)
 forces = contact.on_own_nodes(result.forces)
 
-gathered, counts = contact.gathered(), contact.rank_counts()
+gathered, counts = contact.gathered(), contact.ranks.counts()
 if comm.rank == 0:
     print(f"force {result.bodies[1].force[1]!r}, pressure times width {stiffness * depth}")
     print(f"{gathered.facet_count} of {gathered.whole_facet_count} facets gathered, {gathered.cell_count} of {len(cells)} cells")

@@ -138,7 +138,7 @@ def figures(kind, order, law, steps):
     contact = DolfinxContact(space, stiffness=1e4, law=law, estimator="exact", **friction)
     assert bool(contact.whole_because) == (COMM.size == 1), contact.whole_because
     up = np.eye(x.shape[1])[-1]
-    contact.contact.add_half_space(0.004 * up, up)
+    contact.contact.obstacles.add_half_space(0.004 * up, up)
     u = fem.Function(space)
     if steps == "steps":
         contact.begin_step(u)
@@ -211,7 +211,7 @@ def near():
     space = vector_space(mesh_from_cells(COMM, np.concatenate([x, y]), np.concatenate([cells, more + len(x)]), "hexahedron"))
     contact = DolfinxContact(space, stiffness=1e4, in_parts=True)
     result = contact.evaluate(fem.Function(space))
-    gathered, work = contact.contact.gathered(), contact.contact.rank_counts()
+    gathered, work = contact.contact.gathered(), contact.contact.ranks.counts()
     counts = (gathered.own_cell_count, contact.received_cell_count, gathered.facet_count, gathered.whole_facet_count)
     rows = COMM.gather((*counts, work.call_count, work.received_bytes))
     if COMM.rank == 0:
@@ -282,7 +282,7 @@ def fail(kind):
                     raise ZeroDivisionError("of the last rank")
                 return points[:, 1] + 10.0, np.tile([0.0, 1.0], (len(points), 1))
 
-            other.contact.add_signed_distance(distance)
+            other.contact.obstacles.add_signed_distance(distance)
             if kind == "snes":
                 ContactProblem(elastic(u, ufl.TestFunction(space)), u, pressed(space), other).solve()
             other.force(u)

@@ -36,7 +36,7 @@ def on_plane(name, **options):
     dim = V.mesh.geometry.dim
     contact = DolfinxContact(V, stiffness=1e4, law="fiber", estimator="exact", **options)
     up = np.eye(dim)[-1]
-    contact.contact.add_half_space(0.01 * up, up)
+    contact.contact.obstacles.add_half_space(0.01 * up, up)
     return V, contact
 
 
@@ -69,7 +69,7 @@ def test_forces_are_those_of_nodes_brought_back(name):
     corners = V.mesh.geometry.x[contact._fields[0].corner_geometry()][:, :, :dim] + at
     shown = {tuple(x) for x in np.round(nodes, 9)}
     assert all(tuple(x) in shown for x in np.round(corners.reshape(-1, dim), 9))
-    contact.contact.set_basis(None)
+    contact.contact.mesh.set_basis(None)
     of_nodes = contact.contact.evaluate(nodes)
     expected = contact._shows._matrix.T @ of_nodes.forces
     assert np.abs(found.forces[dim:] - expected).max() < 1e-12 * np.abs(expected).max()

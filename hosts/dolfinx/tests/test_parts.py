@@ -89,7 +89,7 @@ def test_planes_of_symmetry_are_named_by_blocks():
         assert np.abs(forces[-1] - without).max() > 0.1
     assert np.array_equal(*forces)
     with pytest.raises(TypeError, match="set_symmetry_blocks"):
-        contact.contact.set_symmetry_nodes([1])
+        contact.contact.mesh.set_symmetry_nodes([1])
 
 
 def test_what_cannot_be_in_parts_says_why():

@@ -108,7 +108,7 @@ def test_uniform_pressure_is_the_load_of_the_shape_functions(kind):
     V = vector_space(mesh_from_cells(MPI.COMM_WORLD, *block(kind, 2, [0.0] * dim, [1.0] * dim), kind), 2)
     contact = DolfinxContact(V, stiffness=1e4, law="fiber", estimator="exact")
     up = np.eye(dim)[-1]
-    contact.contact.add_half_space(0.01 * up, up)
+    contact.contact.obstacles.add_half_space(0.01 * up, up)
     facets = dmesh.locate_entities_boundary(V.mesh, dim - 1, lambda x: np.isclose(x[dim - 1], 0.0))
     tags = dmesh.meshtags(V.mesh, dim - 1, np.sort(facets), np.ones(len(facets), np.int32))
     ds = ufl.Measure("ds", V.mesh, subdomain_data=tags, metadata={"quadrature_degree": 4})

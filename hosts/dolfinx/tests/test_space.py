@@ -43,7 +43,7 @@ def test_boundary_encloses_the_volume_of_the_mesh(kind, order):
     else:
         contact = DolfinxContact(V, stiffness=1.0, law="volume", estimator="exact")
         up = np.eye(dim)[-1]
-        contact.contact.add_half_space(10.0 * up, up)
+        contact.contact.obstacles.add_half_space(10.0 * up, up)
         volume = contact.evaluate(fem.Function(V)).volume
     import ufl
 

@@ -83,12 +83,12 @@ def test_cells_may_be_mixed_and_the_mesh_may_have_others():
     model.add_fem_variable("u", space)
     contact = GetfemContact(model, "u", stiffness=1e4)
     assert contact.contact.body_count == 1 and contact.contact.node_count == 5
-    contact.contact.add_half_space([0.0, 0.01], [0.0, 1.0])
+    contact.contact.obstacles.add_half_space([0.0, 0.01], [0.0, 1.0])
     # Depth 0.01 over a length of 2; at the triangle's tip, whose depth is bounded by its other side, a little less.
     assert contact.evaluate().bodies[0].force[1] == pytest.approx(200.0, rel=0.02)
     # Bodies of the caller's: in the order of the cells' numbers, whatever the order of their kinds.
     apart = GetfemContact(model, "u", bodies=[7, 3], stiffness=1e4)
-    apart.contact.add_half_space([0.0, 0.01], [0.0, 1.0])
+    apart.contact.obstacles.add_half_space([0.0, 0.01], [0.0, 1.0])
     by_number = {one.force[1] for one in apart.evaluate().bodies}
     assert max(by_number) == pytest.approx(100.0, rel=0.02) and apart.contact.body_count == 2
 
@@ -128,7 +128,7 @@ def test_curved_cells_are_where_their_nodes_are():
     model.add_fem_variable("u", space)
     contact = GetfemContact(model, "u", stiffness=1.0, law="volume", exponent=1.0)
     assert (contact.coords() == coords).all()
-    contact.contact.add_half_space([0.0, 5.0], [0.0, 1.0])
+    contact.contact.obstacles.add_half_space([0.0, 5.0], [0.0, 1.0])
     # Triangles, and segments of parabolas: two thirds of chord by height.
     half = np.pi / 6
     area = 6 * (np.sin(half) * np.cos(half) + 4 / 3 * np.sin(half) * (1 - np.cos(half)))

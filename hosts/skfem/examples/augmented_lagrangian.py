@@ -15,7 +15,7 @@ dofs, u, pressure = basis.nodal_dofs.T.ravel(), np.zeros(basis.N), np.zeros(mesh
 free = np.setdiff1d(dofs, basis.nodal_dofs[:, x[:, 1] > R])  # The upper half is moved as one.
 u[basis.nodal_dofs[1]] = -DOWN
 contact, penalty = Contact(x, mesh.t.T, "triangle", stiffness=1.0), 10 * E / mesh.param()
-contact.add_half_space((0, 0), (0, 1))
+contact.obstacles.add_half_space((0, 0), (0, 1))
 for update in range(1, 11):
     for iteration in range(20):
         gaps = contact.gap_constraints(x + u[dofs].reshape(x.shape), reach=0.1 * R)

@@ -11,7 +11,7 @@ mesh = MeshTri.init_tensor(np.linspace(0, 2, 17), np.linspace(0, 1, 9))
 basis = Basis(mesh, ElementVector(ElementTriP1()))
 K = linear_elasticity(*lame_parameters(E, NU)).assemble(basis)
 contact = SkfemContact(basis, stiffness=10 * E / CELL, friction_coefficient=MU)
-contact.contact.add_half_space((0, 0), (0, 1))
+contact.contact.obstacles.add_half_space((0, 0), (0, 1))
 held = basis.nodal_dofs[:, mesh.p[1] > 1 - 1e-9]
 free, u = np.setdiff1d(np.arange(basis.N), held), np.zeros(basis.N)
 contact.begin_step(u)

@@ -88,9 +88,9 @@ def test_a_ball_on_a_plane(law: str) -> None:
     # The shape is in the coordinates of the contact only: the theory is that of a half-space.
     shape = points + np.stack([0 * r, r**2 / (2 * radius)], axis=1)
     contact = Contact(shape, quads, "quad", stiffness=stiff, law=law, estimator="exact", axisymmetric=True)
-    contact.add_half_space((0, 0), (0, 1))
+    contact.obstacles.add_half_space((0, 0), (0, 1))
     if law == "fiber":
-        contact.keep_patches(shape + start)
+        contact.patches.keep(shape + start)
     u, result = solve(contact, shape, matrix, fixed, start.ravel())
     found = result.obstacles[0].force[1]
     assert abs(-found / force - 1) < 0.01
@@ -120,7 +120,7 @@ def test_a_press_fit(law: str) -> None:
         options = {"stiffness": 200 * pressure / interference}
     contact = Contact(points, quads, "quad", law=law, estimator="exact", axisymmetric=True, **options)
     ends = (points[:, 1] == 0) | (points[:, 1] == height)
-    contact.set_symmetry_nodes(np.flatnonzero(ends))
+    contact.mesh.set_symmetry_nodes(np.flatnonzero(ends))
     fixed = np.zeros(points.size, bool)
     fixed[1::2] = ends
     u, result = solve(contact, points, stiffness(points, quads), fixed, np.zeros(points.size))

@@ -92,7 +92,7 @@ def _enclosed(basis, u):
     """What of a body lies in a half-space around it."""
     contact = SkfemContact(basis, stiffness=1.0, law="volume", estimator="exact")
     up = np.eye(basis.mesh.dim())[-1]
-    contact.contact.add_half_space(10.0 * up, up)
+    contact.contact.obstacles.add_half_space(10.0 * up, up)
     return contact.evaluate(u).volume
 
 
@@ -132,7 +132,7 @@ def test_one_basis_of_several_bodies():
 def test_obstacles_of_the_contact_below():
     basis = blocks("P1")[0]
     contact = SkfemContact(basis, stiffness=1e4, estimator="exact")
-    wall = contact.contact.add_half_space((0.0, 0.01), (0.0, 1.0))
+    wall = contact.contact.obstacles.add_half_space((0.0, 0.01), (0.0, 1.0))
     result = contact.evaluate(np.zeros(basis.N))
     # A strip of unit width and depth 0.01: pressure k times depth, here 100.
     assert result.obstacles[wall].force[1] == pytest.approx(-100.0, rel=0.03)

@@ -42,9 +42,9 @@ class Block:
         self.contact = Contact(
             self.start, quads, "quad", law=law, estimator="exact", friction_coefficient=MU, **options
         )
-        self.contact.add_half_space((0, 0), (0, 1))
+        self.contact.obstacles.add_half_space((0, 0), (0, 1))
         self.x, self.v = self.start - [0, self.penetration], np.zeros_like(self.start)
-        self.contact.begin_step(self.x)
+        self.contact.friction.begin_step(self.x)
 
     def balance(self, x: np.ndarray, contact: np.ndarray) -> np.ndarray:
         inner = (self.stiffness @ (x - self.start).ravel()).reshape(x.shape)
@@ -65,7 +65,7 @@ class Block:
             matrix = diags(np.repeat(self.mass, 2) / dt**2) + self.stiffness + tangent
             y = y + spsolve(matrix.tocsc(), residual).reshape(y.shape)
         self.v, self.x = (y - self.x) / dt, y
-        self.contact.commit_step(y)
+        self.contact.friction.commit_step(y)
 
 
 @pytest.mark.parametrize("law", ["depth", "fiber"])
@@ -110,7 +110,7 @@ def test_a_block_that_stops(law: str) -> None:
         assert result.friction.dissipation >= 0
         lost += result.friction.dissipation
         first = energy(result) if first is None else first
-        block.contact.commit_step(block.x)
+        block.contact.friction.commit_step(block.x)
         block.v += dt * block.balance(block.x, result.forces) / block.mass[:, None]
         block.x = block.x + dt * block.v
         if block.mass @ block.v[:, 0] <= 0:
@@ -158,7 +158,7 @@ def test_cylinders_that_are_pushed_along_one_another() -> None:
     cols = np.concatenate([np.arange(n), np.full(len(top), n), np.full(len(top), n + 1)])
     motion = csr_matrix((np.ones(len(cols)), (np.concatenate([free, moved]), cols)), (points.size, n + 2))
     contact = Contact(points, quads, "quad", stiffness=2 * YOUNG * 24 / WIDTH)
-    contact.set_symmetry_nodes([])
+    contact.mesh.set_symmetry_nodes([])
 
     def at(z: np.ndarray) -> np.ndarray:
         return points + (motion @ z).reshape(points.shape)
@@ -184,22 +184,22 @@ def test_cylinders_that_are_pushed_along_one_another() -> None:
         load[n + 1] = -part * LOAD
         z, _ = solve(z, load, n + 1)
     contact.set_options(friction_coefficient=MU)
-    contact.begin_step(at(z))
+    contact.friction.begin_step(at(z))
     for step in range(1, 11):
         load[n] = 0.06 * step * MU * LOAD
         z, iterations = solve(z, load, n + 2)
         assert iterations <= 8
         sticks = contact.evaluate(at(z)).friction.stick_area / (2 * WIDTH)
-        contact.commit_step(at(z))
+        contact.friction.commit_step(at(z))
     # As many facets stick as do as a whole: one more or less on either body is 0.05.
     assert sticks == pytest.approx(np.sqrt(1 - 0.6), abs=0.05)
     # Held there, nothing moves.
-    place, slip = z[n], contact.slip
+    place, slip = z[n], contact.friction.slip
     for _ in range(5):
         z, iterations = solve(z, load, n + 2)
         assert iterations == 0
-        contact.commit_step(at(z))
-    assert z[n] == place and np.abs(contact.slip - slip).max() < 1e-12 * np.abs(slip).max()
+        contact.friction.commit_step(at(z))
+    assert z[n] == place and np.abs(contact.friction.slip - slip).max() < 1e-12 * np.abs(slip).max()
 
 
 @pytest.mark.parametrize("law", ["depth", "fiber"])
@@ -220,7 +220,7 @@ def test_lagged_friction_leads_to_the_same_equilibrium(law: str) -> None:
             return block.stiffness @ (x - block.start).ravel(), block.stiffness
 
         x, solves = block.start, []
-        block.contact.begin_step(x)
+        block.contact.friction.begin_step(x)
         for pull in np.linspace(1e-3, 4e-3, 4):
             end = block.start + [pull, -1e-3]
             step = newton(host, block.contact, x, free, end, young=1e7, solve=solve, lagged=lagged, max_iterations=60)
@@ -228,7 +228,7 @@ def test_lagged_friction_leads_to_the_same_equilibrium(law: str) -> None:
             solves.append(step.iterations)
             # Friction has been released.
             assert step.residuals[-1] <= 1e-9 and np.array_equal(block.contact.evaluate(x).forces, step.result.forces)
-            block.contact.commit_step(x)
+            block.contact.friction.commit_step(x)
         assert step.result.friction.slip_area > 0.1
         assert max(asymmetry) < 1e-9 if lagged else max(asymmetry) > 1e-3
         found[lagged] = x, solves

@@ -81,7 +81,7 @@ def test_forces_are_those_of_nodes_brought_back(name):
     u = some(contact, 1e-3)
     found = contact.evaluate(u)
     nodes = contact.nodes(u)
-    contact.contact.set_basis(None)
+    contact.contact.mesh.set_basis(None)
     of_nodes = contact.contact.evaluate(nodes)
     expected = contact._matrix.T @ of_nodes.forces
     assert np.abs(found.forces[nodes.shape[1] :] - expected).max() < 1e-12 * np.abs(expected).max()

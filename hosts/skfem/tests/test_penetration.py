@@ -22,7 +22,7 @@ def pressed_disc(element, **options):
     basis = Basis(mesh, ElementVector(element))
     stiffness = linear_elasticity(*lame_parameters(E, NU)).assemble(basis)
     contact = SkfemContact(basis, stiffness=10 * E / mesh.param(), **options)
-    contact.contact.add_half_space((0, 0), (0, 1))
+    contact.contact.obstacles.add_half_space((0, 0), (0, 1))
     held = basis.get_dofs(elements=mesh.elements_satisfying(lambda x: x[1] > R))
     prescribed = np.zeros(basis.N)
     prescribed[held.all("u^2")] = -DOWN
@@ -45,11 +45,11 @@ def test_a_disc_on_a_plane(element, two_level):
     assert found.penetration == pytest.approx(max(0.0, -mean.min()), abs=1e-12)
     assert found.updates <= 12 and found.factorisations <= (1 if two_level else found.iterations)
     # What presses touches: those that are moved out, and no others.
-    moved = contact.contact.multipliers
+    moved = contact.contact.multipliers.values
     assert (moved["shift"] > 0).all() and moved["towards"][:, 1] == pytest.approx(-1.0, abs=1e-12)
     assert np.abs(mean[np.isin(gaps.node, moved["node"])]).max() <= 1e-6 * R
     # The law alone comes as near with a stiffness that is as much higher, and to the same force.
-    contact.contact.release_multipliers()
+    contact.contact.multipliers.release()
     contact.contact.set_options(stiffness=1e3 * contact.contact.options["stiffness"])
     hard = newton(*arguments[:2], soft.x, *arguments[3:], young=E, max_iterations=60)
     pushed = arguments[4] != 0
@@ -75,7 +75,7 @@ def test_a_disc_on_a_block_over_load_steps():
             if penetration is None:
                 continue
             assert found.penetration <= penetration
-            moved_out |= set(contact.contact.multipliers["body"].tolist())
+            moved_out |= set(contact.contact.multipliers.values["body"].tolist())
             updates += found.updates
     print(counts, updates)
     assert updates > 0 and sum(counts[1e-6]) <= 2 * sum(counts[None]) and len(moved_out) <= 1

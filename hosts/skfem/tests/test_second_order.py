@@ -64,7 +64,7 @@ def test_shares_of_one_face(element, fractions, law):
     basis = stacked(element, counts=(1, 1))[0]
     contact = SkfemContact(basis, stiffness=1e4, estimator="exact", **LAWS[law])
     up = np.eye(basis.mesh.dim())[-1]
-    contact.contact.add_half_space(0.01 * up, up)
+    contact.contact.obstacles.add_half_space(0.01 * up, up)
     found = contact.force(np.zeros(basis.N))
     upwards = by_axis(basis)[-1]
     bottom = np.intersect1d(upwards, np.flatnonzero(basis.doflocs[-1] == 0.0))
@@ -109,7 +109,7 @@ def test_a_curved_disc_has_the_area_of_its_parabolas(mesh, element):
     disc = curved_disc(mesh)
     basis = Basis(disc, ElementVector(element()), intorder=6)
     contact = SkfemContact(basis, stiffness=1.0, law="volume", estimator="exact")
-    contact.contact.add_half_space((0.0, 10.0), (0.0, 1.0))
+    contact.contact.obstacles.add_half_space((0.0, 10.0), (0.0, 1.0))
     area = basis.dx.sum()
     assert abs(area - np.pi) < 2e-3 < abs(0.5 * 16 * np.sin(2 * np.pi / 16) - np.pi)
     assert contact.evaluate(np.zeros(basis.N)).volume == pytest.approx(area, rel=1e-12)
@@ -139,7 +139,7 @@ def test_a_curved_ball_comes_near_its_volume():
         ball = skfem.MeshTet2(places, ball.t)
         basis = Basis(ball, ElementVector(skfem.ElementTetP2()))
         contact = SkfemContact(basis, stiffness=1.0, law="volume", estimator="exact")
-        contact.contact.add_half_space((0.0, 0.0, 10.0), (0.0, 0.0, 1.0))
+        contact.contact.obstacles.add_half_space((0.0, 0.0, 10.0), (0.0, 0.0, 1.0))
         errors.append(abs(contact.evaluate(np.zeros(basis.N)).volume / (4 / 3 * np.pi) - 1.0))
     print(errors)
     assert errors[1] < errors[0] / 8

@@ -33,7 +33,7 @@ def contact_of(problem: Problem, model: Model) -> Timed:
 
 def same_bits(out: Path, problem: Problem, model: Model, contact: Any) -> dict[str, np.ndarray]:
     """Forces at the displacement of the reference host, where it has run."""
-    contact.contact.release_patches()
+    contact.contact.patches.release()
     u, force = fem.Function(model.space), fem.Function(model.space)
 
     def at(displacement: np.ndarray) -> np.ndarray:

@@ -21,18 +21,18 @@ def package(problem: Problem, displacement: np.ndarray) -> Result:
     contact = Contact(problem.coords, blocks, bodies=problem.body_of_cell, **problem.contact_options())
     problem.add_obstacles(contact)
     if problem.has_friction:
-        contact.begin_step(problem.coords)
+        contact.friction.begin_step(problem.coords)
     return contact.evaluate(coords)
 
 
 def begun_anew(problem: Problem, touching: Touching) -> None:
     """Leaves nothing of the way behind: no patches, and with friction a step that begins where the bodies were at
     first."""
-    touching.contact.release_patches()
-    touching.contact.release_multipliers()
+    touching.contact.patches.release()
+    touching.contact.multipliers.release()
     if problem.has_friction:
         touching.begin_step(np.zeros(problem.coords.shape))
-        touching.contact.slip = np.zeros_like(touching.contact.slip)
+        touching.contact.friction.slip = np.zeros_like(touching.contact.friction.slip)
 
 
 def compared(folder: Path, problem: Problem, force: Callable[[np.ndarray], np.ndarray]) -> dict[str, np.ndarray]:

@@ -61,13 +61,13 @@ class Path:
         while self.load < 1.0:
             load = self.load + step if self.load + step <= 1.0 - 1e-9 else 1.0
             iterations = self.equilibrium.iterations
-            multipliers = self.contact.multipliers
+            multipliers = self.contact.multipliers.values
             try:
                 found = self._advance(load)
             except FmcError:
                 if step <= longest * 0.5**MOST_HALVINGS:
                     raise
-                self.contact.multipliers = multipliers
+                self.contact.multipliers.values = multipliers
                 step *= 0.5
                 self.found.halvings += 1
                 continue
@@ -123,7 +123,7 @@ class Path:
         options = self.contact.options
         if options["law"] != "fiber" or options["estimator"] != "fibers":
             return False
-        self.contact.release_patches()
+        self.contact.patches.release()
         return not self.equilibrium.touching.evaluate(self.u).pairs
 
     def _on_its_own_patches(self, found: Equilibrium) -> Equilibrium:
@@ -145,7 +145,7 @@ class Path:
         for stage in range(stages):
             self.contact.set_options(stiffness=self.soft * growth ** (stage / stages))
             if stage == 0:
-                self.contact.release_patches()
+                self.contact.patches.release()
                 u = approach(self.problem, u, solver.load, solver.touching.forces)
             u = solver.newton(u, max(FAR, self.tolerance)).x
         return u
@@ -164,7 +164,7 @@ class Path:
 
     def _is_too_deep(self, u: np.ndarray) -> bool:
         """Whether the penetration calls for a pressure beyond Young's modulus, which nothing could bear."""
-        self.contact.release_patches()
+        self.contact.patches.release()
         try:
             penetration = self.equilibrium.touching.evaluate(u).penetration
         except FmcError:  # Newton's method will hear it too
@@ -178,6 +178,6 @@ class Path:
         ]
         if not loose:
             return False
-        self.contact.release_patches()
+        self.contact.patches.release()
         forces = self.equilibrium.touching.forces(u)
         return not all(forces[body.nodes].any() for body in loose)

@@ -51,8 +51,8 @@ def largest(problem: Problem, displacements: np.ndarray) -> float:
     problem.add_obstacles(contact)
     found = 0.0
     for u in displacements:
-        contact.release_multipliers()
-        found = max(found, contact.augment(problem.coords + u, penetration=1e300).penetration)
+        contact.multipliers.release()
+        found = max(found, contact.multipliers.augment(problem.coords + u, penetration=1e300).penetration)
     return found
 
 

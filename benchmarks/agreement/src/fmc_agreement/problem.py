@@ -150,17 +150,17 @@ class Problem:
             position, axis = one.get("position", np.zeros(self.dim)), one.get("axis", up)
             shape = one["shape"].replace("-", "_")
             if shape == "half_space":
-                contact.add_half_space(position, axis)
+                contact.obstacles.add_half_space(position, axis)
                 continue
             if shape == "polygon":
                 corner = np.arange(len(one["points"]))
                 edges = np.column_stack([corner, np.roll(corner, -1)])
-                contact.add_polytope(np.array(one["points"]), edges, pose=Pose.along(position, axis))
+                contact.obstacles.add_polytope(np.array(one["points"]), edges, pose=Pose.along(position, axis))
                 continue
             sizes = [one[key] for key in ("half_extents", "radius", "half_height") if key in one]
             if shape in ("cylinder", "cone", "capsule"):
                 sizes = [one["radius"], one["half_height"]]
-            getattr(contact, f"add_{shape}")(*sizes, pose=Pose.along(position, axis))
+            getattr(contact.obstacles, f"add_{shape}")(*sizes, pose=Pose.along(position, axis))
 
 
 def load(case: str, variant: str | None = None, overrides: tuple[str, ...] = ()) -> Problem:

@@ -4,8 +4,9 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    newton  ->  contact_force, Contact  ->  linearised
-            ->  mesh, obstacles, options, pair_options, friction, result, fields, boundary, gaps, points, tangent
+    newton  ->  contact_force, PartitionedContact  ->  Contact
+            ->  its parts: mesh, obstacles, pairs, friction, multipliers, patches, pattern, ranks
+            ->  creation, _core, options; results: result, fields, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
 

@@ -13,7 +13,7 @@ from ._structs import fmc_boundary_facet
 
 @dataclass(frozen=True, eq=False)
 class BoundaryFacets:
-    """The m boundary facets, in the order of ``Contact.slip``: edges in 2D, triangles in 3D, body after body. A quadrilateral
+    """The m boundary facets, in the order of ``FrictionSteps.slip``: edges in 2D, triangles in 3D, body after body. A quadrilateral
     face is four of them, one on each of its edges; a face of second order is divided first, an edge in two, a triangle or
     quadrilateral in four parts."""
 
@@ -28,7 +28,7 @@ class BoundaryFacets:
     """Nodes of the face, (m, 2) in 2D, (m, 4) in 3D, where the last of a triangle is -1. In 2D the body lies on the left, in
     3D they run counter-clockwise seen from outside. Of four, the facet is the triangle of the first two and the mean of
     all. Of a face of second order they are those of the part in which the facet lies, points of the division: rows of
-    ``Contact.point_weights``."""
+    ``Mesh.point_weights``."""
     body: np.ndarray
     """Index of its body in ``Result.bodies``, (m,)."""
     given: np.ndarray

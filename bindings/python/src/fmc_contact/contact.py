@@ -2,29 +2,32 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_size_t
-from typing import TYPE_CHECKING, Callable
+from ctypes import byref, c_double, c_size_t
+from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import mesh
-from ._arrays import View, coords_view, forces_view
+from . import creation, result, tangent
+from ._arrays import View, coords_view, forces_view, vector
+from ._core import Core
 from ._library import library
 from ._signatures import LOG
-from ._structs import fmc_result
-from .boundary import BoundaryFacets, boundary_facets
+from ._structs import FMC_ADD, FMC_SEMIDEFINITE, FMC_SYMMETRIC, fmc_options, fmc_result
+from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
-from .friction import Steps
+from .friction import FrictionSteps
 from .gaps import GapConstraints, gap_constraints
-from .linearised import Linearised
+from .mesh import Mesh
 from .multipliers import Multipliers
+from .obstacles import Obstacles
 from .options import changed, defaults, described
-from .pair_options import PairOptions
-from . import basis
-from .points import PointWeights, point_weights
-from .ranks import Shared
-from .result import Result, gather
+from .pairs import Pairs
+from .patches import Patches
+from .pattern import Pattern
+from .ranks import Ranks
+from .result import Result
+from .tangent import Tangent
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -32,7 +35,7 @@ if TYPE_CHECKING:
     from .options import Options
 
 
-class Contact(PairOptions, Steps, Multipliers, Linearised, Shared):
+class Contact:
     """Boundary, search trees and obstacles of a mesh, kept between evaluations.
 
     ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
@@ -50,34 +53,41 @@ class Contact(PairOptions, Steps, Multipliers, Linearised, Shared):
     during an evaluation. Concurrent calls on one contact raise ``BusyError``.
     """
 
-    dim: int
-    """Number of axes, 2 or 3."""
-    node_count: int
-    """Number of nodes of ``coords``."""
-    facet_count: int
-    """Number of boundary facets; a quadrilateral face in 3D counts as four triangles. Of second order an edge counts as two, a
-    triangle as four, a quadrilateral as sixteen."""
-    body_count: int
-    """Number of bodies."""
+    mesh: Mesh
+    """Boundary facets, coordinates without deformation, planes of symmetry, and what moves the nodes."""
+    obstacles: Obstacles
+    """Rigid obstacles: added, moved, removed."""
+    pairs: Pairs
+    """Options of single pairs."""
+    friction: FrictionSteps
+    """Steps with friction, and the elastic slip that is carried from one to the next."""
+    multipliers: Multipliers
+    """How far surfaces are moved out, until they press without penetration."""
+    patches: Patches
+    """Patches of the law ``"fiber"`` that are kept for a load step."""
+    pattern: Pattern
+    """The pattern of the tangent, kept for a symbolic factorisation."""
+    ranks: Ranks
+    """Ranks that share the work."""
 
     def __init__(
         self,
         coords: ArrayLike,
-        conn: mesh.Cells,
+        conn: creation.Cells,
         cell_type: str | None = None,
         *,
         stiffness: float,
         bodies: ArrayLike | None = None,
         **options: Unpack[Options],
     ) -> None:
-        self._options = changed(defaults(), {"stiffness": stiffness, **options})
-        self._begin(mesh.from_cells(coords, conn, cell_type, bodies, self._options))
+        own = changed(defaults(), {"stiffness": stiffness, **options})
+        self._take(creation.from_cells(coords, conn, cell_type, bodies, own), own)
 
     @classmethod
     def from_facets(
         cls,
         coords: ArrayLike,
-        facets: mesh.Cells,
+        facets: creation.Cells,
         facet_type: str | None = None,
         *,
         stiffness: float,
@@ -91,54 +101,63 @@ class Contact(PairOptions, Steps, Multipliers, Linearised, Shared):
         counted over the list; ``None``: bodies are the connected components by nodes. Errors: also ``OpenSurfaceError``, ``InconsistentOrientationError``,
         ``InvertedSurfaceError``."""
         contact = cls.__new__(cls)
-        contact._options = changed(defaults(), {"stiffness": stiffness, **options})
-        contact._begin(mesh.from_facets(coords, facets, facet_type, bodies, contact._options))
+        own = changed(defaults(), {"stiffness": stiffness, **options})
+        contact._take(creation.from_facets(coords, facets, facet_type, bodies, own), own)
         return contact
 
-    def _begin(self, start: mesh.Start) -> None:
-        self._handle, self.dim, self._is_columns = start
-        counts = [c_size_t() for _ in range(3)]
-        self._handle.call(library.fmc_context_counts, *map(byref, counts))
-        self.node_count, self.facet_count, self.body_count = (count.value for count in counts)
-        self.unknown_count = self.node_count
+    def _take(self, start: creation.Start, options: fmc_options) -> None:
+        """Takes a context, and makes the parts."""
+        self._core = core = Core(start.handle, options, start.dim, start.is_columns)
+        self.mesh, self.obstacles, self.pairs = Mesh(core), Obstacles(core), Pairs(core)
+        self.friction, self.multipliers = FrictionSteps(core), Multipliers(core)
+        self.patches, self.pattern, self.ranks = Patches(core), Pattern(core), Ranks(core)
 
-    def boundary_facets(self) -> BoundaryFacets:
-        """The boundary facets that were found, in the order of ``slip``: cell, face of the cell, nodes and body of each."""
-        with self._handle:
-            return boundary_facets(self._handle, self.facet_count, self.dim)
+    @property
+    def dim(self) -> int:
+        """Number of axes, 2 or 3."""
+        return self._core.dim
 
-    def point_weights(self) -> PointWeights:
-        """The points of which ``boundary_facets``, ``contact_points`` and ``gap_constraints`` tell, as combinations of nodes:
-        with cells of second order more than the nodes, else the nodes themselves."""
-        with self._handle:
-            return point_weights(self._handle, self.unknown_count, self._options.index_base)
+    @property
+    def node_count(self) -> int:
+        """Number of nodes of ``coords``."""
+        return self._core.node_count
 
-    def set_basis(self, matrix: Any | None) -> None:
-        """Has the nodes of the mesh moved by unknowns of your own, such as control points of splines or coefficients of
-        hierarchical shape functions: nodes = ``matrix`` @ unknowns. ``matrix``, (nodes, unknowns), is a ``scipy.sparse`` matrix
-        or an array; ``None``: nodes move by themselves again.
+    @property
+    def unknown_count(self) -> int:
+        """Number of unknowns that move the nodes: the nodes themselves, unless ``mesh.set_basis`` named others."""
+        return self._core.unknown_count
 
-        Coordinates are from then on those of the unknowns, (unknowns, dim), and so are forces, tangents, masses and the columns
-        of gap constraints and ``point_weights``. The mesh and its coordinates without deformation stay, and so do the nodes of
-        ``nodal_contact`` and ``set_symmetry_nodes``. Errors: ``ValueError`` for another shape, ``OverflowError`` of
-        ``fmc_contact.errors`` for an entry that is not finite; nothing changes then."""
-        rows = basis.compressed(matrix, self.node_count, self._options.index_base)
-        with self._handle:
-            self._handle.call(library.fmc_context_set_basis, *rows)
-            self.unknown_count = self.node_count if matrix is None else rows[0]
+    @property
+    def facet_count(self) -> int:
+        """Number of boundary facets; a quadrilateral face in 3D counts as four triangles. Of second order an edge counts as
+        two, a triangle as four, a quadrilateral as sixteen."""
+        return self._core.facet_count
+
+    @property
+    def body_count(self) -> int:
+        """Number of bodies."""
+        return self._core.body_count
 
     @property
     def options(self) -> dict[str, object]:
         """All options, including defaults."""
-        return described(self._options)
+        return described(self._core.options)
 
     def set_options(self, **options: Unpack[Options]) -> None:
-        """Changes some options, ``stiffness`` too; the others stay, and those of single pairs (``set_pair``). They apply
+        """Changes some options, ``stiffness`` too; the others stay, and those of single pairs (``pairs.set``). They apply
         from the next evaluation on."""
-        with self._handle:
-            replaced = changed(self._options, options)
-            self._handle.call(library.fmc_context_set_options, byref(replaced))
-            self._options = replaced
+        with self._core.handle:
+            replaced = changed(self._core.options, options)
+            self._core.handle.call(library.fmc_context_set_options, byref(replaced))
+            self._core.options = replaced
+
+    def stiffen(self, factor: float) -> None:
+        """Multiplies the stiffness of the law, and of those that pairs have of their own, by a factor; what surfaces that are moved out
+        press with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, a
+        quarter say, this helps more than another one. Errors: ``NotPositiveError``."""
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_stiffen, c_double(factor))
+            self._core.options.stiffness *= factor
 
     def evaluate(self, coords: ArrayLike, out: np.ndarray | None = None, add: bool = False) -> Result:
         """Contact forces at ``coords``, the current coordinates of all nodes, laid out in any way of the class.
@@ -151,78 +170,166 @@ class Contact(PairOptions, Steps, Multipliers, Linearised, Shared):
         ``TooManyPiecesError``, ``RangeError``, ``BufferTooSmallError``, ``StrideError``, ``BusyError``, and exceptions
         raised by a signed distance function.
         """
-        view = coords_view(coords, self.dim)
+        view = coords_view(coords, self._core.dim)
         forces, flags = self._forces(view, out, add)
-        target, found = forces_view(forces, self.dim), fmc_result()
-        with self._handle:
-            self._handle.call(
+        target, found = forces_view(forces, self._core.dim), fmc_result()
+        with self._core.handle:
+            self._core.handle.call(
                 library.fmc_context_evaluate, byref(view.struct), byref(target.struct), flags, byref(found)
             )
-            return gather(self._handle, forces, found, self.dim)
+            return result.gather(self._core.handle, forces, found, self._core.dim)
+
+    def tangent(
+        self,
+        coords: ArrayLike,
+        semidefinite: bool = False,
+        obstacles: bool = False,
+        blocks: bool = False,
+        symmetric: bool = False,
+    ) -> Any:
+        """Second derivative of the contact energy, which is minus the derivative of the forces, to be added to a
+        stiffness matrix.
+
+        UNSYMMETRIC with friction, unless that is frozen: solve with LU or GMRES, or ask for ``symmetric``, with which
+        Newton's method takes more iterations. Symmetric without friction.
+
+        A ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; with ``blocks`` a
+        ``bsr_matrix`` of blocks (dim, dim). Without scipy ``(rows, cols, values)``, where duplicate entries are summed.
+        ``semidefinite`` leaves out the terms that can be indefinite, for use far from a solution. ``obstacles`` appends
+        the translations of the obstacles, as nodes after the last, and, with ``obstacles.set_rotations``, their rotations. For the law ``"volume"`` all nodes of a pair are
+        coupled: see ``tangent_parts`` for large ones.
+
+        With the law ``"fiber"``, ``patches.keep`` and ``momentum_correction=False`` it is the derivative of the forces; the
+        momentum correction (``momentum_correction=True``), which is small, is not differentiated.
+
+        Errors: those of ``evaluate``; ``UnsupportedError`` for a law or an estimator without tangent.
+        """
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            return tangent.matrix(self._core.handle, self._linearise(view, semidefinite, symmetric), obstacles, self._core.dim, blocks)
+
+    def tangent_parts(
+        self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False, symmetric: bool = False
+    ) -> Tangent:
+        """The same as separate entries and terms of rank one, for other matrix formats and as a linear operator."""
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            return tangent.gather(self._core.handle, self._linearise(view, semidefinite, symmetric), obstacles)
+
+    def _linearise(self, view: View, semidefinite: bool, symmetric: bool) -> int:
+        """Number of terms of rank one of the tangent, which the library then keeps."""
+        parts = c_size_t()
+        flags = (FMC_SEMIDEFINITE if semidefinite else 0) | (FMC_SYMMETRIC if symmetric else 0)
+        self._core.handle.call(library.fmc_context_tangent, byref(view.struct), flags, None, byref(parts))
+        return parts.value
+
+    def evaluate_tangent(
+        self,
+        coords: ArrayLike,
+        out: np.ndarray | None = None,
+        add: bool = False,
+        semidefinite: bool = False,
+        obstacles: bool = False,
+        blocks: bool = False,
+        symmetric: bool = False,
+    ) -> tuple[Result, Any]:
+        """``evaluate`` and ``tangent`` in one, with the same bits, in little more than the time of the second."""
+        view = coords_view(coords, self._core.dim)
+        forces, flags = self._forces(view, out, add)
+        target, found, parts = forces_view(forces, self._core.dim), fmc_result(), c_size_t()
+        flags |= (FMC_SEMIDEFINITE if semidefinite else 0) | (FMC_SYMMETRIC if symmetric else 0)
+        views = byref(view.struct), flags, byref(target.struct)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_evaluate_tangent, *views, byref(found), None, byref(parts))
+            matrix = tangent.matrix(self._core.handle, parts.value, obstacles, self._core.dim, blocks)
+            return result.gather(self._core.handle, forces, found, self._core.dim), matrix
+
+    def _forces(self, view: View, out: np.ndarray | None, add: bool) -> tuple[np.ndarray, int]:
+        """The array for the forces, and the flags."""
+        if out is not None:
+            return out, FMC_ADD if add else 0
+        if add:
+            raise ValueError("add is for forces that are there already: give the array as out")
+        return np.empty((self._core.dim, self._core.unknown_count) if view.is_columns else (self._core.unknown_count, self._core.dim)), 0
 
     def nodal_contact(self, coords: ArrayLike) -> NodalContact:
         """Pressure, gap, area and normal at every node at ``coords``, and whether it touches. Errors: those of
         ``evaluate``."""
-        view = coords_view(coords, self.dim)
-        with self._handle:
-            return nodal_contact(self._handle, view, self.node_count, self.dim)
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            return nodal_contact(self._core.handle, view, self._core.node_count, self._core.dim)
 
     def contact_points(self, coords: ArrayLike) -> ContactPoints:
         """The points where the laws ``"fiber"`` and ``"depth"`` press at ``coords``, with both sides of each; none with
         the law ``"volume"``. Errors: those of ``evaluate``."""
-        view = coords_view(coords, self.dim)
-        with self._handle:
-            return contact_points(self._handle, view, self.dim)
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            return contact_points(self._core.handle, view, self._core.dim)
 
     def gap_constraints(self, coords: ArrayLike, reach: float) -> GapConstraints:
         """Weighted gaps at ``coords`` of all nodes that have a facet nearer than ``reach`` (length) to a partner, apart or
         overlapping, with their derivative: what an augmented Lagrangian, an interior point method or a preconditioner
         asks for. They depend on no law and no estimator; a body has no gaps over itself. Errors: those of ``evaluate``;
         ``NotPositiveError`` for ``reach``."""
-        view = coords_view(coords, self.dim)
-        with self._handle:
-            return gap_constraints(self._handle, view, reach)
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            return gap_constraints(self._core.handle, view, reach)
 
-    def keep_patches(self, coords: ArrayLike) -> int:
-        """Finds the patches of the law ``"fiber"`` at ``coords`` and keeps direction and spacing of their lines, so
-        that a solver's forces are the gradient of one energy; call it at the start of a load step. Patches of pairs
-        that do not overlap there are not kept. Returns the number of directions kept, 0 with other laws. Errors: those
-        of ``evaluate``."""
-        return self._patches(coords_view(coords, self.dim))
+    def contact_step(
+        self,
+        coords: ArrayLike,
+        dofs: ArrayLike,
+        stiffness: ArrayLike,
+        residual: ArrayLike,
+        held: ArrayLike = (),
+        place: Callable[[np.ndarray, np.ndarray], None] | None = None,
+        **options: float,
+    ) -> ContactStep:
+        """The displacement d of some degrees of freedom for which ``stiffness @ d + residual - forces(coords + d) = 0``: equilibrium of
+        the contact with bodies that are condensed on these.
 
-    def release_patches(self) -> None:
-        """Releases kept patches: they are found at every evaluation again."""
-        self._patches(None)
+        ``dofs``, (m,), the list: degrees of freedom ``node * dim + axis``, ascending; best those of the tangent's pattern that may
+        move. ``held``: others, which do not move, on which contact may act, ascending. ``stiffness``, (m, m), symmetric, and
+        ``residual``, (m,), internal less external forces at ``coords`` without contact: those of the bodies, condensed.
+        ``place(displacement, coords)`` moves the nodes that follow in ``coords``, (n, dim), to which the displacement was added on the
+        list; it is needed where bodies move by more than a part of a cell. ``options``: ``tolerance`` (1e-10, residual by the
+        forces), ``goal`` (0, a residual, a force), ``full_below`` (0.1), ``most_iterations`` (80), ``most_trials`` (12).
+        ``penetration`` (0: that of the law): the largest mean penetration of a node that is wanted, by an augmented Lagrangian
+        from the law's equilibrium on, for gaps within ``reach`` (0: a twentieth of the bodies' extent) and in at most
+        ``most_updates`` (20).
 
-    def _patches(self, view: View | None) -> int:
-        count = c_size_t()
-        with self._handle:
-            coords = None if view is None else byref(view.struct)
-            self._handle.call(library.fmc_context_keep_patches, coords, byref(count))
-        return count.value
+        With the law ``"fiber"`` after ``patches.keep``. Friction with the current pressure, or frozen. Look at the ``state``
+        of what is returned. What is kept of the last evaluation stays.
 
-    def set_reference(self, coords: ArrayLike) -> None:
-        """Sets the coordinates of all nodes without deformation, from which the law ``"depth"`` has its depths; those
-        with which the contact was made are the default."""
-        view = coords_view(coords, self.dim)
-        with self._handle:
-            self._handle.call(library.fmc_context_set_reference, byref(view.struct))
+        Errors: those of ``tangent``; ``FreedomOutOfRangeError``, ``RepeatedFreedomError``, ``NonFiniteStiffnessError``;
+        ``SingularStiffnessError`` and ``IndefiniteStiffnessError`` for bodies and contact together; ``TypeError`` for an option that
+        there is not; exceptions of ``place``."""
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            return contact_step(self._core.handle, view, self._core.dim, dofs, stiffness, residual, held, place, options)
 
-    def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
-        """Names the nodes that lie in planes of symmetry: for the law ``"depth"`` a face all of whose nodes are named is
-        no surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are
-        named too. Replaces what was named before; an empty list names none, and flush
-        faces are not warned of."""
-        numbers = np.ascontiguousarray(nodes if np.size(nodes) else [], dtype=np.int64).reshape(-1)
-        with self._handle:
-            self._handle.call(library.fmc_context_set_symmetry_nodes, numbers, len(numbers))
+    def stable_step(self, coords: ArrayLike, masses: ArrayLike) -> float:
+        """Largest time step of central differences (leapfrog) for the contact alone, from the tangent at ``coords``;
+        up to 3 % below the limit. ``masses``, (n,), are lumped masses of the nodes: positive where a node feels contact,
+        infinite for nodes that are held. Obstacles are held. ``inf`` where nothing touches.
+
+        A solver whose own limit is h is stable with the step s, 1/s**2 = 1/h**2 + 1/stable_step**2. The limit is that of
+        the motion linearised at ``coords``: contact that begins within a step is not in it.
+
+        Errors: those of ``tangent``; ``NotPositiveMassError``, which names the node.
+        """
+        view, step = coords_view(coords, self._core.dim), c_double()
+        masses = vector(masses, self._core.unknown_count, "masses")
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_stable_step, byref(view.struct), masses, byref(step))
+        return step.value
 
     def set_log(self, function: Callable[[str], None] | None) -> None:
         """Calls ``function`` with a sentence for every warning of an evaluation; ``None``: no calls.
 
         ``Result.warnings`` has them in any case. Exceptions of the function are raised by the evaluation.
         """
-        callback = LOG() if function is None else LOG(self._handle.message_callback(function))
-        with self._handle:
-            self._handle.call(library.fmc_context_set_log, callback, None)
-            self._handle.keep("log", callback)
+        callback = LOG() if function is None else LOG(self._core.handle.message_callback(function))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_log, callback, None)
+            self._core.handle.keep("log", callback)

@@ -54,7 +54,7 @@ def contact_step(
     handle: Handle,
     view: View,
     dim: int,
-    freedoms: ArrayLike,
+    dofs: ArrayLike,
     stiffness: ArrayLike,
     residual: ArrayLike,
     held: ArrayLike,
@@ -62,7 +62,7 @@ def contact_step(
     options: dict[str, float],
 ) -> ContactStep:
     """Calls the library."""
-    numbers, others = (np.ascontiguousarray(np.ravel(one), np.int64) for one in (freedoms, held))
+    numbers, others = (np.ascontiguousarray(np.ravel(one), np.int64) for one in (dofs, held))
     count = len(numbers)
     matrix = np.ascontiguousarray(stiffness, np.float64)
     if matrix.shape != (count, count):

@@ -282,7 +282,7 @@ class UnfinishedLinesError(FmcError, ValueError):
 
 
 class NoStepError(FmcError, RuntimeError):
-    """Friction is asked for, but no step has begun: call ``Contact.begin_step``."""
+    """Friction is asked for, but no step has begun: call ``contact.friction.begin_step``."""
 
     status = 40
 

@@ -82,7 +82,7 @@ class ContactPoints:
     nodes: np.ndarray
     """Nodes of the boundary face of each side, with ``"depth"`` of the cell on the side that has no facet there,
     (m, 2, 8); -1 where there is none. With cells of second order points of their division: rows of
-    ``Contact.point_weights``."""
+    ``Mesh.point_weights``."""
     weights: np.ndarray
     """Values of their shape functions at the end, (m, 2, 8): a force there goes to the nodes, or points, by these parts."""
 

@@ -8,64 +8,63 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import coords_view
-from ._handle import Handle
+from ._core import Core
 from ._library import library
 
 
-class Steps:
-    """The part of ``Contact`` that deals with friction, which counts slip from the start of a step.
+class FrictionSteps:
+    """Friction of a contact, which counts slip from the start of a step.
 
     With friction ``begin_step`` comes before the first evaluation, and ``commit_step`` after every step that is accepted,
     with the coordinates that were accepted, never within an iteration. A step may be tried as often as one likes: nothing
     has to be undone.
 
-    Errors: those of ``evaluate``; ``NoStepError`` before ``begin_step``. Nothing has changed then.
+    Errors: those of ``Contact.evaluate``; ``NoStepError`` before ``begin_step``. Nothing has changed then.
     """
 
-    _handle: Handle
-    dim: int
-    facet_count: int
+    def __init__(self, core: Core) -> None:
+        self._core = core
 
     def begin_step(self, coords: ArrayLike) -> None:
         """Begins a step at ``coords``, with the obstacles where they are. Elastic slip carried so far stays; there is
         none at first. With friction, what touches here is measured: a facet that touches later counts its slip from then
         on. Errors are then those of ``evaluate``."""
-        view = coords_view(coords, self.dim)
-        with self._handle:
-            self._handle.call(library.fmc_context_begin_step, byref(view.struct))
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_begin_step, byref(view.struct))
 
     def commit_step(self, coords: ArrayLike) -> None:
         """Accepts the step that ends at ``coords``, and begins the next one there."""
-        view = coords_view(coords, self.dim)
-        with self._handle:
-            self._handle.call(library.fmc_context_commit_step, byref(view.struct))
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_commit_step, byref(view.struct))
 
-    def freeze_friction(self, coords: ArrayLike) -> None:
+    def freeze(self, coords: ArrayLike) -> None:
         """Freezes the facets on which friction acts and their pressure as they are at ``coords``, until the step ends or
-        ``release_friction``: friction is then the gradient of a convex potential, and its tangent symmetric and positive
+        ``release``: friction is then the gradient of a convex potential, and its tangent symmetric and positive
         semidefinite. Repeated at what was found until nothing changes, this leads to the solution with the current
         pressure."""
-        view = coords_view(coords, self.dim)
-        with self._handle:
-            self._handle.call(library.fmc_context_freeze_friction, byref(view.struct))
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_freeze_friction, byref(view.struct))
 
-    def release_friction(self) -> None:
+    def release(self) -> None:
         """Takes the pressure of the coordinates at hand again."""
-        with self._handle:
-            self._handle.call(library.fmc_context_freeze_friction, None)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_freeze_friction, None)
 
     @property
     def slip(self) -> np.ndarray:
         """The elastic slip carried into the step, (facets, dim): that of every facet against what it faces, in
-        the order of ``Contact.boundary_facets``. With the
+        the order of ``Mesh.boundary_facets``. With the
         coordinates and poses at which the step began it is all that a restart needs: ``begin_step`` there, then set it."""
-        found = np.empty((self.facet_count, self.dim))
-        with self._handle:
-            self._handle.call(library.fmc_context_slip, found, found.size)
+        found = np.empty((self._core.facet_count, self._core.dim))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_slip, found, found.size)
         return found
 
     @slip.setter
     def slip(self, slip: ArrayLike) -> None:
         values = np.ascontiguousarray(slip, dtype=np.float64)
-        with self._handle:
-            self._handle.call(library.fmc_context_set_slip, values, values.size)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_slip, values, values.size)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from ctypes import addressof, byref, c_double, c_int32, c_size_t
-from typing import Callable, Sequence, Tuple
+from typing import Callable, NamedTuple, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import coords_view, indices, vector
-from ._handle import Handle
+from ._core import Core
 from ._library import library
 from ._signatures import SIGNED_DISTANCE
 from ._structs import SHAPES, fmc_part, fmc_pose
@@ -32,28 +32,38 @@ def _index(obstacle: int) -> int:
     return obstacle
 
 
+class Obstacle(NamedTuple):
+    """An obstacle as it was added."""
+
+    shape: str
+    pose: Pose
+
+
 class Obstacles:
-    """The part of ``Contact`` that deals with obstacles. Every ``add_`` returns the obstacle's index: 0, 1, 2, ...
+    """The rigid obstacles of a contact. Every ``add_`` returns the obstacle's index: 0, 1, 2, ...
 
     ``pose`` is a ``Pose``, a position alone, or ``None`` for the origin. Errors: ``BadPoseError``,
     ``NotPositiveError`` for a size that is not positive, ``BusyError``.
     """
 
-    dim: int
-    obstacle_count: int = 0
-    """Number of obstacles, with those that were removed: the next one gets this index."""
-    _handle: Handle
+    def __init__(self, core: Core) -> None:
+        self._core = core
+
+    @property
+    def count(self) -> int:
+        """Number of obstacles, with those that were removed: the next one gets this index."""
+        return self._core.obstacle_count
 
     def _add(self, function, *arguments, pose: Placement) -> int:
         obstacle = c_size_t()
-        with self._handle:
-            self._handle.call(function, *arguments, byref(pose_struct(pose, self.dim)), byref(obstacle))
-            self.obstacle_count = obstacle.value + 1
+        with self._core.handle:
+            self._core.handle.call(function, *arguments, byref(pose_struct(pose, self._core.dim)), byref(obstacle))
+            self._core.obstacle_count = obstacle.value + 1
         return obstacle.value
 
     def add_half_space(self, point: ArrayLike, normal: ArrayLike) -> int:
         """Adds the half-space behind the plane (2D: line) through ``point``; ``normal`` points out of the obstacle."""
-        point, normal = vector(point, self.dim, "point"), vector(normal, self.dim, "normal")
+        point, normal = vector(point, self._core.dim, "point"), vector(normal, self._core.dim, "normal")
         return self._add(library.fmc_context_add_half_space, pose=Pose.along(point, normal))
 
     def add_ball(self, radius: float, pose: Placement = None) -> int:
@@ -62,7 +72,7 @@ class Obstacles:
 
     def add_cuboid(self, half_extents: ArrayLike, pose: Placement = None) -> int:
         """Adds a box about the origin of its frame; ``half_extents``, (dim,), are halves of its sides."""
-        halves = vector(half_extents, self.dim, "half_extents")
+        halves = vector(half_extents, self._core.dim, "half_extents")
         return self._add(library.fmc_context_add_cuboid, halves, pose=pose)
 
     def add_cylinder(self, radius: float, half_height: float, pose: Placement = None) -> int:
@@ -84,7 +94,7 @@ class Obstacles:
         lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside. Errors: also those of
         ``Contact.from_facets``.
         """
-        corners, conn = coords_view(points, self.dim, "points"), indices(facets, "facets", self.dim)
+        corners, conn = coords_view(points, self._core.dim, "points"), indices(facets, "facets", self._core.dim)
         wide = conn.dtype == np.int64
         function = library.fmc_context_add_polytope_i64 if wide else library.fmc_context_add_polytope
         return self._add(function, byref(corners.struct), conn, len(conn), pose=pose)
@@ -95,7 +105,7 @@ class Obstacles:
         Errors: ``DegenerateHullError`` for points in one plane (2D: on one line); ``UnsupportedError`` if the library
         lacks the feature "shapes".
         """
-        corners = coords_view(points, self.dim, "points")
+        corners = coords_view(points, self._core.dim, "points")
         return self._add(library.fmc_context_add_convex_hull, byref(corners.struct), pose=pose)
 
     def add_height_field(
@@ -108,10 +118,10 @@ class Obstacles:
         Errors: ``TooFewHeightsError``, ``NonFiniteHeightError``, ``NotPositiveError``.
         """
         heights = np.ascontiguousarray(heights, np.float64)
-        if heights.ndim != self.dim - 1:
-            raise ValueError(f"heights has {heights.ndim} axes, not {self.dim - 1}")
+        if heights.ndim != self._core.dim - 1:
+            raise ValueError(f"heights has {heights.ndim} axes, not {self._core.dim - 1}")
         counts = (c_size_t * heights.ndim)(*heights.shape)
-        lengths = vector(lengths, self.dim - 1, "lengths")
+        lengths = vector(lengths, self._core.dim - 1, "lengths")
         function = library.fmc_context_add_height_field
         return self._add(function, counts, lengths, heights.ravel(), float(thickness), pose=pose)
 
@@ -122,7 +132,7 @@ class Obstacles:
         ``UnsupportedError`` if the library lacks the feature "shapes".
         """
         kept: list = []
-        structs = (fmc_part * len(parts))(*(part._struct(self.dim, kept) for part in parts))
+        structs = (fmc_part * len(parts))(*(part._struct(self._core.dim, kept) for part in parts))
         return self._add(library.fmc_context_add_compound, structs, len(parts), pose=pose)
 
     def add_signed_distance(self, function: SignedDistance, pose: Placement = None) -> int:
@@ -133,7 +143,7 @@ class Obstacles:
         on the thread that evaluates. Its exceptions are raised by the evaluation unchanged; a value that is not finite
         raises ``SignedDistanceError``.
         """
-        dim = self.dim
+        dim = self._core.dim
 
         def distances(_user, count, x, phi, grad) -> None:
             distance, gradient = function(_memory(x, count, dim).copy())
@@ -146,30 +156,39 @@ class Obstacles:
                     raise ValueError(f"the signed distance returned {name} of shape {found.shape}, not {target.shape}")
                 target[...] = found
 
-        callback = SIGNED_DISTANCE(self._handle.guarded(distances))
+        callback = SIGNED_DISTANCE(self._core.handle.guarded(distances))
         obstacle = self._add(library.fmc_context_add_signed_distance, callback, None, pose=pose)
-        self._handle.keep(obstacle, callback)
+        self._core.handle.keep(obstacle, callback)
         return obstacle
 
     def set_pose(self, obstacle: int, pose: Placement) -> None:
         """Moves an obstacle. Errors: ``ObstacleOutOfRangeError``, ``ObstacleRemovedError``, ``BadPoseError``,
         ``BusyError``."""
-        with self._handle:
-            self._handle.call(library.fmc_context_set_pose, _index(obstacle), byref(pose_struct(pose, self.dim)))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_pose, _index(obstacle), byref(pose_struct(pose, self._core.dim)))
 
-    def obstacle(self, obstacle: int) -> tuple[str, Pose]:
+    def get(self, obstacle: int) -> Obstacle:
         """Shape of an obstacle, what stands after ``add_`` in the method that made it, and its pose; a flat obstacle
         made by a point and a normal is a ``"half_space"``. Errors: ``ObstacleOutOfRangeError``,
         ``ObstacleRemovedError``, ``BusyError``."""
         shape, pose = c_int32(), fmc_pose()
-        with self._handle:
-            self._handle.call(library.fmc_context_obstacle_shape, _index(obstacle), byref(shape), byref(pose))
-        return SHAPES[shape.value], placed(pose, self.dim)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_obstacle_shape, _index(obstacle), byref(shape), byref(pose))
+        return Obstacle(SHAPES[shape.value], placed(pose, self._core.dim))
 
-    def remove_obstacle(self, obstacle: int) -> None:
+    def remove(self, obstacle: int) -> None:
         """Removes an obstacle, and the options of its pairs. The others keep their indices; its own is never given
         again, and stands in ``Result.obstacles`` with a resultant of zero. Errors: ``ObstacleOutOfRangeError``,
         ``ObstacleRemovedError``, ``BusyError``."""
-        with self._handle:
-            self._handle.call(library.fmc_context_remove_obstacle, _index(obstacle))
-            self._handle.release(obstacle)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_remove_obstacle, _index(obstacle))
+            self._core.handle.release(obstacle)
+
+    def set_rotations(self, on: bool) -> None:
+        """Whether tangents with ``obstacles`` have their rotations, too, after the translations, from the next one on; they
+        have not at first. The rotation of obstacle o of m is node n + m + o: a rotation vector about the position of its
+        pose, which moves along; in 2D its first entry is the angle, and the second has only zeros. It is the second
+        derivative of the energy: the moment M about the position changes by -K dtheta + dtheta x M / 2. Not with friction
+        nor with the law ``"fiber"``: the tangent then raises ``UnsupportedError``."""
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_obstacle_rotations, int(bool(on)))

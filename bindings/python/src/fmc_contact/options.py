@@ -52,7 +52,7 @@ class Options(TypedDict, total=False):
     """Whether self-contact, the overlap of each body with itself, is evaluated; False."""
     friction_coefficient: float
     """Coefficient of Coulomb friction of all pairs that have none of their own; 0. With it, steps are begun and committed
-    (``Contact.begin_step``), and the tangent is unsymmetric."""
+    (``FrictionSteps.begin_step``), and the tangent is unsymmetric."""
     friction_stiffness: float
     """Tangential stiffness of the stick, a pressure per length; 0: the stiffness of the law at a first touch, which
     ``"volume"`` does not have."""

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import mesh
+from . import creation
 from ._arrays import coords_view
+from ._core import Core
 from ._handle import Handle, guarded
 from ._library import library
-from ._structs import CELL_DIMENSION, CELL_TYPES, fmc_carried_slip, fmc_cell_block, fmc_gathered_counts, fmc_mesh_part
+from ._structs import CELL_DIMENSION, CELL_TYPES, fmc_carried_slip, fmc_cell_block, fmc_gathered_counts, fmc_mesh_part, fmc_options
 from .contact import Contact
+from .friction import FrictionSteps
 from .options import Options, changed, defaults
 from .ranks import Communicator, described
 
@@ -44,6 +46,29 @@ class GatheredCounts:
     """How often cells were gathered."""
 
 
+class PartitionedFriction(FrictionSteps):
+    """Friction of a contact in parts, whose facets have other numbers whenever other cells are gathered."""
+
+    @property
+    def carried_slip(self) -> np.ndarray:
+        """The elastic slip that was carried into the step, of all facets where it is not zero, as ``CARRIED_SLIP``; the same on
+        all ranks. With the coordinates and poses at which the step began it is all that a restart needs, on any number of ranks:
+        ``begin_step`` there, then set it, on all ranks the same; it is zero for facets that are not listed. Errors:
+        ``NoStepError``; on setting ``NonFiniteSlipError`` and ``UnsupportedError`` for a facet that was not gathered."""
+        count = c_size_t()
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_carried_slip, None, 0, byref(count))
+            found = np.zeros(count.value, CARRIED_SLIP)
+            self._core.handle.call(library.fmc_context_carried_slip, _slips(found), len(found), byref(count))
+        return found
+
+    @carried_slip.setter
+    def carried_slip(self, carried: np.ndarray) -> None:
+        given = np.ascontiguousarray(carried, CARRIED_SLIP)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_carried_slip, _slips(given), len(given))
+
+
 class PartitionedContact(Contact):
     """Contact of a mesh of which every rank of ``comm``, a communicator of mpi4py, has a part.
 
@@ -52,20 +77,22 @@ class PartitionedContact(Contact):
     them, ``cell_numbers`` those of the cells, ``bodies`` the body of each cell. Every cell belongs to one rank. ``reach``: how
     far ``gap_constraints`` may reach. All ranks make the same calls.
 
-    ``bring`` takes the current coordinates of the own nodes. After it this is the contact of the cells that may be in contact,
+    ``set_coords`` takes the current coordinates of the own nodes. After it this is the contact of the cells that may be in contact,
     which all ranks have: ``coords`` are the coordinates of their nodes, for ``evaluate`` and all other methods, ``nodes`` their
     numbers in the whole mesh, and ``own_nodes`` the own node of each, -1 where there is none. Results have the bits of one rank
     with the whole mesh.
 
     ::
 
-        contact.bring(own_coords)
+        contact.set_coords(own_coords)
         result = contact.evaluate(contact.coords)
         own_forces = contact.on_own_nodes(result.forces)
 
     Nodes that hang, a basis, another reference and another communicator raise ``UnsupportedError``.
     """
 
+    friction: PartitionedFriction
+    """Steps with friction, and the elastic slip that is carried from one to the next."""
     coords: np.ndarray
     """Coordinates of the nodes gathered, (n, dim)."""
     nodes: np.ndarray
@@ -77,7 +104,7 @@ class PartitionedContact(Contact):
         self,
         comm: Communicator,
         coords: ArrayLike,
-        conn: mesh.Cells,
+        conn: creation.Cells,
         cell_type: str | None = None,
         *,
         node_numbers: ArrayLike,
@@ -87,8 +114,8 @@ class PartitionedContact(Contact):
         reach: float = 0.0,
         **options: Unpack[Options],
     ) -> None:
-        self._options = changed(defaults(), {"stiffness": stiffness, **options})
-        blocks = [(name, np.ascontiguousarray(cells, np.int32)) for name, cells in mesh.named_blocks(conn, cell_type)]
+        own = changed(defaults(), {"stiffness": stiffness, **options})
+        blocks = [(name, np.ascontiguousarray(cells, np.int32)) for name, cells in creation.named_blocks(conn, cell_type)]
         dim = CELL_DIMENSION[blocks[0][0]]
         view = coords_view(coords, dim)
         numbers = _numbers(node_numbers, "node_numbers", view.node_count, np.int64)
@@ -109,22 +136,22 @@ class PartitionedContact(Contact):
         raised: list[BaseException] = []
         ranks = described(comm, lambda function: guarded(function, raised))
         new = library.fmc_context_new_from_part
-        handle = Handle(lambda to: new(dim, byref(ranks), byref(part), byref(self._options), to), raised)
+        handle = Handle(lambda to: new(dim, byref(ranks), byref(part), byref(own), to), raised)
         handle.keep("communicator", (ranks.all_gather, ranks.all_to_all))
         self._own_node_count = view.node_count
-        self._begin(mesh.Start(handle, dim, view.is_columns))
+        self._take(creation.Start(handle, dim, view.is_columns), own)
         self._read_nodes()
 
-    def bring(self, coords: ArrayLike) -> bool:
+    def set_coords(self, coords: ArrayLike) -> bool:
         """Brings the mesh to coordinates of the own nodes. Returns whether other cells were gathered: nodes, facets and cells
         then have other numbers. Slip, kept patches and frozen friction are carried over. Errors: ``LengthError``,
         ``NonFiniteCoordinateError``, ``InvertedCellError``, ``ZeroMeasureError``, ``OnOtherRankError``,
         ``RanksDifferError`` for a node in two places, ``CommunicationError``, ``BusyError``."""
         view, renumbered = coords_view(coords, self.dim), c_int32()
-        with self._handle:
-            self._handle.call(library.fmc_context_bring, byref(view.struct), byref(renumbered))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_bring, byref(view.struct), byref(renumbered))
         if renumbered.value:
-            self._begin(mesh.Start(self._handle, self.dim, self._is_columns))
+            self._core.count()
         self._read_nodes()
         return bool(renumbered.value)
 
@@ -139,41 +166,27 @@ class PartitionedContact(Contact):
     def gathered(self) -> GatheredCounts:
         """How much was gathered."""
         counts = fmc_gathered_counts()
-        with self._handle:
-            self._handle.call(library.fmc_context_gathered_counts, byref(counts))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_gathered_counts, byref(counts))
         return GatheredCounts(*(getattr(counts, name) for name, _ in counts._fields_))
 
     def gathered_cells(self) -> np.ndarray:
         """Numbers in the whole mesh of the cells gathered, ascending."""
         numbers = np.empty(self.gathered().cell_count, np.int64)
-        with self._handle:
-            self._handle.call(library.fmc_context_gathered_cells, numbers, len(numbers))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_gathered_cells, numbers, len(numbers))
         return numbers
 
-    def carried_slip(self) -> np.ndarray:
-        """The elastic slip that was carried into the step, of all facets where it is not zero, as ``CARRIED_SLIP``; the same on
-        all ranks. With the coordinates and poses at which the step began it is all that a restart needs, on any number of ranks.
-        Errors: ``NoStepError``."""
-        count = c_size_t()
-        with self._handle:
-            self._handle.call(library.fmc_context_carried_slip, None, 0, byref(count))
-            found = np.zeros(count.value, CARRIED_SLIP)
-            self._handle.call(library.fmc_context_carried_slip, _slips(found), len(found), byref(count))
-        return found
-
-    def set_carried_slip(self, carried: np.ndarray) -> None:
-        """Sets it, zero for facets that are not listed, after ``begin_step`` at the coordinates of that time; all ranks give the
-        same. Errors: ``NoStepError``, ``NonFiniteSlipError``, ``UnsupportedError`` for a facet that was not gathered."""
-        given = np.ascontiguousarray(carried, CARRIED_SLIP)
-        with self._handle:
-            self._handle.call(library.fmc_context_set_carried_slip, _slips(given), len(given))
+    def _take(self, start: creation.Start, options: fmc_options) -> None:
+        super()._take(start, options)
+        self.friction = PartitionedFriction(self._core)
 
     def _read_nodes(self) -> None:
-        count, base = self.node_count, self._options.index_base
+        count, base = self.node_count, self._core.options.index_base
         self.nodes, own = np.empty(count, np.int64), np.empty(count, np.int32)
         self.coords = np.empty((count, self.dim))
-        with self._handle:
-            self._handle.call(library.fmc_context_gathered_nodes, self.nodes, own, self.coords, count)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_gathered_nodes, self.nodes, own, self.coords, count)
         self.own_nodes = own - np.int32(base)
 
 

@@ -13,7 +13,7 @@ from ._signatures import ALL_GATHER, ALL_TO_ALL
 from ._structs import fmc_communicator, fmc_rank_counts
 
 if TYPE_CHECKING:
-    from ._handle import Handle
+    from ._core import Core
 
 
 class Communicator(Protocol):
@@ -43,10 +43,11 @@ class RankCounts:
     """Bytes that it received, its own too."""
 
 
-class Shared:
-    """Work that is shared among ranks."""
+class Ranks:
+    """Ranks of a parallel program that share the work of a contact."""
 
-    _handle: Handle
+    def __init__(self, core: Core) -> None:
+        self._core = core
 
     def set_communicator(self, comm: Communicator | None) -> None:
         """Shares the work of evaluations with the ranks of ``comm``, a communicator of mpi4py (``MPI.COMM_WORLD``, or
@@ -56,20 +57,20 @@ class Shared:
         An evaluation that fails on one rank fails on all, with ``OnOtherRankError`` there; ranks that were given different
         things are all told so, by ``RanksDifferError``. Errors: ``BadRankError``, ``BusyError``."""
         if comm is None:
-            with self._handle:
-                self._handle.call(library.fmc_context_set_communicator, None)
-                self._handle.release("communicator")
+            with self._core.handle:
+                self._core.handle.call(library.fmc_context_set_communicator, None)
+                self._core.handle.release("communicator")
             return
-        given = described(comm, self._handle.guarded)
-        with self._handle:
-            self._handle.call(library.fmc_context_set_communicator, byref(given))
-            self._handle.keep("communicator", (given.all_gather, given.all_to_all))
+        given = described(comm, self._core.handle.guarded)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_communicator, byref(given))
+            self._core.handle.keep("communicator", (given.all_gather, given.all_to_all))
 
-    def rank_counts(self) -> RankCounts:
+    def counts(self) -> RankCounts:
         """What was shared since the communicator was set; zeros without one. Errors: ``BusyError``."""
         counts = fmc_rank_counts()
-        with self._handle:
-            self._handle.call(library.fmc_context_rank_counts, byref(counts))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_rank_counts, byref(counts))
         return RankCounts(*(getattr(counts, name) for name, _ in counts._fields_))
 
 

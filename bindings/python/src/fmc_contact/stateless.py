@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .contact import Contact
-from .mesh import Cells
+from .creation import Cells
 from .result import Result
 
 if TYPE_CHECKING:
@@ -61,9 +61,9 @@ def contact_force_step(
     """
     begin = start if reference is None else reference
     contact = Contact(begin, conn, cell_type, stiffness=stiffness, bodies=bodies, **options)
-    contact.begin_step(start)
+    contact.friction.begin_step(start)
     if slip is not None:
-        contact.slip = slip
+        contact.friction.slip = slip
     result = contact.evaluate(coords)
-    contact.commit_step(coords)
-    return result, contact.slip
+    contact.friction.commit_step(coords)
+    return result, contact.friction.slip

@@ -43,7 +43,7 @@ class DolfinxContact(Linearised):
     """
 
     contact: Contact
-    """The contact below, the same on every rank, for its obstacles (``add_half_space``, ...), options and the like. With the mesh in
+    """The contact below, the same on every rank, for its obstacles (``contact.obstacles.add_half_space``, ...), options and the like. With the mesh in
     parts a ``PartitionedContact``, whose nodes, facets and cells are those gathered."""
     whole_because: str
     """Why every rank has the whole mesh, or boundary; empty where it is in parts."""
@@ -83,7 +83,7 @@ class DolfinxContact(Linearised):
         self.contact = self._shows.contact
         if self.whole_because and share_work and self.comm.size > 1:
             # Its messages are kept apart from the host's.
-            self.contact.set_communicator(self.comm.Dup())
+            self.contact.ranks.set_communicator(self.comm.Dup())
         self.dim = self.contact.dim
 
     def _shown(self, bodies: list, whole_mesh: bool | None, has_boundary: bool, options: dict) -> Replicated | InParts:
@@ -114,7 +114,7 @@ class DolfinxContact(Linearised):
 
     def set_symmetry_blocks(self, *blocks: Any) -> None:
         """Names the nodes that lie in planes of symmetry, by the blocks of this rank, as ``dolfinx.fem.locate_dofs_geometrical``
-        gives them; one array for every space. See ``Contact.set_symmetry_nodes``. Collective."""
+        gives them; one array for every space. See ``Mesh.set_symmetry_nodes``. Collective."""
         if len(blocks) != len(self._fields):
             raise ValueError(f"blocks of {len(blocks)} spaces, and there are {len(self._fields)}")
         marks = [np.zeros((field.owned, self.dim)) for field in self._fields]
@@ -168,25 +168,25 @@ class DolfinxContact(Linearised):
         return found[0] if len(found) == 1 else found
 
     def begin_step(self, *displacements: Any) -> None:
-        """Begins a step with friction. See ``Contact.begin_step``."""
+        """Begins a step with friction. See ``FrictionSteps.begin_step``."""
         coords = self.coords(*displacements)
-        together(self.comm, lambda: self.contact.begin_step(coords))
+        together(self.comm, lambda: self.contact.friction.begin_step(coords))
 
     def commit_step(self, *displacements: Any) -> None:
-        """Accepts the step with friction that ends here, and begins the next. See ``Contact.commit_step``."""
+        """Accepts the step with friction that ends here, and begins the next. See ``FrictionSteps.commit_step``."""
         coords = self.coords(*displacements)
-        together(self.comm, lambda: self.contact.commit_step(coords))
+        together(self.comm, lambda: self.contact.friction.commit_step(coords))
 
     def freeze_friction(self, *displacements: Any) -> None:
-        """Freezes friction as it is at the displacements. See ``Contact.freeze_friction``."""
+        """Freezes friction as it is at the displacements. See ``FrictionSteps.freeze``."""
         coords = self.coords(*displacements)
-        together(self.comm, lambda: self.contact.freeze_friction(coords))
+        together(self.comm, lambda: self.contact.friction.freeze(coords))
 
     def keep_patches(self, *displacements: Any) -> int:
         """Keeps the directions of the law ``"fiber"``, so that forces are the gradient of one energy: for the start
-        of a load step. See ``Contact.keep_patches``."""
+        of a load step. See ``Patches.keep``."""
         coords = self.coords(*displacements)
-        return together(self.comm, lambda: self.contact.keep_patches(coords))
+        return together(self.comm, lambda: self.contact.patches.keep(coords))
 
     def add_forces(self, vectors: Any, result: Result, scale: float = 1.0, bcs: Sequence[Any] = ()) -> None:
         """Adds ``scale`` times the forces of ``evaluate`` to what this rank owns of a PETSc vector or an array, or of a

@@ -7,6 +7,7 @@ from typing import Any, Sequence
 import numpy as np
 from dolfinx import fem
 from fmc_contact import PartitionedContact
+from fmc_contact.mesh import Mesh
 from fmc_contact.skin import Triplets
 
 from .components import components
@@ -36,7 +37,7 @@ def whole_because(
     return ""
 
 
-class _Contact(PartitionedContact):
+class _Mesh(Mesh):
     """Nodes are counted anew where other cells are gathered, so they are not named by numbers."""
 
     def set_symmetry_nodes(self, nodes: Any) -> None:
@@ -67,10 +68,12 @@ class InParts:
         apart = comm.Dup()
         self.contact = together(
             comm,
-            lambda: _Contact(
+            lambda: PartitionedContact(
                 apart, self._undeformed, cells, node_numbers=numbers, cell_numbers=self._cell_numbers, bodies=ids, **options
             ),
         )
+        self._mesh = self.contact.mesh
+        self.contact.mesh = _Mesh(self.contact._core)
         self._number()
 
     def _body_ids(self, bodies: Sequence[Any]) -> np.ndarray:
@@ -117,14 +120,14 @@ class InParts:
     def coords(self, owned: Sequence[np.ndarray]) -> np.ndarray:
         """Coordinates of the nodes gathered, of the displacements of what this rank owns. Collective."""
         here = self._undeformed + self._at_own_nodes(owned)
-        if together(self._comm, lambda: self.contact.bring(here)):
+        if together(self._comm, lambda: self.contact.set_coords(here)):
             self._number()
         return self.contact.coords
 
     def name(self, owned: Sequence[np.ndarray]) -> None:
         """Names nodes in planes of symmetry, of marks of what this rank owns. Collective."""
         (nodes,) = np.nonzero(self._at_own_nodes(owned)[:, 0])
-        together(self._comm, lambda: PartitionedContact.set_symmetry_nodes(self.contact, nodes))
+        together(self._comm, lambda: self._mesh.set_symmetry_nodes(nodes))
 
     def on_points(self, forces: np.ndarray) -> np.ndarray:
         """Forces of the contact, on the nodes gathered."""

@@ -63,12 +63,6 @@ class _OnUnknowns:
         found, unknown = self.adapter.tangent(x, semidefinite=semidefinite), self.adapter.unknowns()
         return csr_matrix((found.values, (unknown[found.rows], unknown[found.cols])), (x.size, x.size))
 
-    def freeze_friction(self, x: np.ndarray) -> None:
-        self.adapter.freeze_friction(x)
-
-    def keep_patches(self, x: np.ndarray) -> None:
-        self.adapter.keep_patches(x)
-
 
 def _take(problem: ContactProblem, x: np.ndarray) -> None:
     problem.u.x.array[: x.size] = x

@@ -56,7 +56,7 @@ class Replicated:
         self.frame = self.contact.dim
         parts = [identity(len(s.undeformed), format="csr") if s.matrix is None else s.matrix for s in self._shown]
         self._matrix = csr_matrix(block_diag(parts, format="csr"))
-        self.contact.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
+        self.contact.mesh.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
 
     def coords(self, owned: Sequence[np.ndarray]) -> np.ndarray:
         """Coordinates that the contact is shown, of the displacements of what this rank owns. Collective."""
@@ -71,7 +71,7 @@ class Replicated:
         if self.frame or self._skin is not None:
             raise ValueError("planes of symmetry are for meshes whose nodes and cells are passed")
         (nodes,) = np.nonzero(self.points.gather(owned)[:, 0])
-        self.contact.set_symmetry_nodes(nodes)
+        self.contact.mesh.set_symmetry_nodes(nodes)
 
     def on_points(self, forces: np.ndarray) -> np.ndarray:
         """Forces of the contact, on the points of the spaces."""

@@ -130,7 +130,7 @@ class ContactProblem:
         there is no convergence; the displacement is then the last one tried.
 
         ``penetration``: the largest mean penetration of a node that is wanted, a length; ``None``: what the law leaves. From the
-        equilibrium with the law on, surfaces are moved out by what they penetrate (``fmc_contact.Contact.augment``), at most
+        equilibrium with the law on, surfaces are moved out by what they penetrate (``Multipliers.augment`` of ``fmc_contact``), at most
         ``max_updates`` times; they stay so for the next load step. Where an update leaves more than a quarter, the contact's stiffness
         is raised fourfold, sixteenfold at most, and stays raised. Not with friction, self-contact and a mesh in parts."""
         snes = self.solver() if snes is None else snes
@@ -139,7 +139,7 @@ class ContactProblem:
             return iterations
         raising = Raising()
         for update in range(max_updates + 1):
-            found = self.contact.contact.augment(self.contact.coords(self.u), penetration, reach)
+            found = self.contact.contact.multipliers.augment(self.contact.coords(self.u), penetration, reach)
             if found.is_enough:
                 return iterations
             raising.updated(self.contact.contact, found.change)

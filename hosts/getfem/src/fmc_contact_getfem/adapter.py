@@ -32,7 +32,7 @@ class GetfemContact:
     """
 
     contact: Contact
-    """The contact below, for its obstacles (``add_half_space``, ...), options and the like."""
+    """The contact below, for its obstacles (``contact.obstacles.add_half_space``, ...), options and the like."""
     model: gf.Model
 
     def __init__(
@@ -89,7 +89,7 @@ class GetfemContact:
 
     def nodes(self, variable: str, region: int | None = None) -> np.ndarray:
         """Nodes of the contact that are of a variable, ascending, all or those of a region of its mesh: for
-        ``contact.set_symmetry_nodes``."""
+        ``contact.mesh.set_symmetry_nodes``."""
         names = self.variables
         first = sum(len(self._fields[name].coords) for name in names[: names.index(variable)])
         one = self._fields[variable]
@@ -142,18 +142,18 @@ class GetfemContact:
         return found
 
     def begin_step(self, u: np.ndarray | None = None) -> None:
-        """Begins a step with friction at ``u``. See ``Contact.begin_step``."""
-        self.contact.begin_step(self.coords(u))
+        """Begins a step with friction at ``u``. See ``FrictionSteps.begin_step``."""
+        self.contact.friction.begin_step(self.coords(u))
 
     def commit_step(self, u: np.ndarray | None = None) -> None:
-        """Accepts the step with friction that ends at ``u``, and begins the next. See ``Contact.commit_step``."""
-        self.contact.commit_step(self.coords(u))
+        """Accepts the step with friction that ends at ``u``, and begins the next. See ``FrictionSteps.commit_step``."""
+        self.contact.friction.commit_step(self.coords(u))
 
     def freeze_friction(self, u: np.ndarray | None = None) -> None:
-        """Freezes friction as it is at ``u``. See ``Contact.freeze_friction``."""
-        self.contact.freeze_friction(self.coords(u))
+        """Freezes friction as it is at ``u``. See ``FrictionSteps.freeze``."""
+        self.contact.friction.freeze(self.coords(u))
 
     def keep_patches(self, u: np.ndarray | None = None) -> int:
         """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy: for the
-        start of a load step. See ``Contact.keep_patches``."""
-        return self.contact.keep_patches(self.coords(u))
+        start of a load step. See ``Patches.keep``."""
+        return self.contact.patches.keep(self.coords(u))

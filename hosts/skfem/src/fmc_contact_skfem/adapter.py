@@ -34,7 +34,7 @@ class SkfemContact:
     """
 
     contact: Contact
-    """The contact below, for its obstacles (``add_half_space``, ...), options and the like."""
+    """The contact below, for its obstacles (``contact.obstacles.add_half_space``, ...), options and the like."""
 
     def __init__(
         self,
@@ -72,7 +72,7 @@ class SkfemContact:
         self._frame = self.contact.dim
         parts = [identity(len(one.coords), format="csr") if one.matrix is None else one.matrix for one in fields]
         self._matrix = csr_matrix(block_diag(parts, format="csr"))
-        self.contact.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
+        self.contact.mesh.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
 
     def nodes(self, u: np.ndarray) -> np.ndarray:
         """Where the nodes of the contact are at the displacement ``u``, (nodes, dim): those of ``nodal_contact``."""
@@ -139,18 +139,18 @@ class SkfemContact:
         return found, csr_matrix(entries, (len(found), self.size))
 
     def begin_step(self, u: np.ndarray) -> None:
-        """Begins a step with friction at ``u``. See ``Contact.begin_step``."""
-        self.contact.begin_step(self.coords(u))
+        """Begins a step with friction at ``u``. See ``FrictionSteps.begin_step``."""
+        self.contact.friction.begin_step(self.coords(u))
 
     def commit_step(self, u: np.ndarray) -> None:
-        """Accepts the step with friction that ends at ``u``, and begins the next. See ``Contact.commit_step``."""
-        self.contact.commit_step(self.coords(u))
+        """Accepts the step with friction that ends at ``u``, and begins the next. See ``FrictionSteps.commit_step``."""
+        self.contact.friction.commit_step(self.coords(u))
 
     def freeze_friction(self, u: np.ndarray) -> None:
-        """Freezes friction as it is at ``u``. See ``Contact.freeze_friction``."""
-        self.contact.freeze_friction(self.coords(u))
+        """Freezes friction as it is at ``u``. See ``FrictionSteps.freeze``."""
+        self.contact.friction.freeze(self.coords(u))
 
     def keep_patches(self, u: np.ndarray) -> int:
         """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy:
-        for the start of a load step. See ``Contact.keep_patches``."""
-        return self.contact.keep_patches(self.coords(u))
+        for the start of a load step. See ``Patches.keep``."""
+        return self.contact.patches.keep(self.coords(u))

@@ -72,7 +72,7 @@ def newton(
     patches. The stiffness of the contact is changed during the call; afterwards, and after an error, it is what it was, if
     no ``penetration`` raises it.
 
-    With friction, after ``begin_step``; a step that is accepted is committed by the caller. ``lagged`` freezes friction where
+    With friction, after ``friction.begin_step``; a step that is accepted is committed by the caller. ``lagged`` freezes friction where
     the bodies are, solves, and freezes it anew at what was found, until nothing changes: friction has an energy then, and the
     method goes on where that of the current pressure does not converge, but takes more solves. Near the end the plain method with the
     current pressure takes over, where it gets there; not with a ``solve`` of your own, which gets symmetric matrices alone. The
@@ -80,7 +80,7 @@ def newton(
 
     ``penetration``: the largest mean penetration of a node, over its part of the surface, that is wanted, a length, however soft the
     contact is; ``None``: what the law leaves. Surfaces are moved out by what they penetrate near an equilibrium
-    (``Contact.augment``, with gaps measured as far as ``reach``), and again, at most ``max_updates`` times; they stay so for the next
+    (``Multipliers.augment``, with gaps measured as far as ``reach``), and again, at most ``max_updates`` times; they stay so for the next
     load step. Where an update leaves more than a quarter, the contact's stiffness is raised fourfold (``Contact.stiffen``), sixteenfold at
     most, and stays raised. Not with friction and self-contact.
 
@@ -113,12 +113,12 @@ def newton(
         if lagged:
             # An own solver may be one for symmetric matrices.
             search.frozen = Frozen(model, tolerance, None if is_own else search.solve)
-            contact.freeze_friction(x)
+            model.inner.friction.freeze(model.coords(x))
         return search.run(tolerance, max_iterations)
     finally:
         softening.undone()
         if lagged:
-            model.inner.release_friction()
+            model.inner.friction.release()
 
 
 def _levels(model: Model, tolerance: float, wanted: bool | None, has_solve: bool) -> tuple[Levels | None, str]:

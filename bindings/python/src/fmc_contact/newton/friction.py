@@ -31,7 +31,7 @@ class Frozen:
         return self._frozen(state)
 
     def _frozen(self, state: State) -> State:
-        self.model.contact.freeze_friction(state.x)
+        self.model.inner.friction.freeze(self.model.coords(state.x))
         state = self.model.again(state)
         self.goal = _LEFT_OVER * state.relative
         if self.solve is None or not self.tolerance < state.relative <= FAR:
@@ -39,13 +39,13 @@ class Frozen:
         found = self._with_current_pressure(state)
         if found is not None:
             return found
-        self.model.contact.freeze_friction(state.x)
+        self.model.inner.friction.freeze(self.model.coords(state.x))
         return state
 
     def _with_current_pressure(self, state: State) -> State | None:
         """By whole steps while the residual falls; ``None`` where it does not."""
         model, free = self.model, self.model.free
-        model.inner.release_friction()
+        model.inner.friction.release()
         try:
             state = model.again(state)
             while state.relative > self.tolerance:

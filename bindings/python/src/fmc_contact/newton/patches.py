@@ -23,8 +23,7 @@ class Patches:
         is_near = state.relative <= FAR
         if self.at is None or is_near and not self.turned or not is_near and state.outgrows(self.at):
             self.turned |= is_near
-            contact = self.model.contact
-            contact.keep_patches(state.x)
+            self.model.inner.patches.keep(self.model.coords(state.x))
             state = self.at = self.model.again(state)
         return state
 

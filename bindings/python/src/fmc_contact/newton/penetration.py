@@ -55,7 +55,7 @@ class Penetration:
         self.is_enough = False
         if not state.relative <= max(_NEAR, tolerance):
             return state
-        now = self.model.inner.augment(self.model.coords(state.x), self.wanted, self.reach)
+        now = self.model.inner.multipliers.augment(self.model.coords(state.x), self.wanted, self.reach)
         self.found, self.is_enough = now.penetration, now.is_enough
         if now.is_enough:
             return state

@@ -5,9 +5,9 @@ from __future__ import annotations
 from ctypes import byref
 from typing import Tuple, Union
 
-from ._handle import Handle
+from ._core import Core
 from ._library import check, library
-from ._structs import CHOICES, FMC_FRICTION_OF_CONTEXT, FMC_LAW_OF_CONTEXT, PARTNERS, fmc_options, fmc_pair_options
+from ._structs import CHOICES, FMC_FRICTION_OF_CONTEXT, FMC_LAW_OF_CONTEXT, PARTNERS, fmc_pair_options
 
 Partner = Union[int, Tuple[str, int]]
 """A body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``, as in
@@ -26,8 +26,8 @@ def _named(partner: Partner) -> tuple[int, int]:
     return numbers[kind], int(index)
 
 
-class PairOptions:
-    """The part of ``Contact`` that deals with options of single pairs.
+class Pairs:
+    """Options of single pairs: left out, or with a law of their own.
 
     Errors: ``BodyOutOfRangeError`` and ``ObstacleOutOfRangeError``, which name the index; ``NotPositiveError``;
     ``UnknownOptionError`` for an unknown value, or one that would have no effect; ``UnsupportedError`` for two obstacles,
@@ -35,10 +35,10 @@ class PairOptions:
     or has another law than ``depth``; ``BusyError``. What was set before then stays.
     """
 
-    _handle: Handle
-    _options: fmc_options
+    def __init__(self, core: Core) -> None:
+        self._core = core
 
-    def set_pair(
+    def set(
         self,
         a: Partner,
         b: Partner,
@@ -62,7 +62,7 @@ class PairOptions:
         there. The surface of an obstacle is taken to lie so much further out (a shell's thickness, a coating), or, if
         negative, further in (a clearance). Half-spaces, balls and capsules stay what they are, cylinders inwards; any
         other shape becomes its signed distance less the offset, with its outward edges rounded, and what holds for
-        ``add_signed_distance`` holds for it. Between bodies, and of one with itself, only with the law ``"depth"`` and
+        ``Obstacles.add_signed_distance`` holds for it. Between bodies, and of one with itself, only with the law ``"depth"`` and
         not positive: -c lets either body in by c before it presses.
 
         For a body with itself (``a == b``) this decides in place of the option ``self_contact`` whether it is evaluated
@@ -80,27 +80,27 @@ class PairOptions:
                 raise ValueError(f"option 'law' has no value '{law}': {' or '.join(numbers)} is wanted")
             own.law = numbers[law]
         elif stiffness is not None:
-            own.law = self._options.law
-            given = {key: getattr(self._options, key) if value is None else value for key, value in given.items()}
+            own.law = self._core.options.law
+            given = {key: getattr(self._core.options, key) if value is None else value for key, value in given.items()}
         for key, value in given.items():
             if value is not None:
                 setattr(own, key, float(value))
-        self._set_pair(a, b, byref(own))
+        self._set(a, b, byref(own))
 
-    def reset_pair(self, a: Partner, b: Partner) -> None:
+    def reset(self, a: Partner, b: Partner) -> None:
         """Takes a pair's options back: it follows the options of the contact again."""
-        self._set_pair(a, b, None)
+        self._set(a, b, None)
 
-    def _set_pair(self, a: Partner, b: Partner, options: object) -> None:
-        with self._handle:
-            self._handle.call(library.fmc_context_set_pair_options, *_named(a), *_named(b), options)
+    def _set(self, a: Partner, b: Partner, options: object) -> None:
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_pair_options, *_named(a), *_named(b), options)
 
-    def pair_options(self, a: Partner, b: Partner) -> dict[str, object]:
-        """The options of a pair, as ``set_pair`` takes them: ``excluded``, and ``law`` with what belongs to it, ``None``
+    def options(self, a: Partner, b: Partner) -> dict[str, object]:
+        """The options of a pair, as ``set`` takes them: ``excluded``, and ``law`` with what belongs to it, ``None``
         where it is the contact's, and ``gap_offset``. Of a pair without options of its own, those that hold for it."""
         found = fmc_pair_options()
-        with self._handle:
-            self._handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
         has_law = found.law != FMC_LAW_OF_CONTEXT
         options: dict[str, object] = {"excluded": bool(found.excluded)}
         has_friction = found.friction_coefficient != FMC_FRICTION_OF_CONTEXT

@@ -1,0 +1,165 @@
+"""Cells and facets, as the library takes them."""
+
+from __future__ import annotations
+
+from ctypes import byref
+from typing import Any, NamedTuple, Sequence, Tuple, Union, cast
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import View, coords_view, flat_in_z, indices, of_one_width
+from ._handle import Handle
+from ._library import library
+from ._structs import CELL_DIMENSION, CELL_NODES, CELL_TYPES, FACET_DIMENSION, FACET_NODES, FACET_TYPES
+from ._structs import fmc_cell_block, fmc_cell_block_i64, fmc_facet_block, fmc_facet_block_i64, fmc_options
+from .errors import EmptyError, UnknownCellTypeError
+
+Cells = Union[ArrayLike, Sequence[Tuple[str, ArrayLike]]]
+"""Node numbers (m, nodes per cell); or, without a cell type, a list of ``(cell type, node numbers)``. The same of facets."""
+
+
+class Start(NamedTuple):
+    """A context, and what its mesh settles for good."""
+
+    handle: Handle
+    dim: int
+    is_columns: bool
+
+
+def named_blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, ArrayLike]]:
+    """Cells with their types."""
+    if cell_type is not None:
+        return [(cell_type, cast(ArrayLike, conn))]
+    blocks: list = list(conn) if isinstance(conn, (list, tuple)) else [conn]
+    for block in blocks:
+        if not isinstance(block, (list, tuple)) or len(block) != 2 or not isinstance(block[0], str):
+            raise TypeError("give the cell type beside conn, or a list of (cell type, node numbers) for a mixed mesh")
+    return blocks
+
+
+def _blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, np.ndarray]]:
+    blocks = named_blocks(conn, cell_type)
+    if not blocks:
+        raise EmptyError("there are no cells and no facets")
+    for name, _ in blocks:
+        if name not in CELL_TYPES:
+            raise UnknownCellTypeError(f"no cell type {name!r}; there are {', '.join(CELL_TYPES)}")
+    return [(name, indices(cells, "conn", CELL_NODES[name])) for name, cells in blocks]
+
+
+def _body_ids(bodies: ArrayLike | None, count: int, what: str) -> list[np.ndarray]:
+    if bodies is None:
+        return []
+    ids = indices(bodies, "bodies")
+    if len(ids) != count:
+        raise ValueError(f"bodies has {len(ids)} entries, one for each of the {count} {what} is wanted")
+    return [ids]
+
+
+def _check_plane(flat: bool) -> None:
+    if not flat:
+        raise ValueError(
+            "coords vary in z, but these cells are those of a plane: a surface in 3D goes in by Contact.from_facets, "
+            "and a plane mesh with its z left out, coords[:, :2]"
+        )
+
+
+def from_cells(
+    coords: ArrayLike, conn: Cells, cell_type: str | None, bodies: ArrayLike | None, options: fmc_options
+) -> Start:
+    """A context from cells; the library finds their boundary."""
+    blocks = _blocks(conn, cell_type)
+    dim = CELL_DIMENSION[blocks[0][0]]
+    view = coords_view(coords, dim)
+    _check_plane(dim == 3 or flat_in_z(view))
+    return _start(blocks, _CELLS, dim, view, bodies, options)
+
+
+class _Kind(NamedTuple):
+    """What blocks are made of."""
+
+    what: str
+    types: dict[str, int]
+    structs: tuple[Any, Any]
+    functions: tuple[str, str]
+
+
+_CELLS = _Kind(
+    "cells",
+    CELL_TYPES,
+    (fmc_cell_block, fmc_cell_block_i64),
+    ("fmc_context_new_from_cells", "fmc_context_new_from_cells_i64"),
+)
+_FACETS = _Kind(
+    "facets",
+    FACET_TYPES,
+    (fmc_facet_block, fmc_facet_block_i64),
+    ("fmc_context_new_from_facet_blocks", "fmc_context_new_from_facet_blocks_i64"),
+)
+
+
+def _start(
+    blocks: list[tuple[str, np.ndarray]],
+    kind: _Kind,
+    dim: int,
+    view: View,
+    bodies: ArrayLike | None,
+    options: fmc_options,
+) -> Start:
+    arrays = [conn for _, conn in blocks]
+    *arrays, ids = of_one_width(arrays + (_body_ids(bodies, sum(map(len, arrays)), kind.what) or [arrays[0]]))
+    wide = ids.dtype == np.int64
+    block = kind.structs[wide]
+    function = getattr(library, kind.functions[wide])
+    structs = [block(kind.types[name], conn.ctypes.data, len(conn)) for (name, _), conn in zip(blocks, arrays)]
+    array = (block * len(structs))(*structs)
+    given = None if bodies is None else ids
+    handle = Handle(lambda to: function(dim, byref(view.struct), array, len(structs), given, byref(options), to))
+    return Start(handle, dim, view.is_columns)
+
+
+def _facet_blocks(facets: Cells, facet_type: str | None) -> list[tuple[str, np.ndarray]]:
+    """Facets with their types; none where edges or triangles are given without a type."""
+    if facet_type is not None:
+        named: list = [(facet_type, facets)]
+    elif isinstance(facets, (list, tuple)) and facets and all(_is_named(block) for block in facets):
+        named = list(facets)
+    else:
+        return []
+    for name, _ in named:
+        if name not in FACET_TYPES:
+            raise UnknownCellTypeError(f"no facet type {name!r}; there are {', '.join(FACET_TYPES)}")
+    return [(name, indices(conn, "facets", FACET_NODES[name])) for name, conn in named]
+
+
+def _is_named(block: object) -> bool:
+    return isinstance(block, (list, tuple)) and len(block) == 2 and isinstance(block[0], str)
+
+
+def from_facets(
+    coords: ArrayLike, facets: Cells, facet_type: str | None, bodies: ArrayLike | None, options: fmc_options
+) -> Start:
+    """A context from the facets of closed bodies."""
+    blocks = _facet_blocks(facets, facet_type)
+    if blocks:
+        dim = FACET_DIMENSION[blocks[0][0]]
+        view = coords_view(coords, dim)
+        _check_plane(dim == 3 or flat_in_z(view))
+        return _start(blocks, _FACETS, dim, view, bodies, options)
+    shape = np.shape(cast(ArrayLike, facets))
+    if len(shape) != 2 or shape[1] not in (2, 3):
+        raise ValueError(
+            f"facets has shape {shape}, (facets, 2) is wanted for edges, (facets, 3) for triangles; of other types "
+            "give the type, or a list of (facet type, node numbers)"
+        )
+    dim = shape[1]
+    view = coords_view(coords, dim)
+    _check_plane(dim == 3 or flat_in_z(view))
+    conn = indices(cast(ArrayLike, facets), "facets", dim)
+    conn, ids = of_one_width([conn] + (_body_ids(bodies, len(conn), "facets") or [conn]))
+    wide = ids.dtype == np.int64
+    function = library.fmc_context_new_from_facets_i64 if wide else library.fmc_context_new_from_facets
+    given = None if bodies is None else ids
+    handle = Handle(lambda to: function(dim, byref(view.struct), conn, len(conn), given, byref(options), to))
+    return Start(handle, dim, view.is_columns)
