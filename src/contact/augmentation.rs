@@ -1,12 +1,12 @@
 //! As little penetration as is wanted, whatever iterates the bodies: the method of multipliers.
 
-use super::Contact;
-use super::gap_constraints::GapConstraints;
-use super::kernels;
-use super::laws::{EnergyLaw, FiberProfile};
-use super::multipliers::{Multiplier, Multipliers, sorted};
-use super::options::Options;
 use crate::Error;
+use crate::contact::evaluation::kernels;
+use crate::contact::interface::Contact;
+use crate::contact::laws::{EnergyLaw, FiberProfile};
+use crate::contact::method::Options;
+use crate::contact::multipliers::{Multiplier, Multipliers, sorted};
+use crate::contact::results::GapConstraints;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::overlap::Partner;

@@ -22,8 +22,8 @@ mod touching;
 pub use bodies::CondensedBodies;
 pub use options::{ContactStep, ContactStepOptions, ContactStepState};
 
-use super::Contact;
 use crate::Error;
+use crate::contact::interface::Contact;
 use bodies::Checked;
 use kept::Kept;
 use nalgebra::DVector;

@@ -2,7 +2,7 @@
 //!
 //! The library's contact step goes by them, and so may a host's iterations of everything at once.
 
-use super::tangent::TangentPart;
+use crate::contact::tangents::TangentPart;
 
 /// Part of what the slope promises that a step must gain (Armijo).
 const GAIN: f64 = 1e-4;

@@ -6,8 +6,8 @@
 //! q = k_T s      while that is below the limit μ p (stick), else the limit along s (slip)
 //! ```
 //!
-//! `options` · `return_mapping` (from slip to traction) · `step` (the state when the step began) · `side_motion` (how one
-//! side moved since) · `touch` (the part of the step during which a facet bears) · `carriers` (the facets on which a point
+//! `options` · `return_mapping` (from slip to traction) · `step` (the state when
+//! the step began) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carriers` (the facets on which a point
 //! lies) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
 //! `at_points` (what hosts see)

@@ -6,9 +6,11 @@ mod constant_pressure;
 mod depth_law;
 pub(super) mod energy_law;
 mod fiber_law;
+mod momentum_correction;
 mod pair_energy;
 mod pair_law;
 mod pressure_point;
+mod stiffness;
 mod volume_law;
 
 pub(super) use by_options::pair_law;
@@ -16,3 +18,4 @@ pub use energy_law::{EnergyLaw, FiberProfile};
 pub(super) use pair_energy::PairEnergy;
 pub(super) use pair_law::{Answer, Asked, FoundPatches, Measured, PairLaw};
 pub(super) use pressure_point::{PointOnSide, PressurePoint};
+pub use stiffness::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};

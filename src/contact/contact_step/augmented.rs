@@ -6,7 +6,7 @@ use super::multipliers::{Multipliers, Update};
 use super::options::{ContactStep, ContactStepOptions, ContactStepState};
 use super::solve;
 use crate::Error;
-use crate::contact::Contact;
+use crate::contact::interface::Contact;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use nalgebra::DVector;

@@ -4,9 +4,9 @@ use super::Place;
 use super::bodies::CondensedBodies;
 use super::touching::{Touch, Touching};
 use crate::Error;
-use crate::contact::Contact;
-use crate::contact::kernels;
-use crate::contact::tangent::TangentPart;
+use crate::contact::evaluation::kernels;
+use crate::contact::interface::Contact;
+use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
 /// Where a degree of freedom is.

@@ -7,9 +7,9 @@
 use super::kept::Kept;
 use super::touching::{Touch, Touching};
 use crate::Error;
-use crate::contact::GapConstraints;
-use crate::contact::kernels;
-use crate::contact::tangent::TangentPart;
+use crate::contact::evaluation::kernels;
+use crate::contact::results::GapConstraints;
+use crate::contact::tangents::TangentPart;
 use crate::overlap::Partner;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;

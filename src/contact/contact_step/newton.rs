@@ -11,7 +11,7 @@ use super::reduced::Reduced;
 use super::touching::{ROUNDING, Touching};
 use crate::Error;
 use crate::contact::descent::TangentChoice;
-use crate::contact::tangent::TangentPart;
+use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
 /// What a search has taken so far.

@@ -7,7 +7,7 @@ use super::options::ContactStepOptions;
 use super::touching::{Touch, Touching};
 use crate::Error;
 use crate::contact::descent::TangentChoice;
-use crate::contact::tangent::TangentPart;
+use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
 /// Factor from one stiffness to the next.

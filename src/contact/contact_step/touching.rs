@@ -1,7 +1,7 @@
 //! Contact as a function of the displacement on the list.
 
 use crate::Error;
-use crate::contact::tangent::TangentPart;
+use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
 /// Multiples of a bit by which sums of some thousand terms differ, and so residuals of equilibria.

@@ -3,7 +3,7 @@
 use super::facet_sums::Row;
 use super::return_mapping::Traction;
 use super::slip_facets::{SlipFacet, SlipFacets};
-use crate::contact::tangent::{Tangent, TangentPart};
+use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Vector, moment};
 use crate::overlap::{BlockSum, NodeSums, Partner};
 use nalgebra::SMatrix;

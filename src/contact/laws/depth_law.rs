@@ -2,12 +2,12 @@
 //! without a step wherever corners, edges and whole bodies go. Other profiles are functions of that sum.
 
 use super::energy_law::{EnergyLaw, FiberProfile};
+use super::momentum_correction::correct;
 use super::pair_energy::PairEnergy;
 use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use super::pressure_point::of_depth_points;
 use crate::Error;
-use crate::contact::momentum_correction::correct;
-use crate::contact::tangent::{Tangent, TangentPart};
+use crate::contact::tangents::{Tangent, TangentPart};
 use crate::overlap::{DepthIntegral, DepthProfile, DepthRequest, NodalSum, Overlap, Pair, SecondDerivative};
 
 /// The depth law.

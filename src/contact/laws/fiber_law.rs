@@ -1,12 +1,12 @@
 //! w = Σ measure · ψ(L) over contact points, L being the penetration: a traction ψ'(L) that varies over the patch.
 
 use super::energy_law::EnergyLaw;
+use super::momentum_correction::balance;
 use super::pair_energy::PairEnergy;
 use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use super::pressure_point::of_contact_points;
 use crate::Error;
-use crate::contact::momentum_correction::balance;
-use crate::contact::tangent::{Tangent, TangentPart};
+use crate::contact::tangents::{Tangent, TangentPart};
 use crate::overlap::{ContactPoints, Overlap};
 
 /// The fiber law, and any local law of the penetration.

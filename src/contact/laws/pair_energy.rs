@@ -1,7 +1,7 @@
 //! Energy of one pair and its gradient, whichever law it follows.
 
 use super::energy_law::EnergyLaw;
-use crate::contact::momentum_correction::correct;
+use super::momentum_correction::correct;
 use crate::geometry::Vector;
 use crate::overlap::{ContactPoints, Imbalance, Overlap, Pair, PointGradient, PoseGradient};
 

@@ -3,7 +3,7 @@
 use super::pair_energy::PairEnergy;
 use super::pressure_point::PressurePoint;
 use crate::Error;
-use crate::contact::tangent::{Tangent, TangentPart};
+use crate::contact::tangents::{Tangent, TangentPart};
 use crate::overlap::{ContactPoints, NodalSum, Overlap, OverlapEstimator, Pair, Partner, Patches, Reach, find_patches};
 use std::collections::BTreeMap;
 use std::sync::Mutex;

@@ -1,12 +1,12 @@
 //! w = w(V): one traction for the whole pair.
 
 use super::energy_law::EnergyLaw;
+use super::momentum_correction::balance;
 use super::pair_energy::PairEnergy;
 use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use super::pressure_point::{PressurePoint, of_depth_points};
 use crate::Error;
-use crate::contact::momentum_correction::balance;
-use crate::contact::tangent::{Tangent, TangentPart};
+use crate::contact::tangents::{Tangent, TangentPart};
 use crate::overlap::{DepthProfile, DepthRequest, Overlap, SecondDerivative};
 
 /// The volume law.

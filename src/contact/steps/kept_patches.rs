@@ -1,8 +1,8 @@
 //! Patches of a local law, kept during a solve.
 
-use super::Contact;
-use super::kernels;
 use crate::Error;
+use crate::contact::evaluation::kernels;
+use crate::contact::interface::Contact;
 
 impl<const D: usize> Contact<D> {
     /// Finds the patches of the fiber law at `coords` and keeps them, that is the directions and the spacing of their

@@ -8,7 +8,7 @@ const MOST_THREADS: usize = 1024;
 
 /// Threads of one contact, which the process has that started them. A child that was forked from it has none of them: it does
 /// the work alone, with the same results.
-pub(super) struct Workers {
+pub(crate) struct Workers {
     /// Always there until the end.
     pool: Option<rayon::ThreadPool>,
     process: u32,
@@ -16,7 +16,7 @@ pub(super) struct Workers {
 
 impl Workers {
     /// None are started for one.
-    pub(super) fn new(threads: usize) -> Result<Option<Self>, Error> {
+    pub(crate) fn new(threads: usize) -> Result<Option<Self>, Error> {
         if threads == 1 {
             return Ok(None);
         }
@@ -30,7 +30,7 @@ impl Workers {
     }
 
     /// The pool, if its threads are of this process.
-    pub(super) fn pool(&self) -> Option<&rayon::ThreadPool> {
+    pub(crate) fn pool(&self) -> Option<&rayon::ThreadPool> {
         self.pool.as_ref().filter(|_| self.process == process::id())
     }
 }

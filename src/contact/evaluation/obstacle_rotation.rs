@@ -10,10 +10,10 @@
 //!
 //! where a runs over nodes, and b over nodes and the translation.
 
-use super::Contact;
-use super::laws::{Answer, Measured};
-use super::tangent::{RankOne, Tangent, TangentPart};
 use crate::Error;
+use crate::contact::interface::Contact;
+use crate::contact::laws::{Answer, Measured};
+use crate::contact::tangents::{RankOne, Tangent, TangentPart};
 use crate::overlap::{Block, Partner};
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Unsupported`] with friction, whose forces depend on how both sides turned since the step began.
-    pub(super) fn turns_obstacles(&self) -> Result<bool, Error> {
+    pub(crate) fn turns_obstacles(&self) -> Result<bool, Error> {
         let turns = self.obstacle_rotations && !self.options.axisymmetric && !self.obstacles.is_empty();
         if turns && (self.options.friction.is_active() || self.pair_table.has_friction()) {
             return Err(Error::Unsupported { what: "the rotation of obstacles in the tangent with friction" });
@@ -52,7 +52,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Unsupported`] for a local law: its lines do not turn along, so that its energy changes as both sides turn.
-    pub(super) fn add_rotation(
+    pub(crate) fn add_rotation(
         &self,
         measured: &Measured<D>,
         answer: &mut Answer<D>,

@@ -1,10 +1,10 @@
 //! Steps of a contact with friction: what is carried from one to the next.
 
-use super::Contact;
-use super::friction::{Bearings, Friction, FrozenFriction, Sliding, SlipFacets, Step, Stick};
-use super::kernels;
-use super::laws::Measured;
 use crate::Error;
+use crate::contact::evaluation::kernels;
+use crate::contact::friction::{Bearings, Friction, FrozenFriction, Sliding, SlipFacets, Step, Stick};
+use crate::contact::interface::Contact;
+use crate::contact::laws::Measured;
 use crate::geometry::{Pose, Vector};
 use crate::overlap::Partner;
 
@@ -114,30 +114,30 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Where the obstacles are; `None` for one that was removed.
-    pub(super) fn poses(&self) -> Vec<Option<Pose<D>>> {
+    pub(crate) fn poses(&self) -> Vec<Option<Pose<D>>> {
         self.obstacles.iter().map(|rigid| rigid.as_ref().map(|rigid| rigid.obstacle.pose)).collect()
     }
 
     /// Refuses friction before a step has begun.
-    pub(super) fn check_step(&self) -> Result<(), Error> {
+    pub(crate) fn check_step(&self) -> Result<(), Error> {
         if self.has_friction() && self.step.is_none() { Err(Error::NoStep) } else { Ok(()) }
     }
 
     /// Whether any pair has friction.
-    pub(super) fn has_friction(&self) -> bool {
+    pub(crate) fn has_friction(&self) -> bool {
         self.options.friction.is_active() || self.pair_table.has_friction()
     }
 
     /// Forgets how facets bore when the step began, where other pairs than then have friction, or bear in another way: the
     /// slip of this step is then counted from its start.
-    pub(super) fn forget_bearings(&mut self) {
+    pub(crate) fn forget_bearings(&mut self) {
         if let Some(step) = &mut self.step {
             step.bearings = None;
         }
     }
 
     /// How a pair slides, `None` for one without friction.
-    pub(super) fn sliding<'a>(&'a self, measured: &Measured<D>) -> Result<Option<Sliding<'a, D>>, Error> {
+    pub(crate) fn sliding<'a>(&'a self, measured: &Measured<D>) -> Result<Option<Sliding<'a, D>>, Error> {
         let friction = self.friction_of(&measured.pair.partners);
         let Some(step) = self.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
         let what = "friction with a law that has no stiffness of its own: set the friction's";
@@ -150,12 +150,12 @@ impl<const D: usize> Contact<D> {
         Ok(Some(Sliding { friction, stick, step }))
     }
 
-    pub(super) fn friction_of(&self, partners: &[Partner; 2]) -> Friction {
+    pub(crate) fn friction_of(&self, partners: &[Partner; 2]) -> Friction {
         self.pair_table.friction(partners, self.options.friction)
     }
 
     /// The frozen friction at these coordinates.
-    pub(super) fn frozen_at(&self, coords: &[[f64; D]]) -> Vec<SlipFacets<D>> {
+    pub(crate) fn frozen_at(&self, coords: &[[f64; D]]) -> Vec<SlipFacets<D>> {
         self.frozen.as_ref().map_or_else(Vec::new, |frozen| frozen.at(coords, &self.poses()))
     }
 }

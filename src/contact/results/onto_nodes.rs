@@ -1,17 +1,17 @@
 //! Results at the points of a division, as the host's nodes have them: see [`crate::geometry::second_order`].
 
-use super::fields::{NodalContact, PointOfContact};
 use super::forces::ContactForces;
-use super::friction::SlipFacets;
 use super::gap_constraints::GapConstraints;
-use super::tangent::{RankOne, Tangent};
+use super::{NodalContact, PointOfContact};
+use crate::contact::friction::SlipFacets;
+use crate::contact::tangents::{RankOne, Tangent};
 use crate::geometry::Vector;
 use crate::geometry::second_order::{Division, Interpolation};
 use crate::overlap::{Block, FiberTrace, Overlap, Partner, Patches};
 use std::collections::BTreeMap;
 
 /// A result that was found at the points of a division.
-pub(super) trait OntoNodes: Sized {
+pub(crate) trait OntoNodes: Sized {
     /// The same for the nodes; by default what does not speak of nodes.
     fn onto_nodes(self, _division: &Division) -> Self {
         self

@@ -1,28 +1,28 @@
 //! What a contact keeps from one evaluation to the next: nothing that any result depends on.
 
-use super::Contact;
-use super::laws::{FoundPatches, PairLaw};
-use super::rigid::Placed;
-use super::workers::Workers;
 use crate::Error;
 use crate::configuration::Configuration;
+use crate::contact::interface::Contact;
+use crate::contact::laws::{FoundPatches, PairLaw};
+use crate::contact::partners::Placed;
+use crate::contact::work::Workers;
 use crate::depth::DepthField;
 use crate::geometry::aabb::Aabb;
 use crate::overlap::Partner;
 
 /// The bodies and the obstacles where they were evaluated last.
-pub(super) struct State<const D: usize> {
-    pub(super) configuration: Configuration<D>,
+pub(crate) struct State<const D: usize> {
+    pub(crate) configuration: Configuration<D>,
     /// Obstacles that are bounded by facets.
-    pub(super) placed: Vec<Option<Placed<D>>>,
-    pub(super) found: FoundPatches<D>,
+    pub(crate) placed: Vec<Option<Placed<D>>>,
+    pub(crate) found: FoundPatches<D>,
 }
 
 impl<const D: usize> Contact<D> {
     /// Calls `work` with the bodies at `coords`.
     ///
     /// The first call takes what was kept; concurrent calls find nothing kept and start afresh, with the same result.
-    pub(super) fn with_state<T>(
+    pub(crate) fn with_state<T>(
         &self,
         coords: &[[f64; D]],
         work: impl FnOnce(&State<D>) -> Result<T, Error>,
@@ -50,7 +50,7 @@ impl<const D: usize> Contact<D> {
 
     /// How deep the cells of bodies lie below their surfaces, where the law asks for it and there are cells; friction asks
     /// with a law that has no points of its own.
-    pub(super) fn depth_field(&self, law: &dyn PairLaw<D>, partners: &[Partner; 2]) -> Option<&DepthField<D>> {
+    pub(crate) fn depth_field(&self, law: &dyn PairLaw<D>, partners: &[Partner; 2]) -> Option<&DepthField<D>> {
         if !law.needs_depth() && (law.is_local() || !self.friction_of(partners).is_active()) {
             return None;
         }
@@ -59,7 +59,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The threads that share the work, if there are some.
-    pub(super) fn pool(&self) -> Option<&rayon::ThreadPool> {
+    pub(crate) fn pool(&self) -> Option<&rayon::ThreadPool> {
         self.workers.as_ref().and_then(Workers::pool)
     }
 
@@ -101,7 +101,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Forgets what was found at the last coordinates, after a change of the options or of an obstacle.
-    pub(super) fn forget_found(&mut self) {
+    pub(crate) fn forget_found(&mut self) {
         if let Some(state) = self.state.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner()) {
             state.found = FoundPatches::default();
         }

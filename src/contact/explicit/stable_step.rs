@@ -1,8 +1,8 @@
 //! What the contact allows an explicit host.
 
-use super::Contact;
-use super::kernels;
 use crate::Error;
+use crate::contact::evaluation::kernels;
+use crate::contact::interface::Contact;
 
 impl<const D: usize> Contact<D> {
     /// Largest time step of central differences (leapfrog) for the contact alone, 2/√λ, where λ is a bound of the

@@ -1,18 +1,18 @@
 //! The pairs that have options of their own, and the law that each follows.
 
-use super::friction::Friction;
-use super::kernels::pair_law;
-use super::laws::{EnergyLaw, PairLaw};
-use super::options::Options;
 use super::pair_options::PairOptions;
 use super::parallel::Parallel;
 use super::rigid::Rigid;
 use crate::Error;
+use crate::contact::evaluation::kernels::pair_law;
+use crate::contact::friction::Friction;
+use crate::contact::laws::{EnergyLaw, PairLaw};
+use crate::contact::method::Options;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
 /// Options by pair, bodies before obstacles; pairs that follow the options of the contact are not in it.
-pub(super) struct PairTable<const D: usize>(BTreeMap<[Partner; 2], Entry<D>>);
+pub(crate) struct PairTable<const D: usize>(BTreeMap<[Partner; 2], Entry<D>>);
 
 struct Entry<const D: usize> {
     options: PairOptions,
@@ -22,12 +22,12 @@ struct Entry<const D: usize> {
 }
 
 impl<const D: usize> PairTable<D> {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(BTreeMap::new())
     }
 
     /// Puts the options of a pair in, or takes them out.
-    pub(super) fn set(
+    pub(crate) fn set(
         &mut self,
         pair: [Partner; 2],
         options: Option<PairOptions>,
@@ -46,37 +46,37 @@ impl<const D: usize> PairTable<D> {
     }
 
     /// Takes the options of all pairs of a partner out.
-    pub(super) fn forget(&mut self, partner: Partner) {
+    pub(crate) fn forget(&mut self, partner: Partner) {
         self.0.retain(|pair, _| !pair.contains(&partner));
     }
 
-    pub(super) fn options(&self, pair: &[Partner; 2]) -> Option<PairOptions> {
+    pub(crate) fn options(&self, pair: &[Partner; 2]) -> Option<PairOptions> {
         self.0.get(pair).map(|entry| entry.options)
     }
 
     /// Whether the pair is evaluated, where it would be `by_default`.
-    pub(super) fn has(&self, pair: &[Partner; 2], by_default: bool) -> bool {
+    pub(crate) fn has(&self, pair: &[Partner; 2], by_default: bool) -> bool {
         // A body with itself that is in the table is there to be evaluated, unless the entry says otherwise.
         self.0.get(pair).map_or(by_default, |entry| !entry.options.excluded)
     }
 
     /// The law of the pair, if it has one of its own.
-    pub(super) fn law(&self, pair: &[Partner; 2]) -> Option<&dyn PairLaw<D>> {
+    pub(crate) fn law(&self, pair: &[Partner; 2]) -> Option<&dyn PairLaw<D>> {
         self.0.get(pair)?.law.as_deref()
     }
 
     /// What stands for the obstacle of the pair, if its contact begins at a distance.
-    pub(super) fn parallel(&self, pair: &[Partner; 2]) -> Option<&Parallel<D>> {
+    pub(crate) fn parallel(&self, pair: &[Partner; 2]) -> Option<&Parallel<D>> {
         self.0.get(pair)?.parallel.as_ref()
     }
 
     /// How far outside an obstacle the contact of the pair begins.
-    pub(super) fn gap_offset(&self, pair: &[Partner; 2]) -> f64 {
+    pub(crate) fn gap_offset(&self, pair: &[Partner; 2]) -> f64 {
         self.0.get(pair).map_or(0.0, |entry| entry.options.gap_offset)
     }
 
     /// Brings what stands for an obstacle to its new scale.
-    pub(super) fn rescale(&mut self, obstacle: usize, rigid: &Rigid<D>) {
+    pub(crate) fn rescale(&mut self, obstacle: usize, rigid: &Rigid<D>) {
         for (_, entry) in self.0.iter_mut().filter(|(pair, _)| pair[1] == Partner::Obstacle(obstacle)) {
             if entry.parallel.is_some() {
                 entry.parallel = Some(Parallel::new(rigid, entry.options.gap_offset));
@@ -85,12 +85,12 @@ impl<const D: usize> PairTable<D> {
     }
 
     /// What these laws are.
-    pub(super) fn own_laws(&self) -> impl Iterator<Item = EnergyLaw> + '_ {
+    pub(crate) fn own_laws(&self) -> impl Iterator<Item = EnergyLaw> + '_ {
         self.0.values().filter_map(|entry| entry.options.law)
     }
 
     /// Multiplies the stiffness of these laws.
-    pub(super) fn stiffen(&mut self, factor: f64) -> Result<(), Error> {
+    pub(crate) fn stiffen(&mut self, factor: f64) -> Result<(), Error> {
         for entry in self.0.values_mut() {
             if let Some(law) = &mut entry.options.law {
                 *law = law.stiffened(factor);
@@ -101,23 +101,23 @@ impl<const D: usize> PairTable<D> {
     }
 
     /// The laws that pairs have of their own.
-    pub(super) fn laws(&self) -> impl Iterator<Item = &dyn PairLaw<D>> {
+    pub(crate) fn laws(&self) -> impl Iterator<Item = &dyn PairLaw<D>> {
         self.0.values().filter_map(|entry| entry.law.as_deref())
     }
 
     /// The friction of the pair, which has that of the contact but for a coefficient of its own.
-    pub(super) fn friction(&self, pair: &[Partner; 2], of_contact: Friction) -> Friction {
+    pub(crate) fn friction(&self, pair: &[Partner; 2], of_contact: Friction) -> Friction {
         let own = self.0.get(pair).and_then(|entry| entry.options.friction_coefficient);
         own.map_or(of_contact, |coefficient| Friction { coefficient, ..of_contact })
     }
 
     /// Whether any pair has a coefficient of friction of its own that is not zero.
-    pub(super) fn has_friction(&self) -> bool {
+    pub(crate) fn has_friction(&self) -> bool {
         self.0.values().any(|entry| entry.options.friction_coefficient.is_some_and(|coefficient| coefficient > 0.0))
     }
 
     /// Whether all entries are allowed beside these options.
-    pub(super) fn check(&self, defaults: &Options) -> Result<(), Error> {
+    pub(crate) fn check(&self, defaults: &Options) -> Result<(), Error> {
         self.0.iter().try_for_each(|(pair, entry)| check(pair, &entry.options, defaults))
     }
 }

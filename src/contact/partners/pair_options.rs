@@ -1,12 +1,13 @@
 //! Options of a single pair of partners.
 
-use super::friction::Friction;
 use super::parallel::Parallel;
-use super::{Contact, EnergyLaw};
 use crate::Error;
+use crate::contact::friction::Friction;
+use crate::contact::interface::Contact;
+use crate::contact::laws::EnergyLaw;
 use crate::overlap::Partner;
 
-/// What holds for one pair of partners in place of the [`super::Options`]. The default changes nothing, but for a body
+/// What holds for one pair of partners in place of the [`crate::contact::Options`]. The default changes nothing, but for a body
 /// with itself: its self-contact is then evaluated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PairOptions {
@@ -106,7 +107,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The partners in the order in which pairs have them: bodies before obstacles, each by index.
-    pub(super) fn checked_pair(&self, mut partners: [Partner; 2]) -> Result<[Partner; 2], Error> {
+    pub(crate) fn checked_pair(&self, mut partners: [Partner; 2]) -> Result<[Partner; 2], Error> {
         for partner in partners {
             match partner {
                 Partner::Body(body) => {

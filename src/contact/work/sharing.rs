@@ -1,8 +1,8 @@
 //! Evaluations that several ranks share.
 
-use super::Contact;
-use super::options::Options;
 use crate::Error;
+use crate::contact::interface::Contact;
+use crate::contact::method::Options;
 use crate::ranks::{Communicator, RankCounts, Ranks};
 use std::hash::Hasher;
 

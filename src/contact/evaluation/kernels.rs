@@ -1,25 +1,24 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
-use super::Contact;
-use super::fields::{NodalContact, PointOfContact, points_of_contact};
-use super::forces::ContactForces;
-use super::friction::{SlipFacets, Tractions};
-use super::gap_constraints::GapConstraints;
-use super::laws::{self, Answer, Asked, EnergyLaw, PairEnergy, PairLaw};
-use super::mass_scaled::largest_step;
-use super::onto_nodes::OntoNodes;
-use super::options::Options;
-use super::tangent::{Tangent, TangentPart};
 use crate::Error;
+use crate::contact::explicit::largest_step;
+use crate::contact::friction::{SlipFacets, Tractions};
+use crate::contact::interface::Contact;
+use crate::contact::laws::{self, Answer, Asked, EnergyLaw, PairEnergy, PairLaw};
+use crate::contact::method::Options;
+use crate::contact::results::{
+    ContactForces, GapConstraints, NodalContact, OntoNodes, PointOfContact, points_of_contact,
+};
+use crate::contact::tangents::{Tangent, TangentPart};
 use crate::dimension::{recast, rows};
 use crate::overlap::{self, FiberTrace, Overlap, OverlapEstimator, Partner, Patches, Reach};
 use std::any::Any;
 
 /// Facets with friction by pair.
-pub(super) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
+pub(crate) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
 
 /// Patches by pair.
-pub(super) type PatchesByPair<const D: usize> = Vec<([Partner; 2], Patches<D>)>;
+pub(crate) type PatchesByPair<const D: usize> = Vec<([Partner; 2], Patches<D>)>;
 
 /// Which surfaces are measured.
 #[derive(Clone, Copy, PartialEq)]
@@ -53,7 +52,7 @@ macro_rules! kernel {
     };
     ($(#[$doc:meta])* $public:ident = $work:ident ( $($name:ident : $kind:ty),* ) -> $result:ident, $at:ident) => {
         $(#[$doc])*
-        pub(super) fn $public<const D: usize>(
+        pub(crate) fn $public<const D: usize>(
             contact: &Contact<D>,
             coords: &[[f64; D]],
             $($name: $kind,)*
@@ -293,7 +292,7 @@ fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Resu
 }
 
 /// The estimator that the options name.
-pub(super) fn estimator<const D: usize>(options: &Options) -> Result<Box<dyn OverlapEstimator<D>>, Error> {
+pub(crate) fn estimator<const D: usize>(options: &Options) -> Result<Box<dyn OverlapEstimator<D>>, Error> {
     fn in_plane(options: &Options) -> Box<dyn OverlapEstimator<2>> {
         overlap::estimator(&options.estimator)
     }
@@ -304,7 +303,7 @@ pub(super) fn estimator<const D: usize>(options: &Options) -> Result<Box<dyn Ove
 }
 
 /// The law as pairs follow it.
-pub(super) fn pair_law<const D: usize>(law: &EnergyLaw) -> Result<Box<dyn PairLaw<D>>, Error> {
+pub(crate) fn pair_law<const D: usize>(law: &EnergyLaw) -> Result<Box<dyn PairLaw<D>>, Error> {
     fn in_plane(law: &EnergyLaw) -> Box<dyn PairLaw<2>> {
         laws::pair_law(law)
     }

@@ -1,8 +1,8 @@
 //! How stiff a contact is against masses: M^(−1/2) K M^(−1/2), whose largest eigenvalue is the squared frequency.
 
 use super::lanczos::bound;
-use super::tangent::{RankOne, Tangent};
 use crate::Error;
+use crate::contact::tangents::{RankOne, Tangent};
 use crate::overlap::Block;
 
 /// Largest step of central differences, 2/√λ with λ a bound of the largest eigenvalue of M⁻¹K; infinite where no
@@ -10,7 +10,7 @@ use crate::overlap::Block;
 ///
 /// # Errors
 /// [`Error::NotPositiveMass`] for a node with a row in K; [`Error::Overflow`] for stiffness per mass beyond a double.
-pub(super) fn largest_step<const D: usize>(tangent: &Tangent<D>, masses: &[f64]) -> Result<f64, Error> {
+pub(crate) fn largest_step<const D: usize>(tangent: &Tangent<D>, masses: &[f64]) -> Result<f64, Error> {
     let nodes = nodes_with_stiffness(tangent, masses.len());
     let mut scales = Vec::with_capacity(nodes.len());
     for &node in &nodes {

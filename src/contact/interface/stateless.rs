@@ -1,9 +1,9 @@
 //! Evaluations in one call, without anything that is kept.
 
-use super::Contact;
-use super::forces::ContactForces;
-use super::options::Options;
+use super::contact::Contact;
 use crate::Error;
+use crate::contact::method::Options;
+use crate::contact::results::ContactForces;
 use crate::geometry::{Bodies, CellBlock, Surface};
 
 /// Contact forces between the bodies of a mesh, in one call.

@@ -1,8 +1,9 @@
 //! The obstacles of a contact: added, moved, asked for, removed.
 
-use super::Contact;
-use super::rigid::{Rigid, check_pose};
+use super::rigid::Rigid;
+use super::rigid::check_pose;
 use crate::Error;
+use crate::contact::interface::Contact;
 use crate::geometry::{Obstacle, Pose};
 use crate::overlap::Partner;
 
@@ -65,7 +66,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The obstacle, if it is there.
-    pub(super) fn rigid(&self, obstacle: usize) -> Result<&Rigid<D>, Error> {
+    pub(crate) fn rigid(&self, obstacle: usize) -> Result<&Rigid<D>, Error> {
         let count = self.obstacles.len();
         let place = self.obstacles.get(obstacle).ok_or(Error::ObstacleOutOfRange { obstacle, count })?;
         place.as_ref().ok_or(Error::ObstacleRemoved { obstacle })

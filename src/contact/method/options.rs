@@ -1,7 +1,8 @@
 //! Options of an evaluation.
 
-use super::{EnergyLaw, Friction};
 use crate::Error;
+use crate::contact::friction::Friction;
+use crate::contact::laws::EnergyLaw;
 use crate::geometry::Weighting;
 use crate::overlap::{Estimator, Resolution};
 use crate::sampling::FiberPattern;

@@ -1,10 +1,10 @@
 //! The pairs that may overlap.
 
-use super::Contact;
-use super::laws::{Measured, PairLaw};
-use super::rigid::Rigid;
 use super::state::State;
 use crate::Error;
+use crate::contact::interface::Contact;
+use crate::contact::laws::{Measured, PairLaw};
+use crate::contact::partners::Rigid;
 use crate::geometry::Shape;
 use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
 use crate::ranks::Sharing;
@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 impl<const D: usize> Contact<D> {
     /// Calls `work` for all pairs whose boxes meet, on the threads of the options, and returns its results in the order
     /// of the pairs.
-    pub(super) fn for_each_pair<T: Send>(
+    pub(crate) fn for_each_pair<T: Send>(
         &self,
         coords: &[[f64; D]],
         work: impl Fn(&Measured<D>) -> Result<Option<T>, Error> + Sync,
@@ -23,7 +23,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The same for all pairs whose boxes are no farther apart than `reach` along every axis.
-    pub(super) fn for_each_pair_within<T: Send>(
+    pub(crate) fn for_each_pair_within<T: Send>(
         &self,
         coords: &[[f64; D]],
         reach: f64,
@@ -92,12 +92,12 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The law that a pair follows.
-    pub(super) fn law_of(&self, partners: &[Partner; 2]) -> &dyn PairLaw<D> {
+    pub(crate) fn law_of(&self, partners: &[Partner; 2]) -> &dyn PairLaw<D> {
         self.pair_table.law(partners).unwrap_or(&*self.law)
     }
 
     /// The laws that pairs may follow.
-    pub(super) fn laws(&self) -> impl Iterator<Item = &dyn PairLaw<D>> {
+    pub(crate) fn laws(&self) -> impl Iterator<Item = &dyn PairLaw<D>> {
         std::iter::once(&*self.law).chain(self.pair_table.laws())
     }
 

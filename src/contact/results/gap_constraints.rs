@@ -35,7 +35,7 @@ pub struct GapConstraints<const D: usize> {
 
 impl<const D: usize> GapConstraints<D> {
     /// Joins the gaps of all pairs, in their order.
-    pub(super) fn assemble(pairs: Vec<([Partner; 2], Vec<NodalGap<D>>)>) -> Result<Self, Error> {
+    pub(crate) fn assemble(pairs: Vec<([Partner; 2], Vec<NodalGap<D>>)>) -> Result<Self, Error> {
         let mut all = Self { row_starts: vec![0], ..Self::default() };
         for (partners, gaps) in pairs {
             for found in gaps {

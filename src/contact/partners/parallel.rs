@@ -9,14 +9,14 @@ use crate::overlap::distance_from_facets;
 use std::sync::Arc;
 
 /// An obstacle whose surface lies further out, or in.
-pub(super) struct Parallel<const D: usize> {
-    pub(super) shape: Shape<D>,
+pub(crate) struct Parallel<const D: usize> {
+    pub(crate) shape: Shape<D>,
     offset: f64,
 }
 
 impl<const D: usize> Parallel<D> {
     /// That of an obstacle with its current scale, `offset` from its surface in space.
-    pub(super) fn new(rigid: &Rigid<D>, offset: f64) -> Self {
+    pub(crate) fn new(rigid: &Rigid<D>, offset: f64) -> Self {
         let own = offset / rigid.obstacle.pose.scale;
         let shape = in_closed_form(&rigid.obstacle.shape, own).unwrap_or_else(|| {
             let distance = match (rigid.implicit(), rigid.facets()) {
@@ -30,7 +30,7 @@ impl<const D: usize> Parallel<D> {
     }
 
     /// Where its shape stands if the obstacle stands there.
-    pub(super) fn pose(&self, of_obstacle: &Pose<D>) -> Pose<D> {
+    pub(crate) fn pose(&self, of_obstacle: &Pose<D>) -> Pose<D> {
         let mut pose = *of_obstacle;
         if let Shape::HalfSpace = self.shape {
             let mut up = Vector::zeros();

@@ -1,7 +1,7 @@
 //! Second derivative of the contact energy.
 
-use super::laws::energy_law::EnergyLaw;
 use crate::Error;
+use crate::contact::laws::energy_law::EnergyLaw;
 use crate::overlap::{Block, ContactPoints, Overlap, Pair, merged};
 
 /// Which part of the second derivative.
@@ -42,7 +42,7 @@ pub struct RankOne<const D: usize> {
 
 impl<const D: usize> Tangent<D> {
     /// The tangent, if all entries are finite.
-    pub(super) fn checked(self) -> Result<Self, Error> {
+    pub(crate) fn checked(self) -> Result<Self, Error> {
         let of_blocks = self.blocks.iter().flat_map(|block| block.value.as_flattened());
         let of_rank_one = self.rank_one.iter().flat_map(|part| part.vector.as_flattened().iter().chain([&part.factor]));
         let beyond = of_blocks.chain(of_rank_one).copied().find(|x| !x.is_finite());

@@ -27,7 +27,7 @@ const STREAM: u64 = 1 << 40;
 /// double.
 ///
 /// The start is random and always the same; the bound could only be wrong for an operator made for it, see [`REACH`].
-pub(super) fn bound<const D: usize>(count: usize, apply: impl Fn(&[[f64; D]]) -> Vec<[f64; D]>) -> f64 {
+pub(crate) fn bound<const D: usize>(count: usize, apply: impl Fn(&[[f64; D]]) -> Vec<[f64; D]>) -> f64 {
     let mut q = start::<D>(count);
     let mut previous = vec![[0.0; D]; count];
     let (mut alphas, mut betas) = (Vec::new(), Vec::<f64>::new());

@@ -1,8 +1,8 @@
 //! What an evaluation returns.
 
-use super::friction::{FrictionTotals, Tractions};
-use super::laws::PairEnergy;
 use crate::Error;
+use crate::contact::friction::{FrictionTotals, Tractions};
+use crate::contact::laws::PairEnergy;
 use crate::geometry::{Surface, Vector, moment};
 use crate::overlap::{Partner, Warning};
 
@@ -138,7 +138,7 @@ impl<const D: usize> ContactForces<D> {
     }
 
     /// The same without moments, which cancel around an axis.
-    pub(super) fn without_moments(mut self) -> Self {
+    pub(crate) fn without_moments(mut self) -> Self {
         self.bodies.iter_mut().chain(&mut self.obstacles).for_each(|resultant| resultant.moment = [0.0; 3]);
         self
     }

@@ -1,9 +1,9 @@
 //! Contact of some cells of a larger mesh: where nothing of it may be missing, and what is carried over to other cells.
 
-use super::Contact;
-use super::friction::Step;
 use crate::Error;
 use crate::configuration::{BodyTree, Configuration};
+use crate::contact::friction::Step;
+use crate::contact::interface::Contact;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::plane::Plane;
 use crate::geometry::submesh::hash_of;
@@ -18,8 +18,8 @@ pub(crate) type Poses<const D: usize> = Vec<Option<Pose<D>>>;
 /// frozen.
 #[derive(Default)]
 pub(crate) struct Turns<const D: usize> {
-    pub(super) kept: (u64, Poses<D>),
-    pub(super) frozen: u64,
+    pub(crate) kept: (u64, Poses<D>),
+    pub(crate) frozen: u64,
 }
 
 /// Where nothing of a body may be missing.
@@ -198,12 +198,12 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Number of the coordinates to which a mesh in parts was brought last.
-    pub(super) fn turn(&self) -> u64 {
+    pub(crate) fn turn(&self) -> u64 {
         self.surface.submesh.as_ref().map_or(0, |submesh| submesh.turn)
     }
 
     /// Refuses coordinates to which a mesh in parts was not brought: those of other cells would not be known later.
-    pub(super) fn check_brought(&self, coords: &[[f64; D]]) -> Result<(), Error> {
+    pub(crate) fn check_brought(&self, coords: &[[f64; D]]) -> Result<(), Error> {
         match &self.surface.submesh {
             Some(submesh) if submesh.brought != hash_of(coords) => {
                 let what = "friction and patches at coordinates to which the parts of the mesh were not brought";
@@ -214,7 +214,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Refuses gaps to what lies farther than was gathered.
-    pub(super) fn check_reach(&self, reach: f64) -> Result<(), Error> {
+    pub(crate) fn check_reach(&self, reach: f64) -> Result<(), Error> {
         match &self.surface.submesh {
             Some(submesh) if reach > submesh.reach => {
                 Err(Error::Unsupported { what: "gaps that reach farther than the parts of the mesh were gathered for" })
@@ -224,7 +224,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Refuses coordinates and obstacles at which cells of a mesh in parts may be missing.
-    pub(super) fn check_gathered(&self, configuration: &Configuration<D>, coords: &[[f64; D]]) -> Result<(), Error> {
+    pub(crate) fn check_gathered(&self, configuration: &Configuration<D>, coords: &[[f64; D]]) -> Result<(), Error> {
         let Some(submesh) = self.surface.submesh.as_ref() else { return Ok(()) };
         // There nothing that was not gathered has come near, though obstacles may have.
         let is_brought = submesh.brought == hash_of(coords);

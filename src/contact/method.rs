@@ -1,0 +1,5 @@
+//! How contact is measured and pressed: `options`
+
+mod options;
+
+pub use options::Options;

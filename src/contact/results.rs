@@ -1,0 +1,18 @@
+//! What a contact returns.
+//!
+//! `forces` · `nodal_contact` (the contact at nodes) · `point_of_contact`, `points` (contact points with both their sides) ·
+//! `gap_constraints` · `onto_nodes` (results at points of cells of second order, as the nodes have them)
+
+mod forces;
+mod gap_constraints;
+mod nodal_contact;
+mod onto_nodes;
+mod point_of_contact;
+mod points;
+
+pub use forces::{ContactForces, PairForces, Resultant};
+pub use gap_constraints::GapConstraints;
+pub use nodal_contact::{NodalContact, NodeStatus};
+pub(super) use onto_nodes::OntoNodes;
+pub use point_of_contact::{PointOfContact, SideOfPoint};
+pub(super) use points::points_of_contact;
