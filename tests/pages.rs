@@ -117,16 +117,25 @@ fn functions(text: &str, declares: impl Fn(&str) -> bool) -> BTreeSet<&str> {
     names.collect()
 }
 
+/// Every file below a folder, as one text.
+fn sources(folder: &Path, left_out: &str) -> String {
+    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let text = |path: PathBuf| match path {
+        path if path.ends_with(left_out) => String::new(),
+        path if path.is_dir() => sources(&path, left_out),
+        path => fs::read_to_string(&path).expect("a file"),
+    };
+    entries.map(text).collect()
+}
+
 /// The crate of the fuzz targets is a workspace of its own, whose tests nobody runs; so it is read here.
 #[test]
 fn every_function_of_the_header_is_fuzzed() {
     let text = fs::read_to_string(root().join("include/fmc_contact.h")).expect("the header");
     let is_code = |line: &str| !line.starts_with([' ', '/']) && !line.starts_with("typedef");
     let header = functions(&text, |line| is_code(line) && (line.contains(" fmc_") || line.contains("*fmc_")));
-    let files = fs::read_dir(root().join("fuzz/src/interface")).expect("the declarations");
-    let files = files.map(|file| fs::read_to_string(file.expect("an entry").path()).expect("a file"));
-    let ours: String = files.collect();
-    let ours = functions(&ours, |line| line.starts_with("    pub fn fmc_"));
-    assert!(ours.len() > 90, "{}", ours.len());
-    assert_eq!(ours, header);
+    assert!(header.len() > 70, "{}", header.len());
+    let calls = sources(&root().join("fuzz/src"), "interface");
+    let missing: Vec<_> = header.iter().filter(|name| !calls.contains(&format!("{name}("))).collect();
+    assert!(missing.is_empty(), "{missing:?}");
 }

@@ -905,7 +905,7 @@ module fmc_contact_c
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
-      integer(c_int32_t), intent(inout), optional :: renumbered(*)
+      integer(c_int32_t), intent(inout), optional :: renumbered
       integer(c_int32_t) :: fmc_context_bring
     end function
     function fmc_context_set_carried_slip(context, carried, count) bind(c)

@@ -7,9 +7,6 @@ use crate::mesh::Mesh;
 use crate::program::{Hole, Layout};
 use std::ptr::null_mut;
 
-/// What is refused in parts alone: nodes that hang.
-const UNSUPPORTED: fmc_status = 24;
-
 /// Makes both from the same arrays, evaluates both where they are, and holds the bits of one against those of the other.
 pub(crate) fn beside_the_whole(mesh: &Mesh, options: &fmc_options, reach: f64, hole: Hole) {
     let count = mesh.blocks.iter().map(|(cell_type, conn)| conn.len() / cell_size(*cell_type)).sum();
@@ -79,13 +76,14 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) 
     // SAFETY: as above; arrays as long as they are said to be.
     unsafe {
         let mut expected = std::mem::zeroed::<fmc_result>();
-        let status = checked(fmc_context_evaluate(whole, &coords.view, &of_whole.view, 0, &mut expected));
+        let status = checked(fmc_context_evaluate(whole, &coords.view, &of_whole.out(), 0, &mut expected));
         let brought = checked(fmc_context_bring(part, &coords.view, null_mut()));
         let mut counts = fmc_gathered_counts::default();
         assert_eq!(checked(fmc_context_gathered_counts(part, &mut counts)), OK);
         assert!(checked(fmc_context_gathered_counts(whole, &mut counts)) != OK, "a whole mesh has no parts");
         if brought != OK {
-            assert!(status != OK || brought == UNSUPPORTED, "whole {status}, brought {brought}");
+            // Nodes that hang are refused in parts alone.
+            assert!(status != OK || brought == FMC_ERROR_UNSUPPORTED, "whole {status}, brought {brought}");
             return;
         }
         let count = counts.node_count as usize;
@@ -101,7 +99,7 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) 
         let (x, forces) = (x.values(), Array::new(&vec![0.0; count * mesh.dim], mesh.dim, Layout::Rows));
         let gathered = Array::new(&x, mesh.dim, Layout::Rows);
         let mut found = std::mem::zeroed::<fmc_result>();
-        let in_parts = checked(fmc_context_evaluate(part, &gathered.view, &forces.view, 0, &mut found));
+        let in_parts = checked(fmc_context_evaluate(part, &gathered.view, &forces.out(), 0, &mut found));
         assert_eq!(in_parts, status, "in parts and whole");
         if status != OK {
             return;

@@ -22,9 +22,19 @@ pub(crate) struct Struct {
     pub(crate) fields: Vec<Variable>,
 }
 
+#[derive(Debug)]
+pub(crate) struct Enum {
+    pub(crate) name: String,
+    pub(crate) entries: Vec<(String, i64)>,
+}
+
 #[derive(Debug, Default)]
 pub(crate) struct Declarations {
+    /// Entries of enumerations too.
     pub(crate) constants: Vec<(String, i64)>,
+    pub(crate) enums: Vec<Enum>,
+    /// Structs that are known by pointers alone.
+    pub(crate) opaque: Vec<String>,
     pub(crate) structs: Vec<Struct>,
     pub(crate) callbacks: Vec<Function>,
     pub(crate) functions: Vec<Function>,
@@ -55,20 +65,35 @@ impl Declarations {
     fn statement(&mut self, text: &str) {
         let body = || text.split_once('{').and_then(|(_, rest)| rest.rsplit_once('}'));
         if text.starts_with("typedef enum") {
-            let (entries, _) = body().expect("entries");
-            for entry in entries.split(',').filter(|entry| !entry.trim().is_empty()) {
+            let (entries, name) = body().expect("entries");
+            let entry = |entry: &str| {
                 let (name, value) = entry.split_once('=').expect("a value");
-                self.constants.push((name.trim().into(), value.trim().parse().expect("a number")));
-            }
+                (name.trim().to_owned(), value.trim().parse().expect("a number"))
+            };
+            let entries: Vec<_> = entries.split(',').filter(|text| !text.trim().is_empty()).map(entry).collect();
+            self.constants.extend(entries.iter().cloned());
+            self.enums.push(Enum { name: name.trim().into(), entries });
         } else if text.starts_with("typedef struct {") {
             let (fields, name) = body().expect("fields");
             let fields = fields.split(';').filter(|field| !field.trim().is_empty()).map(Variable::of).collect();
             self.structs.push(Struct { name: name.trim().into(), fields });
         } else if let Some(callback) = text.strip_prefix("typedef ").filter(|rest| rest.contains("(*")) {
             self.callbacks.push(Function::of(&callback.replacen("(*", "", 1).replacen(")(", "(", 1)));
-        } else if !text.starts_with("typedef") {
+        } else if let Some(opaque) = text.strip_prefix("typedef struct ") {
+            self.opaque.push(opaque.split_whitespace().last().expect("a name").into());
+        } else {
             self.functions.push(Function::of(text));
         }
+    }
+}
+
+impl Declarations {
+    pub(crate) fn is_callback(&self, of_type: &str) -> bool {
+        self.callbacks.iter().any(|callback| callback.returns.name == of_type)
+    }
+
+    pub(crate) fn is_opaque(&self, of_type: &str) -> bool {
+        self.opaque.iter().any(|name| name == of_type)
     }
 }
 

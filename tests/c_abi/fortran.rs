@@ -1,25 +1,8 @@
-//! Fortran: `bindings/fortran/fmc_contact_c.f90` is what `include/fmc_contact.h` says, and the hosts in hosts/fortran run.
+//! Fortran: the hosts in hosts/fortran run.
 
-mod interface;
-
-use super::declarations::Declarations;
 use super::program::{built, compiler, root, run, scratch, succeed, watched};
+use std::fs;
 use std::process::Command;
-use std::{env, fs};
-
-/// A difference is a change of the header: run `make header`.
-#[test]
-fn the_committed_module_is_the_generated_one() {
-    let header = fs::read_to_string(root().join("include/fmc_contact.h")).expect("the header");
-    let module = interface::module(&Declarations::of(&header));
-    let path = root().join("bindings/fortran/fmc_contact_c.f90");
-    if env::var_os("UPDATE_HEADER").is_some() {
-        fs::write(&path, &module).expect("fmc_contact_c.f90 can be written");
-    }
-    let committed = fs::read_to_string(&path).unwrap_or_default();
-    let differs = committed.lines().zip(module.lines()).position(|(old, new)| old != new);
-    assert!(committed == module, "fmc_contact_c.f90 is not what the header says (line {differs:?}): make header");
-}
 
 /// What a host prints, plainly and under valgrind, with every check that the compiler offers.
 pub(crate) fn output(host: &str) -> String {

@@ -4,6 +4,7 @@
 
 mod declarations;
 mod fortran;
+mod generated;
 mod header;
 mod histories;
 mod hosts;

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from fmc_contact import _structs
+from fmc_contact.options import CHOICES
 from fmc_contact._library import check, library
 
 DOCS = Path(__file__).parents[3] / "docs"
@@ -37,7 +38,7 @@ def shown(name, value):
         return None
     if value in NAMED and name in NAMED[value]:
         return NAMED[value][name]
-    return _structs.CHOICES[name][value] if name in _structs.CHOICES else f"{value:g}"
+    return CHOICES[name][value] if name in CHOICES else f"{value:g}"
 
 
 @pytest.mark.parametrize("struct", PAGES)

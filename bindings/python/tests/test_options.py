@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from fmc_contact import Contact, Options, contact_force, suggest_fiber_stiffness, suggest_stiffness
-from fmc_contact._structs import CHOICES
+from fmc_contact.options import CHOICES
 from fmc_contact.errors import NotPositiveError, UnknownOptionError
 from fmc_contact.options import changed, defaults, described
 from scenes import K, same_bits

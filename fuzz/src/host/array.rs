@@ -13,11 +13,13 @@ pub(super) const CANARY: u64 = 0x7ff8_dead_beef_cafe;
 /// The statuses that exist, but for a panic.
 pub(crate) fn checked(status: fmc_status) -> fmc_status {
     timed::call();
-    if status == PANIC {
+    if status == FMC_ERROR_PANIC {
         // SAFETY: a text that is valid until the next failure.
         panic!("{}", unsafe { CStr::from_ptr(fmc_last_error()) }.to_string_lossy());
     }
-    assert!((OK..=LAST).contains(&status), "status {status}");
+    // SAFETY: a text that ends in zero.
+    let name = unsafe { CStr::from_ptr(fmc_status_name(status)) };
+    assert!(status == OK || name.to_bytes().starts_with(b"FMC_ERROR_"), "status {status}");
     status
 }
 
@@ -29,7 +31,7 @@ pub(crate) fn unless<T>(hole: Hole, which: u8, pointer: *mut T) -> *mut T {
 /// Numbers of a host, laid out as it likes, with canaries in the gaps.
 pub(crate) struct Array {
     pub(super) memory: Guarded<f64>,
-    pub(crate) view: fmc_view,
+    pub(crate) view: fmc_coords,
     places: Vec<usize>,
 }
 
@@ -51,7 +53,13 @@ impl Array {
         places.iter().zip(rows).for_each(|(&place, &x)| values[place] = x);
         let memory = Guarded::new(&values);
         let data = if n == 0 { memory.ptr() } else { memory.ptr().wrapping_add(first) };
-        Self { view: fmc_view { data, node_count: n, node_stride, axis_stride }, memory, places }
+        Self { view: fmc_coords { data, node_count: n, node_stride, axis_stride }, memory, places }
+    }
+
+    /// The same as a place for forces.
+    pub(crate) fn out(&self) -> fmc_forces {
+        let fmc_coords { data, node_count, node_stride, axis_stride } = self.view;
+        fmc_forces { data: data.cast_mut(), node_count, node_stride, axis_stride }
     }
 
     /// The bits of everything.

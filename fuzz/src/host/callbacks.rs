@@ -31,7 +31,7 @@ pub(super) unsafe extern "C" fn distance(
             Fault::WritesNothing => return 0,
             Fault::CallsBack => {
                 let status = fmc_context_evaluate(this.context, null(), null(), 0, null_mut());
-                assert!(this.context.is_null() || status == BUSY, "status {status} from inside a callback");
+                assert!(this.context.is_null() || status == FMC_ERROR_BUSY, "status {status} from inside a callback");
             }
             _ => {}
         }
@@ -66,7 +66,7 @@ pub(super) unsafe extern "C" fn place(user: *mut c_void, n: usize, displacement:
             Fault::WritesNan => coords.write(f64::NAN),
             Fault::CallsBack => {
                 let status = fmc_context_evaluate(this.context, null(), null(), 0, null_mut());
-                assert!(status == BUSY, "status {status} from inside a callback");
+                assert!(status == FMC_ERROR_BUSY, "status {status} from inside a callback");
             }
             Fault::Steep if n > 0 => *coords.add(this.width - 1) += 1e3 * *displacement,
             _ => {}

@@ -39,7 +39,7 @@ impl Host {
         let once = || {
             let forces = Array::new(&before, self.mesh.dim, write);
             let (untouched, mut result) = (forces.bits(), nothing);
-            let (coords_view, forces_view) = (coords.view, forces.view);
+            let (coords_view, forces_view) = (coords.view, forces.out());
             // SAFETY: views of arrays that are as long as they say, alive during the call.
             let status = checked(unsafe {
                 fmc_context_evaluate(

@@ -117,7 +117,7 @@ impl Host {
             };
             let before = find();
             assert_eq!(checked(fmc_context_remove_obstacle(context, obstacle)), before);
-            assert_eq!(find(), if before == OK { REMOVED } else { before });
+            assert_eq!(find(), if before == OK { FMC_ERROR_OBSTACLE_REMOVED } else { before });
             assert!(if before != OK || hole == 1 { shape == 77 } else { (0..=10).contains(&shape) });
             assert!(if before != OK || hole == 2 { place == untouched } else { place.scale > 0.0 });
         }

@@ -48,7 +48,7 @@ impl Host {
             coords.extend(vec![0.0; self.mesh.dim]);
             let coords = Array::new(&coords, self.mesh.dim, Layout::Rows);
             let forces = Array::new(&vec![0.0; (n + 1) * self.mesh.dim], self.mesh.dim, Layout::Rows);
-            let (view, target) = (coords.view, forces.view);
+            let (view, target) = (coords.view, forces.out());
             // SAFETY: views of as many rows as unknowns.
             checked(unsafe { fmc_context_evaluate(self.context, &raw const view, &raw const target, 0, null_mut()) });
         }

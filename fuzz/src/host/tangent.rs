@@ -57,7 +57,7 @@ impl Host {
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
         let forces = Array::new(&vec![0.0; self.mesh.coords.len()], self.mesh.dim, Layout::Rows);
         let (mut result, mut parts) = (no_result(), 77usize);
-        let (view, forces_view, dim) = (coords.view, forces.view, self.mesh.dim);
+        let (view, forces_view, dim) = (coords.view, forces.out(), self.mesh.dim);
         // SAFETY: as in `tangent`.
         unsafe {
             let coords = unless(hole, 0, (&raw const view).cast_mut());

@@ -8,11 +8,11 @@ from ctypes import byref
 from typing import Callable
 
 from ._library import check, library
-from ._signatures import Context
+from ._structs import fmc_context
 from .errors import BusyError
 
 
-def _free(pointer: Context) -> None:
+def _free(pointer: fmc_context) -> None:
     library.fmc_context_free(byref(pointer))
 
 
@@ -34,7 +34,7 @@ class Handle:
     """Owner of a context. ``with handle:`` claims it for several calls that belong together."""
 
     def __init__(self, create: Callable[..., int], raised: list[BaseException] | None = None) -> None:
-        self.pointer = Context()
+        self.pointer = fmc_context()
         self._raised = [] if raised is None else raised
         status = create(byref(self.pointer))
         self._raise_again()

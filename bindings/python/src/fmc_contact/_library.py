@@ -11,8 +11,8 @@ import ctypes.util
 import os
 from pathlib import Path
 
+from ._constants import FMC_ABI_VERSION
 from ._signatures import FUNCTIONS
-from ._structs import ABI_VERSION
 from .errors import LibraryError, of_status
 
 VARIABLE = "FMC_CONTACT_LIBRARY"
@@ -43,9 +43,9 @@ def load(path: str) -> ctypes.CDLL:
         version = library.fmc_abi_version()
     except (OSError, AttributeError) as error:
         raise LibraryError(f"{path} is not a library that fmc_contact can load: {error}") from error
-    if version != ABI_VERSION:
+    if version != FMC_ABI_VERSION:
         raise LibraryError(
-            f"{path} has version {version} of the binary interface, this package is for version {ABI_VERSION}: "
+            f"{path} has version {version} of the binary interface, this package is for version {FMC_ABI_VERSION}: "
             "install package and library from one release"
         )
     for name, (result, arguments) in FUNCTIONS.items():

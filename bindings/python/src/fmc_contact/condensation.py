@@ -11,11 +11,11 @@ from numpy.typing import ArrayLike
 
 from ._arrays import vector
 from ._library import check, library
-from ._signatures import CondensationPointer
+from ._structs import fmc_condensation
 from .errors import NotPositiveDefiniteError
 
 
-def _free(pointer: CondensationPointer) -> None:
+def _free(pointer: fmc_condensation) -> None:
     library.fmc_condensation_free(byref(pointer))
 
 
@@ -24,7 +24,7 @@ class Condensation:
     others, on which K has to be positive definite. Sparse Cholesky factors on one thread: same matrix, same bits."""
 
     def __init__(self) -> None:
-        self._pointer = CondensationPointer()
+        self._pointer = fmc_condensation()
         check(library.fmc_condensation_new(byref(self._pointer)))
         weakref.finalize(self, _free, self._pointer).atexit = False
         self._size = self._kept = 0

@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike
 
 from . import creation, result, tangent
 from ._arrays import View, coords_view, forces_view, vector
+from ._constants import FMC_ADD, FMC_SEMIDEFINITE, FMC_SYMMETRIC
 from ._core import Core
 from ._library import library
-from ._signatures import LOG
-from ._structs import FMC_ADD, FMC_SEMIDEFINITE, FMC_SYMMETRIC, fmc_options, fmc_result
+from ._structs import fmc_log_callback, fmc_options, fmc_result
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .friction import FrictionSteps
@@ -329,7 +329,8 @@ class Contact:
 
         ``Result.warnings`` has them in any case. Exceptions of the function are raised by the evaluation.
         """
-        callback = LOG() if function is None else LOG(self._core.handle.message_callback(function))
+        guarded = None if function is None else self._core.handle.message_callback(function)
+        callback = fmc_log_callback() if guarded is None else fmc_log_callback(guarded)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_log, callback, None)
             self._core.handle.keep("log", callback)

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import View, vector
+from ._constants import FMC_CONTACT_STEP_STATE
 from ._handle import Handle
 from ._library import check, library
-from ._signatures import PLACE
-from ._structs import STEP_STATES, fmc_contact_step_options, fmc_contact_step_result
+from ._structs import fmc_contact_step_options, fmc_contact_step_result, fmc_place
 
 
 OPTIONS = (
@@ -79,14 +79,14 @@ def contact_step(
         rows = np.ctypeslib.as_array(coords, (view.node_count, dim))  # type: ignore[arg-type]
         place(np.ctypeslib.as_array(given, (n,)) if n else np.empty(0), rows)  # type: ignore[arg-type, misc]
 
-    callback = PLACE() if place is None else PLACE(handle.guarded(placed))
+    callback = fmc_place() if place is None else fmc_place(handle.guarded(placed))
     arrays = numbers, count, others, len(others), matrix, right
     handle.call(
         library.fmc_context_contact_step, byref(view.struct), byref(asked), *arrays, callback, None, displacement, byref(found)
     )
     return ContactStep(
         displacement,
-        STEP_STATES[found.state],
+        FMC_CONTACT_STEP_STATE[found.state],
         found.iterations,
         found.evaluation_count,
         found.outside_count,

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import View, coords_view, flat_in_z, indices, of_one_width
+from ._cells import CELL_DIMENSION, CELL_NODES, CELL_TYPES, FACET_DIMENSION, FACET_NODES, FACET_TYPES
 from ._handle import Handle
 from ._library import library
-from ._structs import CELL_DIMENSION, CELL_NODES, CELL_TYPES, FACET_DIMENSION, FACET_NODES, FACET_TYPES
 from ._structs import fmc_cell_block, fmc_cell_block_i64, fmc_facet_block, fmc_facet_block_i64, fmc_options
 from .errors import EmptyError, UnknownCellTypeError
 

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import coords_view, indices, vector
+from ._constants import FMC_SHAPE
 from ._core import Core
 from ._library import library
-from ._signatures import SIGNED_DISTANCE
-from ._structs import SHAPES, fmc_part, fmc_pose
+from ._structs import fmc_part, fmc_pose, fmc_signed_distance
 from .part import Part
 from .pose import Placement, Pose, placed, pose_struct
 
@@ -156,7 +156,7 @@ class Obstacles:
                     raise ValueError(f"the signed distance returned {name} of shape {found.shape}, not {target.shape}")
                 target[...] = found
 
-        callback = SIGNED_DISTANCE(self._core.handle.guarded(distances))
+        callback = fmc_signed_distance(self._core.handle.guarded(distances))
         obstacle = self._add(library.fmc_context_add_signed_distance, callback, None, pose=pose)
         self._core.handle.keep(obstacle, callback)
         return obstacle
@@ -174,7 +174,7 @@ class Obstacles:
         shape, pose = c_int32(), fmc_pose()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_obstacle_shape, _index(obstacle), byref(shape), byref(pose))
-        return Obstacle(SHAPES[shape.value], placed(pose, self._core.dim))
+        return Obstacle(FMC_SHAPE[shape.value], placed(pose, self._core.dim))
 
     def remove(self, obstacle: int) -> None:
         """Removes an obstacle, and the options of its pairs. The others keep their indices; its own is never given

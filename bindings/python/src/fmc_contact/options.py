@@ -8,8 +8,12 @@ from typing import Mapping, TypedDict
 
 import numpy as np
 
+from ._constants import FMC_ESTIMATOR, FMC_LAW, FMC_PATTERN, FMC_WEIGHTS
 from ._library import check, library
-from ._structs import CHOICES, fmc_options
+from ._structs import fmc_options
+
+CHOICES = {"law": FMC_LAW, "estimator": FMC_ESTIMATOR, "pattern": FMC_PATTERN, "weights": FMC_WEIGHTS}
+"""Options that take one of a few values: names by number."""
 
 _SWITCHES = ("momentum_correction", "self_contact", "axisymmetric", "check_cells")
 _HIDDEN = ("struct_size", "reserved")

@@ -5,9 +5,10 @@ from __future__ import annotations
 from ctypes import byref
 from typing import Tuple, Union
 
+from ._constants import FMC_FRICTION_OF_CONTEXT, FMC_LAW, FMC_LAW_OF_CONTEXT, FMC_PARTNER
 from ._core import Core
 from ._library import check, library
-from ._structs import CHOICES, FMC_FRICTION_OF_CONTEXT, FMC_LAW_OF_CONTEXT, PARTNERS, fmc_pair_options
+from ._structs import fmc_pair_options
 
 Partner = Union[int, Tuple[str, int]]
 """A body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``, as in
@@ -18,7 +19,7 @@ _OF_LAW = ("stiffness", "exponent", "smoothing_length")
 
 def _named(partner: Partner) -> tuple[int, int]:
     kind, index = partner if isinstance(partner, tuple) else ("body", partner)
-    numbers = {name: number for number, name in PARTNERS.items()}
+    numbers = {name: number for number, name in FMC_PARTNER.items()}
     if kind not in numbers:
         raise ValueError(f"no partner '{kind}': body or obstacle is wanted")
     if index < 0:
@@ -75,7 +76,7 @@ class Pairs:
         if friction_coefficient is not None:
             own.friction_coefficient = float(friction_coefficient)
         if law is not None:
-            numbers = {name: number for number, name in CHOICES["law"].items()}
+            numbers = {name: number for number, name in FMC_LAW.items()}
             if law not in numbers:
                 raise ValueError(f"option 'law' has no value '{law}': {' or '.join(numbers)} is wanted")
             own.law = numbers[law]
@@ -106,6 +107,6 @@ class Pairs:
         has_friction = found.friction_coefficient != FMC_FRICTION_OF_CONTEXT
         options["friction_coefficient"] = found.friction_coefficient if has_friction else None
         options["gap_offset"] = found.gap_offset
-        options["law"] = CHOICES["law"][found.law] if has_law else None
+        options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         return options

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from ctypes import POINTER, byref, c_int32, cast, pointer
+from ctypes import byref, pointer
 from typing import Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import coords_view, vector
+from ._constants import FMC_SHAPE
 from ._library import check, library
-from ._structs import SHAPES, fmc_part
+from ._structs import fmc_part
 from .pose import Placement, pose_struct
 
+SHAPES = tuple(FMC_SHAPE.values())
 PART_SHAPES = SHAPES[: SHAPES.index("convex_hull") + 1]
 """Shapes that a part of a compound may have."""
 
@@ -57,5 +59,5 @@ class Part:
         if self.facets is not None:
             facets = np.ascontiguousarray(self.facets, np.int32).reshape(-1, dim)
             kept.append(facets)
-            struct.facets, struct.facet_count = cast(facets.ctypes.data, POINTER(c_int32)), len(facets)
+            struct.facets, struct.facet_count = facets.ctypes.data, len(facets)
         return struct

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import POINTER, byref, c_int32, c_int64, c_size_t, cast, sizeof
+from ctypes import POINTER, byref, c_int32, c_size_t, cast, sizeof
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,10 +11,11 @@ from numpy.typing import ArrayLike
 
 from . import creation
 from ._arrays import coords_view
+from ._cells import CELL_DIMENSION, CELL_TYPES
 from ._core import Core
 from ._handle import Handle, guarded
 from ._library import library
-from ._structs import CELL_DIMENSION, CELL_TYPES, fmc_carried_slip, fmc_cell_block, fmc_gathered_counts, fmc_mesh_part, fmc_options
+from ._structs import fmc_carried_slip, fmc_cell_block, fmc_gathered_counts, fmc_mesh_part, fmc_options
 from .contact import Contact
 from .friction import FrictionSteps
 from .options import Options, changed, defaults
@@ -126,11 +127,11 @@ class PartitionedContact(Contact):
         part = fmc_mesh_part(
             sizeof(fmc_mesh_part),
             view.struct,
-            numbers.ctypes.data_as(POINTER(c_int64)),
+            numbers.ctypes.data,
             (fmc_cell_block * len(structs))(*structs),
             len(structs),
-            cells.ctypes.data_as(POINTER(c_int64)),
-            ids.ctypes.data_as(POINTER(c_int32)),
+            cells.ctypes.data,
+            ids.ctypes.data,
             reach,
         )
         raised: list[BaseException] = []

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Callable, Protocol
 import numpy as np
 
 from ._library import check, library
-from ._signatures import ALL_GATHER, ALL_TO_ALL
-from ._structs import fmc_communicator, fmc_rank_counts
+from ._structs import fmc_all_gather, fmc_all_to_all, fmc_communicator, fmc_rank_counts
 
 if TYPE_CHECKING:
     from ._core import Core
@@ -89,9 +88,9 @@ def described(comm: Communicator, guard: Callable[[Callable[..., None]], Callabl
     given = fmc_communicator()
     check(library.fmc_communicator_init(byref(given)))
     given.rank, given.size = rank, size
-    given.all_gather = ALL_GATHER(guard(gather))
+    given.all_gather = fmc_all_gather(guard(gather))
     if hasattr(comm, "Alltoallv"):
-        given.all_to_all = ALL_TO_ALL(guard(to_single))
+        given.all_to_all = fmc_all_to_all(guard(to_single))
     return given
 
 

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ._constants import FMC_PARTNER, FMC_WARNING
 from ._handle import Handle
 from ._library import library
-from ._structs import PARTNERS, WARNINGS, fmc_pair, fmc_result, fmc_resultant
+from ._structs import fmc_pair, fmc_result, fmc_resultant
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,8 +144,8 @@ def _pair(handle: Handle, index: int, largest_slip: float) -> Pair:
     found = fmc_pair()
     handle.call(library.fmc_context_pair, index, byref(found))
     return Pair(
-        (PARTNERS[found.a_kind], found.a),
-        (PARTNERS[found.b_kind], found.b),
+        (FMC_PARTNER[found.a_kind], found.a),
+        (FMC_PARTNER[found.b_kind], found.b),
         found.volume,
         found.volume_standard_error,
         found.energy,
@@ -159,7 +160,7 @@ def _pair(handle: Handle, index: int, largest_slip: float) -> Pair:
 def _warning(handle: Handle, index: int) -> ContactWarning:
     kind, text = c_int32(), c_char_p()
     handle.call(library.fmc_context_warning, index, byref(kind), byref(text))
-    return ContactWarning(WARNINGS.get(kind.value, str(kind.value)), (text.value or b"").decode())
+    return ContactWarning(FMC_WARNING.get(kind.value, str(kind.value)), (text.value or b"").decode())
 
 
 def gather(handle: Handle, forces: np.ndarray, found: fmc_result, dim: int) -> Result:

@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ._constants import FMC_BLOCKS, FMC_OBSTACLES
 from ._handle import Handle
 from ._library import library
-from ._structs import FMC_BLOCKS, FMC_OBSTACLES
 
 
 class RankOne(NamedTuple):

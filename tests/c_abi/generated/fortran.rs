@@ -1,5 +1,6 @@
 //! A Fortran module with the same declarations.
 
+use super::pointers::is_array;
 use crate::declarations::{Declarations, Function, Variable};
 use std::fmt::Write;
 
@@ -16,29 +17,6 @@ module fmc_contact_c
   public
 ";
 
-/// Pointers to numbers that are written, one number each, not an array.
-const SCALARS: [&str; 16] = [
-    "code",
-    "count",
-    "direction_count",
-    "entry_count",
-    "factor",
-    "facet_count",
-    "body_count",
-    "node_count",
-    "obstacle",
-    "point_count",
-    "rank_one_count",
-    "row_count",
-    "shape",
-    "step",
-    "stiffness",
-    "volume",
-];
-
-/// Pointers to structs that are arrays, but for coordinates.
-const ARRAYS: [&str; 5] = ["blocks", "facets", "parts", "points", "rows"];
-
 pub(super) fn module(found: &Declarations) -> String {
     let mut text = TITLE.to_owned();
     text.push('\n');
@@ -54,7 +32,7 @@ pub(super) fn module(found: &Declarations) -> String {
         for field in &of.fields {
             let length = field.length.map_or(String::new(), |length| format!("({length})"));
             let of_type = match field.pointers {
-                _ if is_callback(&field.of_type) => "type(c_funptr)".to_owned(),
+                _ if found.is_callback(&field.of_type) => "type(c_funptr)".to_owned(),
                 0 => type_of(&field.of_type),
                 _ => "type(c_ptr)".to_owned(),
             };
@@ -63,14 +41,14 @@ pub(super) fn module(found: &Declarations) -> String {
         text += "  end type\n";
     }
     text += "\n  abstract interface\n";
-    found.callbacks.iter().for_each(|callback| text += &procedure(callback, true));
+    found.callbacks.iter().for_each(|callback| text += &procedure(found, callback, true));
     text += "  end interface\n\n  interface\n";
-    found.functions.iter().for_each(|function| text += &procedure(function, false));
+    found.functions.iter().for_each(|function| text += &procedure(found, function, false));
     text += "  end interface\nend module\n";
     text
 }
 
-fn procedure(of: &Function, is_callback: bool) -> String {
+fn procedure(found: &Declarations, of: &Function, is_callback: bool) -> String {
     let name = &of.returns.name;
     let names: Vec<&str> = of.arguments.iter().map(|argument| argument.name.as_str()).collect();
     let (kind, returned) = match (of.returns.of_type.as_str(), of.returns.pointers) {
@@ -81,7 +59,7 @@ fn procedure(of: &Function, is_callback: bool) -> String {
     let mut text = wrapped(&format!("    {kind} {name}({}) bind(c)", names.join(", ")));
     text += "      import\n";
     of.arguments.iter().for_each(|argument| {
-        let _ = writeln!(text, "      {}", argument_of(argument, is_callback));
+        let _ = writeln!(text, "      {}", argument_of(found, argument, is_callback));
     });
     if let Some(returned) = returned {
         let _ = writeln!(text, "      {returned} :: {name}");
@@ -90,29 +68,21 @@ fn procedure(of: &Function, is_callback: bool) -> String {
 }
 
 /// What a callback is given is never NULL.
-fn argument_of(argument: &Variable, of_callback: bool) -> String {
+fn argument_of(found: &Declarations, argument: &Variable, of_callback: bool) -> String {
     let Variable { of_type, is_const, pointers, name, .. } = argument;
     let intent = if *is_const { "in" } else { "inout" };
     let may_lack = if of_callback { "" } else { ", optional" };
     match (of_type.as_str(), pointers) {
-        _ if is_callback(of_type) => format!("type(c_funptr), value :: {name}"),
-        ("void" | "fmc_context" | "fmc_condensation", 1) => format!("type(c_ptr), value :: {name}"),
+        _ if found.is_callback(of_type) => format!("type(c_funptr), value :: {name}"),
+        (opaque, 1) if opaque == "void" || found.is_opaque(opaque) => format!("type(c_ptr), value :: {name}"),
         ("char", 1) => format!("character(kind=c_char), intent(in) :: {name}(*)"),
         (_, 2) => format!("type(c_ptr), intent(inout){may_lack} :: {name}"),
         (_, 0) => format!("{}, value :: {name}", type_of(of_type)),
         _ => {
-            let is_array = match of_type.starts_with("fmc_") {
-                true => of_type != "fmc_coords" && ARRAYS.contains(&name.as_str()),
-                false => *is_const || !SCALARS.contains(&name.as_str()),
-            };
-            let shape = if is_array { "(*)" } else { "" };
+            let shape = if is_array(argument) { "(*)" } else { "" };
             format!("{}, intent({intent}){may_lack} :: {name}{shape}", type_of(of_type))
         }
     }
-}
-
-fn is_callback(c: &str) -> bool {
-    matches!(c, "fmc_all_gather" | "fmc_all_to_all" | "fmc_log_callback" | "fmc_place" | "fmc_signed_distance")
 }
 
 fn type_of(c: &str) -> String {

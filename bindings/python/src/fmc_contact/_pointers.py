@@ -1,0 +1,41 @@
+"""Arrays of numpy as arguments of the library's functions."""
+
+from __future__ import annotations
+
+from ctypes import c_void_p
+from typing import Any
+
+import numpy as np
+
+
+class _Array(c_void_p):
+    """Pointer to the first entry of a numpy array of one dtype without gaps, or ``None`` for NULL."""
+
+    dtype: np.dtype[Any]
+
+    @classmethod
+    def from_param(cls, array: Any) -> Any:
+        """What ctypes passes on."""
+        if array is None:
+            return None
+        if array.dtype != cls.dtype or not array.flags.c_contiguous:
+            raise TypeError(f"an array of dtype {cls.dtype} without gaps is wanted, not of {array.dtype}")
+        return c_void_p(array.ctypes.data)
+
+
+class Float64Array(_Array):
+    """``double *``"""
+
+    dtype = np.dtype(np.float64)
+
+
+class Int32Array(_Array):
+    """``int32_t *``"""
+
+    dtype = np.dtype(np.int32)
+
+
+class Int64Array(_Array):
+    """``int64_t *``"""
+
+    dtype = np.dtype(np.int64)

@@ -1,0 +1,611 @@
+//! `include/fmc_contact.h`, written down for Rust.
+//!
+//! Generated from the header by `make header`; do not edit.
+
+use std::ffi::{c_char, c_void};
+
+pub type fmc_status = i32;
+pub const FMC_ABI_VERSION: i32 = 2;
+pub const FMC_ADD: i32 = 1;
+pub const FMC_LOG_WARNING: i32 = 1;
+pub const FMC_SEMIDEFINITE: i32 = 2;
+pub const FMC_SYMMETRIC: i32 = 32;
+pub const FMC_BLOCKS: i32 = 4;
+pub const FMC_OBSTACLES: i32 = 8;
+pub const FMC_FROM_ONE: i32 = 16;
+pub const FMC_LAW_OF_CONTEXT: i32 = -1;
+pub const FMC_FRICTION_OF_CONTEXT: i32 = -1;
+pub const FMC_OK: i32 = 0;
+pub const FMC_ERROR_NULL_POINTER: i32 = 1;
+pub const FMC_ERROR_MISALIGNED_POINTER: i32 = 2;
+pub const FMC_ERROR_LENGTH: i32 = 3;
+pub const FMC_ERROR_BUFFER_TOO_SMALL: i32 = 4;
+pub const FMC_ERROR_STRIDE: i32 = 5;
+pub const FMC_ERROR_DIMENSION: i32 = 6;
+pub const FMC_ERROR_UNKNOWN_CELL_TYPE: i32 = 7;
+pub const FMC_ERROR_NODE_OUT_OF_RANGE: i32 = 8;
+pub const FMC_ERROR_NON_FINITE_COORDINATE: i32 = 9;
+pub const FMC_ERROR_REPEATED_NODE: i32 = 10;
+pub const FMC_ERROR_INVERTED_CELL: i32 = 11;
+pub const FMC_ERROR_ZERO_MEASURE: i32 = 12;
+pub const FMC_ERROR_OPEN_SURFACE: i32 = 13;
+pub const FMC_ERROR_NON_MANIFOLD: i32 = 14;
+pub const FMC_ERROR_INCONSISTENT_ORIENTATION: i32 = 15;
+pub const FMC_ERROR_INVERTED_SURFACE: i32 = 16;
+pub const FMC_ERROR_EMPTY: i32 = 17;
+pub const FMC_ERROR_NOT_POSITIVE: i32 = 18;
+pub const FMC_ERROR_UNKNOWN_OPTION: i32 = 19;
+pub const FMC_ERROR_STRUCT_SIZE: i32 = 20;
+pub const FMC_ERROR_BAD_POSE: i32 = 21;
+pub const FMC_ERROR_OBSTACLE_OUT_OF_RANGE: i32 = 22;
+pub const FMC_ERROR_INDEX_OUT_OF_RANGE: i32 = 23;
+pub const FMC_ERROR_UNSUPPORTED: i32 = 24;
+pub const FMC_ERROR_SIGNED_DISTANCE: i32 = 25;
+pub const FMC_ERROR_TOO_MANY_FIBERS: i32 = 26;
+pub const FMC_ERROR_THREADS: i32 = 27;
+pub const FMC_ERROR_BUSY: i32 = 28;
+pub const FMC_ERROR_OVERFLOW: i32 = 29;
+pub const FMC_ERROR_PANIC: i32 = 30;
+pub const FMC_ERROR_DEGENERATE_HULL: i32 = 31;
+pub const FMC_ERROR_TOO_FEW_HEIGHTS: i32 = 32;
+pub const FMC_ERROR_NON_FINITE_HEIGHT: i32 = 33;
+pub const FMC_ERROR_EMPTY_COMPOUND: i32 = 34;
+pub const FMC_ERROR_NOT_POSITIVE_MASS: i32 = 35;
+pub const FMC_ERROR_BODY_OUT_OF_RANGE: i32 = 36;
+pub const FMC_ERROR_OBSTACLE_REMOVED: i32 = 37;
+pub const FMC_ERROR_TOO_MANY_PIECES: i32 = 38;
+pub const FMC_ERROR_UNFINISHED_LINES: i32 = 39;
+pub const FMC_ERROR_NO_STEP: i32 = 40;
+pub const FMC_ERROR_NON_FINITE_SLIP: i32 = 41;
+pub const FMC_ERROR_NEGATIVE_RADIUS: i32 = 42;
+pub const FMC_ERROR_NON_CONFORMING: i32 = 43;
+pub const FMC_ERROR_SINGULAR_STIFFNESS: i32 = 44;
+pub const FMC_ERROR_INDEFINITE_STIFFNESS: i32 = 45;
+pub const FMC_ERROR_FREEDOM_OUT_OF_RANGE: i32 = 46;
+pub const FMC_ERROR_REPEATED_FREEDOM: i32 = 47;
+pub const FMC_ERROR_NON_FINITE_STIFFNESS: i32 = 48;
+pub const FMC_ERROR_PLACE: i32 = 49;
+pub const FMC_ERROR_BAD_RANK: i32 = 50;
+pub const FMC_ERROR_COMMUNICATION: i32 = 51;
+pub const FMC_ERROR_ON_OTHER_RANK: i32 = 52;
+pub const FMC_ERROR_RANKS_DIFFER: i32 = 53;
+pub const FMC_ERROR_NOT_GATHERED: i32 = 54;
+pub const FMC_ERROR_NOT_POSITIVE_DEFINITE: i32 = 55;
+pub const FMC_ERROR_UNSYMMETRIC: i32 = 56;
+pub const FMC_ERROR_NOT_FACTORISED: i32 = 57;
+pub const FMC_LAW_VOLUME: i32 = 0;
+pub const FMC_LAW_FIBER: i32 = 1;
+pub const FMC_LAW_DEPTH: i32 = 2;
+pub const FMC_ESTIMATOR_FIBERS: i32 = 0;
+pub const FMC_ESTIMATOR_EXACT: i32 = 1;
+pub const FMC_ESTIMATOR_AUTO: i32 = 2;
+pub const FMC_PATTERN_LINES: i32 = 0;
+pub const FMC_PATTERN_ISOTROPIC: i32 = 1;
+pub const FMC_WEIGHTS_BALANCE: i32 = 0;
+pub const FMC_WEIGHTS_CONSISTENT: i32 = 1;
+pub const FMC_TRI3: i32 = 5;
+pub const FMC_QUAD4: i32 = 9;
+pub const FMC_TET4: i32 = 10;
+pub const FMC_HEX8: i32 = 12;
+pub const FMC_WEDGE6: i32 = 13;
+pub const FMC_PYRAMID5: i32 = 14;
+pub const FMC_TRI6: i32 = 22;
+pub const FMC_QUAD8: i32 = 23;
+pub const FMC_TET10: i32 = 24;
+pub const FMC_HEX20: i32 = 25;
+pub const FMC_WEDGE15: i32 = 26;
+pub const FMC_PYRAMID13: i32 = 27;
+pub const FMC_QUAD9: i32 = 28;
+pub const FMC_HEX27: i32 = 29;
+pub const FMC_FACET_LINE2: i32 = 3;
+pub const FMC_FACET_TRI3: i32 = 5;
+pub const FMC_FACET_QUAD4: i32 = 9;
+pub const FMC_FACET_LINE3: i32 = 21;
+pub const FMC_FACET_TRI6: i32 = 22;
+pub const FMC_FACET_QUAD8: i32 = 23;
+pub const FMC_FACET_QUAD9: i32 = 28;
+pub const FMC_PARTNER_BODY: i32 = 0;
+pub const FMC_PARTNER_OBSTACLE: i32 = 1;
+pub const FMC_SHAPE_HALF_SPACE: i32 = 0;
+pub const FMC_SHAPE_BALL: i32 = 1;
+pub const FMC_SHAPE_CUBOID: i32 = 2;
+pub const FMC_SHAPE_CYLINDER: i32 = 3;
+pub const FMC_SHAPE_CONE: i32 = 4;
+pub const FMC_SHAPE_CAPSULE: i32 = 5;
+pub const FMC_SHAPE_POLYTOPE: i32 = 6;
+pub const FMC_SHAPE_CONVEX_HULL: i32 = 7;
+pub const FMC_SHAPE_HEIGHT_FIELD: i32 = 8;
+pub const FMC_SHAPE_COMPOUND: i32 = 9;
+pub const FMC_SHAPE_SIGNED_DISTANCE: i32 = 10;
+pub const FMC_WARNING_COARSE_FIBERS: i32 = 1;
+pub const FMC_WARNING_UNRESOLVED_OVERLAP: i32 = 2;
+pub const FMC_WARNING_SWALLOWED_BODY: i32 = 3;
+pub const FMC_WARNING_PATCH_LEFT_OUT: i32 = 4;
+pub const FMC_WARNING_UNBALANCED: i32 = 5;
+pub const FMC_WARNING_FLUSH_FACES: i32 = 6;
+pub const FMC_NODE_APART: i32 = 0;
+pub const FMC_NODE_TOUCHING: i32 = 1;
+pub const FMC_NODE_STICKING: i32 = 2;
+pub const FMC_NODE_SLIDING: i32 = 3;
+pub const FMC_STEP_CONVERGED: i32 = 0;
+pub const FMC_STEP_OUTSIDE: i32 = 1;
+pub const FMC_STEP_NOT_CONVERGED: i32 = 2;
+
+#[repr(C)]
+pub struct fmc_condensation {
+    _private: [u8; 0],
+}
+
+#[repr(C)]
+pub struct fmc_context {
+    _private: [u8; 0],
+}
+
+pub type fmc_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, level: i32, text: *const c_char)>;
+
+pub type fmc_all_gather = Option<unsafe extern "C" fn(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32>;
+
+pub type fmc_all_to_all = Option<unsafe extern "C" fn(user: *mut c_void, send: *const c_void, send_counts: *const u64, received: *mut c_void, received_counts: *const u64) -> i32>;
+
+pub type fmc_place = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, displacement: *const f64, coords: *mut f64) -> i32>;
+
+pub type fmc_signed_distance = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32>;
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_options {
+    pub struct_size: usize,
+    pub stiffness: f64,
+    pub exponent: f64,
+    pub spacing: f64,
+    pub fiber_length: f64,
+    pub fiber_count: u64,
+    pub seed: u64,
+    pub law: i32,
+    pub estimator: i32,
+    pub pattern: i32,
+    pub weights: i32,
+    pub momentum_correction: i32,
+    pub self_contact: i32,
+    pub check_cells: i32,
+    pub threads: i32,
+    pub index_base: i32,
+    pub axisymmetric: i32,
+    pub smoothing_length: f64,
+    pub friction_coefficient: f64,
+    pub friction_stiffness: f64,
+    pub cohesion: f64,
+    pub shear_limit: f64,
+    pub memoryless_slip: f64,
+    pub reserved: [u64; 10],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_friction_step {
+    pub struct_size: usize,
+    pub start: *const f64,
+    pub reference: *const f64,
+    pub slip: *const f64,
+    pub next_slip: *mut f64,
+    pub slip_length: usize,
+    pub facet_count: usize,
+    pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_coords {
+    pub data: *const f64,
+    pub node_count: usize,
+    pub node_stride: isize,
+    pub axis_stride: isize,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_cell_block {
+    pub cell_type: i32,
+    pub conn: *const i32,
+    pub cell_count: usize,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_cell_block_i64 {
+    pub cell_type: i32,
+    pub conn: *const i64,
+    pub cell_count: usize,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_facet_block {
+    pub facet_type: i32,
+    pub conn: *const i32,
+    pub facet_count: usize,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_facet_block_i64 {
+    pub facet_type: i32,
+    pub conn: *const i64,
+    pub facet_count: usize,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_forces {
+    pub data: *mut f64,
+    pub node_count: usize,
+    pub node_stride: isize,
+    pub axis_stride: isize,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_result {
+    pub struct_size: usize,
+    pub volume: f64,
+    pub volume_standard_error: f64,
+    pub energy: f64,
+    pub contact_area: f64,
+    pub penetration: f64,
+    pub fiber_count: usize,
+    pub crossing_count: usize,
+    pub facet_count: usize,
+    pub pair_count: usize,
+    pub body_count: usize,
+    pub obstacle_count: usize,
+    pub warning_count: usize,
+    pub friction_energy: f64,
+    pub friction_dissipation: f64,
+    pub stick_area: f64,
+    pub slip_area: f64,
+    pub largest_slip: f64,
+    pub reserved: [u64; 3],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_boundary_facet {
+    pub struct_size: usize,
+    pub body: usize,
+    pub cell: i64,
+    pub given: i64,
+    pub local_face: i32,
+    pub node_count: i32,
+    pub nodes: [i64; 4],
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct fmc_communicator {
+    pub struct_size: usize,
+    pub rank: i32,
+    pub size: i32,
+    pub all_gather: fmc_all_gather,
+    pub user: *mut c_void,
+    pub all_to_all: fmc_all_to_all,
+    pub reserved: [u64; 5],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_rank_counts {
+    pub item_count: u64,
+    pub own_item_count: u64,
+    pub call_count: u64,
+    pub sent_bytes: u64,
+    pub received_bytes: u64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_mesh_part {
+    pub struct_size: usize,
+    pub coords: fmc_coords,
+    pub node_numbers: *const i64,
+    pub blocks: *const fmc_cell_block,
+    pub block_count: usize,
+    pub cell_numbers: *const i64,
+    pub body_ids: *const i32,
+    pub reach: f64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_carried_slip {
+    pub cell: i64,
+    pub face: i32,
+    pub part: i32,
+    pub slip: [f64; 3],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_gathered_counts {
+    pub node_count: u64,
+    pub cell_count: u64,
+    pub facet_count: u64,
+    pub whole_facet_count: u64,
+    pub own_cell_count: u64,
+    pub gather_count: u64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_contact_step_options {
+    pub struct_size: usize,
+    pub tolerance: f64,
+    pub goal: f64,
+    pub full_below: f64,
+    pub most_iterations: i32,
+    pub most_trials: i32,
+    pub penetration: f64,
+    pub reach: f64,
+    pub most_updates: i32,
+    pub soft_start: i32,
+    pub reserved: [u64; 5],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_contact_step_result {
+    pub struct_size: usize,
+    pub state: i32,
+    pub iterations: i32,
+    pub evaluation_count: usize,
+    pub outside_count: usize,
+    pub residual_at_start: f64,
+    pub residual: f64,
+    pub scale: f64,
+    pub update_count: usize,
+    pub penetration: f64,
+    pub reserved: [u64; 6],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_resultant {
+    pub id: i64,
+    pub force: [f64; 3],
+    pub moment: [f64; 3],
+    pub node_count: usize,
+    pub friction: [f64; 3],
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_pair {
+    pub struct_size: usize,
+    pub a_kind: i32,
+    pub b_kind: i32,
+    pub a: usize,
+    pub b: usize,
+    pub volume: f64,
+    pub volume_standard_error: f64,
+    pub energy: f64,
+    pub pressure: f64,
+    pub contact_area: f64,
+    pub penetration: f64,
+    pub spacing: f64,
+    pub friction_energy: f64,
+    pub friction_dissipation: f64,
+    pub stick_area: f64,
+    pub slip_area: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_pair_options {
+    pub struct_size: usize,
+    pub stiffness: f64,
+    pub exponent: f64,
+    pub smoothing_length: f64,
+    pub gap_offset: f64,
+    pub friction_coefficient: f64,
+    pub law: i32,
+    pub excluded: i32,
+    pub reserved: [u64; 10],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_contact_side {
+    pub kind: i32,
+    pub node_count: i32,
+    pub index: usize,
+    pub cell: i64,
+    pub nodes: [i64; 8],
+    pub weights: [f64; 8],
+    pub position: [f64; 3],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_contact_point {
+    pub struct_size: usize,
+    pub patch: usize,
+    pub position: [f64; 3],
+    pub normal: [f64; 3],
+    pub gap: f64,
+    pub pressure: f64,
+    pub area: f64,
+    pub friction: [f64; 3],
+    pub slip: [f64; 3],
+    pub sliding: f64,
+    pub sides: [fmc_contact_side; 2],
+    pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_gap_constraint {
+    pub struct_size: usize,
+    pub node: i64,
+    pub body: usize,
+    pub partner_kind: i32,
+    pub reserved_flags: i32,
+    pub partner: usize,
+    pub gap: f64,
+    pub area: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_augmentation {
+    pub struct_size: usize,
+    pub penetration: f64,
+    pub change: f64,
+    pub multiplier_count: usize,
+    pub is_enough: i32,
+    pub reserved_flags: i32,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_multiplier {
+    pub struct_size: usize,
+    pub node: i64,
+    pub body: usize,
+    pub partner_kind: i32,
+    pub reserved_flags: i32,
+    pub partner: usize,
+    pub shift: f64,
+    pub towards: [f64; 3],
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_pose {
+    pub position: [f64; 3],
+    pub rotation: [f64; 9],
+    pub scale: f64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_part {
+    pub shape: i32,
+    pub facet_count: usize,
+    pub radius: f64,
+    pub half_height: f64,
+    pub half_extents: [f64; 3],
+    pub points: *const fmc_coords,
+    pub facets: *const i32,
+    pub pose: fmc_pose,
+}
+
+unsafe extern "C" {
+    pub fn fmc_version() -> *const c_char;
+    pub fn fmc_abi_version() -> i32;
+    pub fn fmc_has_feature(name: *const c_char) -> i32;
+    pub fn fmc_status_name(status: i32) -> *const c_char;
+    pub fn fmc_last_error() -> *const c_char;
+    pub fn fmc_options_init(options: *mut fmc_options) -> fmc_status;
+    pub fn fmc_options_set(options: *mut fmc_options, key: *const c_char, value: *const c_char) -> fmc_status;
+    pub fn fmc_contact_force(dim: i32, coords: *const f64, node_count: usize, cell_type: i32, conn: *const i32, cell_count: usize, body_ids: *const i32, options: *const fmc_options, forces: *mut f64, volume: *mut f64) -> fmc_status;
+    pub fn fmc_contact_force_i64(dim: i32, coords: *const f64, node_count: usize, cell_type: i32, conn: *const i64, cell_count: usize, body_ids: *const i64, options: *const fmc_options, forces: *mut f64, volume: *mut f64) -> fmc_status;
+    pub fn fmc_friction_step_init(step: *mut fmc_friction_step) -> fmc_status;
+    pub fn fmc_contact_force_step(dim: i32, coords: *const f64, node_count: usize, cell_type: i32, conn: *const i32, cell_count: usize, body_ids: *const i32, options: *const fmc_options, step: *mut fmc_friction_step, forces: *mut f64, volume: *mut f64) -> fmc_status;
+    pub fn fmc_contact_force_step_i64(dim: i32, coords: *const f64, node_count: usize, cell_type: i32, conn: *const i64, cell_count: usize, body_ids: *const i64, options: *const fmc_options, step: *mut fmc_friction_step, forces: *mut f64, volume: *mut f64) -> fmc_status;
+    pub fn fmc_context_new_from_cells(dim: i32, coords: *const fmc_coords, blocks: *const fmc_cell_block, block_count: usize, body_ids: *const i32, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_new_from_cells_i64(dim: i32, coords: *const fmc_coords, blocks: *const fmc_cell_block_i64, block_count: usize, body_ids: *const i64, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_new_from_facets(dim: i32, coords: *const fmc_coords, facets: *const i32, facet_count: usize, body_ids: *const i32, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_new_from_facets_i64(dim: i32, coords: *const fmc_coords, facets: *const i64, facet_count: usize, body_ids: *const i64, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_free(context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_new_from_facet_blocks(dim: i32, coords: *const fmc_coords, blocks: *const fmc_facet_block, block_count: usize, body_ids: *const i32, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_new_from_facet_blocks_i64(dim: i32, coords: *const fmc_coords, blocks: *const fmc_facet_block_i64, block_count: usize, body_ids: *const i64, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status;
+    pub fn fmc_context_set_log(context: *mut fmc_context, callback: fmc_log_callback, user: *mut c_void) -> fmc_status;
+    pub fn fmc_context_counts(context: *const fmc_context, node_count: *mut usize, facet_count: *mut usize, body_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
+    pub fn fmc_context_error(context: *const fmc_context) -> *const c_char;
+    pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize) -> fmc_status;
+    pub fn fmc_context_point_weights_size(context: *const fmc_context, point_count: *mut usize, entry_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut i64, point_capacity: usize, nodes: *mut i64, weights: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_set_basis(context: *mut fmc_context, unknown_count: usize, row_offsets: *const i64, unknowns: *const i64, weights: *const f64, entry_count: usize) -> fmc_status;
+    pub fn fmc_context_keep_patches(context: *mut fmc_context, coords: *const fmc_coords, direction_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
+    pub fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
+    pub fn fmc_context_freeze_friction(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
+    pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, length: usize) -> fmc_status;
+    pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
+    pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const i64, count: usize) -> fmc_status;
+    pub fn fmc_context_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, entry_count: *mut usize, rank_one_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_tangent_entries(context: *const fmc_context, rows: *mut i32, cols: *mut i32, values: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_tangent_product(context: *const fmc_context, x: *const f64, y: *mut f64, length: usize) -> fmc_status;
+    pub fn fmc_context_tangent_rank_one(context: *const fmc_context, index: usize, factor: *mut f64, vector: *mut f64, length: usize) -> fmc_status;
+    pub fn fmc_context_tangent_csr_size(context: *const fmc_context, flags: u32, row_count: *mut usize, entry_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_tangent_csr(context: *const fmc_context, flags: u32, row_offsets: *mut i32, cols: *mut i32, values: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_tangent_csr_i64(context: *const fmc_context, flags: u32, row_offsets: *mut i64, cols: *mut i64, values: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_keep_pattern(context: *mut fmc_context, keep: i32) -> fmc_status;
+    pub fn fmc_context_set_obstacle_rotations(context: *mut fmc_context, on: i32) -> fmc_status;
+    pub fn fmc_context_evaluate_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, forces: *const fmc_forces, result: *mut fmc_result, entry_count: *mut usize, rank_one_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_stable_step(context: *mut fmc_context, coords: *const fmc_coords, masses: *const f64, step: *mut f64) -> fmc_status;
+    pub fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status;
+    pub fn fmc_context_set_communicator(context: *mut fmc_context, communicator: *const fmc_communicator) -> fmc_status;
+    pub fn fmc_context_rank_counts(context: *const fmc_context, counts: *mut fmc_rank_counts) -> fmc_status;
+    pub fn fmc_context_new_from_part(dim: i32, communicator: *const fmc_communicator, part: *const fmc_mesh_part, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_bring(context: *mut fmc_context, coords: *const fmc_coords, renumbered: *mut i32) -> fmc_status;
+    pub fn fmc_context_set_carried_slip(context: *mut fmc_context, carried: *const fmc_carried_slip, count: usize) -> fmc_status;
+    pub fn fmc_context_gathered_counts(context: *const fmc_context, counts: *mut fmc_gathered_counts) -> fmc_status;
+    pub fn fmc_context_gathered_nodes(context: *const fmc_context, numbers: *mut i64, own_nodes: *mut i32, coords: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_gathered_cells(context: *const fmc_context, numbers: *mut i64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_carried_slip(context: *const fmc_context, carried: *mut fmc_carried_slip, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status;
+    pub fn fmc_context_contact_step(context: *mut fmc_context, coords: *const fmc_coords, options: *const fmc_contact_step_options, freedoms: *const i64, count: usize, held: *const i64, held_count: usize, stiffness: *const f64, residual: *const f64, place: fmc_place, user: *mut c_void, displacement: *mut f64, result: *mut fmc_contact_step_result) -> fmc_status;
+    pub fn fmc_condensation_new(condensation: *mut *mut fmc_condensation) -> fmc_status;
+    pub fn fmc_condensation_free(condensation: *mut *mut fmc_condensation) -> fmc_status;
+    pub fn fmc_condensation_factorise(condensation: *mut fmc_condensation, count: usize, row_offsets: *const i64, cols: *const i64, values: *const f64, kept: *const i64, kept_count: usize) -> fmc_status;
+    pub fn fmc_condensation_complement(condensation: *const fmc_condensation, complement: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_condensation_condense(condensation: *const fmc_condensation, right: *const f64, count: usize, condensed: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_condensation_expand(condensation: *const fmc_condensation, right: *const f64, count: usize, kept: *const f64, kept_count: usize, solution: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_body(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
+    pub fn fmc_context_obstacle(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
+    pub fn fmc_context_pair(context: *const fmc_context, index: usize, pair: *mut fmc_pair) -> fmc_status;
+    pub fn fmc_context_warning(context: *const fmc_context, index: usize, code: *mut i32, text: *mut *const c_char) -> fmc_status;
+    pub fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status;
+    pub fn fmc_context_set_pair_options(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options) -> fmc_status;
+    pub fn fmc_context_pair_options(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *mut fmc_pair_options) -> fmc_status;
+    pub fn fmc_context_nodal_contact(context: *mut fmc_context, coords: *const fmc_coords, pressure: *mut f64, gap: *mut f64, area: *mut f64, normal: *mut f64, friction: *mut f64, sliding: *mut f64, status: *mut i32, node_count: usize) -> fmc_status;
+    pub fn fmc_context_find_contact_points(context: *mut fmc_context, coords: *const fmc_coords, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_contact_points(context: *const fmc_context, points: *mut fmc_contact_point, capacity: usize) -> fmc_status;
+    pub fn fmc_context_find_gap_constraints(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, count: *mut usize, entry_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_gap_constraints(context: *const fmc_context, rows: *mut fmc_gap_constraint, capacity: usize) -> fmc_status;
+    pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut i64, cols: *mut i64, values: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_augment(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, enough: f64, found: *mut fmc_augmentation) -> fmc_status;
+    pub fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status;
+    pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_multipliers(context: *mut fmc_context, rows: *const fmc_multiplier, count: usize) -> fmc_status;
+    pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_pose_along(dim: i32, position: *const f64, axis: *const f64, pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_part_init(part: *mut fmc_part) -> fmc_status;
+    pub fn fmc_context_add_half_space(context: *mut fmc_context, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_ball(context: *mut fmc_context, radius: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_cuboid(context: *mut fmc_context, half_extents: *const f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_cylinder(context: *mut fmc_context, radius: f64, half_height: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_cone(context: *mut fmc_context, radius: f64, half_height: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_capsule(context: *mut fmc_context, radius: f64, half_height: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_polytope(context: *mut fmc_context, points: *const fmc_coords, facets: *const i32, facet_count: usize, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_polytope_i64(context: *mut fmc_context, points: *const fmc_coords, facets: *const i64, facet_count: usize, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_convex_hull(context: *mut fmc_context, points: *const fmc_coords, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_height_field(context: *mut fmc_context, counts: *const usize, lengths: *const f64, heights: *const f64, thickness: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_compound(context: *mut fmc_context, parts: *const fmc_part, part_count: usize, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_add_signed_distance(context: *mut fmc_context, callback: fmc_signed_distance, user: *mut c_void, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_obstacle_shape(context: *const fmc_context, obstacle: usize, shape: *mut i32, pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_context_set_pose(context: *mut fmc_context, obstacle: usize, pose: *const fmc_pose) -> fmc_status;
+    pub fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status;
+    pub fn fmc_suggest_fiber_stiffness(pressure: f64, penetration: f64, stiffness: *mut f64) -> fmc_status;
+    pub fn fmc_suggest_stiffness_from_modulus(dim: i32, exponent: f64, modulus: f64, facet_size: f64, stiffness: *mut f64) -> fmc_status;
+    pub fn fmc_suggest_stiffness_from_pressure(dim: i32, exponent: f64, pressure: f64, overlap: f64, stiffness: *mut f64) -> fmc_status;
+}
