@@ -2,7 +2,50 @@
 
 use super::CellType;
 
+/// Every type with its name in meshio and its number in VTK. A new type is a row here and in the matches below.
+const TABLE: [(CellType, &str, i32); 14] = [
+    (CellType::Tri3, "triangle", 5),
+    (CellType::Quad4, "quad", 9),
+    (CellType::Tet4, "tetra", 10),
+    (CellType::Hex8, "hexahedron", 12),
+    (CellType::Wedge6, "wedge", 13),
+    (CellType::Pyramid5, "pyramid", 14),
+    (CellType::Tri6, "triangle6", 22),
+    (CellType::Quad8, "quad8", 23),
+    (CellType::Quad9, "quad9", 28),
+    (CellType::Tet10, "tetra10", 24),
+    (CellType::Hex20, "hexahedron20", 25),
+    (CellType::Hex27, "hexahedron27", 29),
+    (CellType::Wedge15, "wedge15", 26),
+    (CellType::Pyramid13, "pyramid13", 27),
+];
+
 impl CellType {
+    /// All types, those of first order first.
+    pub fn all() -> impl Iterator<Item = CellType> {
+        TABLE.into_iter().map(|(cell_type, ..)| cell_type)
+    }
+
+    /// Its name in meshio.
+    pub fn name(self) -> &'static str {
+        self.row().1
+    }
+
+    /// Its number in VTK, and in the C interface.
+    pub fn vtk_number(self) -> i32 {
+        self.row().2
+    }
+
+    /// The type of a number of VTK.
+    pub fn of_vtk_number(number: i32) -> Option<CellType> {
+        TABLE.into_iter().find_map(|(cell_type, _, of_vtk)| (of_vtk == number).then_some(cell_type))
+    }
+
+    /// Its row in the table, which has one for every type (a test).
+    fn row(self) -> (CellType, &'static str, i32) {
+        TABLE.into_iter().find(|row| row.0 == self).unwrap_or(TABLE[0])
+    }
+
     /// Dimension of the space that the cell fills, 2 or 3.
     pub fn dimension(self) -> usize {
         match self.straight() {
@@ -97,5 +140,28 @@ impl CellType {
                 &[7, 6, 4, 3],
             ],
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CellType, TABLE};
+
+    /// VTK numbers its linear cells below 15 and those of second order from 22; corners are numbered first in all of them.
+    #[test]
+    fn every_type_has_one_row() {
+        for (row, (cell_type, name, number)) in TABLE.into_iter().enumerate() {
+            assert_eq!(CellType::of_vtk_number(number), Some(cell_type));
+            assert_eq!((cell_type.name(), cell_type.vtk_number()), (name, number));
+            assert_eq!(number < 15, cell_type.straight() == cell_type);
+            assert!(TABLE[..row].iter().all(|other| other.0 != cell_type && other.1 != name && other.2 != number));
+            // A variant without a row would answer with the first one.
+            match cell_type {
+                CellType::Tri3 | CellType::Quad4 | CellType::Tet4 | CellType::Hex8 | CellType::Wedge6 => {}
+                CellType::Pyramid5 | CellType::Tri6 | CellType::Quad8 | CellType::Quad9 | CellType::Tet10 => {}
+                CellType::Hex20 | CellType::Hex27 | CellType::Wedge15 | CellType::Pyramid13 => {}
+            }
+        }
+        assert_eq!(CellType::all().count(), 14);
     }
 }

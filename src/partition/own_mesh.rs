@@ -8,24 +8,6 @@ use crate::geometry::{Bodies, CellType, Surface, Vector};
 use crate::ranks::packed;
 use rustc_hash::FxHashMap;
 
-/// Types of cells, as they are numbered where they are sent.
-pub(super) const TYPES: [CellType; 14] = [
-    CellType::Tri3,
-    CellType::Quad4,
-    CellType::Tet4,
-    CellType::Hex8,
-    CellType::Wedge6,
-    CellType::Pyramid5,
-    CellType::Tri6,
-    CellType::Quad8,
-    CellType::Quad9,
-    CellType::Tet10,
-    CellType::Hex20,
-    CellType::Hex27,
-    CellType::Wedge15,
-    CellType::Pyramid13,
-];
-
 /// What a rank keeps of its own cells.
 pub(super) struct OwnMesh<const D: usize> {
     /// Their surface, by itself; `None` where there are no cells.
@@ -56,7 +38,7 @@ pub(super) struct OwnMesh<const D: usize> {
 #[derive(Clone, Debug)]
 pub(super) struct SentCell {
     pub(super) number: u64,
-    /// Its place in [`TYPES`].
+    /// Its number in VTK.
     pub(super) kind: u8,
     pub(super) body: u32,
     pub(super) surface_faces: u8,
@@ -141,7 +123,7 @@ impl<const D: usize> OwnMesh<D> {
         let nodes = self.nodes(cell).iter().map(|&node| self.node_numbers[node as usize]).collect();
         SentCell {
             number: self.cell_numbers[cell],
-            kind: TYPES.iter().position(|kind| *kind == self.types[cell]).unwrap_or(0) as u8,
+            kind: self.types[cell].vtk_number() as u8,
             body: self.body[cell],
             surface_faces: self.surface_faces[cell],
             nodes,

@@ -1,7 +1,7 @@
 //! The cells that all ranks have, since they may be in contact.
 
 use super::anchors::Anchors;
-use super::own_mesh::{OwnMesh, SentCell, TYPES};
+use super::own_mesh::{OwnMesh, SentCell};
 use crate::Error;
 use crate::geometry::{Bodies, CellBlock, CellType, Surface, Vector};
 use crate::ranks::{Ranks, packed};
@@ -131,7 +131,9 @@ impl<const D: usize> Gathered<D> {
         let node = |number: &u64| nodes.partition_point(|other| other < number) as u32;
         let mut blocks: Vec<(CellType, Vec<u32>)> = Vec::new();
         for cell in &self.cells {
-            let kind = TYPES[usize::from(cell.kind)];
+            let Some(kind) = CellType::of_vtk_number(cell.kind.into()) else {
+                return Err(Error::Unsupported { what: "a cell of a type that only another rank knows" });
+            };
             match blocks.last_mut().filter(|(last, _)| *last == kind) {
                 Some((_, conn)) => conn.extend(cell.nodes.iter().map(node)),
                 None => blocks.push((kind, cell.nodes.iter().map(node).collect())),

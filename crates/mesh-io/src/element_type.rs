@@ -15,22 +15,22 @@ pub(super) struct ElementType {
     order: &'static [usize],
 }
 
-/// Cells by their numbers in Gmsh and in VTK.
-const CELLS: [(CellType, i64, u8); 14] = [
-    (CellType::Tri3, 2, 5),
-    (CellType::Quad4, 3, 9),
-    (CellType::Tet4, 4, 10),
-    (CellType::Hex8, 5, 12),
-    (CellType::Wedge6, 6, 13),
-    (CellType::Pyramid5, 7, 14),
-    (CellType::Tri6, 9, 22),
-    (CellType::Quad9, 10, 28),
-    (CellType::Tet10, 11, 24),
-    (CellType::Hex27, 12, 29),
-    (CellType::Quad8, 16, 23),
-    (CellType::Hex20, 17, 25),
-    (CellType::Wedge15, 18, 26),
-    (CellType::Pyramid13, 19, 27),
+/// Cells by their numbers in Gmsh.
+const CELLS: [(CellType, i64); 14] = [
+    (CellType::Tri3, 2),
+    (CellType::Quad4, 3),
+    (CellType::Tet4, 4),
+    (CellType::Hex8, 5),
+    (CellType::Wedge6, 6),
+    (CellType::Pyramid5, 7),
+    (CellType::Tri6, 9),
+    (CellType::Quad9, 10),
+    (CellType::Tet10, 11),
+    (CellType::Hex27, 12),
+    (CellType::Quad8, 16),
+    (CellType::Hex20, 17),
+    (CellType::Wedge15, 18),
+    (CellType::Pyramid13, 19),
 ];
 
 /// Gmsh's places of our nodes, where they differ: Gmsh numbers edges by their lower, then their upper corner (of a tetrahedron
@@ -48,14 +48,6 @@ const fn gmsh_order(cell_type: CellType) -> &'static [usize] {
     }
 }
 
-/// Number of a cell type in VTK.
-pub(super) fn vtk_number(cell_type: CellType) -> u8 {
-    match CELLS.iter().find(|row| row.0 == cell_type) {
-        Some((_, _, number)) => *number,
-        None => unreachable!("{cell_type:?} is not read from any file"),
-    }
-}
-
 impl ElementType {
     /// Element type by its number in the MSH format.
     pub(super) fn of_gmsh(number: i64) -> Option<Self> {
@@ -68,7 +60,7 @@ impl ElementType {
     /// Element type by its number in VTK; types of variable size have a node count of 0.
     pub(super) fn of_vtk(number: i64) -> Option<Self> {
         VTK.iter().find(|row| row.0 == number).map(|&(_, name, dimension, node_count)| {
-            let cell_type = CELLS.iter().find(|row| i64::from(row.2) == number).map(|row| row.0);
+            let cell_type = i32::try_from(number).ok().and_then(CellType::of_vtk_number);
             Self { name, dimension, node_count, cell_type, order: &[] }
         })
     }
@@ -81,9 +73,8 @@ impl ElementType {
     /// Why these cells cannot be used.
     pub(super) fn refusal(&self) -> String {
         let Self { name, .. } = self;
-        let taken = "only Tri3, Quad4, Tet4, Hex8, Wedge6 and Pyramid5, and of second order Tri6, Quad8, Quad9, Tet10, \
-                     Hex20, Hex27, Wedge15 and Pyramid13";
-        format!("{name} cells are not supported, {taken}")
+        let taken: Vec<String> = CellType::all().map(|cell_type| format!("{cell_type:?}")).collect();
+        format!("{name} cells are not supported, only {}", taken.join(", "))
     }
 }
 

@@ -1,6 +1,5 @@
 //! Writes VTU files: inline base64, which every version of ParaView reads and which is XML.
 
-use crate::element_type::vtk_number;
 use crate::whole_file::write_whole;
 use anyhow::Result;
 use base64::Engine;
@@ -26,7 +25,7 @@ impl VtkCell {
         match self {
             VtkCell::Vertex => 1,
             VtkCell::Line => 3,
-            VtkCell::Mesh(cell_type) => vtk_number(cell_type),
+            VtkCell::Mesh(cell_type) => cell_type.vtk_number() as u8,
         }
     }
 }

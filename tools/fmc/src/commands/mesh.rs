@@ -2,7 +2,6 @@
 
 use anyhow::{Context, Result};
 use fmc_benchmarks::case::{Case, Document, Load};
-use fmc_contact::CellType;
 use fmc_mesh_io::write_whole;
 use fmc_solid::fem::Model;
 use serde_json::{Value, json};
@@ -60,7 +59,7 @@ fn described<const D: usize>(document: &Document, case: &Case) -> Result<Value> 
         .map(|(number, (body, part))| {
             json!({
                 "name": body.name, "material": body.material, "initial_velocity": body.initial_velocity,
-                "cell_type": name(part.cell_type),
+                "cell_type": part.cell_type.name(),
                 "conn": model.conn(number).chunks_exact(part.cell_type.node_count()).collect::<Vec<_>>(),
             })
         })
@@ -101,24 +100,4 @@ fn loaded<const D: usize>(case: &Case, model: &Model<D>, load: &Load) -> Result<
         "body": part, "pressure": load.pressure, "traction": load.traction, "body_force": load.body_force,
         "faces": faces.into_iter().map(|face| face.nodes).collect::<Vec<_>>(),
     }))
-}
-
-fn name(cell_type: CellType) -> &'static str {
-    match cell_type {
-        CellType::Tri3 => "triangle",
-        CellType::Quad4 => "quad",
-        CellType::Tet4 => "tetra",
-        CellType::Hex8 => "hexahedron",
-        CellType::Wedge6 => "wedge",
-        CellType::Pyramid5 => "pyramid",
-        CellType::Tri6 => "triangle6",
-        CellType::Quad8 => "quad8",
-        CellType::Quad9 => "quad9",
-        CellType::Tet10 => "tetra10",
-        CellType::Hex20 => "hexahedron20",
-        CellType::Hex27 => "hexahedron27",
-        CellType::Wedge15 => "wedge15",
-        CellType::Pyramid13 => "pyramid13",
-        _ => "unknown",
-    }
 }
