@@ -1,0 +1,8 @@
+//! Contexts from meshes, and what they say of the mesh.
+
+pub(super) mod basis;
+pub(super) mod boundary_facets;
+pub(super) mod creation;
+pub(super) mod facet_block;
+pub(super) mod point_weights;
+pub(super) mod reference;

@@ -1,0 +1,62 @@
+//! The obstacles of a context: asked for, moved, removed.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::pointer::{Output, reference};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::pose::fmc_pose;
+
+/// Shape of an obstacle, a value of `fmc_shape`, and its pose as it stands. Either output may be NULL.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
+/// Threads: several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_obstacle_shape(
+    context: *const fmc_context,
+    obstacle: usize,
+    shape: *mut i32,
+    pose: *mut fmc_pose,
+) -> fmc_status {
+    entry(|| {
+        let (shape, pose) = (Output::optional("shape", shape)?, Output::optional("pose", pose)?);
+        // SAFETY: the host passes a context.
+        let found = unsafe { read(context) }?.session.obstacle(obstacle)?;
+        // SAFETY: the outputs, where given, may be written.
+        unsafe {
+            shape.write(found.0 as i32);
+            pose.write(found.1);
+        }
+        Ok(())
+    })
+}
+
+/// Moves an obstacle. Results of the last evaluation are kept.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+/// `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_pose(
+    context: *mut fmc_context,
+    obstacle: usize,
+    pose: *const fmc_pose,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and a pose.
+        unsafe { write(context, |state| state.session.set_pose(obstacle, *reference("pose", pose)?)) }
+    })
+}
+
+/// Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
+/// given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
+/// last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed distance any
+/// more.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED` if it was removed
+/// before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        unsafe { write(context, |state| state.session.remove_obstacle(obstacle)) }
+    })
+}

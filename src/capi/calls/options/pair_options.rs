@@ -1,0 +1,263 @@
+//! Options of single pairs.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::pointer::{Output, optional};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
+use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::option_values::EXCLUDED;
+use crate::capi::structs::options::{fmc_estimator, fmc_law, fmc_options};
+use crate::capi::structs::partner::partner;
+use crate::contact::PairOptions;
+use crate::{EnergyLaw, FiberProfile};
+
+/// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
+/// after they change.
+pub const FMC_LAW_OF_CONTEXT: i32 = -1;
+
+/// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
+/// changes.
+pub const FMC_FRICTION_OF_CONTEXT: i32 = -1;
+
+/// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
+/// has without options of its own.
+///
+/// New options take the place of reserved fields; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_pair_options {
+    /// Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
+    pub struct_size: usize,
+    /// k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
+    /// default.
+    pub stiffness: f64,
+    /// m >= 1, for the law "volume" only. Default 1.
+    pub exponent: f64,
+    /// Smoothing length of the law "fiber"; 0, the default: the quadratic law.
+    pub smoothing_length: f64,
+    /// Distance at which contact begins, in length; 0, the default: at the surfaces. Penetration, gap and pressure are
+    /// counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
+    /// shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
+    /// they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
+    /// rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Between bodies, and of one with itself,
+    /// only with the law "depth" and not positive: -c lets either body in by c before it presses.
+    pub gap_offset: f64,
+    /// Coefficient of friction, at least 0, or `FMC_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
+    /// the context's options.
+    pub friction_coefficient: f64,
+    /// A value of `fmc_law`, or `FMC_LAW_OF_CONTEXT`, the default.
+    pub law: i32,
+    /// 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
+    pub excluded: i32,
+    /// Zero. Room for options of later versions.
+    pub reserved: [u64; 10],
+}
+
+impl Default for fmc_pair_options {
+    fn default() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            stiffness: 0.0,
+            exponent: 1.0,
+            smoothing_length: 0.0,
+            gap_offset: 0.0,
+            friction_coefficient: FMC_FRICTION_OF_CONTEXT.into(),
+            law: FMC_LAW_OF_CONTEXT,
+            excluded: 0,
+            reserved: [0; 10],
+        }
+    }
+}
+
+impl From<PairOptions> for fmc_pair_options {
+    fn from(options: PairOptions) -> Self {
+        let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_FRICTION_OF_CONTEXT.into());
+        let (excluded, gap_offset) = (options.excluded.into(), options.gap_offset);
+        let own = Self { excluded, friction_coefficient, gap_offset, ..Self::default() };
+        match options.law {
+            None => own,
+            Some(EnergyLaw::Volume { stiffness, exponent }) => {
+                Self { law: fmc_law::FMC_LAW_VOLUME as i32, stiffness, exponent, ..own }
+            }
+            Some(law @ (EnergyLaw::Depth { stiffness, profile } | EnergyLaw::Fiber { stiffness, profile })) => {
+                let smoothing_length = match profile {
+                    FiberProfile::Quadratic => 0.0,
+                    FiberProfile::Linear { smoothing_length } => smoothing_length,
+                };
+                let law = if law.is_fiber() { fmc_law::FMC_LAW_FIBER } else { fmc_law::FMC_LAW_DEPTH };
+                Self { law: law as i32, stiffness, smoothing_length, ..own }
+            }
+        }
+    }
+}
+
+impl fmc_pair_options {
+    /// The options of the crate, which checks the numbers.
+    fn to_pair_options(self) -> Result<PairOptions, Failure> {
+        if self.struct_size != size_of::<Self>() {
+            let text = format!(
+                "fmc_pair_options has struct_size {}, expected {}: call fmc_pair_options_init first",
+                self.struct_size,
+                size_of::<Self>()
+            );
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
+        }
+        if self.reserved != [0; 10] {
+            let text = "a reserved field of fmc_pair_options is not zero: an option of a later version of the library";
+            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+        }
+        let coefficient = self.friction_coefficient;
+        let friction_coefficient = (coefficient != f64::from(FMC_FRICTION_OF_CONTEXT)).then_some(coefficient);
+        Ok(PairOptions {
+            excluded: EXCLUDED.is_on(self.excluded)?,
+            law: self.law()?,
+            friction_coefficient,
+            gap_offset: self.gap_offset,
+        })
+    }
+
+    fn law(&self) -> Result<Option<EnergyLaw>, Failure> {
+        let &Self { law, stiffness, exponent, smoothing_length, .. } = self;
+        if law == FMC_LAW_OF_CONTEXT {
+            // Whoever sets one of these means something by it.
+            let set = [("stiffness", stiffness != 0.0), ("exponent", exponent != 1.0)];
+            let set =
+                set.into_iter().chain([("smoothing_length", smoothing_length != 0.0)]).find(|(_, is_set)| *is_set);
+            return match set {
+                None => Ok(None),
+                Some((key, _)) => {
+                    let text = format!("option '{key}' of a pair belongs to a law: set 'law' of the pair, too");
+                    Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text))
+                }
+            };
+        }
+        // What holds for the law of a context holds here. Of the estimators, "exact" has no options of its own.
+        let estimator = fmc_estimator::FMC_ESTIMATOR_EXACT as i32;
+        let alike = fmc_options { law, stiffness, exponent, smoothing_length, estimator, ..fmc_options::default() };
+        Ok(Some(alike.to_options()?.law))
+    }
+}
+
+/// Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status {
+    entry(|| {
+        let output = Output::required("options", options)?;
+        // SAFETY: the host passes a struct of the header's size, which may be written.
+        unsafe { output.write(fmc_pair_options::default()) };
+        Ok(())
+    })
+}
+
+/// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
+/// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
+///
+/// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body` and obstacles as
+/// `fmc_context_obstacle`. For a body with itself these options decide in place of the context's `self_contact` whether
+/// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
+/// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
+/// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
+/// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
+/// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+/// estimator that does not support the law of a pair. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_pair_options(
+    context: *mut fmc_context,
+    a_kind: i32,
+    a: usize,
+    b_kind: i32,
+    b: usize,
+    options: *const fmc_pair_options,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context, and options or NULL.
+        unsafe {
+            write(context, |state| {
+                let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
+                let options = optional("options", options)?.map(|options| options.to_pair_options()).transpose()?;
+                state.session.set_pair_options(partners, options)
+            })
+        }
+    })
+}
+
+/// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
+/// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
+/// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+/// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_pair_options(
+    context: *const fmc_context,
+    a_kind: i32,
+    a: usize,
+    b_kind: i32,
+    b: usize,
+    options: *mut fmc_pair_options,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::required("options", options)?;
+        let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
+        // SAFETY: the host passes a context.
+        let found = unsafe { read(context) }?.session.pair_options(partners)?;
+        // SAFETY: the host passes an output that may be written.
+        unsafe { output.write(found.into()) };
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(change: impl FnOnce(&mut fmc_pair_options)) -> (fmc_status, String) {
+        let mut options = fmc_pair_options::default();
+        change(&mut options);
+        let failure = options.to_pair_options().unwrap_err();
+        (failure.status, failure.text)
+    }
+
+    #[test]
+    fn options_come_back_as_they_were_set() {
+        assert_eq!(fmc_pair_options::default().to_pair_options().unwrap(), PairOptions::default());
+        let linear = FiberProfile::Linear { smoothing_length: 1e-3 };
+        for law in [
+            EnergyLaw::Volume { stiffness: 3.0, exponent: 1.5 },
+            EnergyLaw::fiber(3.0),
+            EnergyLaw::Fiber { stiffness: 3.0, profile: linear },
+            EnergyLaw::depth(3.0),
+        ] {
+            for excluded in [false, true] {
+                for friction_coefficient in [None, Some(0.0), Some(0.3)] {
+                    let gap_offset = friction_coefficient.unwrap_or(-0.2);
+                    let options = PairOptions { excluded, law: Some(law), friction_coefficient, gap_offset };
+                    assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_no_effect_or_no_meaning_is_refused() {
+        for (change, text) in [
+            ((|o| o.stiffness = 1.0) as fn(&mut fmc_pair_options), "'stiffness' of a pair belongs to a law"),
+            (|o| o.exponent = 2.0, "'exponent' of a pair belongs to a law"),
+            (|o| o.smoothing_length = f64::NAN, "'smoothing_length' of a pair belongs to a law"),
+            (|o| (o.law, o.exponent) = (1, 2.0), "'exponent' belongs to the law 'volume'"),
+            (|o| (o.law, o.smoothing_length) = (0, 1.0), "'smoothing_length' belongs to the laws 'fiber' and 'depth'"),
+            (|o| o.law = 3, "option 'law' has no value 3"),
+            (|o| o.excluded = 2, "option 'excluded' has no value 2"),
+            (|o| o.reserved[9] = 1, "later version"),
+        ] {
+            let (status, found) = refused(change);
+            assert!(status == FMC_ERROR_UNKNOWN_OPTION && found.contains(text), "{found}");
+        }
+        assert_eq!(refused(|o| o.struct_size = 0).0, FMC_ERROR_STRUCT_SIZE);
+    }
+}

@@ -1,0 +1,233 @@
+//! Ranks that share the work of a context.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::pointer::{Output, optional};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_RANK, FMC_ERROR_NULL_POINTER, FMC_ERROR_STRUCT_SIZE};
+use crate::capi::context::state::{fmc_context, read, write};
+use crate::{AllToAll, Communicator, Error};
+use std::ffi::c_void;
+
+/// Sends bytes to all ranks, this one too, and receives what they send: rank r sends `counts[r]` bytes, and `received` gets
+/// those of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
+/// `fmc_mpi.h` has it.
+///
+/// Return 0; any other value makes the evaluation fail with `FMC_ERROR_COMMUNICATION`. It is called on the thread that evaluates,
+/// in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
+pub type fmc_all_gather = Option<
+    unsafe extern "C" fn(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32,
+>;
+
+/// Sends bytes to every rank, this one too, and receives what they have for this one: `send` has `send_counts[r]` bytes for rank r, one
+/// rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
+/// MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
+///
+/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. It is called as `fmc_all_gather` is,
+/// and must not do what that must not.
+pub type fmc_all_to_all = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        send: *const c_void,
+        send_counts: *const u64,
+        received: *mut c_void,
+        received_counts: *const u64,
+    ) -> i32,
+>;
+
+/// Ranks of a parallel program, as the host's message passing library has them. Initialise it with `fmc_communicator_init`.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_communicator {
+    /// Set by `fmc_communicator_init`, so that a struct that was not initialised is recognised.
+    pub struct_size: usize,
+    /// Number of this rank, from 0, and of all ranks, at least 1.
+    pub rank: i32,
+    pub size: i32,
+    /// Moves bytes.
+    pub all_gather: fmc_all_gather,
+    /// Handed to the functions.
+    pub user: *mut c_void,
+    /// Moves bytes to single ranks; may be NULL, on all ranks, and what is for one rank then goes to all by `all_gather`. With a mesh
+    /// in parts it takes the faces between ranks to those that may have the other side.
+    pub all_to_all: fmc_all_to_all,
+    /// Zero. Room for functions of later versions.
+    pub reserved: [u64; 5],
+}
+
+/// What ranks did since the communicator was set: of this rank, but for `item_count`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct fmc_rank_counts {
+    /// Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks.
+    pub item_count: u64,
+    /// Those that this rank measured.
+    pub own_item_count: u64,
+    /// Calls of the communicator.
+    pub call_count: u64,
+    /// Bytes that this rank sent, and received, its own too.
+    pub sent_bytes: u64,
+    pub received_bytes: u64,
+}
+
+/// Sets a communicator of one rank without a function.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status {
+    entry(|| {
+        let output = Output::required("communicator", communicator)?;
+        let alone = fmc_communicator {
+            struct_size: size_of::<fmc_communicator>(),
+            rank: 0,
+            size: 1,
+            all_gather: None,
+            user: std::ptr::null_mut(),
+            all_to_all: None,
+            reserved: [0; 5],
+        };
+        // SAFETY: the host guarantees room for a struct.
+        unsafe { output.write(alone) };
+        Ok(())
+    })
+}
+
+/// Shares the work of the context's evaluations with other ranks; NULL: no more. The struct is copied. From then on all ranks
+/// make the same calls on their contexts with the same coordinates, options, obstacles and history, and each gets the whole
+/// result, with the bits of one rank alone, for any number of ranks. The number of threads may differ. What is divided is the
+/// measuring of facets, lines and cells; pairs with a signed distance function are measured on every rank. Where there is too
+/// little to be worth sending, every rank does all.
+///
+/// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there; ranks that were given different things
+/// are all told so, by `FMC_ERROR_RANKS_DIFFER`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+/// context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_communicator(
+    context: *mut fmc_context,
+    communicator: *const fmc_communicator,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context, and a communicator or NULL.
+        unsafe {
+            write(context, |state| {
+                let given = optional("communicator", communicator)?;
+                let ranks = given.map(HostRanks::new).transpose()?;
+                state.session.set_communicator(ranks.map(|ranks| Box::new(ranks) as Box<dyn Communicator>))
+            })
+        }
+    })
+}
+
+/// What ranks did since the communicator was set; zeros without one.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: any number at once.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_rank_counts(
+    context: *const fmc_context,
+    counts: *mut fmc_rank_counts,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::required("counts", counts)?;
+        // SAFETY: the host passes a context.
+        let found = unsafe { read(context) }?.session.rank_counts();
+        let counts = fmc_rank_counts {
+            item_count: found.item_count,
+            own_item_count: found.own_item_count,
+            call_count: found.call_count,
+            sent_bytes: found.sent_bytes,
+            received_bytes: found.received_bytes,
+        };
+        // SAFETY: the host guarantees room for a struct.
+        unsafe { output.write(counts) };
+        Ok(())
+    })
+}
+
+/// A communicator of the host.
+pub(crate) struct HostRanks {
+    rank: usize,
+    size: usize,
+    all_gather: unsafe extern "C" fn(*mut c_void, *const c_void, *const u64, *mut c_void) -> i32,
+    all_to_all: Option<HostAllToAll>,
+    user: *mut c_void,
+}
+
+/// Its operation for single ranks.
+struct HostAllToAll {
+    function: unsafe extern "C" fn(*mut c_void, *const c_void, *const u64, *mut c_void, *const u64) -> i32,
+    user: *mut c_void,
+}
+
+// SAFETY: the pointer is handed through, never followed, and the functions are called by the thread that evaluates the context
+// only; the host promises in `fmc_context_set_communicator` that they may be called from whichever that is.
+unsafe impl Send for HostRanks {}
+// SAFETY: as above; evaluations of one context exclude one another.
+unsafe impl Sync for HostRanks {}
+
+impl HostRanks {
+    pub(crate) fn new(given: &fmc_communicator) -> Result<Self, Failure> {
+        if given.struct_size != size_of::<fmc_communicator>() || given.reserved != [0; 5] {
+            let text = "the communicator was not set by fmc_communicator_init";
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
+        }
+        let (Ok(rank), Ok(size)) = (usize::try_from(given.rank), usize::try_from(given.size)) else {
+            let text = format!("rank {} of {}: ranks are counted from 0", given.rank, given.size);
+            return Err(Failure::new(FMC_ERROR_BAD_RANK, text));
+        };
+        if rank >= size {
+            return Err(Error::BadRank { rank, size }.into());
+        }
+        let Some(all_gather) = given.all_gather else {
+            return Err(Failure::new(FMC_ERROR_NULL_POINTER, "'all_gather' of the communicator is NULL"));
+        };
+        let all_to_all = given.all_to_all.map(|function| HostAllToAll { function, user: given.user });
+        Ok(Self { rank, size, all_gather, all_to_all, user: given.user })
+    }
+}
+
+impl Communicator for HostRanks {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    fn all_gather(&self, send: &[u8], counts: &[usize], received: &mut [u8]) -> Result<(), i32> {
+        let counts = wide(counts);
+        // SAFETY: there is one count for every rank, `send` has that of this one, and `received` has room for their sum; the host
+        // guarantees a function that keeps to its contract.
+        let code = unsafe {
+            (self.all_gather)(self.user, send.as_ptr().cast(), counts.as_ptr(), received.as_mut_ptr().cast())
+        };
+        done(code)
+    }
+
+    fn all_to_all(&self) -> Option<&dyn AllToAll> {
+        self.all_to_all.as_ref().map(|operation| operation as &dyn AllToAll)
+    }
+}
+
+impl AllToAll for HostAllToAll {
+    fn all_to_all(&self, send: &[u8], to: &[usize], from: &[usize], received: &mut [u8]) -> Result<(), i32> {
+        let [to, from] = [to, from].map(wide);
+        let (send, received) = (send.as_ptr().cast(), received.as_mut_ptr().cast());
+        // SAFETY: there is one count of either kind for every rank, `send` has their sum, and `received` has room for that of the
+        // others; the host guarantees a function that keeps to its contract.
+        done(unsafe { (self.function)(self.user, send, to.as_ptr(), received, from.as_ptr()) })
+    }
+}
+
+fn wide(counts: &[usize]) -> Vec<u64> {
+    counts.iter().map(|count| *count as u64).collect()
+}
+
+/// What a function of the host returned.
+fn done(code: i32) -> Result<(), i32> {
+    if code == 0 { Ok(()) } else { Err(code) }
+}

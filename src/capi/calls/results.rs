@@ -1,0 +1,6 @@
+//! What was found beside nodal forces.
+
+pub(super) mod contact_points;
+pub(super) mod gap_constraints;
+pub(super) mod getters;
+pub(super) mod nodal_contact;

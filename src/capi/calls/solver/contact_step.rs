@@ -1,0 +1,254 @@
+//! Equilibrium of the contact with condensed bodies.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::pointer::{Output, check, copy_list, optional, reference, slice};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::boundary::status::fmc_status::{
+    FMC_ERROR_FREEDOM_OUT_OF_RANGE, FMC_ERROR_NOT_POSITIVE, FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION,
+};
+use crate::capi::context::state::{fmc_context, write};
+use crate::capi::structs::placement::{Placement, fmc_place};
+use crate::capi::structs::view::fmc_coords;
+use crate::contact::{CondensedBodies, ContactStepOptions, ContactStepState};
+use std::ffi::c_void;
+
+/// When a step of `fmc_context_contact_step` ends. Initialise it with `fmc_contact_step_options_init`.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_contact_step_options {
+    /// Set by `fmc_contact_step_options_init`, so that a struct that was not initialised is recognised.
+    pub struct_size: usize,
+    /// Norm of the residual, by the larger of those of the residual given and of the contact forces on the list, at which a
+    /// step has converged. Default 1e-10.
+    pub tolerance: f64,
+    /// Norm of the residual, a force, at which it has converged too; 0, the default: none. Bodies that are not linear need no
+    /// more than a part of what their linearisation leaves.
+    pub goal: f64,
+    /// Relative residual below which the full tangent is taken, above it the semidefinite one. Default 0.1.
+    pub full_below: f64,
+    /// Iterations, at most, at least 1. Default 80.
+    pub most_iterations: i32,
+    /// Trials along a direction, at most, at least 1. Default 12.
+    pub most_trials: i32,
+    /// Largest mean penetration of a node that is wanted, a length; 0, the default: that of the law, as it is. Where the law leaves
+    /// more, an augmented Lagrangian takes over, whose pressures at nodes need no penetration: for the laws "depth" and
+    /// "fiber", without friction and self-contact.
+    pub penetration: f64,
+    /// How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
+    pub reach: f64,
+    /// Updates of these pressures, at most, at least 1. Default 20.
+    pub most_updates: i32,
+    /// 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
+    /// energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
+    /// degree of freedom of the list, then one ten times as stiff, and so on. Each may take `most_iterations`. What is reported
+    /// is that of the contact as it is. 0, the default: off.
+    pub soft_start: i32,
+    /// Zero. Room for options of later versions.
+    pub reserved: [u64; 5],
+}
+
+impl Default for fmc_contact_step_options {
+    fn default() -> Self {
+        let defaults = ContactStepOptions::default();
+        Self {
+            struct_size: size_of::<Self>(),
+            tolerance: defaults.tolerance,
+            goal: defaults.goal,
+            full_below: defaults.full_below,
+            most_iterations: defaults.most_iterations as i32,
+            most_trials: defaults.most_trials as i32,
+            penetration: defaults.penetration,
+            reach: defaults.reach,
+            most_updates: defaults.most_updates as i32,
+            soft_start: defaults.soft_start.into(),
+            reserved: [0; 5],
+        }
+    }
+}
+
+impl fmc_contact_step_options {
+    fn to_options(self) -> Result<ContactStepOptions, Failure> {
+        if self.struct_size != size_of::<Self>() || self.reserved != [0; 5] {
+            let text = "the options of a contact step were not set by fmc_contact_step_options_init";
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
+        }
+        let count = |name, value: i32| {
+            let text = || format!("'{name}' is {value}, which is not allowed");
+            usize::try_from(value).map_err(|_| Failure::new(FMC_ERROR_NOT_POSITIVE, text()))
+        };
+        Ok(ContactStepOptions {
+            tolerance: self.tolerance,
+            goal: self.goal,
+            full_below: self.full_below,
+            most_iterations: count("most_iterations", self.most_iterations)?,
+            most_trials: count("most_trials", self.most_trials)?,
+            penetration: self.penetration,
+            reach: self.reach,
+            most_updates: count("most_updates", self.most_updates)?,
+            soft_start: match self.soft_start {
+                0 => false,
+                1 => true,
+                other => {
+                    let text = format!("'soft_start' is {other}, not 0 or 1");
+                    return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+                }
+            },
+        })
+    }
+}
+
+/// How a step of `fmc_context_contact_step` ended.
+#[repr(C)]
+pub enum fmc_contact_step_state {
+    /// In equilibrium.
+    FMC_STEP_CONVERGED = 0,
+    /// Contact acts on degrees of freedom that are neither on the list nor held: the displacement is what was reached when it
+    /// did, and a longer list is needed.
+    FMC_STEP_OUTSIDE = 1,
+    /// The iterations have run out, or the residual could not be lowered any more, or the penetration; the displacement is what was
+    /// reached.
+    FMC_STEP_NOT_CONVERGED = 2,
+}
+
+/// What is said of a step.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_contact_step_result {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// A value of `fmc_contact_step_state`.
+    pub state: i32,
+    /// Linear systems solved.
+    pub iterations: i32,
+    /// Evaluations of the contact, without those of its tangent.
+    pub evaluation_count: usize,
+    /// Degrees of freedom outside the list on which contact acts.
+    pub outside_count: usize,
+    /// Norm of the residual at the start.
+    pub residual_at_start: f64,
+    /// Norm of the residual that is left.
+    pub residual: f64,
+    /// What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
+    pub scale: f64,
+    /// Updates of the pressures of an augmented Lagrangian.
+    pub update_count: usize,
+    /// Largest mean penetration of a node at the end, where one was asked for; else 0.
+    pub penetration: f64,
+    /// Zero.
+    pub reserved: [u64; 6],
+}
+
+/// Sets all options of a contact step to their defaults.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status {
+    entry(|| {
+        let output = Output::required("options", options)?;
+        // SAFETY: the host passes a struct of the header's size, which may be written.
+        unsafe { output.write(fmc_contact_step_options::default()) };
+        Ok(())
+    })
+}
+
+/// The displacement d of some degrees of freedom for which `S d + r - f(x + d) = 0`: equilibrium of the contact forces f with bodies
+/// whose stiffness S and residual r without contact the host has condensed on these degrees of freedom. With it a host
+/// factorises its bodies once, and the contact, which opens and closes, is iterated on a small dense system.
+///
+/// By Newton's method for the energy `r.d + d.S d / 2 + w(x + d)`, along whose directions it is lowered. Frozen friction has an
+/// energy, too (`fmc_context_freeze_friction`); friction with the current pressure has none, the matrix is then unsymmetric, and
+/// what is lowered is the residual. With the law "fiber" call `fmc_context_keep_patches` before, for one energy.
+///
+/// `freedoms`, the list: `count` degrees of freedom `node * dim + axis`, counted from 0 whatever `index_base`, ascending; best those of
+/// the tangent's pattern that may move. `held`: `held_count` others that do not move and on which contact may act, ascending.
+/// `stiffness`: S, `count * count` numbers, row by row, symmetric; `residual`: r, internal less external forces at `coords`.
+/// `options` may be NULL: the defaults. `place`, which may be NULL, moves the nodes that follow those on the list; where bodies move by more
+/// than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
+/// `count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
+///
+/// With `penetration` in the options no node penetrates by more than that on average over its part of the surface, however soft the
+/// law is. What balances the bodies at the end is then not the force of the law, but `S d + r`.
+///
+/// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
+/// in every iteration: some 500 take tenths of a second.
+///
+/// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
+/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION` and `FMC_ERROR_STRUCT_SIZE` for the options,
+/// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
+/// a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
+/// one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_contact_step(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    options: *const fmc_contact_step_options,
+    freedoms: *const i64,
+    count: usize,
+    held: *const i64,
+    held_count: usize,
+    stiffness: *const f64,
+    residual: *const f64,
+    place: fmc_place,
+    user: *mut c_void,
+    displacement: *mut f64,
+    result: *mut fmc_contact_step_result,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::optional("result", result)?;
+        // SAFETY: the host passes a context, a view, options or NULL, arrays of the lengths given, and a function that
+        // keeps to its contract.
+        let step = unsafe {
+            write(context, |state| {
+                let coords = reference("coords", coords)?;
+                let options = optional("options", options)?.copied().unwrap_or_default().to_options()?;
+                let freedoms = numbers(slice("freedoms", freedoms, count, 1)?)?;
+                let held = numbers(slice("held", held, held_count, 1)?)?;
+                let stiffness = slice("stiffness", stiffness, count, count)?;
+                let residual = slice("residual", residual, count, 1)?;
+                if count > 0 {
+                    check("displacement", displacement.cast_const())?;
+                }
+                let bodies = CondensedBodies { freedoms: &freedoms, held: &held, stiffness, residual };
+                let placement = place.map(|function| Placement { function, user });
+                state.session.contact_step(coords, &bodies, &options, placement, state.index_base)
+            })
+        }?;
+        let state = match step.state {
+            ContactStepState::Converged => fmc_contact_step_state::FMC_STEP_CONVERGED,
+            ContactStepState::Outside => fmc_contact_step_state::FMC_STEP_OUTSIDE,
+            ContactStepState::NotConverged => fmc_contact_step_state::FMC_STEP_NOT_CONVERGED,
+        };
+        // SAFETY: the host guarantees room for `count` numbers, and that the result, where given, may be written.
+        unsafe {
+            copy_list("displacement", &step.displacement, displacement)?;
+            output.write(fmc_contact_step_result {
+                struct_size: size_of::<fmc_contact_step_result>(),
+                state: state as i32,
+                iterations: step.iterations as i32,
+                evaluation_count: step.evaluations,
+                outside_count: step.outside,
+                residual_at_start: step.residual_at_start,
+                residual: step.residual,
+                scale: step.scale,
+                update_count: step.updates,
+                penetration: step.penetration,
+                reserved: [0; 6],
+            });
+        }
+        Ok(())
+    })
+}
+
+/// Degrees of freedom as the core counts them; that they are too large it finds itself.
+fn numbers(given: &[i64]) -> Result<Vec<usize>, Failure> {
+    let number = |&freedom: &i64| {
+        let text = || format!("a list names degree of freedom {freedom}");
+        usize::try_from(freedom).map_err(|_| Failure::new(FMC_ERROR_FREEDOM_OUT_OF_RANGE, text()))
+    };
+    given.iter().map(number).collect()
+}

@@ -1,0 +1,110 @@
+//! Steps with friction.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::pointer::{check, optional, reference, slice};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_LENGTH};
+use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::view::fmc_coords;
+
+/// Begins a step with friction at `coords`, with the obstacles where they are: slip is counted from here. With friction
+/// this comes before the first evaluation, and `fmc_context_commit_step` after every step that is accepted, which begins
+/// the next. A step may be tried as often as the host likes: nothing has to be undone.
+///
+/// Elastic slip that was carried so far stays; there is none at first. Where friction is on, what touches here is measured:
+/// a facet that touches later counts its slip from then on.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
+/// `FMC_ERROR_BUSY`; with friction as `fmc_context_evaluate`. Nothing has changed then. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and a view.
+        unsafe { write(context, |state| state.session.begin_step(reference("coords", coords)?, state.index_base)) }
+    })
+}
+
+/// Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
+/// Frozen friction is released. Call it with the coordinates that the host has accepted, and never within an iteration.
+///
+/// Errors: `FMC_ERROR_NO_STEP` before `fmc_context_begin_step`; else as `fmc_context_evaluate`. Nothing has changed then.
+/// Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and a view.
+        unsafe { write(context, |state| state.session.commit_step(reference("coords", coords)?, state.index_base)) }
+    })
+}
+
+/// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
+/// called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
+/// symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the solution with
+/// the current pressure, and goes on where Newton's method on that fails, at large coefficients of friction.
+///
+/// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. What was frozen before then stays. Threads: one call at a
+/// time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_freeze_friction(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context, and a view or NULL.
+        unsafe { write(context, |state| state.session.freeze_friction(optional("coords", coords)?, state.index_base)) }
+    })
+}
+
+/// Writes the elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
+/// of `fmc_context_boundary_facets`, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
+/// coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
+/// `fmc_context_set_slip`, gives the bits of the unbroken run.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several
+/// at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        let state = unsafe { read(context) }?;
+        let found = state.session.slip()?;
+        if capacity < found.len() {
+            let text = format!("there is room for {capacity} numbers, the slip has {}", found.len());
+            return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
+        }
+        check("slip", slip.cast_const())?;
+        for (index, value) in found.iter().enumerate() {
+            // SAFETY: the host guarantees `capacity` numbers, of which there are no more than that.
+            unsafe { slip.add(index).write(*value) };
+        }
+        Ok(())
+    })
+}
+
+/// Sets the elastic slip that was carried into the step that has begun: `length` numbers, as `fmc_context_slip` writes
+/// them.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another length than `dim` times the
+/// number of facets, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
+/// time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_slip(
+    context: *mut fmc_context,
+    slip: *const f64,
+    length: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and `length` numbers.
+        unsafe {
+            write(context, |state| {
+                let (slip, expected) = (slice("slip", slip, length, 1)?, state.session.slip()?.len());
+                if length != expected {
+                    let text = format!("'slip' has {length} numbers, and {expected} are expected: dim for every facet");
+                    return Err(Failure::new(FMC_ERROR_LENGTH, text));
+                }
+                state.session.set_slip(slip)
+            })
+        }
+    })
+}

@@ -1,0 +1,41 @@
+//! What the contact allows an explicit host.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::pointer::{Output, reference, slice};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::state::{fmc_context, write};
+use crate::capi::structs::view::fmc_coords;
+
+/// Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q), q
+/// being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, a few per cent above it. Infinite where
+/// nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node feels contact, and
+/// infinite for nodes that the host holds. Obstacles are held.
+///
+/// A host whose own limit is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit is that of the motion
+/// linearised at `coords`: contact that begins within a step is not in it, nor is the force of the law "volume" with an
+/// exponent below 2, which jumps. The tangent and the results that are kept stay. Unit: that of
+/// sqrt(mass * length / force).
+///
+/// Errors: as `fmc_context_tangent`, and `FMC_ERROR_NOT_POSITIVE_MASS`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_stable_step(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    masses: *const f64,
+    step: *mut f64,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::required("step", step)?;
+        // SAFETY: the host passes a context, a view, and one mass for every node.
+        let found = unsafe {
+            write(context, |state| {
+                let coords = reference("coords", coords)?;
+                let masses = slice("masses", masses, state.session.counts().unknowns, 1)?;
+                state.session.stable_step(coords, masses, state.index_base)
+            })
+        }?;
+        // SAFETY: the output may be written.
+        unsafe { output.write(found) };
+        Ok(())
+    })
+}

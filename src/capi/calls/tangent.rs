@@ -1,0 +1,4 @@
+//! The tangent, entry by entry or row by row.
+
+pub(super) mod compressed_rows;
+pub(super) mod entries;

@@ -1,0 +1,204 @@
+//! The tangent, counted first and filled into the host's arrays then.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::pointer::{Output, check, reference, slice};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::boundary::status::fmc_status::{
+    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_INDEX_OUT_OF_RANGE, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_OPTION,
+};
+use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::view::fmc_coords;
+use crate::contact::TangentPart;
+
+/// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
+/// far from a solution.
+pub const FMC_SEMIDEFINITE: u32 = 2;
+
+/// Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
+pub const FMC_SYMMETRIC: u32 = 32;
+
+/// The part that `flags` ask for, which may hold no other than the `known` ones.
+pub(crate) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
+    if flags & !known != 0 {
+        return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}")));
+    }
+    Ok(match () {
+        () if flags & FMC_SEMIDEFINITE != 0 => TangentPart::Semidefinite,
+        () if flags & FMC_SYMMETRIC != 0 => TangentPart::Symmetric,
+        () => TangentPart::Full,
+    })
+}
+
+/// Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
+/// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
+/// `fmc_context_tangent_entries`.
+///
+/// Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
+/// place of Cholesky or conjugate gradients, or ask for `FMC_SYMMETRIC`, with which Newton's method takes more
+/// iterations, and fails sooner at large coefficients of friction. Row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
+/// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
+/// beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
+/// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the laws
+/// "depth" and "fiber". Both may be NULL.
+///
+/// With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
+/// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
+/// `FMC_SYMMETRIC` or `FMC_SEMIDEFINITE`, which is symmetric too.
+///
+/// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
+/// a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
+/// k * penetration of an iterate exceeds E / 10, and twice that of the last equilibrium, lower the option `stiffness` so that
+/// it does not, raise it at least fourfold in every iteration, and take `FMC_SEMIDEFINITE` until it is k again; else take the
+/// full tangent. docs/newton.md has the loop, and the iterations it takes on five problems.
+///
+/// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
+/// call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_tangent(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    flags: u32,
+    entry_count: *mut usize,
+    rank_one_count: *mut usize,
+) -> fmc_status {
+    entry(|| {
+        let entries = Output::optional("entry_count", entry_count)?;
+        let parts = Output::optional("rank_one_count", rank_one_count)?;
+        let part = part_of(flags, FMC_SEMIDEFINITE | FMC_SYMMETRIC)?;
+        // SAFETY: the host passes a context and a view.
+        let counts = unsafe {
+            write(context, |state| {
+                let tangent = state.session.tangent(reference("coords", coords)?, part, state.index_base)?;
+                state.keep_tangent(tangent);
+                Ok((state.tangent.entry_count(), state.tangent.rank_one.len()))
+            })
+        }?;
+        // SAFETY: the outputs, where given, may be written.
+        unsafe {
+            entries.write(counts.0);
+            parts.write(counts.1);
+        }
+        Ok(())
+    })
+}
+
+/// Writes the entries of the tangent to the host's arrays, each with room for `capacity`: entry i is `values[i]` at row
+/// `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
+/// freedom than 32 bits number, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes
+/// it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_tangent_entries(
+    context: *const fmc_context,
+    rows: *mut i32,
+    cols: *mut i32,
+    values: *mut f64,
+    capacity: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        let state = unsafe { read(context) }?;
+        let kept = &state.tangent;
+        let count = kept.entry_count();
+        if capacity < count {
+            let text = format!("there is room for {capacity} entries, the tangent has {count}");
+            return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
+        }
+        if count == 0 {
+            return Ok(());
+        }
+        let dofs = (kept.node_count + kept.obstacle_count) * kept.dim;
+        if i32::try_from(dofs).is_err() {
+            let text = format!("{dofs} degrees of freedom cannot be numbered in 32 bits");
+            return Err(Failure::new(FMC_ERROR_LENGTH, text));
+        }
+        check("rows", rows.cast_const())?;
+        check("cols", cols.cast_const())?;
+        check("values", values.cast_const())?;
+        for (index, (row, col, value)) in kept.entries().enumerate() {
+            // SAFETY: the host guarantees `capacity` entries, of which there are no more than that.
+            unsafe {
+                rows.add(index).write(row as i32);
+                cols.add(index).write(col as i32);
+                values.add(index).write(value);
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Product of the tangent, terms of rank one included, with `x`: `length` numbers, `dim` for every node, then, if
+/// `length` includes them, for every obstacle. `y` may be `x`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for fewer than `dim` times the number of nodes,
+/// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_tangent_product(
+    context: *const fmc_context,
+    x: *const f64,
+    y: *mut f64,
+    length: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and `length` numbers.
+        let (state, x) = unsafe { (read(context)?, slice("x", x, length, 1)?) };
+        if length < state.tangent.dof_count() {
+            let dofs = state.tangent.dof_count();
+            let text = format!("'x' has {length} entries, the mesh has {dofs} degrees of freedom");
+            return Err(Failure::new(FMC_ERROR_LENGTH, text));
+        }
+        if length == 0 {
+            return Ok(());
+        }
+        let product = state.tangent.product(x);
+        check("y", y.cast_const())?;
+        for (index, value) in product.into_iter().enumerate() {
+            // SAFETY: the host guarantees `length` entries.
+            unsafe { y.add(index).write(value) };
+        }
+        Ok(())
+    })
+}
+
+/// A term of rank one of the tangent, factor · g gᵀ: writes the factor, and g to `vector`, with room for `length`
+/// numbers laid out as in `fmc_context_tangent_product`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUSY`. Threads:
+/// several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_tangent_rank_one(
+    context: *const fmc_context,
+    index: usize,
+    factor: *mut f64,
+    vector: *mut f64,
+    length: usize,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::required("factor", factor)?;
+        // SAFETY: the host passes a context.
+        let state = unsafe { read(context) }?;
+        let kept = &state.tangent;
+        let (value, g) = kept.rank_one.get(index).ok_or_else(|| {
+            let text = format!("there is no part {index} of rank one, only {}", kept.rank_one.len());
+            Failure::new(FMC_ERROR_INDEX_OUT_OF_RANGE, text)
+        })?;
+        if length < kept.dof_count() {
+            let text = format!("'vector' has {length} entries, the mesh has {} degrees of freedom", kept.dof_count());
+            return Err(Failure::new(FMC_ERROR_LENGTH, text));
+        }
+        check("vector", vector.cast_const())?;
+        // SAFETY: the host guarantees `length` entries, and the factor.
+        unsafe {
+            for dof in 0..length {
+                vector.add(dof).write(0.0);
+            }
+            for &(dof, g) in g.iter().filter(|(dof, _)| *dof < length) {
+                vector.add(dof).write(g);
+            }
+            output.write(*value);
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,87 @@
+//! What this library is.
+
+use crate::capi::boundary::entry::quietly;
+use crate::capi::boundary::pointer::text;
+use std::ffi::{CStr, c_char};
+
+/// Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
+/// changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
+/// library at run time.
+pub const FMC_ABI_VERSION: i32 = 2;
+
+/// Features by name.
+const FEATURES: &[&str] = &[
+    "2d",
+    "3d",
+    "contact_points",
+    "exact",
+    "fiber_law",
+    "fibers",
+    "isotropic",
+    "obstacles",
+    "self_contact",
+    #[cfg(feature = "shapes")]
+    "shapes",
+    "signed_distance",
+    #[cfg(feature = "solver")]
+    "solver",
+    "tangent",
+    "threads",
+];
+
+const VERSION: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
+    Ok(version) => version,
+    Err(_) => panic!("the version holds a zero"),
+};
+
+/// Version of the library, such as "0.1.0". The text is constant and never freed. Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmc_version() -> *const c_char {
+    VERSION.as_ptr()
+}
+
+/// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header it was built with. Threads: any.
+#[unsafe(no_mangle)]
+pub extern "C" fn fmc_abi_version() -> i32 {
+    FMC_ABI_VERSION
+}
+
+/// 1 if the library has the feature of this name, else 0: "2d", "3d", "contact_points", "exact", "fiber_law", "fibers",
+/// "isotropic", "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "solver"
+/// (`fmc_condensation`), "tangent", "threads". 0 for unknown names and for NULL. Threads: any.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_has_feature(name: *const c_char) -> i32 {
+    quietly(0, || {
+        // SAFETY: the host passes a text that ends in zero, or NULL.
+        let name = unsafe { text("name", name) };
+        name.is_ok_and(|name| FEATURES.contains(&name)).into()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The names in the documentation of `fmc_has_feature`, as hosts read it.
+    #[test]
+    fn every_feature_that_the_header_names_is_there() {
+        let header = include_str!("../../../include/fmc_contact.h");
+        let (before, _) = header.split_once("int32_t fmc_has_feature").expect("the function");
+        let comment: Vec<&str> = before.lines().rev().take_while(|line| line.starts_with("//")).collect();
+        let comment = comment.into_iter().rev().collect::<Vec<_>>().join(" ");
+        let names: Vec<&str> = comment.split('"').skip(1).step_by(2).collect();
+        assert!(names.len() >= 12, "{names:?}");
+        for name in &names {
+            let text = std::ffi::CString::new(*name).expect("no zero");
+            // SAFETY: a text that ends in zero.
+            let found = unsafe { fmc_has_feature(text.as_ptr()) };
+            assert!(
+                found == 1
+                    || *name == "shapes" && cfg!(not(feature = "shapes"))
+                    || *name == "solver" && cfg!(not(feature = "solver")),
+                "{name}"
+            );
+        }
+        assert!(FEATURES.iter().all(|name| names.contains(name)), "{names:?}");
+    }
+}

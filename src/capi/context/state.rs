@@ -1,0 +1,290 @@
+//! The context: a mesh in contact that is evaluated again and again.
+
+use super::session::Session;
+use crate::capi::boundary::entry::{entry, guarded, quietly};
+use crate::capi::boundary::failure::{Failure, c_text};
+use crate::capi::boundary::last_error::fmc_last_error;
+use crate::capi::boundary::pointer::{Output, optional, reference};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_UNKNOWN_OPTION};
+use crate::capi::structs::contact_point::fmc_contact_point;
+use crate::capi::structs::evaluation::{Evaluation, fmc_result};
+use crate::capi::structs::gap_constraint::KeptGaps;
+use crate::capi::structs::kept_tangent::Kept;
+use crate::capi::structs::options::fmc_options;
+use crate::capi::structs::view::{fmc_coords, fmc_forces};
+use crate::contact::Pattern;
+use std::ffi::{CString, c_char, c_void};
+use std::sync::{RwLock, RwLockReadGuard, TryLockError};
+
+/// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
+/// instead of overwriting it.
+pub const FMC_ADD: u32 = 1;
+
+/// Level of a log message: something the user should know about a result that is an answer all the same.
+pub const FMC_LOG_WARNING: i32 = 1;
+
+/// Receives messages: a level, and a sentence that is valid during the call. `user` is the pointer given with it.
+///
+/// It is called at the end of an evaluation, on its thread, and may call the getters. It must not free the context,
+/// throw, or jump out.
+pub type fmc_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, level: i32, text: *const c_char)>;
+
+/// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
+///
+/// Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
+/// thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
+pub struct fmc_context {
+    state: RwLock<State>,
+}
+
+/// What the lock guards.
+pub(crate) struct State {
+    pub(crate) session: Box<dyn Session>,
+    pub(crate) evaluation: Evaluation,
+    pub(crate) tangent: Kept,
+    pub(crate) points: Vec<fmc_contact_point>,
+    pub(crate) gaps: KeptGaps,
+    /// Of the compressed rows, while it is kept.
+    pub(crate) pattern: Option<Pattern>,
+    pub(crate) index_base: i32,
+    error: CString,
+    log: fmc_log_callback,
+    log_user: LogUser,
+}
+
+impl fmc_context {
+    pub(crate) fn new(state: State) -> Self {
+        Self { state: RwLock::new(state) }
+    }
+}
+
+impl State {
+    pub(crate) fn new(session: Box<dyn Session>, index_base: i32) -> Self {
+        Self {
+            session,
+            evaluation: Evaluation::default(),
+            tangent: Kept::default(),
+            points: Vec::new(),
+            gaps: KeptGaps::default(),
+            pattern: None,
+            index_base,
+            error: CString::default(),
+            log: None,
+            log_user: LogUser(std::ptr::null_mut()),
+        }
+    }
+
+    /// Forgets what was kept of nodes and facets, which have other numbers now.
+    pub(crate) fn renumber(&mut self) {
+        (self.evaluation, self.tangent, self.gaps) = (Evaluation::default(), Kept::default(), KeptGaps::default());
+        self.points = Vec::new();
+        if let Some(pattern) = &mut self.pattern {
+            *pattern = Pattern::default();
+        }
+    }
+
+    /// Keeps a tangent until the next one, and its places if the pattern is kept.
+    pub(crate) fn keep_tangent(&mut self, tangent: Kept) {
+        if let Some(pattern) = &mut self.pattern {
+            pattern.add(tangent.places.iter().copied());
+        }
+        self.tangent = tangent;
+    }
+}
+
+/// The host's pointer for its log callback.
+#[derive(Clone, Copy)]
+struct LogUser(*mut c_void);
+
+// SAFETY: it is handed through, never followed; the host promises in `fmc_context_set_log` that the callback may be
+// called from whichever thread evaluates.
+unsafe impl Send for LogUser {}
+// SAFETY: as above.
+unsafe impl Sync for LogUser {}
+
+fn busy() -> Failure {
+    Failure::new(FMC_ERROR_BUSY, "the context is in use by another call")
+}
+
+/// The state, to look at.
+///
+/// # Safety
+/// The host guarantees a living context that is not freed during the call.
+pub(crate) unsafe fn read<'a>(context: *const fmc_context) -> Result<RwLockReadGuard<'a, State>, Failure> {
+    // SAFETY: passed on to the caller.
+    match unsafe { reference("context", context) }?.state.try_read() {
+        Ok(state) => Ok(state),
+        // A panic under the lock left the state as it was: it is replaced only as the last step.
+        Err(TryLockError::Poisoned(state)) => Ok(state.into_inner()),
+        Err(TryLockError::WouldBlock) => Err(busy()),
+    }
+}
+
+/// Runs `body` on the state; the text of a failure is kept in the context too.
+///
+/// # Safety
+/// The host guarantees a living context that is not freed during the call.
+pub(crate) unsafe fn write<T>(
+    context: *mut fmc_context,
+    body: impl FnOnce(&mut State) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    // SAFETY: passed on to the caller.
+    let mut state = match unsafe { reference("context", context.cast_const()) }?.state.try_write() {
+        Ok(state) => state,
+        Err(TryLockError::Poisoned(state)) => state.into_inner(),
+        Err(TryLockError::WouldBlock) => return Err(busy()),
+    };
+    let outcome = guarded(|| body(&mut state));
+    if let Err(failure) = &outcome {
+        state.error = c_text(&failure.text);
+    }
+    outcome
+}
+
+/// Replaces the options. They apply from the next evaluation on; results of the last one are kept.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`, `FMC_ERROR_STRUCT_SIZE`,
+/// `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and options.
+        unsafe {
+            write(context, |state| {
+                let options = reference("options", options)?;
+                state.session.set_options(options.to_options()?)?;
+                state.index_base = options.index_base;
+                Ok(())
+            })
+        }
+    })
+}
+
+/// Sets the callback that receives messages; NULL, the default: none. The library never prints.
+///
+/// The callback and `user` must outlive the context, or be replaced before they end. They are called on the thread that
+/// evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_log(
+    context: *mut fmc_context,
+    callback: fmc_log_callback,
+    user: *mut c_void,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        unsafe {
+            write(context, |state| {
+                (state.log, state.log_user) = (callback, LogUser(user));
+                Ok(())
+            })
+        }
+    })
+}
+
+/// Number of nodes of the mesh, of its boundary facets, and of its bodies. A quadrilateral face in 3D counts as four facets;
+/// of second order an edge counts as two, a triangle as four, a quadrilateral as sixteen. Any of the outputs may be NULL.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+/// changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_counts(
+    context: *const fmc_context,
+    node_count: *mut usize,
+    facet_count: *mut usize,
+    body_count: *mut usize,
+) -> fmc_status {
+    entry(|| {
+        let nodes = Output::optional("node_count", node_count)?;
+        let facets = Output::optional("facet_count", facet_count)?;
+        let bodies = Output::optional("body_count", body_count)?;
+        // SAFETY: the host passes a context.
+        let counts = unsafe { read(context) }?.session.counts();
+        // SAFETY: the outputs, where given, may be written.
+        unsafe {
+            nodes.write(counts.nodes);
+            facets.write(counts.facets);
+            bodies.write(counts.bodies);
+        }
+        Ok(())
+    })
+}
+
+/// Contact forces at `coords`, the current coordinates of all nodes of the mesh.
+///
+/// `forces`, which may be NULL, receives the nodal forces in the order of the nodes: the negative derivative of the
+/// contact energy, which pushes bodies apart. They overwrite the array, or are added to it with the flag `FMC_ADD`.
+/// Nodes that are not in contact get 0. `result`, which may be NULL too, receives the overlap volume and the other
+/// totals; forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
+///
+/// Both are written only on success. The arrays may overlap one another. Units are those of `fmc_result`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
+/// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
+/// `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_UNFINISHED_LINES`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_TOO_MANY_PIECES`,
+/// `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`; the text is given by
+/// `fmc_context_error`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_evaluate(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    forces: *const fmc_forces,
+    flags: u32,
+    result: *mut fmc_result,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context, both views and an output, or NULL where it may.
+        unsafe {
+            evaluated(context, result, |state| {
+                if flags & !FMC_ADD != 0 {
+                    return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}")));
+                }
+                let (coords, forces) = (reference("coords", coords)?, optional("forces", forces)?);
+                state.session.evaluate(coords, forces, flags & FMC_ADD != 0, state.index_base)
+            })
+        }
+    })
+}
+
+/// Keeps and writes what `body` finds, and hands its warnings to the host's callback.
+///
+/// # Safety
+/// The host guarantees a living context, and that `result`, if it is not NULL, may be written.
+pub(crate) unsafe fn evaluated(
+    context: *mut fmc_context,
+    result: *mut fmc_result,
+    body: impl FnOnce(&mut State) -> Result<Evaluation, Failure>,
+) -> Result<(), Failure> {
+    // SAFETY: passed on to the caller.
+    let (log, user, messages) = unsafe {
+        write(context, |state| {
+            let output = Output::optional("result", result)?;
+            let evaluation = body(state)?;
+            output.write(evaluation.result);
+            state.evaluation = evaluation;
+            let messages = if state.log.is_some() { state.evaluation.warnings.clone() } else { Vec::new() };
+            Ok((state.log, state.log_user, messages))
+        })
+    }?;
+    // The lock is free again, so that the callback may ask the context for more.
+    for (_, text) in messages {
+        if let Some(log) = log {
+            // SAFETY: the host gave a function that keeps to its contract, and its own pointer.
+            unsafe { log(user.0, FMC_LOG_WARNING, text.as_ptr()) };
+        }
+    }
+    Ok(())
+}
+
+/// Text of the last call that failed on this context, "" if none did; never NULL. It names the offending indices.
+///
+/// It is valid until the next call fails on the context, or the context ends. Getters, which do not change the context,
+/// leave their text in `fmc_last_error` only; so does a context that is NULL or busy, for which this returns that text.
+/// Threads: several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_error(context: *const fmc_context) -> *const c_char {
+    quietly(c"".as_ptr(), || {
+        // SAFETY: the host passes a context or NULL.
+        unsafe { read(context) }.map_or_else(|_| fmc_last_error(), |state| state.error.as_ptr())
+    })
+}

@@ -1,0 +1,22 @@
+//! The structs that a context reads and gives, and what they become: views of arrays, meshes, options, shapes, results.
+//!
+//! A struct that one function alone takes stands beside it, in `calls`.
+
+pub(super) mod boundary_facet;
+pub(super) mod contact_point;
+pub(super) mod evaluation;
+pub(super) mod gap_constraint;
+pub(super) mod in_parts;
+pub(super) mod kept_tangent;
+pub(super) mod mesh;
+pub(super) mod multiplier;
+pub(super) mod nodal_lists;
+pub(super) mod option_values;
+pub(super) mod options;
+pub(super) mod part;
+pub(super) mod partner;
+pub(super) mod placement;
+pub(super) mod pose;
+pub(super) mod shape;
+pub(super) mod signed_distance;
+pub(super) mod view;

@@ -1,0 +1,252 @@
+//! Results of an evaluation, as plain structs.
+
+use crate::Warning;
+use crate::capi::boundary::failure::c_text;
+use crate::contact::{ContactForces, PairForces, Resultant};
+use crate::overlap::Partner;
+use std::ffi::CString;
+
+/// Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,
+/// volumes are m^3 (2D: m^2), areas m^2 (m), energies J (J/m) and forces N (N/m).
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_result {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// Volume (2D: area) of what is inside both sides, summed over the pairs.
+    pub volume: f64,
+    /// Standard error of the volume; 0 for `exact`.
+    pub volume_standard_error: f64,
+    /// Contact energy, summed over the pairs.
+    pub energy: f64,
+    /// Area of contact (2D: length), summed over the pairs; see `fmc_pair`.
+    pub contact_area: f64,
+    /// Largest penetration of any pair; see `fmc_pair`.
+    pub penetration: f64,
+    /// Fibers laid.
+    pub fiber_count: usize,
+    /// Crossings that bound an overlap.
+    pub crossing_count: usize,
+    /// Facets that bound an overlap.
+    pub facet_count: usize,
+    /// Overlapping pairs, for `fmc_context_pair`.
+    pub pair_count: usize,
+    /// Bodies, for `fmc_context_body`.
+    pub body_count: usize,
+    /// Obstacles, for `fmc_context_obstacle`.
+    pub obstacle_count: usize,
+    /// Warnings, for `fmc_context_warning`.
+    pub warning_count: usize,
+    /// Energy stored in the stick of friction; 0 without friction, as the next four.
+    pub friction_energy: f64,
+    /// Energy dissipated by friction since the step began, never negative.
+    pub friction_dissipation: f64,
+    /// Area (2D: length) that sticks.
+    pub stick_area: f64,
+    /// Area (2D: length) that slides.
+    pub slip_area: f64,
+    /// Largest slip since the step began that was not elastic.
+    pub largest_slip: f64,
+    /// Zero.
+    pub reserved: [u64; 3],
+}
+
+/// Contact force and moment on one body or obstacle.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_resultant {
+    /// Id of the body as given, or its number among the connected components; index of the obstacle.
+    pub id: i64,
+    /// Sum of the forces; in 2D the last entry is 0.
+    pub force: [f64; 3],
+    /// Moment of the forces about the origin of space; in 2D only the last entry differs from 0.
+    pub moment: [f64; 3],
+    /// Nodes on the body's surface, with cells of second order points of its division; 0 for an obstacle.
+    pub node_count: usize,
+    /// The part of `force` that is friction.
+    pub friction: [f64; 3],
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+/// Kind of a partner.
+#[repr(C)]
+pub enum fmc_partner {
+    /// A body of the mesh.
+    FMC_PARTNER_BODY = 0,
+    /// An obstacle.
+    FMC_PARTNER_OBSTACLE = 1,
+}
+
+/// One overlapping pair; no side is master or slave.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_pair {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// First side: a value of `fmc_partner`.
+    pub a_kind: i32,
+    /// Second side: a value of `fmc_partner`.
+    pub b_kind: i32,
+    /// First side: index for `fmc_context_body` or `fmc_context_obstacle`.
+    pub a: usize,
+    /// Second side; the same as the first for a body that overlaps itself.
+    pub b: usize,
+    /// Volume (2D: area) of what is inside both sides, each place once, with every law and estimator.
+    pub volume: f64,
+    /// Standard error of the volume; 0 for `exact`.
+    pub volume_standard_error: f64,
+    /// Energy.
+    pub energy: f64,
+    /// Mean of the contact pressure over the contact: with the law "volume" dw/dV, which is one for the whole pair;
+    /// with "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the
+    /// other, the mean over both.
+    pub pressure: f64,
+    /// Area of contact (2D: length): half of the boundary of what is inside both sides, the strips of sunken side
+    /// walls with it. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the
+    /// surface of the body that is inside. Facets that do not match gape between their nodes in hard contact; what
+    /// gapes is not counted.
+    pub contact_area: f64,
+    /// How deep the sides reach into one another: with the law "fiber" the longest of its lines, with "depth" the
+    /// largest depth of either surface below the other, with "volume", which knows no depth of a place, the extent
+    /// of the overlap along its mean normal. The same where faces overlap flat. With "fiber" and "depth" k times it
+    /// is the largest pressure.
+    pub penetration: f64,
+    /// Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
+    pub spacing: f64,
+    /// Energy stored in the stick of friction.
+    pub friction_energy: f64,
+    /// Energy dissipated by friction since the step began.
+    pub friction_dissipation: f64,
+    /// Area (2D: length) that sticks.
+    pub stick_area: f64,
+    /// Area (2D: length) that slides.
+    pub slip_area: f64,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+/// Kind of a warning.
+#[repr(C)]
+pub enum fmc_warning {
+    /// The fibers are further apart than the facets in contact are wide: nodal forces are noisy.
+    FMC_WARNING_COARSE_FIBERS = 1,
+    /// Only a few fibers cross the overlap: it is thinner or smaller than their spacing.
+    FMC_WARNING_UNRESOLVED_OVERLAP = 2,
+    /// One body lies inside the other and is not pushed out.
+    FMC_WARNING_SWALLOWED_BODY = 3,
+    /// The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
+    /// its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
+    FMC_WARNING_PATCH_LEFT_OUT = 4,
+    /// Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
+    /// gives the imbalance. Forces may be wrong by as much.
+    FMC_WARNING_UNBALANCED = 5,
+    /// With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
+    /// symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
+    /// gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
+    /// penetration by the size of the cells.
+    FMC_WARNING_FLUSH_FACES = 6,
+}
+
+fn warning_code(warning: &Warning) -> i32 {
+    let code = match warning {
+        Warning::CoarseFibers { .. } => fmc_warning::FMC_WARNING_COARSE_FIBERS,
+        Warning::UnresolvedOverlap { .. } => fmc_warning::FMC_WARNING_UNRESOLVED_OVERLAP,
+        Warning::PatchLeftOut { .. } => fmc_warning::FMC_WARNING_PATCH_LEFT_OUT,
+        Warning::Unbalanced { .. } => fmc_warning::FMC_WARNING_UNBALANCED,
+        Warning::FlushFaces { .. } => fmc_warning::FMC_WARNING_FLUSH_FACES,
+        Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
+    };
+    code as i32
+}
+
+/// Results of an evaluation other than the forces.
+#[derive(Debug, Default)]
+pub(crate) struct Evaluation {
+    pub(crate) result: fmc_result,
+    pub(crate) bodies: Vec<fmc_resultant>,
+    pub(crate) obstacles: Vec<fmc_resultant>,
+    pub(crate) pairs: Vec<fmc_pair>,
+    pub(crate) warnings: Vec<(i32, CString)>,
+}
+
+impl<const D: usize> From<&ContactForces<D>> for Evaluation {
+    fn from(forces: &ContactForces<D>) -> Self {
+        Self {
+            result: fmc_result {
+                struct_size: size_of::<fmc_result>(),
+                volume: forces.volume,
+                volume_standard_error: forces.standard_error,
+                energy: forces.energy,
+                contact_area: forces.contact_area,
+                penetration: forces.penetration,
+                fiber_count: forces.fiber_count,
+                crossing_count: forces.crossing_count,
+                facet_count: forces.facet_count,
+                pair_count: forces.pairs.len(),
+                body_count: forces.bodies.len(),
+                obstacle_count: forces.obstacles.len(),
+                warning_count: forces.warnings.len(),
+                friction_energy: forces.friction.stored,
+                friction_dissipation: forces.friction.dissipated,
+                stick_area: forces.friction.stick_area,
+                slip_area: forces.friction.slip_area,
+                largest_slip: forces.friction.largest_slip,
+                reserved: [0; 3],
+            },
+            bodies: forces.bodies.iter().map(resultant).collect(),
+            obstacles: forces.obstacles.iter().map(resultant).collect(),
+            pairs: forces.pairs.iter().map(pair).collect(),
+            warnings: forces.warnings.iter().map(|w| (warning_code(w), c_text(&w.to_string()))).collect(),
+        }
+    }
+}
+
+fn resultant<const D: usize>(found: &Resultant<D>) -> fmc_resultant {
+    fmc_resultant {
+        id: found.id,
+        force: padded(&found.force),
+        moment: found.moment,
+        node_count: found.node_count,
+        friction: padded(&found.friction),
+        reserved: [0; 4],
+    }
+}
+
+/// A vector as one in space; in 2D the last entry is 0.
+pub(crate) fn padded<const D: usize>(x: &[f64; D]) -> [f64; 3] {
+    std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
+}
+
+/// Kind and index of a partner.
+pub(crate) fn side_of(partner: Partner) -> (i32, usize) {
+    match partner {
+        Partner::Body(index) => (fmc_partner::FMC_PARTNER_BODY as i32, index),
+        Partner::Obstacle(index) => (fmc_partner::FMC_PARTNER_OBSTACLE as i32, index),
+    }
+}
+
+fn pair(found: &PairForces) -> fmc_pair {
+    let ((a_kind, a), (b_kind, b)) = (side_of(found.a), side_of(found.b));
+    fmc_pair {
+        struct_size: size_of::<fmc_pair>(),
+        a_kind,
+        b_kind,
+        a,
+        b,
+        volume: found.volume,
+        volume_standard_error: found.standard_error,
+        energy: found.energy,
+        pressure: found.pressure,
+        contact_area: found.contact_area,
+        penetration: found.penetration,
+        spacing: found.spacing,
+        friction_energy: found.friction.stored,
+        friction_dissipation: found.friction.dissipated,
+        stick_area: found.friction.stick_area,
+        slip_area: found.friction.slip_area,
+        reserved: [0; 4],
+    }
+}
