@@ -1,7 +1,7 @@
 //! Overlap of two bodies, by two estimators that return the same types.
 //!
 //! `pair` (two sides and their overlap) · `points` (contact points, for local laws) · `patches` (where a pair touches)
-//! · `depth` (the law `depth`: what both have in common) · `exact` and `fibers` (the estimators, which do not know each other).
+//! · `depth` (the law `depth`) · `exact` and `fibers` (the estimators, which do not know each other).
 
 mod auto;
 mod by_options;
@@ -17,9 +17,10 @@ pub(crate) mod patches;
 pub(crate) mod points;
 
 pub(crate) use by_options::estimator;
-pub(crate) use depth_integral::{DepthIntegral, DepthProfile, DepthRequest, SecondDerivative};
+pub(crate) use depth_integral::{DepthIntegral, DepthRequest, SecondDerivative};
 pub(crate) use depth_points::{DepthPlace, DepthPoint, PlaceInCell, PointLists};
 pub(crate) use estimator::{Imbalance, OverlapEstimator};
+pub(crate) use exact::depth::depth_integral;
 pub(crate) use gaps::{NodalGap, nodal_gaps};
 pub use pair::fiber_trace::FiberTrace;
 pub(crate) use pair::obstacle_distance::distance_from_facets;

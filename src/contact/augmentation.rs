@@ -152,10 +152,7 @@ fn check(name: &'static str, value: f64) -> Result<(), Error> {
 fn refuse(law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
     let what = match law {
         _ if is_rubbed => "a penetration asked for with friction or self-contact",
-        EnergyLaw::Fiber { profile: FiberProfile::Quadratic, .. }
-        | EnergyLaw::Depth { profile: FiberProfile::Quadratic, .. } => {
-            return Ok(());
-        }
+        EnergyLaw::Fiber { profile: FiberProfile::Quadratic, .. } | EnergyLaw::Depth { .. } => return Ok(()),
         _ => "a penetration asked for under a law whose pressure is not a stiffness times the penetration",
     };
     Err(Error::Unsupported { what })

@@ -1,6 +1,5 @@
 //! Exact where that is possible, lines elsewhere.
 
-use super::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
 use super::estimator::{Imbalance, OverlapEstimator, WithHessian};
 use super::exact::ExactEstimator;
 use super::fibers::FiberEstimator;
@@ -34,13 +33,6 @@ impl<const D: usize> AutoEstimator<D> {
     }
 }
 
-impl<const D: usize> AutoEstimator<D> {
-    /// Exact for what is a polynomial.
-    fn for_depth(&self, profile: DepthProfile) -> &dyn OverlapEstimator<D> {
-        if profile == DepthProfile::Quadratic { &ExactEstimator } else { &self.fibers }
-    }
-}
-
 impl<const D: usize> OverlapEstimator<D> for AutoEstimator<D> {
     fn overlap(&self, pair: &Pair<D>) -> Result<Option<Overlap<D>>, Error> {
         self.of(pair).overlap(pair)
@@ -63,10 +55,6 @@ impl<const D: usize> OverlapEstimator<D> for AutoEstimator<D> {
         self.of(pair).contact_points(pair, patches, derivative)
     }
 
-    fn depth_integral(&self, pair: &Pair<D>, request: &DepthRequest) -> Result<Option<DepthIntegral<D>>, Error> {
-        self.for_depth(request.profile).depth_integral(pair, request)
-    }
-
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {
         self.of(pair).spacing(pair, patches)
     }
@@ -81,10 +69,6 @@ impl<const D: usize> OverlapEstimator<D> for AutoEstimator<D> {
 
     fn imbalance_of_volume(&self, pair: &Pair<D>) -> Option<Imbalance> {
         self.of(pair).imbalance_of_volume(pair)
-    }
-
-    fn imbalance_of_depth(&self, pair: &Pair<D>, profile: DepthProfile) -> Option<Imbalance> {
-        self.for_depth(profile).imbalance_of_depth(pair, profile)
     }
 
     fn imbalance_of_points(&self, pair: &Pair<D>) -> Option<Imbalance> {

@@ -1,11 +1,11 @@
-//! The law `depth`: what both estimators have in common, and rigid obstacles, which need neither.
+//! The law `depth`, which asks no estimator: it is exact, but for quadrature in rigid obstacles that are curved or not convex.
 //!
 //! ```text
 //! J_B = ∫_{A∩B} g_B dx        δJ_B(v) = ∫_{∂A∩B} g_B v_A·n dA − ∫_{A∩B} ∇g_B·v_B dx
 //! ```
 //!
 //! The first integral is over the facets of A inside the pieces of B on which g_B is linear; the second, and J_B itself,
-//! need the first two moments of A in every such piece. An estimator finds both, here they are summed.
+//! need the first two moments of A in every such piece.
 //!
 //! `deep_bodies` (two of cells, or one with itself) · `cell_pieces` (the pieces near by) · `facet_blocks`, `facet_sums` and
 //! `point_sums` (over facets) · `cell_integrals` (over the overlap) · `obstacles` (a rigid partner)

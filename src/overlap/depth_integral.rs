@@ -18,54 +18,9 @@ pub(crate) enum SecondDerivative {
     Full,
 }
 
-/// Energy by volume of a sum of depths s, for a stiffness of 1: φ(s) = ψ(s)/s, ψ being that by area of flat surfaces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum DepthProfile {
-    /// ψ = s²/2.
-    Quadratic,
-    /// ψ = √(s² + ε²) − ε.
-    Linear {
-        /// ε.
-        smoothing_length: f64,
-    },
-}
-
-impl DepthProfile {
-    /// φ.
-    pub(crate) fn density(self, s: f64) -> f64 {
-        match self {
-            Self::Quadratic => 0.5 * s,
-            Self::Linear { smoothing_length } => s / (s.hypot(smoothing_length) + smoothing_length),
-        }
-    }
-
-    /// φ'.
-    pub(crate) fn slope(self, s: f64) -> f64 {
-        match self {
-            Self::Quadratic => 0.5,
-            Self::Linear { smoothing_length: e } => {
-                let r = s.hypot(e);
-                e / (r * (r + e))
-            }
-        }
-    }
-
-    /// φ''.
-    pub(crate) fn curvature(self, s: f64) -> f64 {
-        match self {
-            Self::Quadratic => 0.0,
-            Self::Linear { smoothing_length: e } => {
-                let r = s.hypot(e);
-                -e * (s / r) * (2.0 * r + e) / (r * (r + e)).powi(2)
-            }
-        }
-    }
-}
-
 /// What is asked for beside the value and its gradient.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DepthRequest {
-    pub(crate) profile: DepthProfile,
     pub(crate) second: SecondDerivative,
     /// Number of the translation of the pair's obstacle in the second derivative.
     pub(crate) obstacle_node: u32,
@@ -73,8 +28,8 @@ pub(crate) struct DepthRequest {
     pub(crate) points: bool,
 }
 
-/// J = ∫ φ(g_A + g_B) over A ∩ B: with the quadratic profile the mean of the depths below both surfaces; against an obstacle ∫ g,
-/// the depth below its surface alone.
+/// J = ½ ∫ (g_A + g_B) over A ∩ B, the mean of the depths below both surfaces; against an obstacle ∫ g, the depth below its
+/// surface alone.
 #[derive(Clone, Debug)]
 pub(crate) struct DepthIntegral<const D: usize> {
     /// J.
@@ -142,24 +97,5 @@ impl<const D: usize> DepthIntegral<D> {
         self.nodes = moved.iter().map(|((node, _), _)| *node).collect();
         self.of_b = moved.iter().map(|((_, of_b), _)| *of_b).collect();
         self.gradient = moved.into_iter().map(|(_, gradient)| gradient).collect();
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::DepthProfile;
-
-    #[test]
-    fn derivatives_of_a_profile() {
-        for profile in [DepthProfile::Quadratic, DepthProfile::Linear { smoothing_length: 0.02 }] {
-            for s in [1e-3, 0.02, 0.5] {
-                // Central differences: truncation (h/s)² and rounding 1e-16 s/h.
-                let h = 1e-5 * s;
-                let slope = (profile.density(s + h) - profile.density(s - h)) / (2.0 * h);
-                assert!((slope / profile.slope(s) - 1.0).abs() < 1e-8, "{profile:?} at {s}");
-                let curvature = (profile.slope(s + h) - profile.slope(s - h)) / (2.0 * h);
-                assert!((curvature - profile.curvature(s)).abs() < 1e-7 * profile.slope(s) / s, "{profile:?} at {s}");
-            }
-        }
     }
 }

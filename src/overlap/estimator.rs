@@ -1,6 +1,5 @@
 //! What every estimator can be asked for a pair of bodies.
 
-use super::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
 use super::pair::fiber_trace::FiberTrace;
 use super::pair::overlap::Overlap;
 use super::pair::sides::Pair;
@@ -31,12 +30,6 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error>;
 
-    /// The depths of the sides below each other's surfaces, summed over the overlap, or `None` where they are apart.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] where the estimator has no such sum.
-    fn depth_integral(&self, pair: &Pair<D>, request: &DepthRequest) -> Result<Option<DepthIntegral<D>>, Error>;
-
     /// Distance between the lines along the directions of `patches`, where there are lines.
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error>;
 
@@ -51,9 +44,6 @@ pub(crate) trait OverlapEstimator<const D: usize>: Send + Sync {
 
     /// What is expected of the balance of the forces of a volume law, which is put right; `None`: it is not.
     fn imbalance_of_volume(&self, pair: &Pair<D>) -> Option<Imbalance>;
-
-    /// The same for the law `depth`.
-    fn imbalance_of_depth(&self, pair: &Pair<D>, profile: DepthProfile) -> Option<Imbalance>;
 
     /// The same for a local law.
     fn imbalance_of_points(&self, pair: &Pair<D>) -> Option<Imbalance>;

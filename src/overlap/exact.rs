@@ -5,7 +5,7 @@
 //! flat-sided obstacles.
 
 pub(crate) mod clipping;
-mod depth;
+pub(crate) mod depth;
 pub(crate) mod estimator;
 pub(crate) mod projection;
 

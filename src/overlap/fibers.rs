@@ -3,7 +3,6 @@
 pub(crate) mod bundle;
 pub(crate) mod contact_points;
 pub(crate) mod crossings;
-mod depth;
 pub(crate) mod estimator;
 pub(crate) mod layout;
 pub(crate) mod obstacle_crossings;

@@ -3,7 +3,7 @@
 use crate::depth;
 use crate::scene::{Scene, cross, norm, size_sum};
 use fmc_contact::contact::TangentPart;
-use fmc_contact::{Contact, ContactForces, Obstacle, Pose, Shape};
+use fmc_contact::{Contact, ContactForces, Estimator, FiberOptions, FiberPattern, Obstacle, Options, Pose, Shape};
 use fmc_shapes::{
     Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_surface, cuboid_tet4, icosphere, random_rotation, rectangle_quad4,
     rectangle_tri3, regular_polygon,
@@ -282,4 +282,26 @@ fn past_a_wall() {
             assert!(fine < 5e-4 && fine <= 0.25 * coarse + 1e-10, "{fine:e} against {coarse:e}");
         }
     }
+}
+
+/// The law asks no estimator: the same bits between bodies and against an obstacle, on lines and isotropic segments too.
+#[test]
+fn estimators_have_no_part_in_it() {
+    let blocks = [
+        rectangle_tri3([0.0, 0.0], [1.0, 1.0], [4, 4], Diagonals::Same),
+        rectangle_tri3([0.2, 0.95], [0.8, 1.5], [3, 3], Diagonals::Same),
+    ];
+    let scene = Scene::of(&[&blocks[0], &blocks[1]]);
+    let of = |estimator: Estimator| {
+        let mut contact = scene.contact(Options { estimator, ..depth(3.0) });
+        let shape = Shape::Ball { radius: 0.5 };
+        contact.add_obstacle(Obstacle { shape, pose: Pose::at([0.5, -0.4]) }).expect("an obstacle");
+        contact.evaluate(&scene.coords).expect("valid coordinates")
+    };
+    let exact = of(Estimator::Exact);
+    assert_eq!(exact.pairs.len(), 2);
+    for pattern in [FiberPattern::Lines, FiberPattern::Isotropic { length: None }] {
+        assert_eq!(of(Estimator::Fibers(FiberOptions { pattern, ..FiberOptions::default() })), exact);
+    }
+    assert_eq!(of(Estimator::default()), exact);
 }

@@ -116,21 +116,20 @@ impl fmc_options {
     fn check_effects(&self) -> Result<(), Failure> {
         let estimator = ESTIMATOR.name(self.estimator)?;
         let law = LAW.name(self.law)?;
-        // Chosen automatically, lines may be needed, but not by the quadratic law "depth".
-        let is_quadratic = law == "depth" && self.smoothing_length == 0.0;
-        let is_sampled = estimator == "fibers" || (estimator == "auto" && !is_quadratic);
+        // Chosen automatically, lines may be needed, but not by the law "depth".
+        let is_sampled = estimator == "fibers" || (estimator == "auto" && law != "depth");
         let is_isotropic = PATTERN.name(self.pattern)? == "isotropic";
         let is_volume = law == "volume";
         let is_weighted = WEIGHTS.name(self.weights)? != "balance";
         let idle = [
             ("exponent", self.exponent != 1.0 && !is_volume, "the law 'volume'"),
-            ("smoothing_length", self.smoothing_length != 0.0 && is_volume, "the laws 'fiber' and 'depth'"),
+            ("smoothing_length", self.smoothing_length != 0.0 && law != "fiber", "the law 'fiber'"),
             ("spacing", self.spacing != 0.0 && !is_sampled, "the estimator 'fibers'"),
             ("fiber_count", self.fiber_count != 0 && !is_sampled, "the estimator 'fibers'"),
             ("seed", self.seed != 0 && !is_sampled, "the estimator 'fibers'"),
             ("pattern", is_isotropic && estimator != "fibers", "the estimator 'fibers'"),
             ("weights", is_weighted && !is_sampled, "the estimator 'fibers'"),
-            ("weights", is_weighted && law == "fiber", "the laws 'volume' and 'depth'"),
+            ("weights", is_weighted && !is_volume, "the law 'volume'"),
             ("weights", is_weighted && is_isotropic, "the pattern 'lines'"),
             ("fiber_length", self.fiber_length != 0.0 && !(is_sampled && is_isotropic), "the pattern 'isotropic'"),
         ];
@@ -160,7 +159,7 @@ impl fmc_options {
         };
         Ok(match LAW.name(self.law)? {
             "fiber" => EnergyLaw::Fiber { stiffness: k, profile },
-            "depth" => EnergyLaw::Depth { stiffness: k, profile },
+            "depth" => EnergyLaw::Depth { stiffness: k },
             _ => EnergyLaw::Volume { stiffness: k, exponent: self.exponent },
         })
     }
@@ -248,6 +247,7 @@ mod tests {
             |o| o.axisymmetric = 2,
             |o| (o.law, o.spacing, o.fiber_count) = (1, 0.1, 10),
             |o| (o.law, o.smoothing_length) = (0, 1e-3),
+            |o| o.smoothing_length = 1e-3,
             |o| o.exponent = 2.0,
         ] {
             assert_eq!(refused(change).0, FMC_ERROR_UNKNOWN_OPTION);
@@ -258,7 +258,9 @@ mod tests {
             (|o| (o.estimator, o.seed) = (1, 9), "'seed' belongs to the estimator 'fibers'"),
             (|o| (o.estimator, o.pattern) = (1, 1), "'pattern' belongs to the estimator 'fibers'"),
             (|o| (o.law, o.estimator, o.weights) = (0, 1, 1), "'weights' belongs to the estimator 'fibers'"),
-            (|o| (o.law, o.weights) = (1, 1), "'weights' belongs to the laws 'volume' and 'depth'"),
+            (|o| (o.law, o.weights) = (1, 1), "'weights' belongs to the law 'volume'"),
+            (|o| (o.estimator, o.weights) = (0, 1), "'weights' belongs to the law 'volume'"),
+            (|o| o.smoothing_length = 0.1, "'smoothing_length' belongs to the law 'fiber'"),
             (|o| o.spacing = 0.1, "'spacing' belongs to the estimator 'fibers'"),
             (|o| (o.law, o.estimator, o.pattern, o.weights) = (0, 0, 1, 1), "'weights' belongs to the pattern 'lines'"),
             (

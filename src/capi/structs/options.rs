@@ -17,9 +17,8 @@ pub enum fmc_law {
     /// w = k/2 times the integral over the overlap of g_A + g_B, the depths of both bodies' material below their own
     /// surfaces; against an obstacle k times that of the depth below its surface. Flat faces press with k times their
     /// penetration, as with "fiber", and k is a pressure per length; but there are no directions and no patches, and
-    /// the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. Obstacles are measured
-    /// without lines under every estimator. With a smoothing length s, w is the integral of psi(L)/L over the overlap, L
-    /// being g_A + g_B and psi as above. Key value "depth".
+    /// the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. It is measured
+    /// without lines under every estimator. Key value "depth".
     FMC_LAW_DEPTH = 2,
 }
 
@@ -103,13 +102,12 @@ pub struct fmc_options {
     /// 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
     /// whole rings: everything counts 2 pi r. Default 0. Not with friction, nor isotropic fibers.
     pub axisymmetric: i32,
-    /// Smoothing length of the laws "fiber" and "depth", over which the pressure grows to k; 0, the default: the quadratic
-    /// law. The law "depth" with one is measured on lines, between bodies alone: not with the estimator "exact", obstacles,
-    /// a gap offset, or axisymmetry.
+    /// Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Refused
+    /// with any other law.
     pub smoothing_length: f64,
     /// Coefficient of Coulomb friction of all pairs that have none of their own, at least 0. Default 0: no friction. With
     /// it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. With the law
-    /// "volume" not without `friction_stiffness` or `memoryless_slip`, and not on isotropic fibers.
+    /// "volume" not without `friction_stiffness` or `memoryless_slip`.
     pub friction_coefficient: f64,
     /// Tangential stiffness of the stick, a pressure per length; 0, the default: the stiffness of the law at a first touch.
     pub friction_stiffness: f64,

@@ -10,7 +10,7 @@ use super::volume_law::VolumeLaw;
 pub(crate) fn pair_law<const D: usize>(law: &EnergyLaw) -> Box<dyn PairLaw<D>> {
     match law {
         EnergyLaw::Volume { .. } => Box::new(VolumeLaw(*law)),
-        EnergyLaw::Depth { .. } => Box::new(DepthLaw(*law)),
+        EnergyLaw::Depth { stiffness } => Box::new(DepthLaw { stiffness: *stiffness }),
         EnergyLaw::Fiber { .. } => Box::new(FiberLaw(*law)),
     }
 }

@@ -32,18 +32,14 @@ pub enum EnergyLaw {
     /// is k δ on either, as with `Fiber`; but no direction is needed, and the energy has no step wherever corners, edges
     /// and whole bodies go. Bodies need cells where they meet one another, not where they meet obstacles. Obstacles that
     /// are curved, or not convex, by quadrature.
-    ///
-    /// In general w = ∫ ψ(s)/s dx over the overlap of two bodies, s = g_A + g_B, which for flat surfaces is ψ(δ) by area. Exact
-    /// for the quadratic ψ alone, which obstacles and axisymmetry need too; any other is measured on lines.
+    /// Measured without lines under every estimator.
     Depth {
-        /// Stiffness, positive: Pa/length for [`FiberProfile::Quadratic`], Pa for [`FiberProfile::Linear`].
+        /// Stiffness, positive, Pa/length.
         stiffness: f64,
-        /// ψ.
-        profile: FiberProfile,
     },
 }
 
-/// Energy ψ of a penetration, per measure across it: of one line, or of the depths of two bodies.
+/// Energy ψ of a penetration, per measure across it, for the law `Fiber`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FiberProfile {
@@ -69,7 +65,7 @@ impl EnergyLaw {
 
     /// w = k/2 ∫ (g_A + g_B) dx: pressure = k × penetration, k in Pa/length.
     pub fn depth(k: f64) -> Self {
-        EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Quadratic }
+        EnergyLaw::Depth { stiffness: k }
     }
 
     /// The same with another stiffness: k by a factor.
@@ -77,7 +73,7 @@ impl EnergyLaw {
         match self {
             EnergyLaw::Volume { stiffness, exponent } => EnergyLaw::Volume { stiffness: factor * stiffness, exponent },
             EnergyLaw::Fiber { stiffness, profile } => EnergyLaw::Fiber { stiffness: factor * stiffness, profile },
-            EnergyLaw::Depth { stiffness, profile } => EnergyLaw::Depth { stiffness: factor * stiffness, profile },
+            EnergyLaw::Depth { stiffness } => EnergyLaw::Depth { stiffness: factor * stiffness },
         }
     }
 
@@ -87,11 +83,11 @@ impl EnergyLaw {
         let x = measure.max(0.0);
         match *self {
             EnergyLaw::Volume { stiffness: k, exponent: m } => k * x.powf(m),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Quadratic } => 0.5 * k * x * x,
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                0.5 * k * x * x
+            }
             // √(L² + ε²) − ε without cancellation.
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
                 k * x * (x / (x.hypot(smoothing_length) + smoothing_length))
             }
         }
@@ -103,10 +99,10 @@ impl EnergyLaw {
         match *self {
             EnergyLaw::Volume { stiffness: k, exponent: 1.0 } => k,
             EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * x.powf(m - 1.0),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Quadratic } => k * x,
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                k * x
+            }
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
                 k * (x / x.hypot(smoothing_length))
             }
         }
@@ -118,10 +114,10 @@ impl EnergyLaw {
         match *self {
             EnergyLaw::Volume { exponent: 1.0, .. } => 0.0,
             EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * (m - 1.0) * x.powf(m - 2.0),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Quadratic } => k,
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                k
+            }
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
                 let r = x.hypot(smoothing_length);
                 k * (smoothing_length / r) * (smoothing_length / r) / r
             }
@@ -138,11 +134,6 @@ impl EnergyLaw {
         matches!(self, EnergyLaw::Depth { .. })
     }
 
-    /// Whether it is one that only lines measure.
-    pub(crate) fn needs_lines(&self) -> bool {
-        matches!(self, EnergyLaw::Depth { profile, .. } if *profile != FiberProfile::Quadratic)
-    }
-
     /// Checks that k is positive and finite, m finite and at least 1, ε positive and finite. An error names the option
     /// as the user sets it, `stiffness` for k and `exponent` for m.
     pub(crate) fn check(&self) -> Result<(), Error> {
@@ -157,10 +148,10 @@ impl EnergyLaw {
             EnergyLaw::Volume { stiffness: k, exponent: m } => {
                 positive("stiffness", k, 0.0).and(positive("exponent", m, 1.0))
             }
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Quadratic } => positive("stiffness", k, 0.0),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                positive("stiffness", k, 0.0)
+            }
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
                 positive("stiffness", k, 0.0).and(positive("smoothing_length", smoothing_length, 0.0))
             }
         }
@@ -181,7 +172,6 @@ mod tests {
             EnergyLaw::fiber(3.0),
             EnergyLaw::depth(3.0),
             EnergyLaw::Fiber { stiffness: 3.0, profile: linear },
-            EnergyLaw::Depth { stiffness: 3.0, profile: linear },
         ] {
             for x in [1e-3, 0.02, 0.7] {
                 // Central differences: truncation (h/x)² and rounding 1e-16 x/h.

@@ -7,7 +7,7 @@ use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use super::pressure_point::{PressurePoint, of_depth_points};
 use crate::Error;
 use crate::contact::tangents::{Tangent, TangentPart};
-use crate::overlap::{DepthProfile, DepthRequest, Overlap, SecondDerivative};
+use crate::overlap::{DepthRequest, Overlap, SecondDerivative, depth_integral};
 
 /// The volume law.
 pub(super) struct VolumeLaw(pub(super) EnergyLaw);
@@ -29,13 +29,9 @@ impl VolumeLaw {
         overlap: &Overlap<D>,
         measured: &Measured<D>,
     ) -> Result<Vec<PressurePoint<D>>, Error> {
-        let request = DepthRequest {
-            profile: DepthProfile::Quadratic,
-            second: SecondDerivative::No,
-            obstacle_node: measured.obstacle_node(),
-            points: true,
-        };
-        let Some(depth) = measured.estimator.depth_integral(measured.pair, &request)? else { return Ok(Vec::new()) };
+        let (second, obstacle_node) = (SecondDerivative::No, measured.obstacle_node());
+        let request = DepthRequest { second, obstacle_node, points: true };
+        let Some(depth) = depth_integral(measured.pair, &request)? else { return Ok(Vec::new()) };
         let pressure = self.0.energy_gradient(overlap.volume);
         Ok(of_depth_points(depth.points, measured.pair, |_| pressure, |_| 0.0))
     }

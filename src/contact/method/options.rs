@@ -67,16 +67,11 @@ impl Options {
         self.law.check()?;
         self.friction.check()?;
         self.check_axisymmetry()?;
-        if self.friction.is_active() && matches!(self.law, EnergyLaw::Volume { .. }) {
-            if self.friction.stiffness.is_none() && self.friction.memoryless_slip.is_none() {
-                let what = "friction with the law volume, which has no stiffness by penetration, without a stiffness of \
-                            its own: set friction_stiffness";
-                return Err(Error::Unsupported { what });
-            }
-            if matches!(&self.estimator, Estimator::Fibers(fibers) if fibers.pattern != FiberPattern::Lines) {
-                let what = "friction with the law volume on isotropic fibers: use FiberPattern::Lines";
-                return Err(Error::Unsupported { what });
-            }
+        let is_rubbed_volume = self.friction.is_active() && matches!(self.law, EnergyLaw::Volume { .. });
+        if is_rubbed_volume && self.friction.stiffness.is_none() && self.friction.memoryless_slip.is_none() {
+            let what = "friction with the law volume, which has no stiffness by penetration, without a stiffness of \
+                        its own: set friction_stiffness";
+            return Err(Error::Unsupported { what });
         }
         let positive = |name, value: f64| {
             if value.is_finite() && value > 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
@@ -84,20 +79,9 @@ impl Options {
         if self.threads == 0 {
             return Err(Error::NotPositive { name: "threads", value: 0.0 });
         }
-        if self.law.needs_lines() && self.estimator == Estimator::Exact {
-            let what = "the law depth with a smoothing_length, exactly: use the estimator fibers or auto";
-            return Err(Error::Unsupported { what });
-        }
-        if self.law.needs_lines() && self.axisymmetric {
-            return Err(Error::Unsupported { what: "the law depth with a smoothing_length in axisymmetry" });
-        }
         if let Estimator::Fibers(fibers) | Estimator::Auto(fibers) = &self.estimator {
             if matches!(self.estimator, Estimator::Auto(_)) && fibers.pattern != FiberPattern::Lines {
                 let what = "isotropic fibers chosen automatically: use the estimator fibers";
-                return Err(Error::Unsupported { what });
-            }
-            if self.law.needs_depth() && fibers.pattern != FiberPattern::Lines {
-                let what = "the law depth on isotropic fibers: use FiberPattern::Lines";
                 return Err(Error::Unsupported { what });
             }
             if self.law.is_fiber() && fibers.pattern != FiberPattern::Lines {

@@ -24,14 +24,12 @@ pub(crate) struct CellMoments {
     pub(crate) first: Vec<[f64; 4]>,
     /// ∫ of the products of two, not weighted; empty where there is no weight.
     pub(crate) products: Vec<Products>,
-    /// Of a profile that is not quadratic: ∫ φ, and ∫ 2 φ' of every coordinate.
-    pub(crate) profile: Option<(f64, Vec<[f64; 4]>)>,
 }
 
 impl CellMoments {
     /// Without a weight.
     pub(crate) fn plain(first: Vec<[f64; 4]>) -> Self {
-        Self { first, products: Vec::new(), profile: None }
+        Self { first, products: Vec::new() }
     }
 
     /// With a weight, which is linear in every piece.
@@ -44,7 +42,7 @@ impl CellMoments {
             let weights = piece.corners.map(|x| weighting.at(&x));
             products.map(|row| (0..=D).map(|k| row[k] * weights[k]).sum())
         });
-        Self { first: first.collect(), products, profile: None }
+        Self { first: first.collect(), products }
     }
 }
 
@@ -66,7 +64,7 @@ pub(crate) fn cell_integrals<const D: usize>(
         sums.volume += first.iter().sum::<f64>();
         sums.depth += first.iter().zip(&piece.depths).map(|(m, g)| m * g).sum::<f64>();
         let nodes = cells.nodes(piece.cell as usize);
-        let at_nodes = piece.at_nodes(moments.profile.as_ref().map_or(first, |(_, pressed)| &pressed[number]));
+        let at_nodes = piece.at_nodes(first);
         for (&node, m) in nodes.iter().zip(&at_nodes) {
             gradient.add(node, of_b, &(piece.gradient * (-weight * m)));
         }
@@ -100,9 +98,6 @@ pub(crate) fn cell_integrals<const D: usize>(
             }
             hessian.add_square(nodes, &values);
         }
-    }
-    if let Some((value, _)) = moments.profile {
-        sums.depth = value;
     }
     sums
 }

@@ -1,4 +1,4 @@
-//! Bodies of cells, each with a depth: how what an estimator finds adds up.
+//! Bodies of cells, each with a depth: how what their facets and pieces have inside the other adds up.
 
 use super::cell_integrals::{CellMoments, cell_integrals};
 use super::cell_pieces::CellPieces;
@@ -7,7 +7,7 @@ use super::obstacles::of_obstacle;
 use crate::Error;
 use crate::depth::DepthField;
 use crate::geometry::cells::Cells;
-use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
+use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
 use crate::overlap::pair::bounds::Bounds;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::Region;
@@ -36,13 +36,8 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
         request: &'a DepthRequest,
         measure: impl FnOnce(&Self) -> Result<Option<DepthIntegral<D>>, Error>,
     ) -> Result<Option<DepthIntegral<D>>, Error> {
-        let is_quadratic = request.profile == DepthProfile::Quadratic;
         if let (Partner::Obstacle(_), Some(pose)) = (pair.partners[1], pair.pose) {
-            let what = "the law depth with a smoothing_length against an obstacle: give the pair another law";
-            return if is_quadratic { of_obstacle(pair, pose, request) } else { Err(Error::Unsupported { what }) };
-        }
-        if !is_quadratic && pair.clearance != 0.0 {
-            return Err(Error::Unsupported { what: "a gap_offset under the law depth with a smoothing_length" });
+            return of_obstacle(pair, pose, request);
         }
         let what = "the law depth, or friction with the law volume, between bodies given by facets: give cells";
         let (Some(field), Some(cells)) = (pair.depth, &pair.surface.cells) else {

@@ -30,14 +30,13 @@ pub(crate) struct FacetSums<const D: usize> {
 packed!(FacetSums<D> { gradient, hessian, facets, points, area, depth, deepest, piece_count, flush });
 
 impl<const D: usize> FacetSums<D> {
-    /// Adds a facet of one side to its nodes, given ∫ N_a, ∫ g N_a and ∫ 2 φ(g) N_a over what it has inside, in parts of its
-    /// measure; its force counts by `weight`.
+    /// Adds a facet of one side to its nodes, given ∫ N_a and ∫ g N_a over what it has inside, in parts of its measure; its
+    /// force counts by `weight`.
     pub(crate) fn add_to_nodes(
         &mut self,
         facet: &BodyFacet<D>,
         areas: &[f64; D],
         depths: &[f64; D],
-        pressed: &[f64; D],
         (of_b, weight): (bool, f64),
     ) {
         let in_measure = |sums: &[f64; D]| sums.map(|sum| sum * facet.measure);
@@ -48,7 +47,7 @@ impl<const D: usize> FacetSums<D> {
             depths: in_measure(depths),
         });
         for (corner, weights) in facet.weights.iter().enumerate() {
-            let force = facet.normal * (weight * (pressed[corner] * facet.measure));
+            let force = facet.normal * (weight * (depths[corner] * facet.measure));
             for (&node, &part) in facet.nodes.iter().zip(weights).filter(|(_, part)| **part != 0.0) {
                 self.gradient.add(node, of_b, &(force * part));
             }

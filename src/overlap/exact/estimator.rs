@@ -1,9 +1,7 @@
 //! Exact clipping as an estimator.
 
 use super::clipping::volume::ExactPair;
-use super::depth::depth_integral;
 use crate::Error;
-use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator, WithHessian};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::overlap::Overlap;
@@ -49,10 +47,6 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
         ExactPair { pair }.contact_points(patches, derivative)
     }
 
-    fn depth_integral(&self, pair: &Pair<D>, request: &DepthRequest) -> Result<Option<DepthIntegral<D>>, Error> {
-        depth_integral(pair, request)
-    }
-
     fn spacing(&self, _: &Pair<D>, _: &Patches<D>) -> Result<Option<f64>, Error> {
         Ok(None)
     }
@@ -67,10 +61,6 @@ impl<const D: usize> OverlapEstimator<D> for ExactEstimator {
 
     fn imbalance_of_volume(&self, _: &Pair<D>) -> Option<Imbalance> {
         Some(Imbalance { rounding: ROUNDING, doubtful: DOUBTFUL })
-    }
-
-    fn imbalance_of_depth(&self, _: &Pair<D>, _: DepthProfile) -> Option<Imbalance> {
-        None
     }
 
     fn imbalance_of_points(&self, _: &Pair<D>) -> Option<Imbalance> {

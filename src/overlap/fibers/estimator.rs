@@ -1,9 +1,7 @@
 //! Sampling by fibers as an estimator.
 
-use super::depth::depth_integral;
 use super::layout::FiberPair;
 use crate::Error;
-use crate::overlap::depth_integral::{DepthIntegral, DepthProfile, DepthRequest};
 use crate::overlap::estimator::{Imbalance, OverlapEstimator, WithHessian};
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::options::FiberOptions;
@@ -36,8 +34,6 @@ impl<const D: usize> FiberEstimator<D> {
 /// Sampling leaves an imbalance, of any size where few lines meet the overlap.
 const EXPECTED: Imbalance = Imbalance { rounding: 0.0, doubtful: f64::INFINITY };
 
-const NO_DEPTH: &str = "the law depth, or friction with the law volume, on isotropic fibers: use FiberPattern::Lines";
-
 impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
     fn overlap(&self, pair: &Pair<D>) -> Result<Option<Overlap<D>>, Error> {
         self.of(pair).overlap()
@@ -64,13 +60,6 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
         self.of(pair).contact_points(patches)
     }
 
-    fn depth_integral(&self, pair: &Pair<D>, request: &DepthRequest) -> Result<Option<DepthIntegral<D>>, Error> {
-        if self.families.is_empty() {
-            return Err(Error::Unsupported { what: NO_DEPTH });
-        }
-        depth_integral(&self.of(pair), request)
-    }
-
     fn spacing(&self, pair: &Pair<D>, patches: &Patches<D>) -> Result<Option<f64>, Error> {
         Ok(self.of(pair).contact_points(patches)?.map(|points| points.spacing).filter(|spacing| *spacing > 0.0))
     }
@@ -86,12 +75,6 @@ impl<const D: usize> OverlapEstimator<D> for FiberEstimator<D> {
 
     fn imbalance_of_volume(&self, _: &Pair<D>) -> Option<Imbalance> {
         self.options.momentum_correction.then_some(EXPECTED)
-    }
-
-    fn imbalance_of_depth(&self, pair: &Pair<D>, _: DepthProfile) -> Option<Imbalance> {
-        // Obstacles are measured without lines.
-        let has_lines = self.options.momentum_correction && pair.pose.is_none();
-        has_lines.then_some(EXPECTED)
     }
 
     fn imbalance_of_points(&self, _: &Pair<D>) -> Option<Imbalance> {

@@ -127,7 +127,8 @@ impl EstimatorArgs {
             !isotropic || self.estimator == EstimatorChoice::Fibers,
             "--pattern isotropic needs --estimator fibers"
         );
-        ensure!(!volume_law || self.smoothing_length.is_none(), "--smoothing-length needs --law fiber or depth");
+        let fiber_law = self.law == LawKind::Fiber;
+        ensure!(fiber_law || self.smoothing_length.is_none(), "--smoothing-length needs --law fiber");
         ensure!(volume_law || self.m == 1.0, "--m has an effect with --law volume only");
         ensure!(isotropic || self.fiber_length.is_none(), "--fiber-length needs --pattern isotropic");
         Ok(())
@@ -140,7 +141,7 @@ impl EstimatorArgs {
             .map_or(FiberProfile::Quadratic, |smoothing_length| FiberProfile::Linear { smoothing_length });
         let law = match self.law {
             LawKind::Volume => EnergyLaw::Volume { stiffness, exponent: self.m },
-            LawKind::Depth => EnergyLaw::Depth { stiffness, profile },
+            LawKind::Depth => EnergyLaw::depth(stiffness),
             LawKind::Fiber => EnergyLaw::Fiber { stiffness, profile },
         };
         Options {

@@ -32,11 +32,11 @@ class Options(TypedDict, total=False):
     exponent: float
     """m >= 1, for the law ``"volume"`` only; 1."""
     smoothing_length: float
-    """Smoothing length over which the pressure of the laws ``"fiber"`` and ``"depth"`` grows to k; 0: pressure k times
-    penetration. With ``"depth"`` on lines, between bodies alone."""
+    """Smoothing length over which the pressure of the law ``"fiber"`` grows to k; 0: pressure k times penetration. Any other
+    law refuses it."""
     estimator: str
-    """``"auto"``: exact where it can be, sampled with curved obstacles (not with the law ``"depth"``, which is exact with
-    them too); the default. ``"exact"``: for straight-sided meshes and flat-sided obstacles. ``"fibers"``: sampled, for any
+    """``"auto"``: exact where it can be, sampled with curved obstacles; the default. The law ``"depth"`` is measured without lines under every
+    estimator. ``"exact"``: for straight-sided meshes and flat-sided obstacles. ``"fibers"``: sampled, for any
     shape."""
     pattern: str
     """``"lines"``: families of parallel lines. ``"isotropic"``: short segments, as in the paper."""

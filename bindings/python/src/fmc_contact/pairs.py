@@ -55,7 +55,7 @@ class Pairs:
         """Gives the pair of ``a`` and ``b``, in either order, options of its own, in place of those it had.
 
         ``excluded``: the pair is left out; it is not measured, and adds nothing to any result. ``law`` with ``stiffness``,
-        and ``exponent`` or ``smoothing_length``: the law of this pair, as in ``Options``. ``stiffness`` alone: the law
+        and ``exponent`` (``"volume"``) or ``smoothing_length`` (``"fiber"``): the law of this pair, as in ``Options``. ``stiffness`` alone: the law
         that the contact has now, with this stiffness. None of these: the law of the contact, also after it changes.
         ``friction_coefficient``: that of this pair; all else of its friction is that of the contact's options.
 

@@ -41,7 +41,8 @@ pub(super) fn before_contact<const D: usize>(
             let mobility: f64 = areas.iter().zip(inverse_mass).map(|(a, w)| a * a * largest(w)).sum();
             Some((2.0 * k * partner_count(contact) * mobility).sqrt())
         }
-        EnergyLaw::Fiber { stiffness: k, profile } | EnergyLaw::Depth { stiffness: k, profile } => {
+        EnergyLaw::Depth { stiffness: k } => Some(by_area(contact, coords, inverse_mass, k)),
+        EnergyLaw::Fiber { stiffness: k, profile } => {
             let steepest = match profile {
                 FiberProfile::Linear { smoothing_length } => k / smoothing_length,
                 _ => k,

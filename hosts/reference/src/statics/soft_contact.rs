@@ -107,8 +107,9 @@ impl<const D: usize> Equilibrium<D> {
     /// k of a law whose pressure is k times the penetration.
     fn penalty(&self) -> Option<f64> {
         match self.problem.contact.law {
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
-            | EnergyLaw::Depth { stiffness: k, profile: FiberProfile::Quadratic } => Some(k),
+            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
+                Some(k)
+            }
             _ => None,
         }
     }

@@ -80,13 +80,13 @@ impl From<PairOptions> for fmc_pair_options {
             Some(EnergyLaw::Volume { stiffness, exponent }) => {
                 Self { law: fmc_law::FMC_LAW_VOLUME as i32, stiffness, exponent, ..own }
             }
-            Some(law @ (EnergyLaw::Depth { stiffness, profile } | EnergyLaw::Fiber { stiffness, profile })) => {
+            Some(EnergyLaw::Depth { stiffness }) => Self { law: fmc_law::FMC_LAW_DEPTH as i32, stiffness, ..own },
+            Some(EnergyLaw::Fiber { stiffness, profile }) => {
                 let smoothing_length = match profile {
                     FiberProfile::Quadratic => 0.0,
                     FiberProfile::Linear { smoothing_length } => smoothing_length,
                 };
-                let law = if law.is_fiber() { fmc_law::FMC_LAW_FIBER } else { fmc_law::FMC_LAW_DEPTH };
-                Self { law: law as i32, stiffness, smoothing_length, ..own }
+                Self { law: fmc_law::FMC_LAW_FIBER as i32, stiffness, smoothing_length, ..own }
             }
         }
     }
@@ -250,7 +250,8 @@ mod tests {
             (|o| o.exponent = 2.0, "'exponent' of a pair belongs to a law"),
             (|o| o.smoothing_length = f64::NAN, "'smoothing_length' of a pair belongs to a law"),
             (|o| (o.law, o.exponent) = (1, 2.0), "'exponent' belongs to the law 'volume'"),
-            (|o| (o.law, o.smoothing_length) = (0, 1.0), "'smoothing_length' belongs to the laws 'fiber' and 'depth'"),
+            (|o| (o.law, o.smoothing_length) = (0, 1.0), "'smoothing_length' belongs to the law 'fiber'"),
+            (|o| (o.law, o.smoothing_length) = (2, 1.0), "'smoothing_length' belongs to the law 'fiber'"),
             (|o| o.law = 3, "option 'law' has no value 3"),
             (|o| o.excluded = 2, "option 'excluded' has no value 2"),
             (|o| o.reserved[9] = 1, "later version"),

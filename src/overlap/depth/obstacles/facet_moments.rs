@@ -136,7 +136,7 @@ impl<const D: usize> FacetSums<D> {
         self.depth += moments.depth() * facet.measure;
         self.deepest = self.deepest.max(moments.deepest);
         self.piece_count += moments.piece_count;
-        self.add_to_nodes(facet, &moments.area, &moments.depth, &moments.depth, (false, 1.0));
+        self.add_to_nodes(facet, &moments.area, &moments.depth, (false, 1.0));
         if request.points {
             self.points.extend(moments.point(facet));
         }

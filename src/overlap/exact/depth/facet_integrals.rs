@@ -68,7 +68,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
             );
             if sums.piece_count > before {
                 let side = (self.of_b, self.weight);
-                sums.add_to_nodes(&facet, &moments.area, &moments.depth, &moments.depth, side);
+                sums.add_to_nodes(&facet, &moments.area, &moments.depth, side);
                 sums.points.extend(moments.points.into_points(&facet, side));
             }
         }
