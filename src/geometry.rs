@@ -31,6 +31,7 @@ pub(crate) mod quadrature;
 pub(crate) mod second_order;
 pub(crate) mod shapes;
 mod signed_distance;
+pub(crate) mod simplex;
 pub(crate) mod simplex_rule;
 pub(crate) mod submesh;
 mod surface;

@@ -8,14 +8,14 @@
 //!
 //! The layers of the code, each of which imports only from those after it:
 //! `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · [`overlap`] (volume and contact points, sampled or exact) · `configuration` (the
-//! bodies at given coordinates) · `depth` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) ·
+//! bodies at given coordinates) · `depth_field` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) ·
 //! [`Error`]. `ARCHITECTURE.md` has the drawing, the way of a coordinate and a glossary.
 //!
 //! Same input, same bits, for any number of threads: there is no clock, no global state and no arrival order anywhere.
 
 mod configuration;
 pub mod contact;
-mod depth;
+mod depth_field;
 mod dimension;
 mod error;
 pub mod geometry;

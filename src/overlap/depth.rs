@@ -7,16 +7,14 @@
 //! The first integral is over the facets of A inside the pieces of B on which g_B is linear; the second, and J_B itself,
 //! need the first two moments of A in every such piece.
 //!
-//! `deep_bodies` (two of cells, or one with itself) · `cell_pieces` (the pieces near by) · `facet_blocks`, `facet_sums` and
-//! `point_sums` (over facets) · `cell_integrals` (over the overlap) · `obstacles` (a rigid partner)
+//! `integral` (what a law is handed) · `points` (where it presses) · `facet_sums` (over facets) · `simplex_parts` ·
+//! `bodies` (two of cells, or one with itself) · `obstacles` (a rigid partner)
 
-pub(crate) mod cell_integrals;
-pub(crate) mod cell_pieces;
-pub(crate) mod deep_bodies;
-pub(crate) mod facet_blocks;
+pub(crate) mod bodies;
 pub(crate) mod facet_sums;
+pub(crate) mod integral;
 mod obstacles;
-pub(crate) mod point_sums;
+pub(crate) mod points;
 pub(crate) mod simplex_parts;
 
-pub(crate) use deep_bodies::DeepBodies;
+pub(crate) use bodies::depth_integral;

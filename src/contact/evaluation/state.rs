@@ -6,7 +6,7 @@ use crate::contact::interface::Contact;
 use crate::contact::laws::{FoundPatches, PairLaw};
 use crate::contact::partners::Placed;
 use crate::contact::work::Workers;
-use crate::depth::DepthField;
+use crate::depth_field::DepthField;
 use crate::geometry::aabb::Aabb;
 use crate::overlap::Partner;
 

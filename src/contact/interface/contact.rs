@@ -11,7 +11,7 @@ use crate::contact::partners::{PairTable, Rigid};
 use crate::contact::results::{ContactForces, GapConstraints, NodalContact, PointOfContact};
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::contact::work::Workers;
-use crate::depth::DepthField;
+use crate::depth_field::DepthField;
 use crate::geometry::{Basis, BoundaryFacet, PointWeights, Surface};
 use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
 use crate::ranks::Ranks;

@@ -1,12 +1,12 @@
 //! What the facets of a body have inside the other side, summed.
 
-use crate::overlap::depth_integral::FacetDepth;
-use crate::overlap::depth_points::PointLists;
+use crate::overlap::depth::integral::FacetDepth;
+use crate::overlap::depth::points::PointLists;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Pair;
-use crate::overlap::points::block_sum::BlockSum;
-use crate::overlap::points::node_sums::NodeSums;
+use crate::overlap::sums::block_sum::BlockSum;
+use crate::overlap::sums::node_sums::NodeSums;
 use crate::ranks::packed;
 
 /// Sums over facets, in the order in which they come.

@@ -4,7 +4,7 @@ use super::partner::Partner;
 use super::region::Region;
 use super::surface_point::SurfacePoint;
 use crate::configuration::FacetSide;
-use crate::depth::DepthField;
+use crate::depth_field::DepthField;
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Pose, Shape, Surface, Vector, Weighting};

@@ -19,13 +19,13 @@ use crate::geometry::convex_piece::Piece;
 use crate::geometry::plane::Plane;
 use crate::geometry::{Pose, Shape, Vector, moment};
 use crate::overlap::depth::facet_sums::FacetSums;
-use crate::overlap::depth_integral::{DepthIntegral, DepthRequest};
+use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_distance::ObstacleDistance;
 use crate::overlap::pair::obstacle_region;
 use crate::overlap::pair::overlap::{Overlap, PoseGradient};
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
-use crate::overlap::points::block_sum::symmetric_part;
+use crate::overlap::sums::block_sum::symmetric_part;
 
 /// Facets that a thread takes at once.
 const CHUNK: usize = 64;

@@ -9,7 +9,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::simplex_rule::InSimplex;
 use crate::overlap::depth::facet_sums::FacetSums;
-use crate::overlap::depth_integral::{DepthRequest, SecondDerivative};
+use crate::overlap::depth::integral::{DepthRequest, SecondDerivative};
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance};
 use crate::overlap::pair::sides::Pair;

@@ -1,0 +1,94 @@
+//! The pieces of a body's cells that reach into a region.
+
+use crate::depth_field::{DepthField, DepthPiece};
+use crate::geometry::aabb::Aabb;
+use crate::geometry::cells::Cells;
+use crate::geometry::tree::Tree;
+use crate::geometry::{Surface, Vector};
+use crate::overlap::pair::bounds::Bounds;
+use crate::overlap::pair::sides::Pair;
+use rustc_hash::FxHashSet;
+
+/// Pieces on which the depth of a body is linear, to be found by place.
+pub(crate) struct CellPieces<const D: usize> {
+    pub(crate) pieces: Vec<DepthPiece<D>>,
+    pub(crate) boxes: Vec<Aabb<D>>,
+    pub(crate) tree: Tree<D>,
+}
+
+impl<const D: usize> CellPieces<D> {
+    /// The pieces of one body of a pair that meet its `region`; `facets` are those of its facets that do. The boxes are those of
+    /// the part of each within the bounds, if there are some.
+    pub(crate) fn new(
+        pair: &Pair<D>,
+        cells: &Cells,
+        field: &DepthField<D>,
+        body: usize,
+        (facets, region): (&[u32], &Aabb<D>),
+        bounds: Option<&Bounds<D>>,
+    ) -> Self {
+        let (surface, coords) = (pair.surface, pair.coords);
+        let (mut pieces, mut boxes) = (Vec::new(), Vec::new());
+        for cell in cells_in(surface, cells, field, coords, body, (facets, region), bounds) {
+            field.for_each_piece(cells, cell as usize, coords, |piece| {
+                let corners = &piece.corners[..=D];
+                let mut aabb = Aabb::of(corners);
+                if let (Some(bounds), true) = (bounds, aabb.meets(region)) {
+                    aabb = bounds.box_of_part(corners);
+                }
+                if aabb.meets(region) && !aabb.is_empty() {
+                    pieces.push(piece.lowered(pair.clearance));
+                    boxes.push(aabb);
+                }
+            });
+        }
+        let tree = Tree::new(&boxes);
+        Self { pieces, boxes, tree }
+    }
+}
+
+/// Cells of one body whose boxes meet `region` and that the bounds may hold a part of, ascending.
+///
+/// The part of a body that hangs together within a box either reaches the surface there, or is all of the box. So the
+/// cells behind the facets in the region lead to all others through the faces between them, where the body hangs
+/// together; where it has no facet in the region, or falls apart, all cells are looked at.
+fn cells_in<const D: usize>(
+    surface: &Surface<D>,
+    cells: &Cells,
+    field: &DepthField<D>,
+    coords: &[[f64; D]],
+    body: usize,
+    (facets, region): (&[u32], &Aabb<D>),
+    bounds: Option<&Bounds<D>>,
+) -> Vec<u32> {
+    let meets = |cell: u32| {
+        let points = cells.nodes(cell as usize).iter().map(|&n| Vector::from(coords[n as usize]));
+        let mut aabb = Aabb::empty();
+        points.clone().for_each(|x| aabb.include(&x));
+        aabb.meets(region) && bounds.is_none_or(|bounds| bounds.may_hold(points))
+    };
+    if facets.is_empty() || !field.is_connected(body) {
+        let own = (0..cells.len() as u32).filter(|&cell| cells.body[cell as usize] as usize == body);
+        return own.filter(|&cell| meets(cell)).collect();
+    }
+    let facet_cell = &surface.facet_cell[surface.ranges[body].clone()];
+    let mut seen = FxHashSet::default();
+    let mut found: Vec<u32> = Vec::new();
+    for &facet in facets {
+        let cell = facet_cell[facet as usize];
+        if seen.insert(cell) && meets(cell) {
+            found.push(cell);
+        }
+    }
+    let mut next = 0;
+    while next < found.len() {
+        for &cell in cells.neighbours(found[next] as usize) {
+            if seen.insert(cell) && meets(cell) {
+                found.push(cell);
+            }
+        }
+        next += 1;
+    }
+    found.sort_unstable();
+    found
+}

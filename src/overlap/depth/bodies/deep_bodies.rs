@@ -1,0 +1,95 @@
+//! Bodies of cells, each with a depth: how what their facets and pieces have inside the other adds up.
+
+use super::cell_integrals::{CellMoments, cell_integrals};
+use super::cell_pieces::CellPieces;
+use crate::Error;
+use crate::depth_field::DepthField;
+use crate::geometry::cells::Cells;
+use crate::overlap::depth::facet_sums::FacetSums;
+use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
+use crate::overlap::depth::obstacles::of_obstacle;
+use crate::overlap::pair::bounds::Bounds;
+use crate::overlap::pair::partner::Partner;
+use crate::overlap::pair::region::Region;
+use crate::overlap::pair::sides::Pair;
+use crate::overlap::pair::warning::Warning;
+
+/// Bodies of cells.
+pub(crate) struct DeepBodies<'a, const D: usize> {
+    pub(crate) pair: &'a Pair<'a, D>,
+    pub(crate) cells: &'a Cells,
+    pub(crate) field: &'a DepthField<D>,
+    pub(crate) request: &'a DepthRequest,
+}
+
+/// Part with which the depth of either body counts.
+pub(crate) const WEIGHT: f64 = 0.5;
+
+impl<'a, const D: usize> DeepBodies<'a, D> {
+    /// J of a pair, or `None` where the sides are apart: of two bodies as `measure` finds it, against an obstacle without
+    /// it.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for bodies that are given by facets only, against one another. Those of `measure`.
+    pub(crate) fn integral(
+        pair: &'a Pair<'a, D>,
+        request: &'a DepthRequest,
+        measure: impl FnOnce(&Self) -> Result<Option<DepthIntegral<D>>, Error>,
+    ) -> Result<Option<DepthIntegral<D>>, Error> {
+        if let (Partner::Obstacle(_), Some(pose)) = (pair.partners[1], pair.pose) {
+            return of_obstacle(pair, pose, request);
+        }
+        let what = "the law depth, or friction with the law volume, between bodies given by facets: give cells";
+        let (Some(field), Some(cells)) = (pair.depth, &pair.surface.cells) else {
+            return Err(Error::Unsupported { what });
+        };
+        measure(&Self { pair, cells, field, request })
+    }
+
+    /// From what the facets of either side have inside the other, and the moments of its pieces.
+    pub(crate) fn assemble(
+        &self,
+        facets: Vec<FacetSums<D>>,
+        cells: &[(&CellPieces<D>, &CellMoments)],
+    ) -> Option<DepthIntegral<D>> {
+        let inside = || facets.iter().filter(|part| part.area > 0.0);
+        let area: f64 = inside().map(|part| part.area).sum();
+        let depth: f64 = inside().map(|part| part.depth / part.area).sum();
+        let sides = inside().count() as f64;
+        let mut sums = FacetSums::of_parts(facets);
+        let (mut volume, mut value) = (0.0, 0.0);
+        for (which, (pieces, moments)) in cells.iter().enumerate() {
+            let FacetSums { gradient, hessian, .. } = &mut sums;
+            let side = (which == 1, WEIGHT);
+            let how = (self.request.second, self.pair.weighting);
+            let found = cell_integrals(self.cells, pieces, moments, side, how, gradient, hessian);
+            value += WEIGHT * found.depth;
+            volume += 0.5 * found.volume;
+        }
+        let mut overlap = sums.overlap(self.pair, volume, 0.5 * area)?;
+        if sums.flush > 0.0 && !self.field.is_surface_told() {
+            let (a, b) = (overlap.a, overlap.b);
+            overlap.warnings.push(Warning::FlushFaces { a, b, area: sums.flush });
+        }
+        let (nodes, of_b, gradient) = sums.gradient.into_nodes();
+        Some(DepthIntegral {
+            value: value.max(0.0),
+            nodes,
+            of_b,
+            gradient,
+            pose_gradient: None,
+            hessian: sums.hessian.into_blocks(),
+            facets: sums.facets,
+            points: sums.points,
+            mean_depth: if sides > 0.0 { depth / sides } else { 0.0 },
+            overlap,
+        })
+    }
+
+    /// The pieces of one side in the region, with their boxes as far as they lie within the bounds.
+    pub(crate) fn pieces(&self, which: usize, region: &Region<D>, bounds: Option<&Bounds<D>>) -> CellPieces<D> {
+        let body = if let Partner::Body(body) = self.pair.partners[which] { body } else { 0 };
+        let region = (&region.facets[which][..], &region.aabb);
+        CellPieces::new(self.pair, self.cells, self.field, body, region, bounds)
+    }
+}

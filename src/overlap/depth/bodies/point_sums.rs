@@ -1,0 +1,103 @@
+//! The points of one facet, cell by cell of the other body.
+
+use crate::depth_field::DepthPiece;
+use crate::geometry::Vector;
+use crate::overlap::depth::points::{DepthPlace, DepthPoint, PlaceInCell};
+use crate::overlap::pair::body_facet::BodyFacet;
+
+/// Sums over what a facet has inside the cells of the other body, in parts of its measure.
+#[derive(Default)]
+pub(crate) struct PointSums<const D: usize>(Vec<InCell<D>>);
+
+/// What it has inside one cell.
+struct InCell<const D: usize> {
+    cell: u32,
+    slope: Vector<D>,
+    /// Sums with the depth, and with 1, for weight.
+    pressed: PlaceSums<D>,
+    middle: PlaceSums<D>,
+    /// ∫ of the gradients of the shape functions of the cell's nodes.
+    gradients: [Vector<D>; 8],
+}
+
+/// Sums for a mean place, with some weight.
+struct PlaceSums<const D: usize> {
+    /// ∫ of the shape functions of the facet's corners, and of the cell's nodes.
+    on_facet: [f64; D],
+    in_cell: [f64; 8],
+}
+
+impl<const D: usize> PointSums<D> {
+    /// Adds what lies inside a piece: ∫ N dA and ∫ N g dA for the corners of the facet, whose coordinates in the piece are
+    /// `barycentric`.
+    pub(crate) fn add(
+        &mut self,
+        piece: &DepthPiece<D>,
+        areas: &[f64; D],
+        depths: &[f64; D],
+        barycentric: &[[f64; 4]; D],
+    ) {
+        let place = self.0.iter().position(|sums| sums.cell == piece.cell).unwrap_or_else(|| {
+            let [pressed, middle] = [PlaceSums::new(), PlaceSums::new()];
+            let gradients = [Vector::zeros(); 8];
+            self.0.push(InCell { cell: piece.cell, slope: Vector::zeros(), pressed, middle, gradients });
+            self.0.len() - 1
+        });
+        let sums = &mut self.0[place];
+        let area: f64 = areas.iter().sum();
+        sums.slope += piece.gradient * area;
+        sums.pressed.add(piece, depths, barycentric);
+        sums.middle.add(piece, areas, barycentric);
+        for (weights, slope) in piece.weights.iter().zip(&piece.slopes).take(D + 1) {
+            for (sum, weight) in sums.gradients.iter_mut().zip(weights) {
+                *sum += slope * (weight * area);
+            }
+        }
+    }
+
+    /// The points where there is pressure, in the order in which their cells came; the force of the facet counts by
+    /// `weight`.
+    pub(crate) fn into_points(
+        self,
+        facet: &BodyFacet<D>,
+        (of_b, weight): (bool, f64),
+    ) -> impl Iterator<Item = DepthPoint<D>> {
+        let (number, measure) = (facet.number, facet.measure);
+        self.0.into_iter().filter_map(move |sums| {
+            let (depth, area) = (sums.pressed.total(), sums.middle.total());
+            let is_pressed = area > 0.0 && depth > 0.0;
+            is_pressed.then(|| DepthPoint {
+                of_b,
+                facet: number,
+                pressed: sums.pressed.mean(sums.cell),
+                middle: sums.middle.mean(sums.cell),
+                gradients: sums.gradients.map(|sum| sum / area),
+                depth: depth / area,
+                area: weight * measure * area,
+                slope: sums.slope * (weight * measure),
+            })
+        })
+    }
+}
+
+impl<const D: usize> PlaceSums<D> {
+    fn new() -> Self {
+        Self { on_facet: [0.0; D], in_cell: [0.0; 8] }
+    }
+
+    fn add(&mut self, piece: &DepthPiece<D>, on_facet: &[f64; D], barycentric: &[[f64; 4]; D]) {
+        self.on_facet.iter_mut().zip(on_facet).for_each(|(sum, part)| *sum += part);
+        let at: [f64; 4] = std::array::from_fn(|k| (0..D).map(|c| on_facet[c] * barycentric[c][k]).sum());
+        self.in_cell.iter_mut().zip(piece.at_nodes(&at)).for_each(|(sum, part)| *sum += part);
+    }
+
+    fn total(&self) -> f64 {
+        self.on_facet.iter().sum()
+    }
+
+    fn mean(&self, cell: u32) -> DepthPlace<D> {
+        let total = self.total();
+        let in_cell = PlaceInCell { cell, weights: self.in_cell.map(|sum| sum / total) };
+        DepthPlace { weights: self.on_facet.map(|sum| sum / total), other: Some(in_cell) }
+    }
+}
