@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scenes import grid
 
 
 @pytest.fixture
@@ -17,3 +18,10 @@ def cubes():
     base = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
     cube = np.vstack([np.c_[base, np.zeros(4)], np.c_[base, np.ones(4)]])
     return np.vstack([cube, cube + [0.2, 0.0, 0.9]]), np.arange(16, dtype=np.int32).reshape(2, 8)
+
+
+@pytest.fixture
+def blocks():
+    """Two rows of squares that press on one another: coordinates and cells."""
+    (a, of_a), (b, of_b) = grid((600, 2), (0, 2), (0, 1)), grid((530, 2), (0.2, 1.7), (0.99, 2))
+    return np.concatenate([a, b]), np.concatenate([of_a, of_b + len(a)])

@@ -22,3 +22,12 @@ def triangles(squares):
 def same_bits(a, b):
     """Whether two arrays of doubles are equal to the last bit."""
     return a.shape == b.shape and np.ascontiguousarray(a).tobytes() == np.ascontiguousarray(b).tobytes()
+
+
+def grid(cells, x, y):
+    """Squares of a rectangle."""
+    nx, ny = cells
+    xs, ys = np.linspace(*x, nx + 1), np.linspace(*y, ny + 1)
+    coords = np.array([[a, b] for b in ys for a in xs])
+    first = np.array([j * (nx + 1) + i for j in range(ny) for i in range(nx)])
+    return coords, np.stack([first, first + 1, first + nx + 2, first + nx + 1], axis=1).astype(np.int32)

@@ -2,9 +2,8 @@
 
 import numpy as np
 import pytest
-from scenes import K
-
 from fmc_contact import Contact
+from scenes import K
 
 FACES = {
     "triangle": [[0, 1], [1, 2], [2, 0]],

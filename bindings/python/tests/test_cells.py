@@ -38,7 +38,7 @@ def test_slab_between_two_blocks(kind, other):
 
 
 def test_names_and_widths():
-    x, cells = block("wedge", 0.0)
+    x, _cells = block("wedge", 0.0)
     with pytest.raises(errors.UnknownCellTypeError, match="wedge, pyramid"):
         Contact(x, [[0, 1, 2, 4, 5, 6]], "prism", stiffness=K)
     with pytest.raises(ValueError):

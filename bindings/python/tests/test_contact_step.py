@@ -43,7 +43,7 @@ def test_what_is_refused(square):
     def step(freedoms, stiffness, residual, **more):
         return square.contact_step(COORDS, freedoms, stiffness, residual, **more)
 
-    with pytest.raises(ValueError, match=r"stiffness has shape \(1, 1\), \(2, 2\) is wanted"):
+    with pytest.raises(ValueError, match=r"stiffness has shape \(1, 1\), expected \(2, 2\)"):
         step([1, 3], [[1.0]], [0.0, 0.0])
     with pytest.raises(ValueError, match=r"residual has shape \(1,\)"):
         step([1, 3], np.eye(2), [0.0])

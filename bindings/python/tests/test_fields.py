@@ -2,9 +2,8 @@
 
 import numpy as np
 import pytest
-from scenes import K
-
 from fmc_contact import Contact, errors
+from scenes import K
 
 
 @pytest.mark.parametrize("law", ["fiber", "volume"])

@@ -5,8 +5,8 @@ from ctypes import byref, c_double
 import numpy as np
 import pytest
 from fmc_contact import Contact, contact_force
-from fmc_contact._library import check, library
 from fmc_contact._cells import CELL_TYPES
+from fmc_contact._library import check, library
 from fmc_contact.options import changed, defaults
 from scenes import K, same_bits, tetrahedra, triangles
 

@@ -105,7 +105,7 @@ def test_what_is_refused() -> None:
         with pytest.raises(errors.NoStepError, match="begin_step"):
             call(coords)
     with pytest.raises(errors.NoStepError):
-        contact.friction.slip
+        _ = contact.friction.slip
     contact.friction.begin_step(coords)
     slip = contact.friction.slip
     with pytest.raises(errors.LengthError, match="slip"):

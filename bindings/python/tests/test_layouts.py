@@ -1,8 +1,8 @@
-"""Arrays go in where they lie, in every layout; what is no such array is refused with a sentence."""
+"""Arrays of float64 go in where they lie, in every layout; other real numbers are converted; nonsense is refused by name."""
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, contact_force
+from fmc_contact import Contact, Pose, contact_force, errors
 from fmc_contact._arrays import coords_view
 from scenes import K, same_bits
 
@@ -73,15 +73,94 @@ def test_integers_of_every_kind_are_node_numbers(squares, dtype):
 
 
 def bad_coords(coords):
-    yield TypeError, "dtype float32, float64 is wanted: convert it by .astype", coords.astype(np.float32)
-    yield TypeError, "dtype int64, float64 is wanted", coords.astype(np.int64)
-    yield TypeError, "dtype >f8, float64 is wanted", coords.astype(">f8")
-    yield TypeError, "dtype object", coords.astype(object)
-    yield ValueError, r"shape \(16,\), \(nodes, 2\) or \(nodes, 3\) or \(2, nodes\) is wanted in 2D", coords.ravel()
-    yield ValueError, r"shape \(4, 4\)", coords.reshape(4, 4)
-    yield ValueError, "that float64 cannot have: copy it", np.broadcast_to(np.float64(0), (8, 2))
-    packed = np.zeros(8, np.dtype([("gap", "u1"), ("x", "2f8")]))
-    yield ValueError, "that float64 cannot have: copy it", packed["x"]
+    yield TypeError, "coords has dtype complex128, expected real numbers: take .real", coords.astype(complex)
+    yield TypeError, "coords has dtype bool, expected real numbers", coords > 0.5
+    yield TypeError, "coords has dtype object, expected real numbers: its entries are Python objects", coords.astype(object)
+    yield TypeError, "coords has dtype <U32, expected real numbers", coords.astype(str)
+    yield TypeError, "coords has masked entries", np.ma.masked_greater(coords, 1.5)
+    yield ValueError, "coords is no array of numbers: ", [[0, 0], [1]]
+    yield ValueError, r"coords has shape \(16,\), expected \(nodes, 2\), \(nodes, 3\) or \(2, nodes\) in 2D", coords.ravel()
+    yield ValueError, r"coords has shape \(4, 4\), expected", coords.reshape(4, 4)
+
+
+def converted(coords):
+    """The same coordinates as other arrays of real numbers, none of which the library could read in place."""
+    for dtype in (np.float32, np.float16, np.longdouble, ">f8", np.int64, np.int8, np.uint16):
+        yield str(dtype), coords.astype(dtype)
+        yield f"{dtype} by columns", np.asfortranarray(coords.astype(dtype))
+        yield f"{dtype}, every other", np.repeat(coords.astype(dtype), 2, axis=0)[::2]
+    packed = np.zeros(len(coords), np.dtype([("gap", "u1"), ("x", "2f8")]))
+    packed["x"] = coords
+    yield "between bytes", packed["x"]
+    yield "nothing masked", np.ma.masked_invalid(coords)
+    yield "lists", coords.tolist()
+
+
+def test_other_real_numbers_are_converted(squares):
+    # Whole numbers of eighths, which every type holds.
+    coords = np.round(squares[0] * 8)
+    contact = Contact(coords, squares[1], "quad", **OPTIONS)
+    expected = contact.evaluate(coords).forces
+    assert np.abs(expected).max() > 0
+    for name, array in converted(coords):
+        assert same_bits(Contact(array, squares[1], "quad", **OPTIONS).evaluate(array).forces, expected), name
+        assert same_bits(contact.tangent(array).toarray(), contact.tangent(coords).toarray()), name
+    everywhere = np.broadcast_to(np.float64(0), (8, 2))
+    with pytest.raises(errors.ZeroMeasureError):
+        contact.evaluate(everywhere)
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.int64, ">f8"])
+def test_numbers_are_converted_wherever_they_go_in(squares, dtype):
+    """Each once as float64 and once as another type, Fortran-ordered where it has rows and columns."""
+    coords, conn = squares
+    other = lambda values: np.asfortranarray(np.array(values, float).astype(dtype))
+    found = []
+    for as_given in (lambda values: np.array(values, float), other):
+        contact = Contact(coords, conn, "quad", **{**OPTIONS, "law": "depth"})
+        contact.obstacles.add_half_space(as_given([0, 0]), as_given([0, 1]))
+        contact.obstacles.add_cuboid(as_given([1, 1]), Pose(as_given([3, 0]), as_given([[0, -1], [1, 0]])))
+        contact.obstacles.add_polytope(as_given([[0, -4], [4, -4], [2, -3]]), np.array([[0, 1], [1, 2], [2, 0]], ">i2"))
+        contact.obstacles.add_convex_hull(as_given([[0, -4], [4, -4], [2, -3]]))
+        contact.obstacles.add_height_field(as_given([0, 1, 0]), as_given([4]), 1, as_given([0, -6]))
+        contact.set_options(friction_coefficient=1.0, friction_stiffness=1.0)
+        contact.friction.begin_step(coords)
+        contact.friction.slip = as_given(np.arange(contact.facet_count * 2).reshape(-1, 2) % 3)
+        contact.mesh.set_basis(as_given(np.eye(8)))
+        result = contact.evaluate(coords)
+        step = contact.contact_step(coords, [2, 4], as_given(1000 * np.eye(2)), as_given([0, 0]), np.array([8, 14], np.uint8))
+        masses, at_points = as_given(np.ones(8)), contact.mesh.point_weights().to_nodes(as_given(np.ones((8, 2))))
+        found.append([result.forces, contact.friction.slip, step.displacement, contact.stable_step(coords, masses), at_points])
+    for one, two in zip(*found):
+        assert same_bits(np.asarray(one), np.asarray(two))
+
+
+def test_what_would_be_nonsense_is_refused_by_name(squares):
+    coords, conn = squares
+    contact = Contact(coords, conn, "quad", **OPTIONS)
+    contact.friction.begin_step(coords)
+    multipliers = contact.multipliers
+    for error, text, call in [
+        (TypeError, "normal has dtype complex128", lambda: contact.obstacles.add_half_space((0, 0), (0, 1j))),
+        (TypeError, "position has dtype bool", lambda: Pose((True, False))),
+        (TypeError, "heights has dtype", lambda: contact.obstacles.add_height_field(["a", "b"], [1], 1)),
+        (TypeError, "half_extents has dtype object", lambda: contact.obstacles.add_cuboid(np.array([1, None]))),
+        (TypeError, "nodes has dtype float64, expected integers", lambda: contact.mesh.set_symmetry_nodes([0.5])),
+        (TypeError, "nodes has dtype bool", lambda: contact.mesh.set_symmetry_nodes(coords[:, 0] == 0)),
+        (TypeError, "bodies has dtype float64", lambda: Contact(coords, conn, "quad", bodies=[0.0, 1.0], **OPTIONS)),
+        (TypeError, "facets has dtype float64", lambda: contact.obstacles.add_polytope(coords[:3], [[0.0, 1.0]])),
+        (TypeError, "masses has dtype complex128", lambda: contact.stable_step(coords, np.ones(8, complex))),
+        (TypeError, "dofs has dtype float64", lambda: contact.contact_step(coords, [2.0], [[1.0]], [0.0])),
+        (TypeError, "slip has dtype bool", lambda: setattr(contact.friction, "slip", np.zeros((8, 2), bool))),
+        (TypeError, "matrix has dtype complex128", lambda: contact.mesh.set_basis(np.eye(8) * 1j)),
+        (TypeError, "multipliers has dtype float64", lambda: setattr(multipliers, "values", np.zeros(3))),
+        (ValueError, r"masses has shape \(7,\), expected \(8,\)", lambda: contact.stable_step(coords, np.ones(7))),
+        (ValueError, r"slip has shape \(2, 8\), expected \(8, 2\)", lambda: setattr(contact.friction, "slip", np.zeros((2, 8)))),
+        (ValueError, r"residual has shape \(2,\), expected \(1,\)", lambda: contact.contact_step(coords, [2], [[1.0]], [0.0, 0.0])),
+        (ValueError, r"rotation has shape \(3, 3\), expected \(2, 2\)", lambda: Pose((0, 0), np.eye(3))),
+    ]:
+        with pytest.raises(error, match=text):
+            call()
 
 
 def test_coordinates_that_are_none_are_refused(squares):
@@ -102,10 +181,12 @@ def test_outputs_that_cannot_be_written_are_refused(squares):
     fixed.flags.writeable = False
     with pytest.raises(ValueError, match="out is read-only"):
         contact.evaluate(coords, out=fixed)
-    with pytest.raises(TypeError, match="out is a list, a numpy array is wanted"):
+    with pytest.raises(TypeError, match="out is a list, expected a numpy array"):
         contact.evaluate(coords, out=coords.tolist())
     with pytest.raises(TypeError, match="out has dtype float32"):
         contact.evaluate(coords, out=np.zeros((8, 2), np.float32))
+    with pytest.raises(ValueError, match="out has strides"):
+        contact.evaluate(coords, out=np.zeros(8, np.dtype([("gap", "u1"), ("x", "2f8")]))["x"])
     with pytest.raises(ValueError, match="give the array as out"):
         contact.evaluate(coords, add=True)
 
@@ -113,18 +194,18 @@ def test_outputs_that_cannot_be_written_are_refused(squares):
 def test_connectivity_that_is_none_is_refused(squares):
     coords, conn = squares
     for error, text, array in [
-        (TypeError, "conn has dtype float64, integers are wanted", conn.astype(float)),
-        (ValueError, r"conn has shape \(4, 2\), \(cells, 4\) is wanted: transpose it", conn.T),
-        (ValueError, r"shape \(8,\), \(cells, 4\) is wanted: reshape it", conn.ravel()),
+        (TypeError, "conn has dtype float64, expected integers", conn.astype(float)),
+        (ValueError, r"conn has shape \(4, 2\), expected \(cells, 4\): transpose it", conn.T),
+        (ValueError, r"shape \(8,\), expected \(cells, 4\): reshape it", conn.ravel()),
         (ValueError, "no number of anything", np.full((1, 4), 2**64 - 1, np.uint64)),
     ]:
         with pytest.raises(error, match=text):
             Contact(coords, array, "quad", **OPTIONS)
-    with pytest.raises(TypeError, match="give the cell type beside conn"):
+    with pytest.raises(TypeError, match="give cell_type with conn"):
         Contact(coords, conn, **OPTIONS)
-    with pytest.raises(TypeError, match="give the cell type beside conn"):
+    with pytest.raises(TypeError, match="give cell_type with conn"):
         Contact(coords, conn.tolist(), **OPTIONS)
-    with pytest.raises(ValueError, match="bodies has 3 entries, one for each of the 2 cells is wanted"):
+    with pytest.raises(ValueError, match=r"bodies has shape \(3,\), expected \(2,\), one number for each of the cells"):
         Contact(coords, conn, "quad", bodies=[0, 1, 2], **OPTIONS)
     with pytest.raises(ValueError, match=r"bodies has shape \(1, 2\)"):
         Contact(coords, conn, "quad", bodies=[[0, 1]], **OPTIONS)

@@ -52,7 +52,12 @@ def test_what_is_refused(pressed):
             contact.multipliers.augment(coords, **arguments)
     contact.multipliers.augment(coords, 1e-6)
     kept = contact.multipliers.values
-    for field, value, error in [("node", 9, errors.NodeOutOfRangeError), ("shift", -1, errors.NotPositiveError), ("struct_size", 0, errors.StructSizeError), ("partner_kind", 7, errors.UnknownOptionError)]:
+    for field, value, error in [
+        ("node", 9, errors.NodeOutOfRangeError),
+        ("shift", -1, errors.NotPositiveError),
+        ("struct_size", 0, errors.StructSizeError),
+        ("partner_kind", 7, errors.UnknownOptionError),
+    ]:
         bad = kept.copy()
         bad[field][0] = value
         with pytest.raises(error):

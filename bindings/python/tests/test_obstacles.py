@@ -189,8 +189,8 @@ def test_a_keyboard_interrupt_comes_out():
 def test_bad_signed_distances_are_refused():
     for error, text, function in [
         (SignedDistanceError, "obstacle 0", lambda x: (np.full(len(x), np.nan), x)),
-        (ValueError, r"returned phi of shape \(1,\)", lambda x: (np.zeros(1), x)),
-        (ValueError, "returned grad of shape", lambda x: (np.zeros(len(x)), x[:, :1])),
+        (ValueError, r"phi, returned by the signed distance, has shape \(1,\), expected \(4,\)", lambda x: (np.zeros(1), x)),
+        (ValueError, "grad, returned by the signed distance, has shape", lambda x: (np.zeros(len(x)), x[:, :1])),
         (TypeError, "None", lambda x: None),
     ]:
         contact = body(2)

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 from fmc_contact import _structs
-from fmc_contact.options import CHOICES
 from fmc_contact._library import check, library
+from fmc_contact.options import CHOICES
 
 DOCS = Path(__file__).parents[3] / "docs"
 PAGES = {

@@ -2,10 +2,9 @@
 
 import threading
 
+import fmc_contact
 import numpy as np
 import pytest
-
-import fmc_contact
 
 
 class Meeting:
@@ -62,21 +61,6 @@ def on_ranks(size, work, kind=Rank):
     for thread in threads:
         thread.join(120)
     return found
-
-
-def grid(cells, x, y):
-    """Squares of a rectangle."""
-    nx, ny = cells
-    xs, ys = np.linspace(*x, nx + 1), np.linspace(*y, ny + 1)
-    coords = np.array([[a, b] for b in ys for a in xs])
-    first = np.array([j * (nx + 1) + i for j in range(ny) for i in range(nx)])
-    return coords, np.stack([first, first + 1, first + nx + 2, first + nx + 1], axis=1).astype(np.int32)
-
-
-@pytest.fixture
-def blocks():
-    (a, of_a), (b, of_b) = grid((600, 2), (0, 2), (0, 1)), grid((530, 2), (0.2, 1.7), (0.99, 2))
-    return np.concatenate([a, b]), np.concatenate([of_a, of_b + len(a)])
 
 
 def contact_of(blocks, **options):

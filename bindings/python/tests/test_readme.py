@@ -42,11 +42,3 @@ def test_newton_in_load_steps():
         in_series = (push - 0.1) / (1 / 1e4 + 1 / 1e5)
         assert force == pytest.approx(-in_series, rel=0.02, abs=1e-6)
         assert penetration == pytest.approx(in_series / 1e5, rel=0.02, abs=1e-9)
-
-
-def test_the_docstrings_run():
-    import doctest
-
-    from fmc_contact import stateless
-
-    assert doctest.testmod(stateless) == doctest.TestResults(failed=0, attempted=4)

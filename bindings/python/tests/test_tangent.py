@@ -203,7 +203,7 @@ def test_obstacles_turn(squares):
     coords, cells = squares
     contact = Contact(coords, cells, "quad", stiffness=K, law="depth")
     pose = np.array([0.2, 0.05]), 0.1
-    turned = lambda at, angle: Pose(at, [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])  # noqa: E731
+    turned = lambda at, angle: Pose(at, [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     contact.obstacles.add_half_space(pose[0], (-np.sin(pose[1]), np.cos(pose[1])))
     plain = contact.tangent_parts(coords, obstacles=True)
     contact.obstacles.set_rotations(True)

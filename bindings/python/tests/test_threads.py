@@ -84,7 +84,7 @@ def test_a_context_is_freed_with_its_contact(squares, monkeypatch):
     monkeypatch.setattr(_handle, "_free", lambda pointer: (freed.append(pointer.value), free(pointer)))
     contact = Contact(coords, conn, "quad", **OPTIONS)
     # A function that refers to its own contact makes a circle.
-    contact.obstacles.add_signed_distance(lambda points: plane(points) if contact else None)
+    contact.obstacles.add_signed_distance(lambda points: plane(points) if contact else None)  # noqa: F821
     contact.evaluate(coords)
     pointer, alive = contact._core.handle.pointer.value, weakref.ref(contact)
     del contact
@@ -95,7 +95,7 @@ def test_a_context_is_freed_with_its_contact(squares, monkeypatch):
 def test_functions_live_as_long_as_their_contact(squares):
     coords, conn = squares
     contact = Contact(coords, conn, "quad", **OPTIONS)
-    function = lambda points: plane(points)  # noqa: E731, the only reference to it
+    function = lambda points: plane(points)
     contact.obstacles.add_signed_distance(function)
     contact.set_log(lambda text: None)
     del function

@@ -37,7 +37,7 @@ def test_facets_are_closed_and_nodes_move_points_by_the_shape_functions(name):
     # The library refuses what is open, turned round or not connected.
     Contact.from_facets(points, trace.facets, stiffness=K, law="fiber")
     # Linear functions are met at every point; products of coordinates at the middles of squares too.
-    linear = lambda x: x @ np.arange(1.0, 1.0 + x.shape[1]) + 0.5 + x[:, 0] * x[:, 1]  # noqa: E731
+    linear = lambda x: x @ np.arange(1.0, 1.0 + x.shape[1]) + 0.5 + x[:, 0] * x[:, 1]
     assert skin.points(linear(coords)[:, None])[:, 0] == pytest.approx(linear(points), rel=1e-13)
     assert (skin.at_nodes(points) == coords).all()
     # Work is the same on nodes and points.

@@ -15,13 +15,13 @@ from ._library import library as _shared
 from .boundary import BoundaryFacets
 from .condensation import Condensation
 from .contact import Contact
+from .contact_step import ContactStep
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
 from .gaps import GapConstraints
 from .multipliers import MULTIPLIER, Augmentation
-from .contact_step import ContactStep
 from .newton import Equilibrium, NotConvergedError, newton
-from .options import Options
+from .options import Options, OtherOptions
 from .part import Part
 from .partition import CARRIED_SLIP, GatheredCounts, PartitionedContact
 from .points import PointWeights
@@ -35,8 +35,25 @@ __version__: str = _shared.fmc_version().decode()
 
 
 def has_feature(name: str) -> bool:
-    """Whether the library has a feature: "2d", "3d", "exact", "fiber_law", "tangent", ... (see ``fmc_has_feature``)."""
-    return _shared.fmc_has_feature(name.encode()) == 1
+    """Whether the library has a feature.
+
+    Parameters
+    ----------
+    name : str
+        Name of the feature, as ``fmc_has_feature`` of the header lists them: ``"solver"``, ``"shapes"``, ...
+
+    Returns
+    -------
+    bool
+        Whether the library has it. False for a name that it does not know.
+
+    Examples
+    --------
+    >>> from fmc_contact import has_feature
+    >>> has_feature("2d")
+    True
+    """
+    return bool(_shared.fmc_has_feature(name.encode()) == 1)
 
 
 __all__ = [
@@ -57,6 +74,7 @@ __all__ = [
     "NodalContact",
     "NotConvergedError",
     "Options",
+    "OtherOptions",
     "Pair",
     "Part",
     "PartitionedContact",

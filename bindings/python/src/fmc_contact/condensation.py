@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import vector
+from ._arrays import floats, numbers, vector
 from ._library import check, library
 from ._structs import fmc_condensation
-from .errors import NotPositiveDefiniteError
 
 
 def _free(pointer: fmc_condensation) -> None:
@@ -20,8 +19,20 @@ def _free(pointer: fmc_condensation) -> None:
 
 
 class Condensation:
-    """A symmetric sparse matrix K, factorised with some equations c kept for the end: ``S = K_cc - K_cr K_rr^-1 K_rc``, with r the
-    others, on which K has to be positive definite. Sparse Cholesky factors on one thread: same matrix, same bits."""
+    """A symmetric sparse matrix K, factorised with some equations c kept for the end: ``S = K_cc - K_cr K_rr^-1 K_rc``.
+
+    K must be positive definite on the other equations r. Sparse Cholesky factors on one thread: the same matrix gives bit-for-bit
+    identical results.
+
+    Examples
+    --------
+    >>> from scipy.sparse import csr_matrix
+    >>> from fmc_contact import Condensation
+    >>> condensation = Condensation()
+    >>> condensation.factorise(csr_matrix([[2.0, -1.0], [-1.0, 2.0]]), kept=[1])
+    >>> condensation.complement
+    array([[1.5]])
+    """
 
     def __init__(self) -> None:
         self._pointer = fmc_condensation()
@@ -30,15 +41,32 @@ class Condensation:
         self._size = self._kept = 0
 
     def factorise(self, matrix: Any, kept: ArrayLike = ()) -> None:
-        """Factorises a matrix (n, n) of scipy.sparse; ``kept``: equations, ascending. The next one of the same pattern takes less.
+        """Factorises a matrix. The next one of the same pattern takes less time.
 
-        Errors: ``UnsymmetricError``, ``FreedomOutOfRangeError``, ``RepeatedFreedomError``, ``NonFiniteStiffnessError``, which leave
-        the factors that there were; ``NotPositiveDefiniteError`` and ``RangeError``, after which there are none."""
+        Parameters
+        ----------
+        matrix : scipy.sparse matrix, (n, n)
+            The matrix.
+        kept : array_like of int, (m,)
+            Equations that are kept, ascending.
+
+        Raises
+        ------
+        UnsymmetricError, FreedomOutOfRangeError, RepeatedFreedomError, NonFiniteStiffnessError
+            The old factors stay.
+        NotPositiveDefiniteError, RangeError
+            There are no factors then.
+
+        Examples
+        --------
+        >>> from scipy.sparse import identity
+        >>> Condensation().factorise(identity(3))
+        """
         rows = matrix.tocsr()
         if rows.shape[0] != rows.shape[1]:
-            raise ValueError(f"a square matrix is wanted, this is of shape {rows.shape}")
-        offsets, cols, last = (np.ascontiguousarray(one, np.int64) for one in (rows.indptr, rows.indices, np.ravel(kept)))
-        values = np.ascontiguousarray(rows.data, np.float64)
+            raise ValueError(f"matrix has shape {rows.shape}, expected a square one")
+        offsets, cols = (np.ascontiguousarray(one, np.int64) for one in (rows.indptr, rows.indices))
+        last, values = numbers(kept, "kept"), np.ascontiguousarray(floats(rows.data, "matrix"))
         arguments = rows.shape[0], offsets, cols, values, last, len(last)
         status = library.fmc_condensation_factorise(self._pointer, *arguments)
         check(status)
@@ -52,13 +80,63 @@ class Condensation:
         return found
 
     def condense(self, right: ArrayLike) -> np.ndarray:
-        """``b_c - K_cr K_rr^-1 b_r``, (m,), of a right side (n,)."""
+        """``b_c - K_cr K_rr^-1 b_r`` of a right-hand side b.
+
+        Parameters
+        ----------
+        right : array_like, (n,)
+            The right-hand side.
+
+        Returns
+        -------
+        ndarray, (m,)
+            Its condensed part.
+
+        Raises
+        ------
+        FmcError
+            If there are no factors.
+
+        Examples
+        --------
+        >>> from scipy.sparse import csr_matrix
+        >>> condensation = Condensation()
+        >>> condensation.factorise(csr_matrix([[2.0, -1.0], [-1.0, 2.0]]), kept=[1])
+        >>> condensation.condense([1.0, 0.0])
+        array([0.5])
+        """
         given, found = vector(right, self._size, "right"), np.empty(self._kept)
         check(library.fmc_condensation_condense(self._pointer, given, len(given), found, len(found)))
         return found
 
     def expand(self, right: ArrayLike, kept: ArrayLike = ()) -> np.ndarray:
-        """Solution of ``K x = b`` in the other equations with those that are kept as given (m,): all of x, (n,)."""
+        """Solution of ``K x = b`` in the other equations, with given values in those that are kept.
+
+        Parameters
+        ----------
+        right : array_like, (n,)
+            The right-hand side b.
+        kept : array_like, (m,)
+            Values of the equations that are kept.
+
+        Returns
+        -------
+        ndarray, (n,)
+            All of x.
+
+        Raises
+        ------
+        FmcError
+            If there are no factors.
+
+        Examples
+        --------
+        >>> from scipy.sparse import csr_matrix
+        >>> condensation = Condensation()
+        >>> condensation.factorise(csr_matrix([[2.0, -1.0], [-1.0, 2.0]]))
+        >>> condensation.expand([1.0, 1.0]).round(6)
+        array([1., 1.])
+        """
         given, found = vector(right, self._size, "right"), np.empty(self._size)
         held = vector(kept, self._kept, "kept")
         check(library.fmc_condensation_expand(self._pointer, given, len(given), held, len(held), found, len(found)))

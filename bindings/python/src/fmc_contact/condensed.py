@@ -42,7 +42,7 @@ class Unknowns:
             if not (np.array_equal(alone[reached], np.ones(count)) and np.array_equal(np.sort(freedom), self.of_freedom)):
                 raise ValueError("two levels need a contact of which every degree of freedom is moved by one unknown, alone")
             self.of_freedom[freedom] = reached
-        if count and int(self.of_freedom.max()) >= size or contact is self.inner and count != size:
+        if (count and int(self.of_freedom.max()) >= size) or (contact is self.inner and count != size):
             raise ValueError(f"x has {size} entries, the contact {count} degrees of freedom")
 
     def coords(self, x: np.ndarray) -> np.ndarray:

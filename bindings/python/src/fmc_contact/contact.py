@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import byref, c_double, c_size_t
-from typing import TYPE_CHECKING, Any, Callable
+from typing import Any, Callable, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,6 +14,7 @@ from ._constants import FMC_ADD, FMC_SEMIDEFINITE, FMC_SYMMETRIC
 from ._core import Core
 from ._library import library
 from ._structs import fmc_log_callback, fmc_options, fmc_result
+from ._unpack import Unpack
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .friction import FrictionSteps
@@ -21,7 +22,7 @@ from .gaps import GapConstraints, gap_constraints
 from .mesh import Mesh
 from .multipliers import Multipliers
 from .obstacles import Obstacles
-from .options import changed, defaults, described
+from .options import Options, OtherOptions, changed, defaults, described
 from .pairs import Pairs
 from .patches import Patches
 from .pattern import Pattern
@@ -29,56 +30,90 @@ from .ranks import Ranks
 from .result import Result
 from .tangent import Tangent
 
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
-    from .options import Options
-
 
 class Contact:
-    """Boundary, search trees and obstacles of a mesh, kept between evaluations.
+    """Contact of a mesh, for repeated evaluations: keeps its boundary, search trees and obstacles.
 
-    ``coords`` are the coordinates of all nodes of the host, used or not: float64, (n, dim), or (n, 3) in 2D, or
-    (dim, n), read in place. ``conn`` are node numbers, (m, nodes per cell), of cells of one ``cell_type``:
-    ``"triangle"``, ``"quad"``, ``"tetra"``, ``"hexahedron"``, ``"wedge"`` or ``"pyramid"``, or of second order
-    ``"triangle6"``, ``"quad8"``, ``"quad9"``, ``"tetra10"``, ``"hexahedron20"``, ``"hexahedron27"``, ``"wedge15"`` or
-    ``"pyramid13"``, in meshio's node order, or the mirrored one, as VTK defines its wedge; or, without a cell type, a list of
-    ``(cell type, node numbers)`` for a mixed mesh. ``bodies``, one integer for every cell counted over the list, says which
-    body a cell belongs to; ``None``: bodies are the connected components by faces. ``stiffness`` is k > 0 of the law (see ``suggest_fiber_stiffness`` and ``suggest_stiffness``); the other keywords are those of ``Options``.
+    Coordinates are those of all nodes, used or not. float64 arrays are read in place, in any layout; other real numbers are
+    converted. After an error a contact is as it was before the call.
 
-    Errors: those of ``fmc_contact.errors`` for the mesh and the options; ``TypeError`` and ``ValueError`` for arrays of
-    another dtype or shape. After any error a contact is as it was before the call.
+    Contacts share nothing, so different threads may use different contacts at once; the GIL is released during an evaluation.
+    Concurrent calls on one contact raise ``BusyError``.
 
-    Threads: contacts share nothing, so different ones may be used by different threads at once; the GIL is released
-    during an evaluation. Concurrent calls on one contact raise ``BusyError``.
+    Parameters
+    ----------
+    coords : array_like, (n, dim), or (n, 3) in 2D, or (dim, n)
+        Undeformed coordinates of all nodes.
+    conn : array_like of int, (m, nodes per cell), or list of (cell type, array)
+        Nodes of every cell, in the order of meshio and VTK; cells may also be mirrored. Without ``cell_type`` a list of
+        ``(cell type, nodes)``, for a mixed mesh.
+    cell_type : str, optional
+        ``"triangle"``, ``"quad"``, ``"tetra"``, ``"hexahedron"``, ``"wedge"``, ``"pyramid"``; of second order ``"triangle6"``,
+        ``"quad8"``, ``"quad9"``, ``"tetra10"``, ``"hexahedron20"``, ``"hexahedron27"``, ``"wedge15"``, ``"pyramid13"``.
+    stiffness : float
+        Stiffness k > 0 of the law: for the default law ten times Young's modulus, divided by the size of a facet, is a good start.
+    bodies : array_like of int, (cells,), optional
+        Body of every cell, counted over the list. Default: bodies are the connected components by faces.
+    **options : OtherOptions
+        See ``Options``.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        Boundary facets, undeformed coordinates, planes of symmetry, and what moves the nodes.
+    obstacles : Obstacles
+        Rigid obstacles: added, moved, removed.
+    pairs : Pairs
+        Options of single pairs.
+    friction : FrictionSteps
+        Steps with friction, and the elastic slip that is carried from one to the next.
+    multipliers : Multipliers
+        Multipliers of the augmented Lagrangian.
+    patches : Patches
+        Patches of the law ``"fiber"``, kept for a load step.
+    pattern : Pattern
+        Pattern of the tangent, kept for a symbolic factorisation.
+    ranks : Ranks
+        Ranks that share the work.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For arrays of another dtype or shape. The message names the argument, and the actual and the expected shape.
+    FmcError
+        For a mesh or an option that cannot be: ``InvertedCellError``, ``NodeOutOfRangeError``, ``UnknownOptionError``, ...
+
+    Examples
+    --------
+    Two unit squares that overlap by 0.1; other examples use these names.
+
+    >>> import numpy as np
+    >>> from fmc_contact import Contact
+    >>> coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.9, -0.2], [1.9, -0.2], [1.9, 0.8], [0.9, 0.8]])
+    >>> squares = [[0, 1, 2, 3], [4, 5, 6, 7]]
+    >>> contact = Contact(coords, squares, "quad", stiffness=1000.0)
+    >>> print(f"{contact.evaluate(coords).volume:.2f}")
+    0.08
     """
 
     mesh: Mesh
-    """Boundary facets, coordinates without deformation, planes of symmetry, and what moves the nodes."""
     obstacles: Obstacles
-    """Rigid obstacles: added, moved, removed."""
     pairs: Pairs
-    """Options of single pairs."""
     friction: FrictionSteps
-    """Steps with friction, and the elastic slip that is carried from one to the next."""
     multipliers: Multipliers
-    """How far surfaces are moved out, until they press without penetration."""
     patches: Patches
-    """Patches of the law ``"fiber"`` that are kept for a load step."""
     pattern: Pattern
-    """The pattern of the tangent, kept for a symbolic factorisation."""
     ranks: Ranks
-    """Ranks that share the work."""
 
     def __init__(
         self,
         coords: ArrayLike,
         conn: creation.Cells,
-        cell_type: str | None = None,
+        cell_type: Optional[str] = None,
         *,
         stiffness: float,
-        bodies: ArrayLike | None = None,
-        **options: Unpack[Options],
+        bodies: Optional[ArrayLike] = None,
+        **options: Unpack[OtherOptions],
     ) -> None:
         own = changed(defaults(), {"stiffness": stiffness, **options})
         self._take(creation.from_cells(coords, conn, cell_type, bodies, own), own)
@@ -88,18 +123,48 @@ class Contact:
         cls,
         coords: ArrayLike,
         facets: creation.Cells,
-        facet_type: str | None = None,
+        facet_type: Optional[str] = None,
         *,
         stiffness: float,
-        bodies: ArrayLike | None = None,
-        **options: Unpack[Options],
+        bodies: Optional[ArrayLike] = None,
+        **options: Unpack[OtherOptions],
     ) -> Contact:
-        """From the boundary of closed bodies: edges (m, 2) in 2D, the body on their left; triangles (m, 3) in 3D,
-        counter-clockwise seen from outside. With a ``facet_type`` of ``"line"``, ``"triangle"``, ``"quad"``, or of second
-        order ``"line3"`` (2D), ``"triangle6"``, ``"quad8"``, ``"quad9"``, facets of that type in meshio's node order; or,
-        without one, a list of ``(facet type, node numbers)`` for a mixed surface. ``bodies``, one integer for every facet
-        counted over the list; ``None``: bodies are the connected components by nodes. Errors: also ``OpenSurfaceError``, ``InconsistentOrientationError``,
-        ``InvertedSurfaceError``."""
+        """A contact from the boundary of closed bodies. The law must be ``"fiber"`` or ``"volume"``: depth is that of cells.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Undeformed coordinates of all nodes.
+        facets : array_like of int, (m, nodes per facet), or list of (facet type, array)
+            Nodes of every facet. In 2D the body lies on the left of an edge. In 3D corners run counter-clockwise, seen from outside.
+        facet_type : str, optional
+            ``"line"``, ``"triangle"``, ``"quad"``; of second order ``"line3"``, ``"triangle6"``, ``"quad8"``, ``"quad9"``. Without it,
+            two columns are edges and three are triangles.
+        stiffness : float
+            Stiffness k > 0 of the law.
+        bodies : array_like of int, (facets,), optional
+            Body of every facet. Default: bodies are the connected components by nodes.
+        **options : OtherOptions
+            See ``Options``.
+
+        Returns
+        -------
+        Contact
+            The contact.
+
+        Raises
+        ------
+        OpenSurfaceError, InconsistentOrientationError, InvertedSurfaceError
+            If the facets do not bound bodies.
+        FmcError
+            As ``Contact`` raises.
+
+        Examples
+        --------
+        >>> edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]]
+        >>> Contact.from_facets(coords, edges, stiffness=1000.0, law="fiber").body_count
+        2
+        """
         contact = cls.__new__(cls)
         own = changed(defaults(), {"stiffness": stiffness, **options})
         contact._take(creation.from_facets(coords, facets, facet_type, bodies, own), own)
@@ -119,7 +184,7 @@ class Contact:
 
     @property
     def node_count(self) -> int:
-        """Number of nodes of ``coords``."""
+        """Number of nodes."""
         return self._core.node_count
 
     @property
@@ -129,8 +194,11 @@ class Contact:
 
     @property
     def facet_count(self) -> int:
-        """Number of boundary facets; a quadrilateral face in 3D counts as four triangles. Of second order an edge counts as
-        two, a triangle as four, a quadrilateral as sixteen."""
+        """Number of boundary facets.
+
+        A quadrilateral face counts as four triangles. Of second order an edge counts as two facets, a triangle as four, and a
+        quadrilateral as sixteen.
+        """
         return self._core.facet_count
 
     @property
@@ -139,36 +207,97 @@ class Contact:
         return self._core.body_count
 
     @property
-    def options(self) -> dict[str, object]:
-        """All options, including defaults."""
+    def options(self) -> dict[str, Any]:
+        """All options in force, including defaults, by the names of ``Options``."""
         return described(self._core.options)
 
     def set_options(self, **options: Unpack[Options]) -> None:
-        """Changes some options, ``stiffness`` too; the others stay, and those of single pairs (``pairs.set``). They apply
-        from the next evaluation on."""
+        """Changes some options, from the next evaluation on. The others stay, and so do those of single pairs.
+
+        Parameters
+        ----------
+        **options : Options
+            The options that change.
+
+        Raises
+        ------
+        UnknownOptionError
+            If there is no such option or value, or it would have no effect.
+        NotPositiveError
+            If a value must be positive and is not.
+
+        Examples
+        --------
+        >>> contact.set_options(stiffness=2000.0, threads=2)
+        """
         with self._core.handle:
             replaced = changed(self._core.options, options)
             self._core.handle.call(library.fmc_context_set_options, byref(replaced))
             self._core.options = replaced
 
     def stiffen(self, factor: float) -> None:
-        """Multiplies the stiffness of the law, and of those that pairs have of their own, by a factor; what surfaces that are moved out
-        press with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, a
-        quarter say, this helps more than another one. Errors: ``NotPositiveError``."""
+        """Multiplies the stiffness of the law, and that of every pair with a law of its own, by a factor.
+
+        Where moved surfaces just touch, their pressure stays. If an update of the multipliers leaves more than a quarter of the
+        penetration, this helps more than another update.
+
+        Parameters
+        ----------
+        factor : float
+            Positive factor.
+
+        Raises
+        ------
+        NotPositiveError
+            If the factor is not positive.
+
+        Examples
+        --------
+        >>> contact.stiffen(4.0)
+        >>> contact.options["stiffness"]
+        4000.0
+        """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_stiffen, c_double(factor))
             self._core.options.stiffness *= factor
 
-    def evaluate(self, coords: ArrayLike, out: np.ndarray | None = None, add: bool = False) -> Result:
-        """Contact forces at ``coords``, the current coordinates of all nodes, laid out in any way of the class.
+    def evaluate(self, coords: ArrayLike, out: Optional[np.ndarray] = None, add: bool = False) -> Result:
+        """Contact forces at the current coordinates.
 
-        ``out``, a float64 array in any such layout, receives the forces in place of a new one; with ``add`` they are
-        added to its values. A third column in 2D is not changed, nor is the array after an error.
+        Parameters
+        ----------
+        coords : array_like, (n, dim), or (n, 3) in 2D, or (dim, n)
+            Current coordinates of all nodes.
+        out : ndarray of float64, optional
+            Receives the forces in place of a new array, in any layout of ``coords``. A third column in 2D is left alone.
+        add : bool
+            Whether forces are added to ``out``.
 
-        Errors: ``LengthError``, ``NonFiniteCoordinateError``, ``InvertedCellError``, ``ZeroMeasureError``,
-        ``UnsupportedError``, ``SignedDistanceError``, ``UnfinishedLinesError``, ``TooManyFibersError``,
-        ``TooManyPiecesError``, ``RangeError``, ``BufferTooSmallError``, ``StrideError``, ``BusyError``, and exceptions
-        raised by a signed distance function.
+        Returns
+        -------
+        Result
+            Forces, totals, resultants, pairs and warnings.
+
+        Raises
+        ------
+        LengthError
+            If the number of nodes is not that of the mesh.
+        NonFiniteCoordinateError, InvertedCellError, ZeroMeasureError
+            For coordinates at which there are no bodies.
+        UnsupportedError
+            For a combination of law, estimator and shapes that is not supported.
+        SignedDistanceError
+            If a signed distance is not finite. Exceptions of the function itself are raised unchanged.
+        UnfinishedLinesError, TooManyFibersError, TooManyPiecesError, RangeError
+            If the overlap cannot be measured.
+        StrideError, BufferTooSmallError, BusyError
+            For an output that overlaps itself or is too short; for a contact in use by another call.
+
+        Examples
+        --------
+        >>> result = contact.evaluate(coords)
+        >>> print(f"{result.bodies[0].force[0]:.1f}")
+        -75.0
         """
         view = coords_view(coords, self._core.dim)
         forces, flags = self._forces(view, out, add)
@@ -179,6 +308,59 @@ class Contact:
             )
             return result.gather(self._core.handle, forces, found, self._core.dim)
 
+    def evaluate_tangent(
+        self,
+        coords: ArrayLike,
+        out: Optional[np.ndarray] = None,
+        add: bool = False,
+        semidefinite: bool = False,
+        obstacles: bool = False,
+        blocks: bool = False,
+        symmetric: bool = False,
+    ) -> tuple[Result, Any]:
+        """``evaluate`` and ``tangent`` in one, in little more than the time of ``tangent``; bit-for-bit identical to the two.
+
+        Parameters
+        ----------
+        coords, out, add
+            As for ``evaluate``.
+        semidefinite, obstacles, blocks, symmetric
+            As for ``tangent``.
+
+        Returns
+        -------
+        Result
+            As from ``evaluate``.
+        scipy.sparse matrix or tuple
+            As from ``tangent``.
+
+        Raises
+        ------
+        FmcError
+            As ``evaluate`` and ``tangent`` raise.
+
+        Examples
+        --------
+        >>> result, matrix = contact.evaluate_tangent(coords)
+        """
+        view = coords_view(coords, self._core.dim)
+        forces, flags = self._forces(view, out, add)
+        target, found, parts = forces_view(forces, self._core.dim), fmc_result(), c_size_t()
+        views = byref(view.struct), flags | _flags(semidefinite, symmetric), byref(target.struct)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_evaluate_tangent, *views, byref(found), None, byref(parts))
+            matrix = tangent.matrix(self._core.handle, parts.value, obstacles, self._core.dim, blocks)
+            return result.gather(self._core.handle, forces, found, self._core.dim), matrix
+
+    def _forces(self, view: View, out: Optional[np.ndarray], add: bool) -> tuple[np.ndarray, int]:
+        """The array for the forces, and the flags."""
+        if out is not None:
+            return out, FMC_ADD if add else 0
+        if add:
+            raise ValueError("add is for forces that are there already: give the array as out")
+        shape = self._core.unknown_count, self._core.dim
+        return np.empty(shape[::-1] if view.is_columns else shape), 0
+
     def tangent(
         self,
         coords: ArrayLike,
@@ -187,31 +369,75 @@ class Contact:
         blocks: bool = False,
         symmetric: bool = False,
     ) -> Any:
-        """Second derivative of the contact energy, which is minus the derivative of the forces, to be added to a
-        stiffness matrix.
+        """Tangent stiffness: minus the derivative of the forces, to be added to a stiffness matrix.
 
-        UNSYMMETRIC with friction, unless that is frozen: solve with LU or GMRES, or ask for ``symmetric``, with which
-        Newton's method takes more iterations. Symmetric without friction.
+        Without friction, and with frozen friction, it is symmetric. With friction it is UNSYMMETRIC: solve with LU or GMRES. With the
+        law ``"volume"`` all nodes of a pair are coupled: see ``tangent_parts`` for large pairs. The momentum correction is
+        not differentiated; with the law ``"fiber"`` keep patches and switch the correction off for an exact derivative.
 
-        A ``scipy.sparse.csr_matrix``, (n dim, n dim), row and column ``node * dim + axis``; with ``blocks`` a
-        ``bsr_matrix`` of blocks (dim, dim). Without scipy ``(rows, cols, values)``, where duplicate entries are summed.
-        ``semidefinite`` leaves out the terms that can be indefinite, for use far from a solution. ``obstacles`` appends
-        the translations of the obstacles, as nodes after the last, and, with ``obstacles.set_rotations``, their rotations. For the law ``"volume"`` all nodes of a pair are
-        coupled: see ``tangent_parts`` for large ones.
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        semidefinite : bool
+            Whether to leave out terms that can be indefinite, for use far from a solution.
+        obstacles : bool
+            Whether to append the translations of the obstacles, as nodes after the last, and with ``obstacles.set_rotations`` their
+            rotations.
+        blocks : bool
+            Whether to return blocks (dim, dim).
+        symmetric : bool
+            Whether to return the symmetric part, with which Newton's method takes more iterations under friction.
 
-        With the law ``"fiber"``, ``patches.keep`` and ``momentum_correction=False`` it is the derivative of the forces; the
-        momentum correction (``momentum_correction=True``), which is small, is not differentiated.
+        Returns
+        -------
+        scipy.sparse.csr_matrix or bsr_matrix, (n dim, n dim)
+            Row and column ``node * dim + axis``. Without scipy a tuple ``(rows, cols, values)``, whose duplicates are summed.
 
-        Errors: those of ``evaluate``; ``UnsupportedError`` for a law or an estimator without tangent.
+        Raises
+        ------
+        UnsupportedError
+            For a law or an estimator without a tangent.
+        FmcError
+            As ``evaluate`` raises.
+
+        Examples
+        --------
+        >>> contact.tangent(coords).shape
+        (16, 16)
         """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
-            return tangent.matrix(self._core.handle, self._linearise(view, semidefinite, symmetric), obstacles, self._core.dim, blocks)
+            part_count = self._linearise(view, semidefinite, symmetric)
+            return tangent.matrix(self._core.handle, part_count, obstacles, self._core.dim, blocks)
 
     def tangent_parts(
         self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False, symmetric: bool = False
     ) -> Tangent:
-        """The same as separate entries and terms of rank one, for other matrix formats and as a linear operator."""
+        """The tangent as sparse entries and terms of rank one, for other matrix formats and linear operators.
+
+        Parameters
+        ----------
+        coords, semidefinite, obstacles, symmetric
+            As for ``tangent``.
+
+        Returns
+        -------
+        Tangent
+            The parts.
+
+        Raises
+        ------
+        FmcError
+            As ``tangent`` raises.
+
+        Examples
+        --------
+        >>> contact.set_options(law="volume", exponent=2.0)
+        >>> parts = contact.tangent_parts(coords)
+        >>> len(parts.rank_one)
+        1
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             return tangent.gather(self._core.handle, self._linearise(view, semidefinite, symmetric), obstacles)
@@ -219,58 +445,96 @@ class Contact:
     def _linearise(self, view: View, semidefinite: bool, symmetric: bool) -> int:
         """Number of terms of rank one of the tangent, which the library then keeps."""
         parts = c_size_t()
-        flags = (FMC_SEMIDEFINITE if semidefinite else 0) | (FMC_SYMMETRIC if symmetric else 0)
+        flags = _flags(semidefinite, symmetric)
         self._core.handle.call(library.fmc_context_tangent, byref(view.struct), flags, None, byref(parts))
         return parts.value
 
-    def evaluate_tangent(
-        self,
-        coords: ArrayLike,
-        out: np.ndarray | None = None,
-        add: bool = False,
-        semidefinite: bool = False,
-        obstacles: bool = False,
-        blocks: bool = False,
-        symmetric: bool = False,
-    ) -> tuple[Result, Any]:
-        """``evaluate`` and ``tangent`` in one, with the same bits, in little more than the time of the second."""
-        view = coords_view(coords, self._core.dim)
-        forces, flags = self._forces(view, out, add)
-        target, found, parts = forces_view(forces, self._core.dim), fmc_result(), c_size_t()
-        flags |= (FMC_SEMIDEFINITE if semidefinite else 0) | (FMC_SYMMETRIC if symmetric else 0)
-        views = byref(view.struct), flags, byref(target.struct)
-        with self._core.handle:
-            self._core.handle.call(library.fmc_context_evaluate_tangent, *views, byref(found), None, byref(parts))
-            matrix = tangent.matrix(self._core.handle, parts.value, obstacles, self._core.dim, blocks)
-            return result.gather(self._core.handle, forces, found, self._core.dim), matrix
-
-    def _forces(self, view: View, out: np.ndarray | None, add: bool) -> tuple[np.ndarray, int]:
-        """The array for the forces, and the flags."""
-        if out is not None:
-            return out, FMC_ADD if add else 0
-        if add:
-            raise ValueError("add is for forces that are there already: give the array as out")
-        return np.empty((self._core.dim, self._core.unknown_count) if view.is_columns else (self._core.unknown_count, self._core.dim)), 0
-
     def nodal_contact(self, coords: ArrayLike) -> NodalContact:
-        """Pressure, gap, area and normal at every node at ``coords``, and whether it touches. Errors: those of
-        ``evaluate``."""
+        """Pressure, gap, area, normal and friction at every node, for output.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+
+        Returns
+        -------
+        NodalContact
+            Arrays over the nodes.
+
+        Raises
+        ------
+        FmcError
+            As ``evaluate`` raises.
+
+        Examples
+        --------
+        >>> contact.nodal_contact(coords).touching
+        array([ True,  True,  True, False,  True, False,  True,  True])
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             return nodal_contact(self._core.handle, view, self._core.node_count, self._core.dim)
 
     def contact_points(self, coords: ArrayLike) -> ContactPoints:
-        """The points where the laws ``"fiber"`` and ``"depth"`` press at ``coords``, with both sides of each; none with
-        the law ``"volume"``. Errors: those of ``evaluate``."""
+        """Points where the laws ``"depth"`` and ``"fiber"`` press, with both sides of each. The law ``"volume"`` has none.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+
+        Returns
+        -------
+        ContactPoints
+            Arrays over the points.
+
+        Raises
+        ------
+        FmcError
+            As ``evaluate`` raises.
+
+        Examples
+        --------
+        >>> points = contact.contact_points(coords)
+        >>> len(points)
+        4
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             return contact_points(self._core.handle, view, self._core.dim)
 
     def gap_constraints(self, coords: ArrayLike, reach: float) -> GapConstraints:
-        """Weighted gaps at ``coords`` of all nodes that have a facet nearer than ``reach`` (length) to a partner, apart or
-        overlapping, with their derivative: what an augmented Lagrangian, an interior point method or a preconditioner
-        asks for. They depend on no law and no estimator; a body has no gaps over itself. Errors: those of ``evaluate``;
-        ``NotPositiveError`` for ``reach``."""
+        """Weighted gaps of all nodes near a partner, apart or overlapping, with their derivative.
+
+        Use them for an augmented Lagrangian, an interior point method or a preconditioner. They depend on no law and no estimator.
+        A body has no gaps to itself.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        reach : float
+            Distance of a facet from its partner (length) up to which its nodes have gaps.
+
+        Returns
+        -------
+        GapConstraints
+            One row for every node and partner.
+
+        Raises
+        ------
+        NotPositiveError
+            If the reach is not positive.
+        FmcError
+            As ``evaluate`` raises.
+
+        Examples
+        --------
+        >>> gaps = contact.gap_constraints(coords, 0.2)
+        >>> print((gaps.gap / gaps.area).round(3))
+        [-0.1 -0.1 -0.1 -0.1]
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             return gap_constraints(self._core.handle, view, reach)
@@ -282,55 +546,120 @@ class Contact:
         stiffness: ArrayLike,
         residual: ArrayLike,
         held: ArrayLike = (),
-        place: Callable[[np.ndarray, np.ndarray], None] | None = None,
+        place: Optional[Callable[[np.ndarray, np.ndarray], None]] = None,
         **options: float,
     ) -> ContactStep:
-        """The displacement d of some degrees of freedom for which ``stiffness @ d + residual - forces(coords + d) = 0``: equilibrium of
-        the contact with bodies that are condensed on these.
+        """Equilibrium of the contact with bodies that are condensed on some degrees of freedom.
 
-        ``dofs``, (m,), the list: degrees of freedom ``node * dim + axis``, ascending; best those of the tangent's pattern that may
-        move. ``held``: others, which do not move, on which contact may act, ascending. ``stiffness``, (m, m), symmetric, and
-        ``residual``, (m,), internal less external forces at ``coords`` without contact: those of the bodies, condensed.
-        ``place(displacement, coords)`` moves the nodes that follow in ``coords``, (n, dim), to which the displacement was added on the
-        list; it is needed where bodies move by more than a part of a cell. ``options``: ``tolerance`` (1e-10, residual by the
-        forces), ``goal`` (0, a residual, a force), ``full_below`` (0.1), ``most_iterations`` (80), ``most_trials`` (12).
-        ``penetration`` (0: that of the law): the largest mean penetration of a node that is wanted, by an augmented Lagrangian
-        from the law's equilibrium on, for gaps within ``reach`` (0: a twentieth of the bodies' extent) and in at most
-        ``most_updates`` (20).
+        Finds the displacement d with ``stiffness @ d + residual - forces(coords + d) = 0``. With the law ``"fiber"`` keep patches
+        first. Friction takes the current pressure, or is frozen. Look at the ``state`` of the result.
 
-        With the law ``"fiber"`` after ``patches.keep``. Friction with the current pressure, or frozen. Look at the ``state``
-        of what is returned. What is kept of the last evaluation stays.
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        dofs : array_like of int, (m,)
+            Degrees of freedom ``node * dim + axis``, ascending: those in the tangent's pattern that may move.
+        stiffness : array_like, (m, m)
+            Symmetric stiffness of the bodies, condensed on ``dofs``.
+        residual : array_like, (m,)
+            Internal minus external forces at ``coords`` without contact, condensed.
+        held : array_like of int, optional
+            Other degrees of freedom on which contact may act and which do not move, ascending.
+        place : callable, optional
+            ``place(displacement, coords)`` moves the nodes that follow, in ``coords``, (n, dim), to which the displacement of ``dofs``
+            was added. You need it if bodies move by more than a part of a cell.
+        **options : float
+            Fields of ``fmc_contact_step_options``: ``tolerance``, relative to the forces, ``most_iterations``, ...
 
-        Errors: those of ``tangent``; ``FreedomOutOfRangeError``, ``RepeatedFreedomError``, ``NonFiniteStiffnessError``;
-        ``SingularStiffnessError`` and ``IndefiniteStiffnessError`` for bodies and contact together; ``TypeError`` for an option that
-        there is not; exceptions of ``place``."""
+        Returns
+        -------
+        ContactStep
+            Displacement, state and counts.
+
+        Raises
+        ------
+        FreedomOutOfRangeError, RepeatedFreedomError, NonFiniteStiffnessError
+            For degrees of freedom or a matrix that cannot be.
+        SingularStiffnessError, IndefiniteStiffnessError
+            For bodies and contact together.
+        TypeError
+            If there is no such option.
+        FmcError
+            As ``tangent`` raises; exceptions of ``place`` are raised unchanged.
+
+        Examples
+        --------
+        >>> held = [0, 1, 3, 5, 6, 7, *range(8, 16)]
+        >>> step = contact.contact_step(coords, [2, 4], np.diag([1e4, 1e4]), [0.0, 0.0], held)
+        >>> step.state
+        'converged'
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
-            return contact_step(self._core.handle, view, self._core.dim, dofs, stiffness, residual, held, place, options)
+            arguments = dofs, stiffness, residual, held, place, options
+            return contact_step(self._core.handle, view, self._core.dim, *arguments)
 
     def stable_step(self, coords: ArrayLike, masses: ArrayLike) -> float:
-        """Largest time step of central differences (leapfrog) for the contact alone, from the tangent at ``coords``;
-        up to 3 % below the limit. ``masses``, (n,), are lumped masses of the nodes: positive where a node feels contact,
-        infinite for nodes that are held. Obstacles are held. ``inf`` where nothing touches.
+        """Largest time step of central differences (leapfrog) for the contact alone; up to 3 % below the limit.
 
-        A solver whose own limit is h is stable with the step s, 1/s**2 = 1/h**2 + 1/stable_step**2. The limit is that of
-        the motion linearised at ``coords``: contact that begins within a step is not in it.
+        If your bodies alone allow h, both together allow s with 1/s**2 = 1/h**2 + 1/stable_step**2. The limit is that of the motion
+        linearised at ``coords``: contact that begins within a step is not in it. Obstacles are held.
 
-        Errors: those of ``tangent``; ``NotPositiveMassError``, which names the node.
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        masses : array_like, (n,)
+            Lumped masses of the nodes: positive where a node feels contact, infinite for nodes that are held.
+
+        Returns
+        -------
+        float
+            The step (time); ``inf`` where nothing touches.
+
+        Raises
+        ------
+        NotPositiveMassError
+            If the mass of a node in contact is not positive. The message names the node.
+        FmcError
+            As ``tangent`` raises.
+
+        Examples
+        --------
+        >>> print(f"{contact.stable_step(coords, np.ones(8)):.2f}")
+        0.08
         """
         view, step = coords_view(coords, self._core.dim), c_double()
-        masses = vector(masses, self._core.unknown_count, "masses")
+        lumped = vector(masses, self._core.unknown_count, "masses")
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_stable_step, byref(view.struct), masses, byref(step))
+            self._core.handle.call(library.fmc_context_stable_step, byref(view.struct), lumped, byref(step))
         return step.value
 
-    def set_log(self, function: Callable[[str], None] | None) -> None:
-        """Calls ``function`` with a sentence for every warning of an evaluation; ``None``: no calls.
+    def set_log(self, function: Optional[Callable[[str], None]]) -> None:
+        """Calls a function with a sentence for every warning of an evaluation. ``Result.warnings`` has them in any case.
 
-        ``Result.warnings`` has them in any case. Exceptions of the function are raised by the evaluation.
+        Parameters
+        ----------
+        function : callable or None
+            Takes the sentence. The evaluation raises its exceptions. ``None``: no calls.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> contact.set_log(print)
         """
         guarded = None if function is None else self._core.handle.message_callback(function)
         callback = fmc_log_callback() if guarded is None else fmc_log_callback(guarded)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_log, callback, None)
             self._core.handle.keep("log", callback)
+
+
+def _flags(semidefinite: bool, symmetric: bool) -> int:
+    """Flags of the tangent."""
+    return (FMC_SEMIDEFINITE if semidefinite else 0) | (FMC_SYMMETRIC if symmetric else 0)

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from ctypes import byref
 from dataclasses import dataclass
-from typing import Callable
+from typing import Any, Callable, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import View, vector
+from ._arrays import View, numbers, rows_of, vector
 from ._constants import FMC_CONTACT_STEP_STATE
 from ._handle import Handle
 from ._library import check, library
 from ._structs import fmc_contact_step_options, fmc_contact_step_result, fmc_place
-
 
 OPTIONS = (
     "tolerance", "goal", "full_below", "most_iterations", "most_trials", "penetration", "reach", "most_updates", "soft_start",
@@ -24,30 +23,51 @@ OPTIONS = (
 
 @dataclass(frozen=True, eq=False)
 class ContactStep:
-    """Where ``Contact.contact_step`` has led."""
+    """Result of ``Contact.contact_step``.
+
+    Attributes
+    ----------
+    displacement : ndarray, (m,)
+        Displacement of the degrees of freedom on the list.
+    state : str
+        ``"converged"``. ``"outside"``: contact acts on degrees of freedom that are neither on the list nor held; the displacement is
+        what was reached, and a longer list is needed. ``"not_converged"``: the iterations have run out, or the residual could not
+        be lowered any more.
+    iterations : int
+        Dense systems solved.
+    evaluation_count : int
+        Evaluations of the contact, not counting its tangent.
+    outside_count : int
+        Degrees of freedom outside the list on which contact acts.
+    residual_at_start : float
+        Norm of the residual at the start (force).
+    residual : float
+        Norm of the remaining residual (force).
+    scale : float
+        What it is compared with: the larger of the norms of the given residual and of the contact forces on the list.
+    update_count : int
+        Updates of the pressures of an augmented Lagrangian.
+    penetration : float
+        Largest mean penetration of a node at the end (length), if one was asked for; else 0.
+
+    Examples
+    --------
+    >>> held = [0, 1, 3, 5, 6, 7, *range(8, 16)]
+    >>> step = contact.contact_step(coords, [2, 4], np.diag([1e4, 1e4]), [0.0, 0.0], held)
+    >>> step.displacement.shape
+    (2,)
+    """
 
     displacement: np.ndarray
-    """Displacement of the degrees of freedom on the list, (m,)."""
     state: str
-    """``"converged"``; ``"outside"``: contact acts on degrees of freedom that are neither on the list nor held, the displacement
-    is what was reached when it did, and a longer list is needed; ``"not_converged"``: the iterations have run out, or the
-    residual, or the penetration, could not be lowered any more."""
     iterations: int
-    """Dense systems solved."""
     evaluation_count: int
-    """Evaluations of the contact, without those of its tangent."""
     outside_count: int
-    """Degrees of freedom outside the list on which contact acts."""
     residual_at_start: float
-    """Norm of the residual at the start."""
     residual: float
-    """Norm of the residual that is left."""
     scale: float
-    """What it is compared with: the larger of the norms of the residual given and of the contact forces on the list."""
     update_count: int = 0
-    """Updates of the pressures of an augmented Lagrangian."""
     penetration: float = 0.0
-    """Largest mean penetration of a node at the end, where one was asked for; else 0."""
 
 
 def contact_step(
@@ -58,15 +78,13 @@ def contact_step(
     stiffness: ArrayLike,
     residual: ArrayLike,
     held: ArrayLike,
-    place: Callable[[np.ndarray, np.ndarray], None] | None,
+    place: Optional[Callable[[np.ndarray, np.ndarray], None]],
     options: dict[str, float],
 ) -> ContactStep:
     """Calls the library."""
-    numbers, others = (np.ascontiguousarray(np.ravel(one), np.int64) for one in (dofs, held))
-    count = len(numbers)
-    matrix = np.ascontiguousarray(stiffness, np.float64)
-    if matrix.shape != (count, count):
-        raise ValueError(f"stiffness has shape {matrix.shape}, ({count}, {count}) is wanted")
+    kept, others = numbers(dofs, "dofs"), numbers(held, "held")
+    count = len(kept)
+    matrix = rows_of(stiffness, "stiffness", (count, count))
     right, displacement = vector(residual, count, "residual"), np.empty(count)
     asked, found = fmc_contact_step_options(), fmc_contact_step_result()
     check(library.fmc_contact_step_options_init(byref(asked)))
@@ -75,12 +93,13 @@ def contact_step(
             raise TypeError(f"there is no option '{name}': {', '.join(OPTIONS)}")
         setattr(asked, name, value)
 
-    def placed(_user: object, n: int, given: object, coords: object) -> None:
-        rows = np.ctypeslib.as_array(coords, (view.node_count, dim))  # type: ignore[arg-type]
-        place(np.ctypeslib.as_array(given, (n,)) if n else np.empty(0), rows)  # type: ignore[arg-type, misc]
+    def placed(_user: object, n: int, moved: Any, coords: Any) -> None:
+        assert place is not None
+        rows = np.ctypeslib.as_array(coords, (view.node_count, dim))
+        place(np.ctypeslib.as_array(moved, (n,)) if n else np.empty(0), rows)
 
     callback = fmc_place() if place is None else fmc_place(handle.guarded(placed))
-    arrays = numbers, count, others, len(others), matrix, right
+    arrays = kept, count, others, len(others), matrix, right
     handle.call(
         library.fmc_context_contact_step, byref(view.struct), byref(asked), *arrays, callback, None, displacement, byref(found)
     )

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from ctypes import byref
-from typing import Any, NamedTuple, Sequence, Tuple, Union, cast
+from typing import Any, NamedTuple, Optional, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,7 +16,7 @@ from ._library import library
 from ._structs import fmc_cell_block, fmc_cell_block_i64, fmc_facet_block, fmc_facet_block_i64, fmc_options
 from .errors import EmptyError, UnknownCellTypeError
 
-Cells = Union[ArrayLike, Sequence[Tuple[str, ArrayLike]]]
+Cells = Union[ArrayLike, Sequence[tuple[str, ArrayLike]]]
 """Node numbers (m, nodes per cell); or, without a cell type, a list of ``(cell type, node numbers)``. The same of facets."""
 
 
@@ -31,21 +32,21 @@ def named_blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, ArrayLik
     """Cells with their types."""
     if cell_type is not None:
         return [(cell_type, cast(ArrayLike, conn))]
-    blocks: list = list(conn) if isinstance(conn, (list, tuple)) else [conn]
+    blocks: list[Any] = list(conn) if isinstance(conn, (list, tuple)) else [conn]
     for block in blocks:
         if not isinstance(block, (list, tuple)) or len(block) != 2 or not isinstance(block[0], str):
-            raise TypeError("give the cell type beside conn, or a list of (cell type, node numbers) for a mixed mesh")
+            raise TypeError("give cell_type with conn, or a list of (cell type, node numbers) for a mixed mesh")
     return blocks
 
 
-def _blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, np.ndarray]]:
-    blocks = named_blocks(conn, cell_type)
-    if not blocks:
+def blocks(conn: Cells, cell_type: str | None) -> list[tuple[str, np.ndarray]]:
+    named = named_blocks(conn, cell_type)
+    if not named:
         raise EmptyError("there are no cells and no facets")
-    for name, _ in blocks:
+    for name, _ in named:
         if name not in CELL_TYPES:
             raise UnknownCellTypeError(f"no cell type {name!r}; there are {', '.join(CELL_TYPES)}")
-    return [(name, indices(cells, "conn", CELL_NODES[name])) for name, cells in blocks]
+    return [(name, indices(cells, "conn", CELL_NODES[name])) for name, cells in named]
 
 
 def _body_ids(bodies: ArrayLike | None, count: int, what: str) -> list[np.ndarray]:
@@ -53,7 +54,7 @@ def _body_ids(bodies: ArrayLike | None, count: int, what: str) -> list[np.ndarra
         return []
     ids = indices(bodies, "bodies")
     if len(ids) != count:
-        raise ValueError(f"bodies has {len(ids)} entries, one for each of the {count} {what} is wanted")
+        raise ValueError(f"bodies has shape {ids.shape}, expected ({count},), one number for each of the {what}")
     return [ids]
 
 
@@ -66,14 +67,14 @@ def _check_plane(flat: bool) -> None:
 
 
 def from_cells(
-    coords: ArrayLike, conn: Cells, cell_type: str | None, bodies: ArrayLike | None, options: fmc_options
+    coords: ArrayLike, conn: Cells, cell_type: Optional[str], bodies: Optional[ArrayLike], options: fmc_options
 ) -> Start:
     """A context from cells; the library finds their boundary."""
-    blocks = _blocks(conn, cell_type)
-    dim = CELL_DIMENSION[blocks[0][0]]
+    named = blocks(conn, cell_type)
+    dim = CELL_DIMENSION[named[0][0]]
     view = coords_view(coords, dim)
     _check_plane(dim == 3 or flat_in_z(view))
-    return _start(blocks, _CELLS, dim, view, bodies, options)
+    return _start(named, _CELLS, dim, view, bodies, options)
 
 
 class _Kind(NamedTuple):
@@ -100,19 +101,19 @@ _FACETS = _Kind(
 
 
 def _start(
-    blocks: list[tuple[str, np.ndarray]],
+    named: list[tuple[str, np.ndarray]],
     kind: _Kind,
     dim: int,
     view: View,
     bodies: ArrayLike | None,
     options: fmc_options,
 ) -> Start:
-    arrays = [conn for _, conn in blocks]
+    arrays = [conn for _, conn in named]
     *arrays, ids = of_one_width(arrays + (_body_ids(bodies, sum(map(len, arrays)), kind.what) or [arrays[0]]))
     wide = ids.dtype == np.int64
     block = kind.structs[wide]
     function = getattr(library, kind.functions[wide])
-    structs = [block(kind.types[name], conn.ctypes.data, len(conn)) for (name, _), conn in zip(blocks, arrays)]
+    structs = [block(kind.types[name], conn.ctypes.data, len(conn)) for (name, _), conn in zip(named, arrays)]
     array = (block * len(structs))(*structs)
     given = None if bodies is None else ids
     handle = Handle(lambda to: function(dim, byref(view.struct), array, len(structs), given, byref(options), to))
@@ -122,7 +123,7 @@ def _start(
 def _facet_blocks(facets: Cells, facet_type: str | None) -> list[tuple[str, np.ndarray]]:
     """Facets with their types; none where edges or triangles are given without a type."""
     if facet_type is not None:
-        named: list = [(facet_type, facets)]
+        named: list[Any] = [(facet_type, facets)]
     elif isinstance(facets, (list, tuple)) and facets and all(_is_named(block) for block in facets):
         named = list(facets)
     else:
@@ -138,19 +139,19 @@ def _is_named(block: object) -> bool:
 
 
 def from_facets(
-    coords: ArrayLike, facets: Cells, facet_type: str | None, bodies: ArrayLike | None, options: fmc_options
+    coords: ArrayLike, facets: Cells, facet_type: Optional[str], bodies: Optional[ArrayLike], options: fmc_options
 ) -> Start:
     """A context from the facets of closed bodies."""
-    blocks = _facet_blocks(facets, facet_type)
-    if blocks:
-        dim = FACET_DIMENSION[blocks[0][0]]
+    named = _facet_blocks(facets, facet_type)
+    if named:
+        dim = FACET_DIMENSION[named[0][0]]
         view = coords_view(coords, dim)
         _check_plane(dim == 3 or flat_in_z(view))
-        return _start(blocks, _FACETS, dim, view, bodies, options)
+        return _start(named, _FACETS, dim, view, bodies, options)
     shape = np.shape(cast(ArrayLike, facets))
     if len(shape) != 2 or shape[1] not in (2, 3):
         raise ValueError(
-            f"facets has shape {shape}, (facets, 2) is wanted for edges, (facets, 3) for triangles; of other types "
+            f"facets has shape {shape}, expected (facets, 2) for edges or (facets, 3) for triangles; of other types "
             "give the type, or a list of (facet type, node numbers)"
         )
     dim = shape[1]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ._arrays import View
+from ._arrays import View, written
 from ._handle import Handle
 from ._library import library
 from ._structs import fmc_contact_point
@@ -18,73 +18,113 @@ class NodalContact:
     """The contact at every node, n of them in the order of the coordinates; zero where nothing touches.
 
     The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding. With cells of second order
-    that is the force at the point of their division that stands for the node (see ``PointWeights``), and the shape function
-    is that point's: those of second order are negative in places, and have no mean at a corner.
+    that is the force at the point of their division that represents the node (see ``PointWeights``).
+
+    Attributes
+    ----------
+    pressure : ndarray, (n,)
+        Contact pressure: its mean over the part of the facets at the node that is in contact, weighted with the node's shape
+        function. With the law ``"volume"`` the pressure of the pair.
+    gap : ndarray, (n,)
+        Minus the penetration (length), the mean over the same part. Never positive: parts that do not touch are not measured.
+    area : ndarray, (n,)
+        Area (2D: length) on which the pressure acts.
+    normal : ndarray, (n, dim)
+        Unit normal, outwards of the node's body.
+    touching : ndarray of bool, (n,)
+        Whether a facet at the node is in contact.
+    friction : ndarray, (n, dim)
+        Traction of friction on the node's body: the mean over the part in contact.
+    sliding : ndarray, (n,)
+        Part of the node's contact area that slides, between 0 and 1.
+    sticks : ndarray of bool, (n,)
+        Whether friction acts on the node and more of its contact sticks than slides, by area.
+    slides : ndarray of bool, (n,)
+        Whether at least half of it slides.
+
+    Examples
+    --------
+    >>> nodal = contact.nodal_contact(coords)
+    >>> print(nodal.pressure.max().round(1))
+    89.9
     """
 
     pressure: np.ndarray
-    """Contact pressure, (n,): the mean of that of the law over the part of the facets at the node that is in contact,
-    weighted with the node's shape function; with the law ``"volume"`` that of the pair."""
     gap: np.ndarray
-    """Minus the penetration, (n,), the mean over the same part. Never positive: distances of what is apart are not
-    measured."""
     area: np.ndarray
-    """Area (2D: length) on which the pressure acts, (n,)."""
     normal: np.ndarray
-    """Unit normal, (n, dim), outwards of the node's body."""
     touching: np.ndarray
-    """Whether a facet at the node is in contact, (n,), bool."""
     friction: np.ndarray
-    """Traction of friction on the node's body, (n, dim): the mean of that of the facets over the part in contact."""
     sliding: np.ndarray
-    """Part of the contact at the node that slides, of its area, (n,): between 0, where all of it sticks, and 1."""
     sticks: np.ndarray
-    """Whether friction acts on the node and more of its contact sticks than slides, by area, (n,), bool."""
     slides: np.ndarray
-    """Whether at least half of it slides, (n,), bool."""
 
 
 @dataclass(frozen=True, eq=False)
 class ContactPoints:
-    """The m points where a law presses. With ``"fiber"``: pieces of lines inside both sides of a pair. With ``"depth"``: the
-    centres of the pressure on what facets have inside each cell of the other body, or inside an obstacle; facets of both
-    bodies are pressed, each for half of its area, facets against an obstacle for all of it.
+    """The m points where a law presses.
 
-    Axis 1 of the arrays of sides is the side, first and second. Empty with the law ``"volume"`` unless friction acts.
+    With ``"fiber"`` they are pieces of lines inside both sides of a pair. With ``"depth"`` they are the centres of pressure of
+    what facets have inside each cell of the other body, or inside an obstacle. Facets of both bodies are pressed, each for half of
+    its area; facets against an obstacle for all of it. With ``"volume"`` there are none, unless friction acts. Axis 1 of the arrays
+    of sides is the side, first and second.
+
+    Attributes
+    ----------
+    position : ndarray, (m, dim)
+        Middle of the piece, or centre of pressure.
+    normal : ndarray, (m, dim)
+        Unit vector along the line, or of the facet, outwards of the first side.
+    gap : ndarray, (m,)
+        Minus the penetration (length): the length of the piece, or the mean depth of the facet's part.
+    pressure : ndarray, (m,)
+        Contact pressure.
+    area : ndarray, (m,)
+        Area (2D: length) that the point represents.
+    friction : ndarray, (m, dim)
+        Traction of friction on the first side: ``(friction * area[:, None]).sum(axis=0)`` is its resultant.
+    slip : ndarray, (m, dim)
+        Slip of the first side against the second since the step began, without its elastic part (length).
+    sliding : ndarray, (m,)
+        Part of the area that slides: 0 where the point sticks, 0.5 where one of its two facets slides, else 1.
+    patch : ndarray of int, (m,)
+        Number of the patch within the pair. Points of one patch have one normal, up to its sign. 0 with ``"depth"``.
+    is_obstacle : ndarray of bool, (m, 2)
+        Whether a side is an obstacle.
+    partner : ndarray of int, (m, 2)
+        Index of each side in ``Result.bodies`` or ``Result.obstacles``.
+    cell : ndarray of int, (m, 2)
+        Cell of each side, counted over all blocks; -1 for an obstacle and for surfaces without cells.
+    ends : ndarray, (m, 2, dim)
+        Where the line meets the boundary of each side. With ``"depth"`` the point, twice.
+    nodes : ndarray of int, (m, 2, 8)
+        Nodes of the boundary face of each side; with ``"depth"`` nodes of the cell on the side without a facet; -1 where there is
+        none. With cells of second order they are points: rows of ``contact.mesh.point_weights()``.
+    weights : ndarray, (m, 2, 8)
+        Values of their shape functions at the end: a force there goes to the nodes, or points, by these parts.
+
+    Examples
+    --------
+    >>> points = contact.contact_points(coords)
+    >>> points.weights.shape == (len(points), 2, 8)
+    True
     """
 
     position: np.ndarray
-    """Middle of the piece, or centre of pressure, (m, dim)."""
     normal: np.ndarray
-    """Unit vector along the line, or that of the facet, outwards of the first side, (m, dim)."""
     gap: np.ndarray
-    """Minus the penetration, (m,): the length of the piece; the mean depth of the facet's part below the other surface."""
     pressure: np.ndarray
-    """Contact pressure, (m,)."""
     area: np.ndarray
-    """Area (2D: length) across the line, or of the facet's part, for which the point stands, (m,)."""
     friction: np.ndarray
-    """Traction of friction on the first side, (m, dim): ``(friction * area[:, None]).sum(axis=0)`` is its resultant."""
     slip: np.ndarray
-    """Slip of the first side against the second since the step began, without what is elastic, (m, dim)."""
     sliding: np.ndarray
-    """Part of the area that slides, (m,): 0 where the point sticks, 0.5 where one of its two facets does, else 1."""
     patch: np.ndarray
-    """Number of the patch within the pair, (m,): points of one patch have one normal, up to its sign. 0 with ``"depth"``."""
     is_obstacle: np.ndarray
-    """Whether a side is an obstacle, (m, 2)."""
     partner: np.ndarray
-    """Index of each side in ``Result.bodies`` or ``Result.obstacles``, (m, 2)."""
     cell: np.ndarray
-    """Cell of each side, counted over all blocks, (m, 2); -1 for an obstacle and for surfaces without cells."""
     ends: np.ndarray
-    """Where the line meets the boundary of each side, (m, 2, dim); with ``"depth"`` the point, twice."""
     nodes: np.ndarray
-    """Nodes of the boundary face of each side, with ``"depth"`` of the cell on the side that has no facet there,
-    (m, 2, 8); -1 where there is none. With cells of second order points of their division: rows of
-    ``Mesh.point_weights``."""
     weights: np.ndarray
-    """Values of their shape functions at the end, (m, 2, 8): a force there goes to the nodes, or points, by these parts."""
 
     def __len__(self) -> int:
         return len(self.gap)
@@ -106,8 +146,7 @@ def contact_points(handle: Handle, coords: View, dim: int) -> ContactPoints:
     handle.call(library.fmc_context_find_contact_points, byref(coords.struct), byref(count))
     found = (fmc_contact_point * count.value)()
     handle.call(library.fmc_context_contact_points, found, count.value)
-    kind = np.dtype(fmc_contact_point)
-    points = np.frombuffer(found, kind) if count.value else np.empty(0, kind)
+    points = written(found, fmc_contact_point)
     sides = points["sides"]
     unused = np.arange(8) >= sides["node_count"][..., None]
     return ContactPoints(

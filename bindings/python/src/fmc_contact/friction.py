@@ -7,57 +7,142 @@ from ctypes import byref
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import coords_view
+from ._arrays import coords_view, floats, shape_error
 from ._core import Core
 from ._library import library
+from .errors import LengthError
 
 
 class FrictionSteps:
-    """Friction of a contact, which counts slip from the start of a step.
+    """Steps with friction, which count slip from their start.
 
-    With friction ``begin_step`` comes before the first evaluation, and ``commit_step`` after every step that is accepted,
-    with the coordinates that were accepted, never within an iteration. A step may be tried as often as one likes: nothing
-    has to be undone.
+    Call ``begin_step`` before the first evaluation with friction. Call ``commit_step`` after every step that is accepted, with the
+    accepted coordinates, and never within an iteration. A step may be tried as often as you like: nothing has to be undone.
 
-    Errors: those of ``Contact.evaluate``; ``NoStepError`` before ``begin_step``. Nothing has changed then.
+    Examples
+    --------
+    >>> contact.set_options(friction_coefficient=0.3)
+    >>> contact.friction.begin_step(coords)
+    >>> result = contact.evaluate(coords + 0.001)
+    >>> contact.friction.commit_step(coords + 0.001)
     """
 
     def __init__(self, core: Core) -> None:
         self._core = core
 
     def begin_step(self, coords: ArrayLike) -> None:
-        """Begins a step at ``coords``, with the obstacles where they are. Elastic slip carried so far stays; there is
-        none at first. With friction, what touches here is measured: a facet that touches later counts its slip from then
-        on. Errors are then those of ``evaluate``."""
+        """Begins a step, with the obstacles where they are.
+
+        Elastic slip carried so far stays; there is none at first. A facet that touches later counts its slip from then on.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Coordinates of all nodes at the start of the step.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises. Nothing has changed then.
+
+        Examples
+        --------
+        >>> contact.friction.begin_step(coords)
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_begin_step, byref(view.struct))
 
     def commit_step(self, coords: ArrayLike) -> None:
-        """Accepts the step that ends at ``coords``, and begins the next one there."""
+        """Accepts the step, and begins the next one at its end.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Coordinates of all nodes at the end of the step.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        FmcError
+            As ``Contact.evaluate`` raises. Nothing has changed then.
+
+        Examples
+        --------
+        >>> contact.friction.begin_step(coords)
+        >>> contact.friction.commit_step(coords + 0.001)
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_commit_step, byref(view.struct))
 
     def freeze(self, coords: ArrayLike) -> None:
-        """Freezes the facets on which friction acts and their pressure as they are at ``coords``, until the step ends or
-        ``release``: friction is then the gradient of a convex potential, and its tangent symmetric and positive
-        semidefinite. Repeated at what was found until nothing changes, this leads to the solution with the current
-        pressure."""
+        """Freezes the facets on which friction acts, and their pressure, until the step ends or ``release`` is called.
+
+        Frozen friction is the gradient of a convex potential. Its tangent is symmetric and positive semidefinite. If you freeze,
+        solve, and freeze again until nothing changes, you get the solution with the current pressure.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Coordinates of all nodes.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        FmcError
+            As ``Contact.evaluate`` raises.
+
+        Examples
+        --------
+        >>> contact.set_options(friction_coefficient=0.3)
+        >>> contact.friction.begin_step(coords)
+        >>> contact.friction.freeze(coords)
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_freeze_friction, byref(view.struct))
 
     def release(self) -> None:
-        """Takes the pressure of the coordinates at hand again."""
+        """Takes the pressure of the current coordinates again.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> contact.friction.release()
+        """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_freeze_friction, None)
 
     @property
     def slip(self) -> np.ndarray:
-        """The elastic slip carried into the step, (facets, dim): that of every facet against what it faces, in
-        the order of ``Mesh.boundary_facets``. With the
-        coordinates and poses at which the step began it is all that a restart needs: ``begin_step`` there, then set it."""
+        """Elastic slip carried into the step (length), (facets, dim), in the order of ``contact.mesh.boundary_facets()``.
+
+        Every facet has its slip against the surface that it faces. For a restart you need nothing else but the coordinates and
+        poses at which the step began: call ``begin_step`` there, then set the slip.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        LengthError
+            If the shape is not (facets, dim).
+        NonFiniteSlipError
+            If an entry is not finite. The slip stays as it was.
+
+        Examples
+        --------
+        >>> contact.friction.begin_step(coords)
+        >>> contact.friction.slip.shape
+        (8, 2)
+        >>> contact.friction.slip = np.zeros((8, 2))
+        """
         found = np.empty((self._core.facet_count, self._core.dim))
         with self._core.handle:
             self._core.handle.call(library.fmc_context_slip, found, found.size)
@@ -65,6 +150,9 @@ class FrictionSteps:
 
     @slip.setter
     def slip(self, slip: ArrayLike) -> None:
-        values = np.ascontiguousarray(slip, dtype=np.float64)
+        values = np.ascontiguousarray(floats(slip, "slip"))
+        expected = self._core.facet_count, self._core.dim
+        if values.shape != expected:
+            raise LengthError(str(shape_error("slip", values.shape, str(expected))))
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_slip, values, values.size)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ._arrays import View
+from ._arrays import View, written
 from ._handle import Handle
 from ._library import library
 from ._structs import fmc_gap_constraint
@@ -18,39 +18,63 @@ class GapConstraints:
     """Weighted gaps of m nodes over the surface of a partner of their body: contact is ``gap >= 0``.
 
     ``data``, ``indices``, ``indptr`` are the derivative of the gaps with respect to all coordinates in compressed rows:
-    ``scipy.sparse.csr_array((c.data, c.indices, c.indptr), shape=(len(c), node_count * dim))``. Pressures p on the rows act
-    with the nodal forces ``matrix.T @ p``. Both bodies of a pair have rows; for one side only take those of one body.
+    ``scipy.sparse.csr_array((g.data, g.indices, g.indptr), shape=(len(g), node_count * dim))``. Pressures p on the rows act
+    with the nodal forces ``matrix.T @ p``. Both bodies of a pair have rows; for one side only take the rows of one body.
 
-    With cells of second order a row is that of a point of their division (see ``PointWeights``), whose shape function N is
-    straight and nowhere negative; columns are degrees of freedom of nodes.
+    With cells of second order a row belongs to a point of their division (see ``PointWeights``), whose shape function N is
+    linear and nowhere negative; columns are degrees of freedom of nodes.
+
+    Attributes
+    ----------
+    node : ndarray of int, (m,)
+        Node of every row; with cells of second order the point.
+    body : ndarray of int, (m,)
+        Its body.
+    is_obstacle : ndarray of bool, (m,)
+        Whether the partner is an obstacle.
+    partner : ndarray of int, (m,)
+        Index of the partner in ``Result.bodies`` or ``Result.obstacles``.
+    gap : ndarray, (m,)
+        int N phi dA over the part of the node's facets that is nearer than the reach and faces the partner, within 60 degrees of the
+        way to its nearest point. N is the shape function, phi the distance from the partner's surface, negative inside.
+    area : ndarray, (m,)
+        int N dA over the same part: ``gap / area`` is the mean gap at the node (length).
+    data : ndarray
+        Entries of the derivative.
+    indices : ndarray of int
+        Degree of freedom of every entry, ``node * dim + axis``, ascending within a row.
+    indptr : ndarray of int, (m + 1,)
+        Entries of row r are those from ``indptr[r]`` to ``indptr[r + 1]``.
+
+    Examples
+    --------
+    >>> gaps = contact.gap_constraints(coords, 0.2)
+    >>> gaps.node
+    array([1, 2, 4, 7])
     """
 
     node: np.ndarray
-    """Node of every row, (m,); with cells of second order the point."""
     body: np.ndarray
-    """Its body, (m,)."""
     is_obstacle: np.ndarray
-    """Whether the partner is an obstacle, (m,)."""
     partner: np.ndarray
-    """Index of the partner in ``Result.bodies`` or ``Result.obstacles``, (m,)."""
     gap: np.ndarray
-    """int N phi dA, (m,), over what the facets of the node have nearer than the reach and facing the partner, within 60 degrees
-    of the way to its nearest point: N is the shape function, phi the distance from the partner's surface, negative inside."""
     area: np.ndarray
-    """int N dA over the same part, (m,): ``gap / area`` is the mean gap at the node."""
     data: np.ndarray
-    """Entries of the derivative."""
     indices: np.ndarray
-    """Degree of freedom of every entry, node * dim + axis, ascending within a row."""
     indptr: np.ndarray
-    """Entries of row r are those from ``indptr[r]`` to ``indptr[r + 1]``, (m + 1,)."""
 
     def __len__(self) -> int:
         return len(self.gap)
 
     @property
     def degrees_of_freedom(self) -> np.ndarray:
-        """The degrees of freedom that feel the contact, ascending."""
+        """The degrees of freedom that feel the contact, ascending.
+
+        Examples
+        --------
+        >>> len(contact.gap_constraints(coords, 0.2).degrees_of_freedom)
+        8
+        """
         return np.unique(self.indices)
 
 
@@ -65,8 +89,7 @@ def gap_constraints(handle: Handle, coords: View, reach: float) -> GapConstraint
     indptr, indices = np.zeros(rows.value + 1, np.int64), np.empty(entries.value, np.int64)
     data = np.empty(entries.value)
     handle.call(library.fmc_context_gap_gradient, indptr, indices, data, entries.value)
-    kind = np.dtype(fmc_gap_constraint)
-    row = np.frombuffer(found, kind) if rows.value else np.empty(0, kind)
+    row = written(found, fmc_gap_constraint)
     return GapConstraints(
         row["node"].copy(),
         row["body"].copy(),

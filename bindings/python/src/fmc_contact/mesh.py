@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import numpy as np
 from ctypes import byref
+from typing import Any, Optional
+
 from numpy.typing import ArrayLike
 
 from . import basis
-from ._arrays import coords_view
+from ._arrays import coords_view, numbers
 from ._core import Core
 from ._library import library
 from .boundary import BoundaryFacets, boundary_facets
@@ -17,34 +16,88 @@ from .points import PointWeights, point_weights
 
 
 class Mesh:
-    """The mesh of a contact: its boundary, its coordinates without deformation, its planes of symmetry, and what moves its nodes."""
+    """The mesh of a contact: its boundary, its undeformed coordinates, its planes of symmetry, and what moves its nodes.
+
+    Examples
+    --------
+    >>> contact.mesh.boundary_facets().nodes[0]
+    array([0, 1])
+    """
 
     def __init__(self, core: Core) -> None:
         self._core = core
 
     def boundary_facets(self) -> BoundaryFacets:
-        """The boundary facets that were found, in the order of ``FrictionSteps.slip``: cell, face of the cell, nodes and body of
-        each."""
+        """The boundary facets that were found, in the order of ``contact.friction.slip``.
+
+        Returns
+        -------
+        BoundaryFacets
+            Cell, face of the cell, nodes and body of every facet.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> facets = contact.mesh.boundary_facets()
+        >>> len(facets), facets.body
+        (8, array([0, 0, 0, 0, 1, 1, 1, 1]))
+        """
         core = self._core
         with core.handle:
             return boundary_facets(core.handle, core.facet_count, core.dim)
 
     def point_weights(self) -> PointWeights:
-        """The points of which ``boundary_facets``, ``contact_points`` and ``gap_constraints`` tell, as combinations of nodes:
-        with cells of second order more than the nodes, else the nodes themselves."""
+        """The points that other results name, as combinations of nodes.
+
+        With cells of second order there are more points than nodes. Otherwise points are the nodes, and the matrix is the identity.
+
+        Returns
+        -------
+        PointWeights
+            The matrix from nodes to points, in compressed rows.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> len(contact.mesh.point_weights())
+        8
+        """
         core = self._core
         with core.handle:
             return point_weights(core.handle, core.unknown_count, core.options.index_base)
 
-    def set_basis(self, matrix: Any | None) -> None:
-        """Has the nodes of the mesh moved by unknowns of your own, such as control points of splines or coefficients of
-        hierarchical shape functions: nodes = ``matrix`` @ unknowns. ``matrix``, (nodes, unknowns), is a ``scipy.sparse`` matrix
-        or an array; ``None``: nodes move by themselves again.
+    def set_basis(self, matrix: Optional[Any]) -> None:
+        """Has the nodes moved by unknowns of your own: nodes = ``matrix`` @ unknowns.
 
-        Coordinates are from then on those of the unknowns, (unknowns, dim), and so are forces, tangents, masses and the columns
-        of gap constraints and ``point_weights``. The mesh and its coordinates without deformation stay, and so do the nodes of
-        ``nodal_contact`` and ``set_symmetry_nodes``. Errors: ``ValueError`` for another shape, ``RangeError`` for an entry that
-        is not finite; nothing changes then."""
+        Unknowns may be control points of splines, or coefficients of hierarchical shape functions. From then on coordinates,
+        forces, tangents, masses and columns of gap constraints are those of the unknowns, (unknowns, dim). The undeformed mesh
+        stays, and so do the nodes of ``nodal_contact`` and ``set_symmetry_nodes``.
+
+        Parameters
+        ----------
+        matrix : scipy.sparse matrix or array_like, (nodes, unknowns), or None
+            Weights of the unknowns at every node. ``None``: nodes move by themselves again.
+
+        Raises
+        ------
+        ValueError
+            If the number of rows is not the number of nodes.
+        RangeError
+            If an entry is not finite. Nothing changes then.
+
+        Examples
+        --------
+        >>> contact.mesh.set_basis(np.eye(8))
+        >>> contact.mesh.set_basis(None)
+        """
         core = self._core
         rows = basis.compressed(matrix, core.node_count, core.options.index_base)
         with core.handle:
@@ -52,17 +105,50 @@ class Mesh:
             core.unknown_count = core.node_count if matrix is None else rows[0]
 
     def set_reference(self, coords: ArrayLike) -> None:
-        """Sets the coordinates of all nodes without deformation, from which the law ``"depth"`` has its depths; those
-        with which the contact was made are the default."""
+        """Sets the undeformed coordinates, from which the law ``"depth"`` has its depths.
+
+        The default is the coordinates with which the contact was made.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Undeformed coordinates of all nodes.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+
+        Examples
+        --------
+        >>> contact.mesh.set_reference(coords)
+        """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_reference, byref(view.struct))
 
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
-        """Names the nodes that lie in planes of symmetry: for the law ``"depth"`` a face all of whose nodes are named is
-        no surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are
-        named too. Replaces what was named before; an empty list names none, and flush
-        faces are not warned of."""
-        numbers = np.ascontiguousarray(nodes if np.size(nodes) else [], dtype=np.int64).reshape(-1)
+        """Names the nodes that lie in planes of symmetry, in place of those named before.
+
+        For the law ``"depth"`` a face is no surface if all its nodes are named, since the body goes on behind it. With cells of
+        second order the nodes in the middle of edges and faces are named too.
+
+        Parameters
+        ----------
+        nodes : array_like of int, (m,)
+            Numbers of the nodes, counted from ``index_base``. An empty list names none, and switches off the warning of flush faces.
+
+        Raises
+        ------
+        TypeError
+            If the numbers are no integers.
+        NodeOutOfRangeError
+            If there is no such node.
+
+        Examples
+        --------
+        >>> contact.mesh.set_symmetry_nodes([0, 3])
+        """
+        named = numbers(nodes, "nodes")
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_set_symmetry_nodes, numbers, len(numbers))
+            self._core.handle.call(library.fmc_context_set_symmetry_nodes, named, len(named))

@@ -1,4 +1,4 @@
-"""As little penetration as is wanted, whatever iterates the bodies: surfaces that are moved out until they press without."""
+"""Penetration tolerance for any iteration: the augmented Lagrangian, as surfaces that are moved out until they press without it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import coords_view
+from ._arrays import coords_view, structured, written
 from ._core import Core
 from ._library import library
 from ._structs import fmc_augmentation, fmc_multiplier
@@ -20,39 +20,84 @@ MULTIPLIER = np.dtype(fmc_multiplier)
 
 @dataclass(frozen=True)
 class Augmentation:
-    """What ``Multipliers.augment`` says of the coordinates that it was called with."""
+    """Result of ``Multipliers.augment`` at the coordinates of the call.
+
+    Attributes
+    ----------
+    penetration : float
+        Largest mean penetration of a node over its part of the surface (length), on the side of each pair that has multipliers.
+    change : float
+        Largest change of a multiplier divided by the law's stiffness (length): the distance of a pressed node from its partner.
+    is_enough : bool
+        Whether both are within the tolerance. The multipliers have not changed then.
+    multiplier_count : int
+        Number of multipliers.
+
+    Examples
+    --------
+    >>> contact.multipliers.augment(coords, 1e-6).is_enough
+    False
+    """
 
     penetration: float
-    """Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers."""
     change: float
-    """Largest change of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner, inside or outside."""
     is_enough: bool
-    """Whether both are no more than what was enough: the multipliers have then stayed."""
     multiplier_count: int
-    """Number of multipliers."""
 
 
 class Multipliers:
-    """How far surfaces are moved out, until they press without penetration."""
+    """Multipliers of the augmented Lagrangian: how far surfaces are moved out, so that they press without penetration.
+
+    All other results of the contact, such as forces and tangents, are those of the moved surfaces. ``gap_constraints`` are those of
+    the true surfaces. Multipliers stay for the next load step until ``release`` is called.
+
+    Examples
+    --------
+    >>> found = contact.multipliers.augment(coords, 1e-6)
+    >>> len(contact.multipliers.values) == found.multiplier_count
+    True
+    >>> contact.multipliers.release()
+    """
 
     def __init__(self, core: Core) -> None:
         self._core = core
 
     def augment(self, coords: ArrayLike, penetration: float, reach: float = 0.0) -> Augmentation:
-        """Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
-        (``Contact.gap_constraints``) at ``coords``, up to four times as far where the last update of a series has closed less than it moved
-        out, and back where it has opened. It is the method of multipliers: by the law's stiffness a shift is a pressure without
-        penetration.
+        """Moves surfaces out by their mean gap, so that the next equilibrium has less penetration.
 
-        Call it where the bodies are in equilibrium, or nearly, solve again, and so on until ``is_enough``; ``newton`` does so with
-        ``penetration``. The law's stiffness may be any, but a low one takes more updates. All that is asked of the contact
-        afterwards, forces, tangents, steps, is that of the surfaces moved out, whose penetration is pressure by stiffness;
-        ``gap_constraints`` are those of the true ones. What is moved out stays for the next load step; ``release`` moves
-        it back. Of two bodies the one with more nodes near the other has the multipliers, of equals the first.
+        Call it at an equilibrium, or near one, solve again, and repeat until ``is_enough``. ``newton`` does so with its argument
+        ``penetration``. The stiffness may be any, but a low one takes more updates. A node moves up to four times as far where the
+        last update closed less than it moved, and back where the surfaces have parted. Of two bodies the one with more nodes near
+        the other has the multipliers; of equals the first.
 
-        ``penetration``: what is left alone, of penetration and change, a length. ``reach``: how far from a partner gaps are measured;
-        0: a twentieth of the bodies' extent. Errors: ``NotPositiveError`` for a length that is negative or no number;
-        ``UnsupportedError`` with friction, self-contact and the law ``"volume"``; else those of ``Contact.evaluate``."""
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Coordinates of all nodes.
+        penetration : float
+            Tolerance for penetration and change (length).
+        reach : float
+            Distance up to which gaps are measured (length). 0: a twentieth of the extent of the bodies.
+
+        Returns
+        -------
+        Augmentation
+            Penetration and change before the update.
+
+        Raises
+        ------
+        NotPositiveError
+            If a length is negative or not a number.
+        UnsupportedError
+            With friction, with self-contact, and with the law ``"volume"``.
+        FmcError
+            As ``Contact.evaluate`` raises.
+
+        Examples
+        --------
+        >>> round(contact.multipliers.augment(coords, 1e-6).penetration, 3)
+        0.1
+        """
         view, found = coords_view(coords, self._core.dim), fmc_augmentation()
         with self._core.handle:
             arguments = byref(view.struct), c_double(reach), c_double(penetration), byref(found)
@@ -61,23 +106,45 @@ class Multipliers:
 
     @property
     def values(self) -> np.ndarray:
-        """How far surfaces are moved out, ascending by node and partner, a structured array of type ``MULTIPLIER``: with the
-        coordinates all that a restart needs, or a load step that is tried again."""
+        """The multipliers, ascending by node and partner, a structured array of type ``MULTIPLIER``, (m,).
+
+        For a restart, or a load step that is tried again, you need the coordinates and these values.
+
+        Raises
+        ------
+        TypeError
+            If an array that is set has another type.
+
+        Examples
+        --------
+        >>> kept = contact.multipliers.values
+        >>> contact.multipliers.values = kept
+        """
         count = c_size_t()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_multipliers, None, 0, byref(count))
             found = (fmc_multiplier * count.value)()
             self._core.handle.call(library.fmc_context_multipliers, found, count.value, byref(count))
-        return np.frombuffer(found, MULTIPLIER).copy() if count.value else np.empty(0, MULTIPLIER)
+        return written(found, fmc_multiplier)
 
     @values.setter
     def values(self, values: np.ndarray) -> None:
-        rows = np.ascontiguousarray(values, MULTIPLIER)
-        given = (fmc_multiplier * len(rows)).from_buffer_copy(rows.tobytes()) if len(rows) else None
+        rows = structured(values, MULTIPLIER, "multipliers")
+        own = (fmc_multiplier * len(rows)).from_buffer_copy(rows.tobytes()) if len(rows) else None
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_set_multipliers, given, len(rows))
+            self._core.handle.call(library.fmc_context_set_multipliers, own, len(rows))
 
     def release(self) -> None:
-        """Moves surfaces back to where they are."""
+        """Moves surfaces back to where they are.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> contact.multipliers.release()
+        """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_multipliers, None, 0)

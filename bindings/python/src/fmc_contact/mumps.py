@@ -111,7 +111,8 @@ class _Factors:
         whole = self._right.getArray()
         whole[: self.count], whole[self.count :] = right, 0.0
         self._call("MatSolve", self._factors, c_void_p(self._right.handle), c_void_p(self._found.handle))
-        return self._found.getArray()[: self.count].copy()
+        found: np.ndarray = self._found.getArray()[: self.count].copy()
+        return found
 
 
 def solved(matrix: Any, right: np.ndarray) -> np.ndarray:
@@ -127,7 +128,8 @@ def solved(matrix: Any, right: np.ndarray) -> np.ndarray:
     solver.getPC().setFactorSolverType("mumps")
     given, solution = PETSc.Vec().createWithArray(right.copy(), comm=PETSc.COMM_SELF), petsc.createVecRight()
     solver.solve(given, solution)
-    found, reason = solution.array.copy(), solver.getConvergedReason()
+    found: np.ndarray = solution.array.copy()
+    reason = solver.getConvergedReason()
     for one in (solver, petsc):
         one.destroy()
     if reason < 0 or not np.isfinite(found).all():

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from ctypes import addressof, byref, c_double, c_int32, c_size_t
-from typing import Callable, NamedTuple, Sequence, Tuple
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import coords_view, indices, vector
+from ._arrays import coords_view, floats, indices, shape_error, vector
 from ._constants import FMC_SHAPE
 from ._core import Core
 from ._library import library
@@ -16,11 +17,11 @@ from ._structs import fmc_part, fmc_pose, fmc_signed_distance
 from .part import Part
 from .pose import Placement, Pose, placed, pose_struct
 
-SignedDistance = Callable[[np.ndarray], Tuple[ArrayLike, ArrayLike]]
+SignedDistance = Callable[[np.ndarray], tuple[ArrayLike, ArrayLike]]
 """From points (n, dim) to distances (n,), negative inside, and their gradients (n, dim), of any length."""
 
 
-def _memory(pointer, *shape: int) -> np.ndarray:
+def _memory(pointer: Any, *shape: int) -> np.ndarray:
     """The library's own doubles behind a pointer, valid during the callback only."""
     memory = (c_double * int(np.prod(shape))).from_address(addressof(pointer.contents))
     return np.frombuffer(memoryview(memory)).reshape(shape)
@@ -33,7 +34,22 @@ def _index(obstacle: int) -> int:
 
 
 class Obstacle(NamedTuple):
-    """An obstacle as it was added."""
+    """An obstacle as it was added.
+
+    Attributes
+    ----------
+    shape : str
+        What stands after ``add_`` in the method that added it: ``"half_space"``, ``"ball"``, ...
+    pose : Pose
+        Its pose. A flat obstacle made by a point and a normal is a ``"half_space"`` with a pose.
+
+    Examples
+    --------
+    >>> contact.obstacles.add_ball(0.1, (0.5, 1.05))
+    0
+    >>> contact.obstacles.get(0).shape
+    'ball'
+    """
 
     shape: str
     pose: Pose
@@ -42,8 +58,15 @@ class Obstacle(NamedTuple):
 class Obstacles:
     """The rigid obstacles of a contact. Every ``add_`` returns the obstacle's index: 0, 1, 2, ...
 
-    ``pose`` is a ``Pose``, a position alone, or ``None`` for the origin. Errors: ``BadPoseError``,
-    ``NotPositiveError`` for a size that is not positive, ``BusyError``.
+    Sizes are lengths in the units of the coordinates.
+
+    Examples
+    --------
+    >>> floor = contact.obstacles.add_half_space((0, 0.01), (0, 1))
+    >>> print(f"{contact.evaluate(coords).obstacles[floor].force[1]:.1f}")
+    -220.0
+    >>> contact.obstacles.set_pose(floor, (0, -1))
+    >>> contact.obstacles.remove(floor)
     """
 
     def __init__(self, core: Core) -> None:
@@ -51,10 +74,16 @@ class Obstacles:
 
     @property
     def count(self) -> int:
-        """Number of obstacles, with those that were removed: the next one gets this index."""
+        """Number of obstacles, including those that were removed: the index of the next one.
+
+        Examples
+        --------
+        >>> contact.obstacles.count
+        0
+        """
         return self._core.obstacle_count
 
-    def _add(self, function, *arguments, pose: Placement) -> int:
+    def _add(self, function: Callable[..., int], *arguments: Any, pose: Placement) -> int:
         obstacle = c_size_t()
         with self._core.handle:
             self._core.handle.call(function, *arguments, byref(pose_struct(pose, self._core.dim)), byref(obstacle))
@@ -62,37 +91,214 @@ class Obstacles:
         return obstacle.value
 
     def add_half_space(self, point: ArrayLike, normal: ArrayLike) -> int:
-        """Adds the half-space behind the plane (2D: line) through ``point``; ``normal`` points out of the obstacle."""
-        point, normal = vector(point, self._core.dim, "point"), vector(normal, self._core.dim, "normal")
-        return self._add(library.fmc_context_add_half_space, pose=Pose.along(point, normal))
+        """Adds the half-space behind a plane (2D: a line).
+
+        Parameters
+        ----------
+        point : array_like, (dim,)
+            A point of the plane.
+        normal : array_like, (dim,)
+            Normal that points out of the obstacle, of any length.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        BadPoseError
+            If the normal has no direction.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_half_space((0, 0.01), (0, 1))
+        0
+        """
+        at, along = vector(point, self._core.dim, "point"), vector(normal, self._core.dim, "normal")
+        return self._add(library.fmc_context_add_half_space, pose=Pose.along(at, along))
 
     def add_ball(self, radius: float, pose: Placement = None) -> int:
-        """Adds a ball (2D: a disc) about the origin of its frame."""
+        """Adds a ball (2D: a disc) about the origin of its frame.
+
+        Parameters
+        ----------
+        radius : float
+            Radius.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        NotPositiveError
+            If a size is not positive.
+        BadPoseError
+            If the rotation is not orthonormal, or the scale not positive.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_ball(0.1, (0.5, 1.05))
+        0
+        """
         return self._add(library.fmc_context_add_ball, float(radius), pose=pose)
 
     def add_cuboid(self, half_extents: ArrayLike, pose: Placement = None) -> int:
-        """Adds a box about the origin of its frame; ``half_extents``, (dim,), are halves of its sides."""
+        """Adds a box (2D: a rectangle) about the origin of its frame.
+
+        Parameters
+        ----------
+        half_extents : array_like, (dim,)
+            Halves of its sides.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        NotPositiveError
+            If a size is not positive.
+        BadPoseError
+            If the rotation is not orthonormal, or the scale not positive.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_cuboid((1, 0.1), (0.5, 1.05))
+        0
+        """
         halves = vector(half_extents, self._core.dim, "half_extents")
         return self._add(library.fmc_context_add_cuboid, halves, pose=pose)
 
     def add_cylinder(self, radius: float, half_height: float, pose: Placement = None) -> int:
-        """Adds a cylinder (2D: a rectangle) about the last axis of its frame, centred."""
+        """Adds a cylinder (2D: a rectangle) about the last axis of its frame, centred.
+
+        Parameters
+        ----------
+        radius : float
+            Radius.
+        half_height : float
+            Half of its height.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        NotPositiveError
+            If a size is not positive.
+        BadPoseError
+            If the rotation is not orthonormal, or the scale not positive.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_cylinder(0.1, 0.5, (0.5, 1.45))
+        0
+        """
         return self._add(library.fmc_context_add_cylinder, float(radius), float(half_height), pose=pose)
 
     def add_cone(self, radius: float, half_height: float, pose: Placement = None) -> int:
-        """Adds a cone (2D: a triangle) about the last axis: apex at +half_height, base of ``radius`` below."""
+        """Adds a cone (2D: a triangle) about the last axis of its frame: apex at ``half_height``, base at ``-half_height``.
+
+        Parameters
+        ----------
+        radius : float
+            Radius of the base.
+        half_height : float
+            Half of its height.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        NotPositiveError
+            If a size is not positive.
+        BadPoseError
+            If the rotation is not orthonormal, or the scale not positive.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_cone(0.1, 0.5, (0.5, 1.45))
+        0
+        """
         return self._add(library.fmc_context_add_cone, float(radius), float(half_height), pose=pose)
 
     def add_capsule(self, radius: float, half_height: float, pose: Placement = None) -> int:
-        """Adds a capsule (2D: a stadium): what lies within ``radius`` of the last axis between -+half_height."""
+        """Adds a capsule (2D: a stadium): all points within ``radius`` of a segment of the last axis.
+
+        Parameters
+        ----------
+        radius : float
+            Radius.
+        half_height : float
+            Half of the length of the segment.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        NotPositiveError
+            If a size is not positive.
+        BadPoseError
+            If the rotation is not orthonormal, or the scale not positive.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_capsule(0.1, 0.5, (0.5, 1.55))
+        0
+        """
         return self._add(library.fmc_context_add_capsule, float(radius), float(half_height), pose=pose)
 
     def add_polytope(self, points: ArrayLike, facets: ArrayLike, pose: Placement = None) -> int:
-        """Adds a closed polygon (2D) or triangle mesh (3D); both arrays are copied.
+        """Adds a closed polygon (2D) or triangle mesh (3D), which need not be convex. Both arrays are copied.
 
-        ``points`` are the corners, laid out as coordinates; ``facets``, (m, dim), numbers of corners: in 2D the body
-        lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside. Errors: also those of
-        ``Contact.from_facets``.
+        Parameters
+        ----------
+        points : array_like, (n, dim) or (dim, n)
+            Corners.
+        facets : array_like of int, (m, dim)
+            Corners of every facet, counted from 0. In 2D the body lies on the left of an edge. In 3D the corners of a triangle run
+            counter-clockwise, seen from outside.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        OpenSurfaceError, InconsistentOrientationError, InvertedSurfaceError
+            If the facets do not bound a body.
+        BadPoseError
+            If the rotation is not orthonormal, or the scale not positive.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_polytope([[0, -1], [1, -1], [0.5, 0.1]], [[0, 1], [1, 2], [2, 0]])
+        0
         """
         corners, conn = coords_view(points, self._core.dim, "points"), indices(facets, "facets", self._core.dim)
         wide = conn.dtype == np.int64
@@ -100,61 +306,151 @@ class Obstacles:
         return self._add(function, byref(corners.struct), conn, len(conn), pose=pose)
 
     def add_convex_hull(self, points: ArrayLike, pose: Placement = None) -> int:
-        """Adds the convex hull of ``points``, laid out as coordinates; both estimators support it.
+        """Adds the convex hull of points. Both estimators support it.
 
-        Errors: ``DegenerateHullError`` for points in one plane (2D: on one line); ``UnsupportedError`` if the library
-        lacks the feature "shapes".
+        Parameters
+        ----------
+        points : array_like, (n, dim) or (dim, n)
+            The points.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        DegenerateHullError
+            If the points lie in one plane (2D: on one line).
+        UnsupportedError
+            If the library lacks the feature ``"shapes"``.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_convex_hull([[0, -1], [1, -1], [0.5, 0.1]])
+        0
         """
         corners = coords_view(points, self._core.dim, "points")
         return self._add(library.fmc_context_add_convex_hull, byref(corners.struct), pose=pose)
 
-    def add_height_field(
-        self, heights: ArrayLike, lengths: ArrayLike, thickness: float, pose: Placement = None
-    ) -> int:
-        """Adds the solid below a height field; both estimators support it.
+    def add_height_field(self, heights: ArrayLike, lengths: ArrayLike, thickness: float, pose: Placement = None) -> int:
+        """Adds the solid below a height field. Both estimators support it.
 
-        ``heights``, (n,) in 2D and (nx, ny) in 3D, are measured along the last axis on a grid of ``lengths``,
-        (dim - 1,), centred on the origin. The solid has a flat bottom, ``thickness`` below the lowest height, and vertical walls.
-        Errors: ``TooFewHeightsError``, ``NonFiniteHeightError``, ``NotPositiveError``.
+        The solid has vertical walls and a flat bottom.
+
+        Parameters
+        ----------
+        heights : array_like, (n,) in 2D, (nx, ny) in 3D
+            Heights along the last axis, on a regular grid that is centred on the origin.
+        lengths : array_like, (dim - 1,)
+            Lengths of the grid.
+        thickness : float
+            Distance of the bottom from the lowest height.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        TooFewHeightsError
+            If an axis has fewer than two heights.
+        NonFiniteHeightError
+            If a height is not finite.
+        NotPositiveError
+            If a length or the thickness is not positive.
+
+        Examples
+        --------
+        >>> contact.obstacles.add_height_field([0.0, 0.05, 0.0], (2,), 1.0, (0.5, 0))
+        0
         """
-        heights = np.ascontiguousarray(heights, np.float64)
-        if heights.ndim != self._core.dim - 1:
-            raise ValueError(f"heights has {heights.ndim} axes, not {self._core.dim - 1}")
-        counts = (c_size_t * heights.ndim)(*heights.shape)
-        lengths = vector(lengths, self._core.dim - 1, "lengths")
+        values = np.ascontiguousarray(floats(heights, "heights"))
+        if values.ndim != self._core.dim - 1:
+            raise shape_error("heights", values.shape, f"{self._core.dim - 1} axes in {self._core.dim}D")
+        counts = (c_size_t * values.ndim)(*values.shape)
+        sides = vector(lengths, self._core.dim - 1, "lengths")
         function = library.fmc_context_add_height_field
-        return self._add(function, counts, lengths, heights.ravel(), float(thickness), pose=pose)
+        return self._add(function, counts, sides, values.ravel(), float(thickness), pose=pose)
 
     def add_compound(self, parts: Sequence[Part], pose: Placement = None) -> int:
-        """Adds a union of shapes, which may overlap; only the estimator ``fibers`` supports it.
+        """Adds a union of shapes, which may overlap. Only the estimator ``"fibers"`` supports it.
 
-        Its signed distance is the least of those of its parts. Errors: those of the shapes; ``EmptyCompoundError``;
-        ``UnsupportedError`` if the library lacks the feature "shapes".
+        Its signed distance is the least signed distance of its parts.
+
+        Parameters
+        ----------
+        parts : sequence of Part
+            The shapes.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        EmptyCompoundError
+            If there is no part.
+        UnsupportedError
+            If the library lacks the feature ``"shapes"``.
+        FmcError
+            As the method of each shape raises.
+
+        Examples
+        --------
+        >>> from fmc_contact import Part
+        >>> contact.obstacles.add_compound([Part("ball", radius=0.1), Part("ball", (0.3, 0), radius=0.1)])
+        0
         """
-        kept: list = []
+        kept: list[Any] = []
         structs = (fmc_part * len(parts))(*(part._struct(self._core.dim, kept) for part in parts))
         return self._add(library.fmc_context_add_compound, structs, len(parts), pose=pose)
 
     def add_signed_distance(self, function: SignedDistance, pose: Placement = None) -> int:
-        """Adds a body given by its signed distance; only the estimator ``fibers`` supports it.
+        """Adds a body given by its signed distance. Only the estimator ``"fibers"`` supports it.
 
-        ``function`` takes points (n, dim) in the obstacle's frame and returns ``(phi, grad)``: distances (n,), negative
-        inside and of slope at most 1, and gradients (n, dim), which give the outward normal where phi = 0. It is called
-        on the thread that evaluates. Its exceptions are raised by the evaluation unchanged; a value that is not finite
-        raises ``SignedDistanceError``.
+        Parameters
+        ----------
+        function : callable
+            Takes points (n, dim) in the obstacle's frame, and returns distances (n,) and gradients (n, dim). Distances are negative
+            inside, and their slope is at most 1. Where the distance is 0, the gradient gives the outward normal. The function is
+            called on the thread that evaluates, and the evaluation raises its exceptions unchanged.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        BadPoseError
+            If the rotation is not orthonormal, or the scale not positive.
+
+        Examples
+        --------
+        >>> plane = lambda points: (points[:, 1], np.tile([0.0, 1.0], (len(points), 1)))
+        >>> contact.obstacles.add_signed_distance(plane, (0, 0.01))
+        0
         """
         dim = self._core.dim
 
-        def distances(_user, count, x, phi, grad) -> None:
+        def distances(_user: object, count: int, x: Any, phi: Any, grad: Any) -> None:
             distance, gradient = function(_memory(x, count, dim).copy())
             for name, target, found in (
                 ("phi", _memory(phi, count), distance),
                 ("grad", _memory(grad, count, dim), gradient),
             ):
-                found = np.asarray(found, np.float64)
-                if found.shape != target.shape:
-                    raise ValueError(f"the signed distance returned {name} of shape {found.shape}, not {target.shape}")
-                target[...] = found
+                target[...] = floats(found, f"{name}, returned by the signed distance,", target.shape)
 
         callback = fmc_signed_distance(self._core.handle.guarded(distances))
         obstacle = self._add(library.fmc_context_add_signed_distance, callback, None, pose=pose)
@@ -162,33 +458,110 @@ class Obstacles:
         return obstacle
 
     def set_pose(self, obstacle: int, pose: Placement) -> None:
-        """Moves an obstacle. Errors: ``ObstacleOutOfRangeError``, ``ObstacleRemovedError``, ``BadPoseError``,
-        ``BusyError``."""
+        """Moves an obstacle.
+
+        Parameters
+        ----------
+        obstacle : int
+            Its index.
+        pose : Pose or array_like (dim,) or None
+            Pose, or position alone. ``None``: the origin.
+
+        Raises
+        ------
+        ObstacleOutOfRangeError, ObstacleRemovedError
+            If there is no such obstacle.
+        BadPoseError
+            If the rotation is not orthonormal, or the scale not positive.
+
+        Examples
+        --------
+        >>> floor = contact.obstacles.add_half_space((0, 0.01), (0, 1))
+        >>> contact.obstacles.set_pose(floor, (0, -1))
+        """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_pose, _index(obstacle), byref(pose_struct(pose, self._core.dim)))
 
     def get(self, obstacle: int) -> Obstacle:
-        """Shape of an obstacle, what stands after ``add_`` in the method that made it, and its pose; a flat obstacle
-        made by a point and a normal is a ``"half_space"``. Errors: ``ObstacleOutOfRangeError``,
-        ``ObstacleRemovedError``, ``BusyError``."""
+        """Shape and pose of an obstacle.
+
+        Parameters
+        ----------
+        obstacle : int
+            Its index.
+
+        Returns
+        -------
+        Obstacle
+            ``(shape, pose)``.
+
+        Raises
+        ------
+        ObstacleOutOfRangeError, ObstacleRemovedError
+            If there is no such obstacle.
+
+        Examples
+        --------
+        >>> ball = contact.obstacles.add_ball(0.1, (0.5, 1.05))
+        >>> shape, pose = contact.obstacles.get(ball)
+        >>> shape, pose.position
+        ('ball', array([0.5 , 1.05]))
+        """
         shape, pose = c_int32(), fmc_pose()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_obstacle_shape, _index(obstacle), byref(shape), byref(pose))
         return Obstacle(FMC_SHAPE[shape.value], placed(pose, self._core.dim))
 
     def remove(self, obstacle: int) -> None:
-        """Removes an obstacle, and the options of its pairs. The others keep their indices; its own is never given
-        again, and stands in ``Result.obstacles`` with a resultant of zero. Errors: ``ObstacleOutOfRangeError``,
-        ``ObstacleRemovedError``, ``BusyError``."""
+        """Removes an obstacle, and the options of its pairs.
+
+        The others keep their indices. Its own index is not given again, and ``Result.obstacles`` has a resultant of zero there.
+
+        Parameters
+        ----------
+        obstacle : int
+            Its index.
+
+        Raises
+        ------
+        ObstacleOutOfRangeError, ObstacleRemovedError
+            If there is no such obstacle.
+
+        Examples
+        --------
+        >>> ball = contact.obstacles.add_ball(0.1)
+        >>> contact.obstacles.remove(ball)
+        >>> contact.obstacles.count
+        1
+        """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_remove_obstacle, _index(obstacle))
             self._core.handle.release(obstacle)
 
     def set_rotations(self, on: bool) -> None:
-        """Whether tangents with ``obstacles`` have their rotations, too, after the translations, from the next one on; they
-        have not at first. The rotation of obstacle o of m is node n + m + o: a rotation vector about the position of its
-        pose, which moves along; in 2D its first entry is the angle, and the second has only zeros. It is the second
-        derivative of the energy: the moment M about the position changes by -K dtheta + dtheta x M / 2. Not with friction
-        nor with the law ``"fiber"``: the tangent then raises ``UnsupportedError``."""
+        """Sets whether tangents with ``obstacles=True`` include the rotations of the obstacles, after their translations.
+
+        At first they do not. With n nodes and m obstacles the rotation of obstacle o is node n + m + o: a rotation vector about the
+        position of its pose, which moves along. In 2D its first entry is the angle, and the second has only zeros. The tangent is
+        the second derivative of the energy: the moment M about the position changes by -K dtheta + dtheta x M / 2. With friction
+        or the law ``"fiber"`` such a tangent raises ``UnsupportedError``.
+
+        Parameters
+        ----------
+        on : bool
+            Whether rotations are included, from the next tangent on.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> ball = contact.obstacles.add_half_space((0, 0.01), (0, 1))
+        >>> contact.obstacles.set_rotations(True)
+        >>> contact.tangent(coords, obstacles=True).shape
+        (20, 20)
+        """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_obstacle_rotations, int(bool(on)))

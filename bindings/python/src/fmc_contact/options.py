@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from ctypes import byref
 from numbers import Integral, Real
-from typing import Mapping, TypedDict
+from typing import Any, TypedDict
 
 import numpy as np
 
@@ -19,64 +20,109 @@ _SWITCHES = ("momentum_correction", "self_contact", "axisymmetric", "check_cells
 _HIDDEN = ("struct_size", "reserved")
 
 
-class Options(TypedDict, total=False):
-    """Keywords of ``contact_force``, ``Contact`` and ``Contact.set_options``, in addition to ``stiffness``.
+class OtherOptions(TypedDict, total=False):
+    """Keywords of ``Contact`` and ``contact_force``, which have ``stiffness`` as an argument of its own: see ``Options``.
 
-    The header, ``include/fmc_contact.h``, describes each in full at ``fmc_options``.
+    Examples
+    --------
+    >>> from fmc_contact import OtherOptions
+    >>> others: OtherOptions = {"law": "depth", "threads": 2}
+    >>> contact = Contact(coords, squares, "quad", stiffness=1000.0, **others)
     """
 
     law: str
-    """``"depth"``: a pressure that grows with the penetration, from the depth of the material below its own surface, for
-    bodies made of cells. ``"fiber"``: the same on flat faces, along the directions of patches. ``"volume"``: energy
-    k V^exponent per pair. The default is the library's, ``"depth"``."""
     exponent: float
-    """m >= 1, for the law ``"volume"`` only; 1."""
     smoothing_length: float
-    """Smoothing length over which the pressure of the law ``"fiber"`` grows to k; 0: pressure k times penetration. Any other
-    law refuses it."""
     estimator: str
-    """``"auto"``: exact where it can be, sampled with curved obstacles; the default. The law ``"depth"`` is measured without lines under every
-    estimator. ``"exact"``: for straight-sided meshes and flat-sided obstacles. ``"fibers"``: sampled, for any
-    shape."""
     pattern: str
-    """``"lines"``: families of parallel lines. ``"isotropic"``: short segments, as in the paper."""
     weights: str
-    """``"balance"``: least noise. ``"consistent"``: the force is the gradient of the estimated energy."""
     spacing: float
-    """Distance between neighbouring lines (length); 0: chosen from the size of the facets in contact."""
     fiber_length: float
-    """Length of an isotropic fiber; 0: the mean size of the facets in contact."""
     fiber_count: int
-    """Approximate number of fibers per pair; 0: chosen from the facets in contact. Excludes ``spacing``."""
     seed: int
-    """Seed of the random shift of the pattern; 0."""
     momentum_correction: bool
-    """Whether the forces are corrected so that their sum and moment vanish; True."""
     self_contact: bool
-    """Whether self-contact, the overlap of each body with itself, is evaluated; False."""
     friction_coefficient: float
-    """Coefficient of Coulomb friction of all pairs that have none of their own; 0. With it, steps are begun and committed
-    (``FrictionSteps.begin_step``), and the tangent is unsymmetric."""
     friction_stiffness: float
-    """Tangential stiffness of the stick, a pressure per length; 0: the stiffness of the law at a first touch, which
-    ``"volume"`` does not have."""
     cohesion: float
-    """Shear traction that is transmitted without pressure wherever there is contact; 0."""
     shear_limit: float
-    """Largest shear traction; 0: no limit."""
     memoryless_slip: float
-    """Slip of a step from which on friction without memory acts in full: a speed times the time step, say. Smooth, and nothing is
-    carried from one step to the next, so that what should stick creeps. 0: friction with memory. Not together with
-    ``friction_stiffness``."""
     axisymmetric: bool
-    """Axisymmetry, in 2D: coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of whole
-    rings; False. Not with friction."""
     check_cells: bool
-    """Whether every evaluation checks the orientation of every cell; True."""
     threads: int
-    """Number of threads, at least 1; 1. The result does not depend on it."""
     index_base: int
-    """Number of the first node, 0 or 1; 0. Node numbers are counted from it, in messages too."""
+
+
+class Options(OtherOptions, total=False):
+    """Keywords of ``Contact.set_options``, and of ``Contact`` and ``contact_force``.
+
+    Options that are not given keep the default of the library. The header, ``include/fmc_contact.h``, describes each in full at
+    ``fmc_options``.
+
+    Attributes
+    ----------
+    stiffness : float
+        Stiffness k > 0 of the law. For ``"depth"`` and ``"fiber"`` it is pressure per length, so that pressure is k times penetration.
+    law : str
+        ``"depth"``, the default: the pressure grows with the depth below the body's own surface, for bodies made of cells.
+        ``"fiber"``: the same on flat faces, along the directions of patches. ``"volume"``: energy k V^exponent for each pair.
+    exponent : float
+        Exponent m >= 1 of the law ``"volume"``. Default: 1.
+    smoothing_length : float
+        Length over which the pressure of the law ``"fiber"`` grows to k. 0, the default: pressure k times penetration. Any other law
+        refuses it.
+    estimator : str
+        ``"auto"``, the default: exact where possible, sampled with curved obstacles. ``"exact"``: for straight-sided meshes and
+        flat-sided obstacles. ``"fibers"``: sampled, for any shape. The law ``"depth"`` is measured without lines under every estimator.
+    pattern : str
+        ``"lines"``: families of parallel lines. ``"isotropic"``: short random segments.
+    weights : str
+        ``"balance"``: least noise. ``"consistent"``: the force is the gradient of the estimated energy.
+    spacing : float
+        Distance between neighbouring lines (length). 0, the default: chosen from the size of the facets in contact.
+    fiber_length : float
+        Length of an isotropic fiber. 0, the default: the mean size of the facets in contact.
+    fiber_count : int
+        Approximate number of fibers for each pair; excludes ``spacing``. 0, the default: chosen from the facets in contact.
+    seed : int
+        Seed of the random shift of the pattern. Default: 0.
+    momentum_correction : bool
+        Whether forces are corrected so that their sum and moment vanish. Default: True.
+    self_contact : bool
+        Whether the overlap of each body with itself is evaluated. Default: False.
+    friction_coefficient : float
+        Coefficient of Coulomb friction, for all pairs without one of their own. Default: 0. With friction, steps are begun and
+        committed (``contact.friction``), and the tangent is unsymmetric.
+    friction_stiffness : float
+        Tangential stiffness of sticking contact (pressure per length). 0, the default: the stiffness of the law at first touch,
+        which ``"volume"`` does not have.
+    cohesion : float
+        Shear traction that is transmitted without pressure wherever there is contact. Default: 0.
+    shear_limit : float
+        Largest shear traction. 0, the default: no limit.
+    memoryless_slip : float
+        Slip in a step (length) from which on friction without memory acts in full: a speed times the time step, for example.
+        It is smooth and transfers nothing between steps, so that sticking contact creeps. 0, the default: friction with memory.
+        Excludes ``friction_stiffness``.
+    axisymmetric : bool
+        Axisymmetry in 2D: coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of whole rings.
+        Default: False. Not with friction.
+    check_cells : bool
+        Whether every evaluation checks the orientation of every cell. Default: True.
+    threads : int
+        Number of threads, at least 1. Default: 1. The result does not depend on it.
+    index_base : int
+        Number of the first node, 0 or 1. Default: 0. Node numbers are counted from it, in messages too.
+
+    Examples
+    --------
+    >>> changes: Options = {"stiffness": 2000.0, "threads": 2}
+    >>> contact.set_options(**changes)
+    >>> contact.options["stiffness"]
+    2000.0
+    """
+
+    stiffness: float
 
 
 def _text(key: str, value: object) -> str:
@@ -86,7 +132,7 @@ def _text(key: str, value: object) -> str:
         return str(int(value))
     if isinstance(value, Real):
         return repr(float(value))
-    raise TypeError(f"option '{key}' is a {type(value).__name__}, a number or a name is wanted")
+    raise TypeError(f"option '{key}' is a {type(value).__name__}, expected a number or a name")
 
 
 def defaults() -> fmc_options:
@@ -104,9 +150,9 @@ def changed(options: fmc_options, changes: Mapping[str, object]) -> fmc_options:
     return copy
 
 
-def described(options: fmc_options) -> dict[str, object]:
+def described(options: fmc_options) -> dict[str, Any]:
     """The options as they would be given by keywords."""
-    values = {name: getattr(options, name) for name, *_ in fmc_options._fields_ if name not in _HIDDEN}
+    values: dict[str, Any] = {name: getattr(options, name) for name in (field[0] for field in fmc_options._fields_) if name not in _HIDDEN}
     values.update({key: names[values[key]] for key, names in CHOICES.items()})
     values.update({key: bool(values[key]) for key in _SWITCHES})
     return values

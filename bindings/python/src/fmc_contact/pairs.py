@@ -1,16 +1,16 @@
-"""Options of single pairs: left out, or with a law of their own."""
+"""Options of single pairs: excluded, or with a law of their own."""
 
 from __future__ import annotations
 
 from ctypes import byref
-from typing import Tuple, Union
+from typing import Any, Optional, Union
 
 from ._constants import FMC_FRICTION_OF_CONTEXT, FMC_LAW, FMC_LAW_OF_CONTEXT, FMC_PARTNER
 from ._core import Core
 from ._library import check, library
 from ._structs import fmc_pair_options
 
-Partner = Union[int, Tuple[str, int]]
+Partner = Union[int, tuple[str, int]]
 """A body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``, as in
 ``Pair.a``."""
 
@@ -21,19 +21,24 @@ def _named(partner: Partner) -> tuple[int, int]:
     kind, index = partner if isinstance(partner, tuple) else ("body", partner)
     numbers = {name: number for number, name in FMC_PARTNER.items()}
     if kind not in numbers:
-        raise ValueError(f"no partner '{kind}': body or obstacle is wanted")
+        raise ValueError(f"no partner '{kind}', expected body or obstacle")
     if index < 0:
         raise IndexError(f"no {kind} {index}")
     return numbers[kind], int(index)
 
 
 class Pairs:
-    """Options of single pairs: left out, or with a law of their own.
+    """Options of single pairs: a pair is excluded, or has a law of its own.
 
-    Errors: ``BodyOutOfRangeError`` and ``ObstacleOutOfRangeError``, which name the index; ``NotPositiveError``;
-    ``UnknownOptionError`` for an unknown value, or one that would have no effect; ``UnsupportedError`` for two obstacles,
-    for a law that the estimator does not support, and for a gap offset between bodies that is positive
-    or has another law than ``depth``; ``BusyError``. What was set before then stays.
+    A partner is a body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``. The order of the
+    two does not matter. After an error the options are as they were.
+
+    Examples
+    --------
+    >>> contact.pairs.set(0, 1, stiffness=500.0)
+    >>> contact.pairs.options(0, 1)["law"]
+    'depth'
+    >>> contact.pairs.reset(0, 1)
     """
 
     def __init__(self, core: Core) -> None:
@@ -44,32 +49,58 @@ class Pairs:
         a: Partner,
         b: Partner,
         *,
-        law: str | None = None,
-        stiffness: float | None = None,
-        exponent: float | None = None,
-        smoothing_length: float | None = None,
-        friction_coefficient: float | None = None,
+        law: Optional[str] = None,
+        stiffness: Optional[float] = None,
+        exponent: Optional[float] = None,
+        smoothing_length: Optional[float] = None,
+        friction_coefficient: Optional[float] = None,
         gap_offset: float = 0.0,
         excluded: bool = False,
     ) -> None:
-        """Gives the pair of ``a`` and ``b``, in either order, options of its own, in place of those it had.
+        """Gives a pair options of its own, in place of those it had.
 
-        ``excluded``: the pair is left out; it is not measured, and adds nothing to any result. ``law`` with ``stiffness``,
-        and ``exponent`` (``"volume"``) or ``smoothing_length`` (``"fiber"``): the law of this pair, as in ``Options``. ``stiffness`` alone: the law
-        that the contact has now, with this stiffness. None of these: the law of the contact, also after it changes.
-        ``friction_coefficient``: that of this pair; all else of its friction is that of the contact's options.
+        A body with itself (``a == b``) is evaluated against itself if this is called without ``excluded``, whatever the option
+        ``self_contact`` says.
 
-        ``gap_offset``: the distance (length) at which contact begins; penetration, gap and pressure are counted from
-        there. The surface of an obstacle is taken to lie so much further out (a shell's thickness, a coating), or, if
-        negative, further in (a clearance). Half-spaces, balls and capsules stay what they are, cylinders inwards; any
-        other shape becomes its signed distance less the offset, with its outward edges rounded, and what holds for
-        ``Obstacles.add_signed_distance`` holds for it. Between bodies, and of one with itself, only with the law ``"depth"`` and
-        not positive: -c lets either body in by c before it presses.
+        Parameters
+        ----------
+        a, b : int or tuple
+            The partners.
+        law : str, optional
+            Law of the pair, as in ``Options``. Default: the law of the contact, also after it changes.
+        stiffness : float, optional
+            Stiffness of the pair. Alone, it goes with the law that the contact has now.
+        exponent, smoothing_length : float, optional
+            Of the laws ``"volume"`` and ``"fiber"``, as in ``Options``.
+        friction_coefficient : float, optional
+            Coefficient of the pair. All else of its friction comes from the options of the contact.
+        gap_offset : float
+            Distance (length) at which contact begins. Penetration, gap and pressure are counted from there. The surface of an
+            obstacle is taken to lie so much further out, as with a shell's thickness or a coating. A negative offset is a
+            clearance. Half-spaces, balls and capsules keep their shape, and so do cylinders with a clearance. Any other shape
+            becomes its signed distance minus the offset, with rounded edges, and needs the estimator ``"fibers"``. Between
+            bodies the law must be ``"depth"`` and the offset not positive: each body may enter by ``-gap_offset`` before it presses.
+        excluded : bool
+            Whether the pair is not evaluated at all.
 
-        For a body with itself (``a == b``) this decides in place of the option ``self_contact`` whether it is evaluated
-        against itself: ``excluded`` switches that off for this body, and anything else on.
+        Raises
+        ------
+        BodyOutOfRangeError, ObstacleOutOfRangeError
+            If there is no such partner.
+        NotPositiveError
+            If a value is not positive.
+        UnknownOptionError
+            If a value is unknown, or would have no effect.
+        UnsupportedError
+            For two obstacles, for a law that the estimator does not support, and for a gap offset that cannot be.
+
+        Examples
+        --------
+        >>> contact.pairs.set(0, 1, excluded=True)
+        >>> contact.evaluate(coords).energy
+        0.0
         """
-        given = {"stiffness": stiffness, "exponent": exponent, "smoothing_length": smoothing_length}
+        law_values = {"stiffness": stiffness, "exponent": exponent, "smoothing_length": smoothing_length}
         own = fmc_pair_options()
         check(library.fmc_pair_options_init(byref(own)))
         own.excluded, own.gap_offset = bool(excluded), float(gap_offset)
@@ -78,35 +109,69 @@ class Pairs:
         if law is not None:
             numbers = {name: number for number, name in FMC_LAW.items()}
             if law not in numbers:
-                raise ValueError(f"option 'law' has no value '{law}': {' or '.join(numbers)} is wanted")
+                raise ValueError(f"option 'law' has no value '{law}', expected {' or '.join(numbers)}")
             own.law = numbers[law]
         elif stiffness is not None:
             own.law = self._core.options.law
-            given = {key: getattr(self._core.options, key) if value is None else value for key, value in given.items()}
-        for key, value in given.items():
+            law_values = {key: getattr(self._core.options, key) if value is None else value for key, value in law_values.items()}
+        for key, value in law_values.items():
             if value is not None:
                 setattr(own, key, float(value))
         self._set(a, b, byref(own))
 
     def reset(self, a: Partner, b: Partner) -> None:
-        """Takes a pair's options back: it follows the options of the contact again."""
+        """Takes the options of a pair back: it follows the options of the contact again.
+
+        Parameters
+        ----------
+        a, b : int or tuple
+            The partners.
+
+        Raises
+        ------
+        BodyOutOfRangeError, ObstacleOutOfRangeError
+            If there is no such partner.
+
+        Examples
+        --------
+        >>> contact.pairs.reset(0, 1)
+        """
         self._set(a, b, None)
 
-    def _set(self, a: Partner, b: Partner, options: object) -> None:
+    def _set(self, a: Partner, b: Partner, options: Any) -> None:
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_pair_options, *_named(a), *_named(b), options)
 
-    def options(self, a: Partner, b: Partner) -> dict[str, object]:
-        """The options of a pair, as ``set`` takes them: ``excluded``, and ``law`` with what belongs to it, ``None``
-        where it is the contact's, and ``gap_offset``. Of a pair without options of its own, those that hold for it."""
+    def options(self, a: Partner, b: Partner) -> dict[str, Any]:
+        """The options of a pair; without options of its own those that apply to it.
+
+        Parameters
+        ----------
+        a, b : int or tuple
+            The partners.
+
+        Returns
+        -------
+        dict
+            The keywords of ``set``. ``None`` where the value is that of the contact.
+
+        Raises
+        ------
+        BodyOutOfRangeError, ObstacleOutOfRangeError
+            If there is no such partner.
+
+        Examples
+        --------
+        >>> contact.pairs.options(0, 1)["excluded"]
+        False
+        """
         found = fmc_pair_options()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
         has_law = found.law != FMC_LAW_OF_CONTEXT
-        options: dict[str, object] = {"excluded": bool(found.excluded)}
         has_friction = found.friction_coefficient != FMC_FRICTION_OF_CONTEXT
+        options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
         options["friction_coefficient"] = found.friction_coefficient if has_friction else None
-        options["gap_offset"] = found.gap_offset
         options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         return options

@@ -4,25 +4,22 @@ from __future__ import annotations
 
 from ctypes import POINTER, byref, c_int32, c_size_t, cast, sizeof
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import creation
-from ._arrays import coords_view
+from ._arrays import coords_view, numbers, shape_error, structured
 from ._cells import CELL_DIMENSION, CELL_TYPES
-from ._core import Core
 from ._handle import Handle, guarded
 from ._library import library
 from ._structs import fmc_carried_slip, fmc_cell_block, fmc_gathered_counts, fmc_mesh_part, fmc_options
+from ._unpack import Unpack
 from .contact import Contact
 from .friction import FrictionSteps
-from .options import Options, changed, defaults
+from .options import OtherOptions, changed, defaults
 from .ranks import Communicator, described
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
 
 CARRIED_SLIP = np.dtype([("cell", np.int64), ("face", np.int32), ("part", np.int32), ("slip", np.float64, 3)])
 """Elastic slip of a boundary facet: number of its cell in the whole mesh, face of that cell as VTK counts them, which of the
@@ -31,31 +28,61 @@ facets of that face, and the slip; in 2D its last entry is 0."""
 
 @dataclass(frozen=True)
 class GatheredCounts:
-    """How much of a mesh in parts was gathered: the same on all ranks, but for the own cells."""
+    """How much of a mesh in parts was gathered: the same on all ranks, except for the own cells.
+
+    Attributes
+    ----------
+    node_count, cell_count, facet_count : int
+        Nodes, cells and boundary facets that every rank has.
+    whole_facet_count : int
+        Boundary facets of the whole mesh.
+    own_cell_count : int
+        Cells that this rank gave.
+    gather_count : int
+        How often cells were gathered.
+
+    Examples
+    --------
+    >>> partitioned.gathered().own_cell_count
+    2
+    """
 
     node_count: int
-    """Nodes that every rank has."""
     cell_count: int
-    """Cells that every rank has."""
     facet_count: int
-    """Boundary facets that every rank has."""
     whole_facet_count: int
-    """Boundary facets of the whole mesh."""
     own_cell_count: int
-    """Cells that this rank gave."""
     gather_count: int
-    """How often cells were gathered."""
 
 
 class PartitionedFriction(FrictionSteps):
-    """Friction of a contact in parts, whose facets have other numbers whenever other cells are gathered."""
+    """Steps with friction of a contact in parts, whose facets have other numbers whenever other cells are gathered.
+
+    Examples
+    --------
+    >>> partitioned.friction.begin_step(partitioned.coords)
+    """
 
     @property
     def carried_slip(self) -> np.ndarray:
-        """The elastic slip that was carried into the step, of all facets where it is not zero, as ``CARRIED_SLIP``; the same on
-        all ranks. With the coordinates and poses at which the step began it is all that a restart needs, on any number of ranks:
-        ``begin_step`` there, then set it, on all ranks the same; it is zero for facets that are not listed. Errors:
-        ``NoStepError``; on setting ``NonFiniteSlipError`` and ``UnsupportedError`` for a facet that was not gathered."""
+        """Elastic slip carried into the step, of all facets where it is not zero: a structured array of type ``CARRIED_SLIP``, (m,).
+
+        It is the same on all ranks. For a restart on any number of ranks you need it with the coordinates and poses at which the
+        step began: call ``begin_step`` there, then set it, the same on all ranks. Facets that are not listed get zero.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        NonFiniteSlipError, UnsupportedError
+            On setting: if an entry is not finite, or a facet was not gathered.
+
+        Examples
+        --------
+        >>> partitioned.friction.begin_step(partitioned.coords)
+        >>> len(partitioned.friction.carried_slip)
+        0
+        """
         count = c_size_t()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_carried_slip, None, 0, byref(count))
@@ -65,72 +92,101 @@ class PartitionedFriction(FrictionSteps):
 
     @carried_slip.setter
     def carried_slip(self, carried: np.ndarray) -> None:
-        given = np.ascontiguousarray(carried, CARRIED_SLIP)
+        rows = structured(carried, CARRIED_SLIP, "carried_slip")
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_set_carried_slip, _slips(given), len(given))
+            self._core.handle.call(library.fmc_context_set_carried_slip, _slips(rows), len(rows))
 
 
 class PartitionedContact(Contact):
-    """Contact of a mesh of which every rank of ``comm``, a communicator of mpi4py, has a part.
+    """Contact of a mesh of which every rank has a part. All ranks make the same calls.
 
-    A rank gives its own cells, ``conn`` with ``cell_type`` as a ``Contact`` takes them, and the coordinates of their nodes
-    without deformation. ``node_numbers`` are the numbers of these nodes in the whole mesh, the same on all ranks that have
-    them, ``cell_numbers`` those of the cells, ``bodies`` the body of each cell. Every cell belongs to one rank. ``reach``: how
-    far ``gap_constraints`` may reach. All ranks make the same calls.
+    ``set_coords`` takes the current coordinates of the own nodes. Afterwards this is the contact of the cells that may be in contact,
+    which all ranks have. Results are bit-for-bit identical to those of one rank with the whole mesh. Hanging nodes, a
+    basis, another reference and another communicator raise ``UnsupportedError``.
 
-    ``set_coords`` takes the current coordinates of the own nodes. After it this is the contact of the cells that may be in contact,
-    which all ranks have: ``coords`` are the coordinates of their nodes, for ``evaluate`` and all other methods, ``nodes`` their
-    numbers in the whole mesh, and ``own_nodes`` the own node of each, -1 where there is none. Results have the bits of one rank
-    with the whole mesh.
+    Parameters
+    ----------
+    comm : Communicator
+        A communicator of mpi4py.
+    coords : array_like, (own nodes, dim) or (dim, own nodes)
+        Undeformed coordinates of the nodes of the own cells.
+    conn : array_like of int, (own cells, nodes per cell), or list of (cell type, array)
+        Own cells, as for ``Contact``. Every cell belongs to one rank.
+    cell_type : str, optional
+        As for ``Contact``.
+    node_numbers : array_like of int, (own nodes,)
+        Numbers of the nodes in the whole mesh, the same on all ranks that have them.
+    cell_numbers : array_like of int, (own cells,)
+        Numbers of the cells in the whole mesh.
+    bodies : array_like of int, (own cells,)
+        Body of every cell.
+    stiffness : float
+        Stiffness k > 0 of the law.
+    reach : float
+        How far ``gap_constraints`` may reach (length).
+    **options : OtherOptions
+        See ``Options``.
 
-    ::
+    Attributes
+    ----------
+    friction : PartitionedFriction
+        Steps with friction.
+    coords : ndarray, (n, dim)
+        Coordinates of the nodes gathered: for ``evaluate`` and all other methods.
+    nodes : ndarray of int64, (n,)
+        Numbers of the nodes gathered in the whole mesh, ascending.
+    own_nodes : ndarray of int32, (n,)
+        The own node of each; -1 for a node of other ranks alone.
 
-        contact.set_coords(own_coords)
-        result = contact.evaluate(contact.coords)
-        own_forces = contact.on_own_nodes(result.forces)
+    Raises
+    ------
+    FmcError, TypeError, ValueError
+        As ``Contact`` raises. ``OnOtherRankError`` if another rank failed.
 
-    Nodes that hang, a basis, another reference and another communicator raise ``UnsupportedError``.
+    Examples
+    --------
+    >>> partitioned.set_coords(coords)
+    False
+    >>> result = partitioned.evaluate(partitioned.coords)
+    >>> own_forces = partitioned.on_own_nodes(result.forces)
     """
 
     friction: PartitionedFriction
-    """Steps with friction, and the elastic slip that is carried from one to the next."""
     coords: np.ndarray
-    """Coordinates of the nodes gathered, (n, dim)."""
     nodes: np.ndarray
-    """Their numbers in the whole mesh, ascending, int64."""
     own_nodes: np.ndarray
-    """The own node of each, int32; -1 for a node of other ranks alone."""
 
     def __init__(
         self,
         comm: Communicator,
         coords: ArrayLike,
         conn: creation.Cells,
-        cell_type: str | None = None,
+        cell_type: Optional[str] = None,
         *,
         node_numbers: ArrayLike,
         cell_numbers: ArrayLike,
         bodies: ArrayLike,
         stiffness: float,
         reach: float = 0.0,
-        **options: Unpack[Options],
+        **options: Unpack[OtherOptions],
     ) -> None:
         own = changed(defaults(), {"stiffness": stiffness, **options})
-        blocks = [(name, np.ascontiguousarray(cells, np.int32)) for name, cells in creation.named_blocks(conn, cell_type)]
+        named = creation.blocks(conn, cell_type)
+        blocks = [(name, cells.astype(np.int32, copy=False)) for name, cells in named]
         dim = CELL_DIMENSION[blocks[0][0]]
         view = coords_view(coords, dim)
-        numbers = _numbers(node_numbers, "node_numbers", view.node_count, np.int64)
+        of_nodes = numbers(node_numbers, "node_numbers", view.node_count)
         count = sum(len(cells) for _, cells in blocks)
-        cells = _numbers(cell_numbers, "cell_numbers", count, np.int64)
-        ids = _numbers(bodies, "bodies", count, np.int32)
+        of_cells = numbers(cell_numbers, "cell_numbers", count)
+        ids = numbers(bodies, "bodies", count, np.int32)
         structs = [fmc_cell_block(CELL_TYPES[name], cells.ctypes.data, len(cells)) for name, cells in blocks]
         part = fmc_mesh_part(
             sizeof(fmc_mesh_part),
             view.struct,
-            numbers.ctypes.data,
+            of_nodes.ctypes.data,
             (fmc_cell_block * len(structs))(*structs),
             len(structs),
-            cells.ctypes.data,
+            of_cells.ctypes.data,
             ids.ctypes.data,
             reach,
         )
@@ -144,10 +200,32 @@ class PartitionedContact(Contact):
         self._read_nodes()
 
     def set_coords(self, coords: ArrayLike) -> bool:
-        """Brings the mesh to coordinates of the own nodes. Returns whether other cells were gathered: nodes, facets and cells
-        then have other numbers. Slip, kept patches and frozen friction are carried over. Errors: ``LengthError``,
-        ``NonFiniteCoordinateError``, ``InvertedCellError``, ``ZeroMeasureError``, ``OnOtherRankError``,
-        ``RanksDifferError`` for a node in two places, ``CommunicationError``, ``BusyError``."""
+        """Sets the current coordinates of the own nodes. Slip, kept patches and frozen friction are carried over.
+
+        Parameters
+        ----------
+        coords : array_like, (own nodes, dim) or (dim, own nodes)
+            Current coordinates.
+
+        Returns
+        -------
+        bool
+            Whether other cells were gathered: nodes, facets and cells then have other numbers.
+
+        Raises
+        ------
+        RanksDifferError
+            If a node is in two places.
+        OnOtherRankError, CommunicationError
+            If another rank failed, or the communicator.
+        FmcError
+            As ``Contact.evaluate`` raises for coordinates.
+
+        Examples
+        --------
+        >>> partitioned.set_coords(coords)
+        False
+        """
         view, renumbered = coords_view(coords, self.dim), c_int32()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_bring, byref(view.struct), byref(renumbered))
@@ -156,27 +234,84 @@ class PartitionedContact(Contact):
         self._read_nodes()
         return bool(renumbered.value)
 
-    def on_own_nodes(self, values: np.ndarray) -> np.ndarray:
-        """Values at the nodes gathered, as forces, at the own nodes of this rank; 0 elsewhere. What is on a node of several
-        ranks is given to all of them."""
-        found = np.zeros((self._own_node_count, *values.shape[1:]), values.dtype)
+    def on_own_nodes(self, values: ArrayLike) -> np.ndarray:
+        """Values at the nodes gathered, such as forces, at the own nodes of this rank; 0 elsewhere.
+
+        Every rank that has a node gets its value.
+
+        Parameters
+        ----------
+        values : array_like, (n, ...)
+            Values at the nodes gathered.
+
+        Returns
+        -------
+        ndarray, (own nodes, ...)
+            Values at the own nodes.
+
+        Raises
+        ------
+        ValueError
+            If there are not n rows.
+
+        Examples
+        --------
+        >>> partitioned.on_own_nodes(np.ones(len(partitioned.nodes)))
+        array([1., 1., 1., 1., 1., 1., 1., 1.])
+        """
+        gathered = np.asarray(values)
+        if gathered.shape[:1] != self.own_nodes.shape:
+            raise shape_error("values", gathered.shape, f"({len(self.own_nodes)}, ...)")
+        found = np.zeros((self._own_node_count, *gathered.shape[1:]), gathered.dtype)
         is_own = self.own_nodes >= 0
-        found[self.own_nodes[is_own]] = values[is_own]
+        found[self.own_nodes[is_own]] = gathered[is_own]
         return found
 
     def gathered(self) -> GatheredCounts:
-        """How much was gathered."""
+        """How much was gathered.
+
+        Returns
+        -------
+        GatheredCounts
+            Numbers of nodes, cells and facets.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> partitioned.gathered().node_count
+        8
+        """
         counts = fmc_gathered_counts()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_gathered_counts, byref(counts))
-        return GatheredCounts(*(getattr(counts, name) for name, _ in counts._fields_))
+        return GatheredCounts(*(getattr(counts, field[0]) for field in counts._fields_))
 
     def gathered_cells(self) -> np.ndarray:
-        """Numbers in the whole mesh of the cells gathered, ascending."""
-        numbers = np.empty(self.gathered().cell_count, np.int64)
+        """Numbers in the whole mesh of the cells gathered.
+
+        Returns
+        -------
+        ndarray of int64
+            Ascending.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> partitioned.gathered_cells()
+        array([0, 1])
+        """
+        cells = np.empty(self.gathered().cell_count, np.int64)
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_gathered_cells, numbers, len(numbers))
-        return numbers
+            self._core.handle.call(library.fmc_context_gathered_cells, cells, len(cells))
+        return cells
 
     def _take(self, start: creation.Start, options: fmc_options) -> None:
         super()._take(start, options)
@@ -191,12 +326,5 @@ class PartitionedContact(Contact):
         self.own_nodes = own - np.int32(base)
 
 
-def _slips(array: np.ndarray) -> object:
+def _slips(array: np.ndarray) -> Any:
     return cast(array.ctypes.data, POINTER(fmc_carried_slip))
-
-
-def _numbers(given: ArrayLike, name: str, count: int, kind: type) -> np.ndarray:
-    numbers = np.ascontiguousarray(given if np.size(given) else [], dtype=kind).reshape(-1)
-    if len(numbers) != count:
-        raise ValueError(f"{name} has {len(numbers)} entries, and {count} are expected")
-    return numbers

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from ctypes import byref
-from typing import Union
+from typing import Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import vector
+from ._arrays import floats, shape_error, vector
 from ._library import check, library
 from ._structs import fmc_pose
 
@@ -16,31 +16,68 @@ from ._structs import fmc_pose
 class Pose:
     """Position, rotation and scale: a point X of the shape is at ``position + scale * rotation @ X``.
 
-    ``position`` has (dim,) entries; ``rotation``, (dim, dim), is orthonormal with determinant +1, or ``None`` for
-    unturned; ``scale`` is positive. The library raises ``BadPoseError`` where the pose is used if they are not.
+    Parameters
+    ----------
+    position : array_like, (dim,)
+        Position (length).
+    rotation : array_like, (dim, dim), optional
+        Orthonormal, with determinant +1. Default: the identity.
+    scale : float
+        Positive factor.
+
+    Raises
+    ------
+    ValueError
+        For another shape. Where the pose is used, the library raises ``BadPoseError`` if the values are not as they should be.
+
+    Examples
+    --------
+    >>> Pose((0, 0.1), scale=2.0)
+    Pose([0.0, 0.1], [[1.0, 0.0], [0.0, 1.0]], 2.0)
     """
 
-    def __init__(self, position: ArrayLike, rotation: ArrayLike | None = None, scale: float = 1.0) -> None:
-        self.position = np.array(position, np.float64)
+    def __init__(self, position: ArrayLike, rotation: Optional[ArrayLike] = None, scale: float = 1.0) -> None:
+        self.position = floats(position, "position").copy()
         if self.position.shape not in ((2,), (3,)):
-            raise ValueError(f"position has shape {self.position.shape}, (2,) or (3,) is wanted")
+            raise shape_error("position", self.position.shape, "(2,) or (3,)")
         dim = len(self.position)
-        self.rotation = np.eye(dim) if rotation is None else np.array(rotation, np.float64)
-        if self.rotation.shape != (dim, dim):
-            raise ValueError(f"rotation has shape {self.rotation.shape}, ({dim}, {dim}) is wanted")
+        self.rotation = np.eye(dim) if rotation is None else floats(rotation, "rotation", (dim, dim)).copy()
         self.scale = float(scale)
 
     @classmethod
     def along(cls, position: ArrayLike, axis: ArrayLike, scale: float = 1.0) -> Pose:
-        """The shape's last axis (y in 2D, z in 3D) along ``axis``, which need not have unit length.
+        """The pose that takes the shape's last axis (y in 2D, z in 3D) to a direction.
 
-        That is the axis of cylinder, cone and capsule, and the outward normal of a half-space.
+        The last axis is the axis of cylinder, cone and capsule, and the outward normal of a half-space.
+
+        Parameters
+        ----------
+        position : array_like, (dim,)
+            Position (length).
+        axis : array_like, (dim,)
+            Direction, of any length.
+        scale : float
+            Positive factor.
+
+        Returns
+        -------
+        Pose
+            The pose, with the least rotation.
+
+        Raises
+        ------
+        BadPoseError
+            If the axis has no direction.
+
+        Examples
+        --------
+        >>> Pose.along((0, 0), (2, 0)).rotation @ [0, 1]
+        array([1., 0.])
         """
-        position = np.ascontiguousarray(position, np.float64)
-        dim = len(position)
-        found = fmc_pose()
-        check(library.fmc_pose_along(dim, vector(position, dim, "position"), vector(axis, dim, "axis"), byref(found)))
-        return cls(position, np.array(found.rotation[:]).reshape(3, 3)[:dim, :dim], scale)
+        at = vector(position, np.size(position), "position")
+        dim, found = len(at), fmc_pose()
+        check(library.fmc_pose_along(dim, at, vector(axis, dim, "axis"), byref(found)))
+        return cls(at, np.array(found.rotation[:]).reshape(3, 3)[:dim, :dim], scale)
 
     def __repr__(self) -> str:
         return f"Pose({self.position.tolist()}, {self.rotation.tolist()}, {self.scale})"

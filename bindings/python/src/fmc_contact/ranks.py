@@ -4,104 +4,163 @@ from __future__ import annotations
 
 from ctypes import byref, c_uint8
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable, Protocol
+from typing import Any, Callable, Optional, Protocol
 
 import numpy as np
 
+from ._core import Core
 from ._library import check, library
 from ._structs import fmc_all_gather, fmc_all_to_all, fmc_communicator, fmc_rank_counts
 
-if TYPE_CHECKING:
-    from ._core import Core
-
 
 class Communicator(Protocol):
-    """What is used of a communicator: one of mpi4py, or anything with the same three. Where it has ``Alltoallv`` too, as that has, what is
-    for single ranks goes to these alone."""
+    """What is used of a communicator: one of mpi4py, or anything with the same three.
+
+    If it has ``Alltoallv`` too, as communicators of mpi4py have, messages for single ranks go to these alone.
+
+    Attributes
+    ----------
+    rank, size : int
+        Number of this rank, and of all ranks.
+    """
 
     rank: int
     size: int
 
-    def Allgatherv(self, sendbuf: object, recvbuf: object) -> None:
+    def Allgatherv(self, sendbuf: Any, recvbuf: Any) -> Any:
         """Gathers ``sendbuf`` of all ranks into ``recvbuf``, ``[buffer, (counts, displacements)]``."""
 
 
 @dataclass(frozen=True)
 class RankCounts:
-    """What ranks did since the communicator was set: of this rank, but for ``item_count``."""
+    """What ranks did since the communicator was set. All are of this rank, except ``item_count``.
+
+    Attributes
+    ----------
+    item_count : int
+        Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks.
+    own_item_count : int
+        Those that this rank measured.
+    call_count : int
+        Calls of the communicator.
+    sent_bytes : int
+        Bytes that this rank sent.
+    received_bytes : int
+        Bytes that this rank received, its own included.
+
+    Examples
+    --------
+    >>> contact.ranks.counts().call_count
+    0
+    """
 
     item_count: int
-    """Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks."""
     own_item_count: int
-    """Those that this rank measured."""
     call_count: int
-    """Calls of the communicator."""
     sent_bytes: int
-    """Bytes that this rank sent."""
     received_bytes: int
-    """Bytes that it received, its own too."""
 
 
 class Ranks:
-    """Ranks of a parallel program that share the work of a contact."""
+    """Ranks of a parallel program that share the work of a contact.
+
+    Examples
+    --------
+    >>> contact.ranks.set_communicator(None)
+    """
 
     def __init__(self, core: Core) -> None:
         self._core = core
 
-    def set_communicator(self, comm: Communicator | None) -> None:
-        """Shares the work of evaluations with the ranks of ``comm``, a communicator of mpi4py (``MPI.COMM_WORLD``, or
-        ``mesh.comm`` of dolfinx); ``None``: no more. From then on every rank makes the same calls with the same coordinates,
-        options, obstacles and history, and gets the whole result, with the bits of one rank alone.
+    def set_communicator(self, comm: Optional[Communicator]) -> None:
+        """Shares the work of evaluations among the ranks of a communicator.
 
-        An evaluation that fails on one rank fails on all, with ``OnOtherRankError`` there; ranks that were given different
-        things are all told so, by ``RanksDifferError``. Errors: ``BadRankError``, ``BusyError``."""
+        From then on every rank makes the same calls with the same coordinates, options, obstacles and history. Every rank gets the
+        whole result, bit-for-bit identical to that of one rank. An evaluation that fails on one rank raises ``OnOtherRankError`` on the
+        others. Ranks that were given different things all raise ``RanksDifferError``.
+
+        Parameters
+        ----------
+        comm : Communicator or None
+            A communicator of mpi4py, such as ``MPI.COMM_WORLD``. ``None``: the work is not shared any more.
+
+        Raises
+        ------
+        BadRankError
+            If rank and size do not fit each other.
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> contact.ranks.set_communicator(None)
+        """
+        handle = self._core.handle
         if comm is None:
-            with self._core.handle:
-                self._core.handle.call(library.fmc_context_set_communicator, None)
-                self._core.handle.release("communicator")
+            with handle:
+                handle.call(library.fmc_context_set_communicator, None)
+                handle.release("communicator")
             return
-        given = described(comm, self._core.handle.guarded)
-        with self._core.handle:
-            self._core.handle.call(library.fmc_context_set_communicator, byref(given))
-            self._core.handle.keep("communicator", (given.all_gather, given.all_to_all))
+        own = described(comm, handle.guarded)
+        with handle:
+            handle.call(library.fmc_context_set_communicator, byref(own))
+            handle.keep("communicator", (own.all_gather, own.all_to_all))
 
     def counts(self) -> RankCounts:
-        """What was shared since the communicator was set; zeros without one. Errors: ``BusyError``."""
+        """What was shared since the communicator was set; zeros without one.
+
+        Returns
+        -------
+        RankCounts
+            Work and messages.
+
+        Raises
+        ------
+        BusyError
+            If the contact is in use by another call.
+
+        Examples
+        --------
+        >>> contact.ranks.counts().sent_bytes
+        0
+        """
         counts = fmc_rank_counts()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_rank_counts, byref(counts))
-        return RankCounts(*(getattr(counts, name) for name, _ in counts._fields_))
+        return RankCounts(*(getattr(counts, field[0]) for field in counts._fields_))
 
 
 def described(comm: Communicator, guard: Callable[[Callable[..., None]], Callable[..., int]]) -> fmc_communicator:
     """A communicator as the library takes it; its functions are guarded by ``guard``, and kept by the caller."""
     rank, size = int(comm.rank), int(comm.size)
+    all_to_all: Optional[Callable[..., Any]] = getattr(comm, "Alltoallv", None)
 
-    def gather(_user: object, send: int, counts: object, received: int) -> None:
+    def gather(_user: object, send: Optional[int], counts: object, received: Optional[int]) -> None:
         every, places = _counts(counts, size)
         comm.Allgatherv(_bytes(send, every[rank]), [_bytes(received, every.sum()), (every, places)])
 
-    def to_single(_user: object, send: int, to: object, received: int, given: object) -> None:
-        to, given = _counts(to, size), _counts(given, size)
-        comm.Alltoallv([_bytes(send, to[0].sum()), to], [_bytes(received, given[0].sum()), given])
+    def to_single(_user: object, send: Optional[int], to: object, received: Optional[int], given: object) -> None:
+        assert all_to_all is not None
+        out, back = _counts(to, size), _counts(given, size)
+        all_to_all([_bytes(send, out[0].sum()), out], [_bytes(received, back[0].sum()), back])
 
-    given = fmc_communicator()
-    check(library.fmc_communicator_init(byref(given)))
-    given.rank, given.size = rank, size
-    given.all_gather = fmc_all_gather(guard(gather))
-    if hasattr(comm, "Alltoallv"):
-        given.all_to_all = fmc_all_to_all(guard(to_single))
-    return given
+    own = fmc_communicator()
+    check(library.fmc_communicator_init(byref(own)))
+    own.rank, own.size = rank, size
+    own.all_gather = fmc_all_gather(guard(gather))
+    if all_to_all is not None:
+        own.all_to_all = fmc_all_to_all(guard(to_single))
+    return own
 
 
-def _counts(counts: object, size: int) -> tuple[np.ndarray, np.ndarray]:
+def _counts(counts: Any, size: int) -> tuple[np.ndarray, np.ndarray]:
     """Bytes of every rank, and where they begin."""
     every = np.ctypeslib.as_array(counts, (size,)).astype(np.int64)
     return every, np.concatenate([[0], np.cumsum(every)[:-1]])
 
 
-def _bytes(address: int | None, count: int) -> np.ndarray:
+def _bytes(address: Optional[int], count: int) -> np.ndarray:
     """The bytes at an address."""
-    if not count:
+    if not count or address is None:
         return np.empty(0, np.uint8)
     return np.ctypeslib.as_array((c_uint8 * int(count)).from_address(address))

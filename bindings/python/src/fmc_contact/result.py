@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from ctypes import byref, c_char_p, c_int32
 from dataclasses import dataclass
+from typing import Any, Callable
 
 import numpy as np
 
@@ -16,77 +17,129 @@ from ._structs import fmc_pair, fmc_result, fmc_resultant
 
 @dataclass(frozen=True, eq=False)
 class Resultant:
-    """Contact force and moment on one body or obstacle."""
+    """Contact force and moment on one body or obstacle.
+
+    Attributes
+    ----------
+    id : int
+        Number of the body as given in ``bodies``, or among the connected components; index of the obstacle.
+    force : ndarray, (dim,)
+        Sum of the forces.
+    moment : ndarray, (3,)
+        Moment of the forces about the origin. In 2D only the last entry differs from 0.
+    node_count : int
+        Nodes on the body's surface; 0 for an obstacle.
+    friction : ndarray, (dim,)
+        The part of ``force`` that is friction.
+
+    Examples
+    --------
+    >>> contact.evaluate(coords).bodies[1].id
+    1
+    """
 
     id: int
-    """Id of the body as given, or its number among the connected components; index of the obstacle."""
     force: np.ndarray
-    """Sum of the forces, (dim,)."""
     moment: np.ndarray
-    """Moment of the forces about the origin of space, (3,); in 2D only the last entry differs from 0."""
     node_count: int
-    """Nodes on the body's surface; 0 for an obstacle."""
     friction: np.ndarray
-    """The part of ``force`` that is friction, (dim,)."""
 
 
 @dataclass(frozen=True)
 class Friction:
-    """What friction does in sum; all zero without."""
+    """Sums of friction; all zero without friction.
+
+    Attributes
+    ----------
+    energy : float
+        Energy stored in sticking contact.
+    dissipation : float
+        Energy dissipated since the step began; never negative.
+    stick_area : float
+        Area (2D: length) that sticks.
+    slip_area : float
+        Area (2D: length) that slides.
+    largest_slip : float
+        Largest slip since the step began that was not elastic (length).
+
+    Examples
+    --------
+    >>> contact.evaluate(coords).friction.slip_area
+    0.0
+    """
 
     energy: float
-    """Energy stored in the stick."""
     dissipation: float
-    """Energy dissipated since the step began, never negative."""
     stick_area: float
-    """Area (2D: length) that sticks."""
     slip_area: float
-    """Area (2D: length) that slides."""
     largest_slip: float
-    """Largest slip since the step began that was not elastic."""
 
 
 @dataclass(frozen=True, eq=False)
 class Pair:
-    """One overlapping pair; no side is master or slave.
+    """One overlapping pair. No side is master or slave.
 
-    ``a`` and ``b`` are ``("body", index)`` or ``("obstacle", index)``, for ``Result.bodies`` and ``Result.obstacles``;
-    both are the same for a body that overlaps itself.
+    Attributes
+    ----------
+    a, b : tuple of str and int
+        ``("body", index)`` or ``("obstacle", index)``, of ``Result.bodies`` or ``Result.obstacles``. Both are the same for a body
+        that overlaps itself.
+    volume : float
+        Volume (2D: area) inside both sides, each place once.
+    volume_standard_error : float
+        Standard error of the volume; 0 for the estimator ``"exact"``.
+    energy : float
+        Energy of the pair.
+    pressure : float
+        Mean contact pressure. With ``"volume"`` dw/dV, one value for the whole pair. With ``"fiber"`` the mean over the lines. With
+        ``"depth"`` k times the mean depth of both surfaces.
+    contact_area : float
+        Area of contact (2D: length): half of the boundary of the overlap, including strips of side walls. The law ``"fiber"``
+        does not see strips along its lines. With ``"depth"`` and an obstacle it is the surface of the body that is inside.
+    penetration : float
+        Penetration (length): with ``"fiber"`` the longest line, with ``"depth"`` the largest depth of either surface, with
+        ``"volume"`` the extent of the overlap along its mean normal. With ``"fiber"`` and ``"depth"`` k times it is the largest
+        pressure.
+    spacing : float
+        Spacing of the fibers; 0 for the estimator ``"exact"``. As the option ``spacing`` it gives the same pattern again.
+    friction : Friction
+        Friction of the pair. Its ``largest_slip`` is that of all pairs.
+
+    Examples
+    --------
+    >>> pair = contact.evaluate(coords).pairs[0]
+    >>> pair.a, pair.b
+    (('body', 0), ('body', 1))
     """
 
     a: tuple[str, int]
     b: tuple[str, int]
     volume: float
-    """Volume (2D: area) of what is inside both sides, each place once, with every law and estimator."""
     volume_standard_error: float
-    """Standard error of the volume; 0 for ``exact``."""
     energy: float
     pressure: float
-    """Mean of the contact pressure over the contact: with the law ``"volume"`` dw/dV, which is one for the whole
-    pair; with ``"fiber"`` ``psi'(L)``, the mean over its lines; with ``"depth"`` k times the depth of either
-    surface below the other, the mean over both."""
     contact_area: float
-    """Area of contact (2D: length): half of the boundary of what is inside both sides, the strips of sunken side
-    walls with it. The law ``"fiber"`` does not see strips along its lines; with ``"depth"`` and an obstacle it is
-    the surface of the body that is inside. Facets that do not match gape between their nodes in hard contact; what
-    gapes is not counted."""
     penetration: float
-    """How deep the sides reach into one another: with the law ``"fiber"`` the longest of its lines, with
-    ``"depth"`` the largest depth of either surface below the other, with ``"volume"``, which knows no depth of a
-    place, the extent of the overlap along its mean normal. The same where faces overlap flat. With ``"fiber"`` and
-    ``"depth"`` k times it is the largest pressure."""
     spacing: float
-    """Spacing of the fibers; 0 for ``exact``. As the option ``spacing`` it gives the same pattern again."""
     friction: Friction
-    """Friction of the pair; its ``largest_slip`` is that of all pairs."""
 
 
 @dataclass(frozen=True)
 class ContactWarning:
     """A caution about a result, which is valid all the same.
 
-    ``kind`` is ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"``,
-    ``"unbalanced"`` or ``"flush_faces"``; ``text`` a sentence.
+    Attributes
+    ----------
+    kind : str
+        ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"``, ``"unbalanced"`` or
+        ``"flush_faces"``.
+    text : str
+        A sentence.
+
+    Examples
+    --------
+    >>> contact.evaluate(coords).warnings
+    ()
     """
 
     kind: str
@@ -95,47 +148,70 @@ class ContactWarning:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """Contact forces, totals, resultants and pairs."""
+    """Contact forces, totals, resultants and pairs.
+
+    Attributes
+    ----------
+    forces : ndarray, (n, dim), or (dim, n) for coordinates in columns
+        Force on every node. Forces push bodies apart; nodes without contact have 0. The array ``out`` if one was given.
+    volume : float
+        Volume (2D: area) of the overlaps, summed over the pairs.
+    volume_standard_error : float
+        Standard error of the volume; 0 for the estimator ``"exact"``.
+    energy : float
+        Contact energy, summed over the pairs.
+    contact_area : float
+        Area of contact (2D: length), summed over the pairs; see ``Pair``.
+    penetration : float
+        Largest penetration of any pair (length); see ``Pair``.
+    fiber_count : int
+        Number of fibers.
+    crossing_count : int
+        Number of crossings that bound an overlap.
+    facet_count : int
+        Number of facets that bound an overlap.
+    friction : Friction
+        Friction, summed over the pairs.
+    bodies : tuple of Resultant
+        Force and moment on every body, ordered by id.
+    obstacles : tuple of Resultant
+        Force and moment on every obstacle.
+    pairs : tuple of Pair
+        Pairs that overlap.
+    warnings : tuple of ContactWarning
+        Cautions about this result.
+
+    Examples
+    --------
+    >>> result = contact.evaluate(coords)
+    >>> result.forces.shape, len(result.pairs)
+    ((8, 2), 1)
+    """
 
     forces: np.ndarray
-    """Force on every node, (n, dim), in the order of the nodes; (dim, n) for coordinates in columns. They push bodies
-    apart; nodes that are not in contact have 0. The caller's own array where one was given."""
     volume: float
-    """Volume (2D: area) of what is inside both sides, summed over the pairs."""
     volume_standard_error: float
-    """Standard error of the volume; 0 for ``exact``."""
     energy: float
-    """Contact energy, summed over the pairs."""
     contact_area: float
-    """Area of contact (2D: length), summed over the pairs; see ``Pair``."""
     penetration: float
-    """Largest penetration of any pair; see ``Pair``."""
     fiber_count: int
-    """Fibers laid."""
     crossing_count: int
-    """Crossings that bound an overlap."""
     facet_count: int
-    """Facets that bound an overlap."""
     friction: Friction
-    """Friction, summed over the pairs."""
     bodies: tuple[Resultant, ...]
-    """Force and moment on every body, ordered by id."""
     obstacles: tuple[Resultant, ...]
-    """Force and moment on every obstacle."""
     pairs: tuple[Pair, ...]
-    """Pairs that overlap."""
     warnings: tuple[ContactWarning, ...]
-    """Cautions about this result."""
 
 
-def _resultant(handle: Handle, getter, index: int, dim: int) -> Resultant:
+def _resultant(handle: Handle, getter: Callable[..., int], index: int, dim: int) -> Resultant:
     found = fmc_resultant()
     handle.call(getter, index, byref(found))
     force, friction = np.array(found.force[:dim]), np.array(found.friction[:dim])
     return Resultant(found.id, force, np.array(found.moment[:]), found.node_count, friction)
 
 
-def _friction(found: fmc_result | fmc_pair, largest_slip: float) -> Friction:
+def _friction(found: Any, largest_slip: float) -> Friction:
     areas = found.stick_area, found.slip_area
     return Friction(found.friction_energy, found.friction_dissipation, *areas, largest_slip)
 

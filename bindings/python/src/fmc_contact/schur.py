@@ -97,14 +97,15 @@ class _Whole:
 
     def complement(self) -> np.ndarray:
         lower, upper = (part[self.count :][:, self.count :].toarray() for part in (self.factors.L, self.factors.U))
-        self._held = lower @ upper
-        return self._held - self.spring * np.eye(len(self._held))
+        self._held: np.ndarray = lower @ upper
+        found: np.ndarray = self._held - self.spring * np.eye(len(self._held))
+        return found
 
     def solve_rest(self, right: np.ndarray) -> np.ndarray:
         """Solution for ``rest`` with what is kept held: the forces that hold it are found by a first solve, in which it moves."""
         whole = np.zeros((len(self.order) + len(self._held), *right.shape[1:]))
         whole[: self.count] = right[self.order]
         whole[self.count :] = -self._held @ self.factors.solve(whole)[self.count :]
-        found = np.empty_like(right, dtype=float)
+        found: np.ndarray = np.empty_like(right, dtype=float)
         found[self.order] = self.factors.solve(whole)[: self.count]
         return found

@@ -2,35 +2,50 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._unpack import Unpack
 from .contact import Contact
 from .creation import Cells
+from .options import OtherOptions
 from .result import Result
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
-    from .options import Options
 
 
 def contact_force(
     coords: ArrayLike,
     conn: Cells,
-    cell_type: str | None = None,
+    cell_type: Optional[str] = None,
     *,
     stiffness: float,
-    bodies: ArrayLike | None = None,
-    **options: Unpack[Options],
+    bodies: Optional[ArrayLike] = None,
+    **options: Unpack[OtherOptions],
 ) -> Result:
-    """Contact forces between the bodies of a mesh.
+    """Contact forces between the bodies of a mesh, in one call.
 
-    Arguments and errors are those of ``Contact`` and of ``Contact.evaluate``, and so are the forces, bit for bit; a
-    ``Contact`` finds the boundary once for many evaluations, and has obstacles.
+    If you evaluate more than once, or have obstacles, make a ``Contact`` and keep it: it finds the boundary once, and its forces are
+    bit-for-bit identical.
 
+    Parameters
+    ----------
+    coords, conn, cell_type, stiffness, bodies, **options
+        As for ``Contact``.
+
+    Returns
+    -------
+    Result
+        Forces, totals, resultants, pairs and warnings.
+
+    Raises
+    ------
+    FmcError, TypeError, ValueError
+        As ``Contact`` and ``Contact.evaluate`` raise.
+
+    Examples
+    --------
+    >>> from fmc_contact import contact_force
     >>> coords = [[0, 0], [1, 0], [1, 1], [0, 1], [0.9, -0.2], [1.9, -0.2], [1.9, 0.8], [0.9, 0.8]]
     >>> squares = [[0, 1, 2, 3], [4, 5, 6, 7]]
     >>> result = contact_force(coords, squares, "quad", stiffness=1000.0, law="volume", estimator="exact")
@@ -44,20 +59,47 @@ def contact_force_step(
     start: ArrayLike,
     coords: ArrayLike,
     conn: Cells,
-    cell_type: str | None = None,
+    cell_type: Optional[str] = None,
     *,
     stiffness: float,
-    slip: ArrayLike | None = None,
-    reference: ArrayLike | None = None,
-    bodies: ArrayLike | None = None,
-    **options: Unpack[Options],
+    slip: Optional[ArrayLike] = None,
+    reference: Optional[ArrayLike] = None,
+    bodies: Optional[ArrayLike] = None,
+    **options: Unpack[OtherOptions],
 ) -> tuple[Result, np.ndarray]:
-    """Contact forces with friction at the end ``coords`` of a step that began at ``start``, and the elastic slip, (facets,
-    dim), that is carried into the next step; ``slip`` is what was carried into this one, none by default. A step that is
-    rejected leaves nothing to be undone.
+    """Contact forces with friction at the end of a step, in one call. A rejected step leaves nothing to be undone.
 
-    ``reference``, by default ``start``, are the coordinates without deformation, from which the law ``"depth"`` has its
-    depths. Other arguments and errors are those of ``Contact``, and the bits those of a ``Contact`` that is kept.
+    Parameters
+    ----------
+    start : array_like, (n, dim) or (dim, n)
+        Coordinates of all nodes at the start of the step.
+    coords : array_like, (n, dim) or (dim, n)
+        Coordinates of all nodes at its end.
+    slip : array_like, (facets, dim), optional
+        Elastic slip carried into the step (length). Default: none.
+    reference : array_like, (n, dim) or (dim, n), optional
+        Undeformed coordinates. Default: ``start``.
+    conn, cell_type, stiffness, bodies, **options
+        As for ``Contact``.
+
+    Returns
+    -------
+    result : Result
+        Forces, totals, resultants, pairs and warnings.
+    slip : ndarray, (facets, dim)
+        Elastic slip that is carried into the next step.
+
+    Raises
+    ------
+    FmcError, TypeError, ValueError
+        As ``Contact`` and its methods raise.
+
+    Examples
+    --------
+    >>> from fmc_contact import contact_force_step
+    >>> result, slip = contact_force_step(coords, coords + 0.001, squares, "quad", stiffness=1000.0, friction_coefficient=0.3)
+    >>> slip.shape
+    (8, 2)
     """
     begin = start if reference is None else reference
     contact = Contact(begin, conn, cell_type, stiffness=stiffness, bodies=bodies, **options)

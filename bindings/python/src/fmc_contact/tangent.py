@@ -12,14 +12,30 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ._arrays import vector
 from ._constants import FMC_BLOCKS, FMC_OBSTACLES
 from ._handle import Handle
 from ._library import library
 
 
 class RankOne(NamedTuple):
-    """``factor * outer(vector, vector)``; ``vector`` has an entry for every degree of freedom."""
+    """A term of rank one, ``factor * outer(vector, vector)``.
+
+    Attributes
+    ----------
+    factor : float
+        The factor.
+    vector : ndarray, (size,)
+        An entry for every degree of freedom.
+
+    Examples
+    --------
+    >>> contact.set_options(law="volume", exponent=2.0)
+    >>> contact.tangent_parts(coords).rank_one[0].vector.shape
+    (16,)
+    """
 
     factor: float
     vector: np.ndarray
@@ -27,31 +43,61 @@ class RankOne(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tangent:
-    """The tangent in its parts: entries in compressed rows (CSR), and terms of rank one. Row r has the entries from
-    ``offsets[r]`` to ``offsets[r + 1]``, each column once, in ascending order."""
+    """The tangent in its parts: sparse entries in compressed rows, and terms of rank one.
+
+    Row r has the entries from ``offsets[r]`` to ``offsets[r + 1]``, each column once, ascending.
+
+    Attributes
+    ----------
+    offsets : ndarray of int, (size + 1,)
+        Where the rows begin.
+    cols : ndarray of int
+        Column of every entry.
+    values : ndarray
+        Value of every entry (force per length).
+    rank_one : tuple of RankOne
+        Terms of rank one, of the law ``"volume"``: one for every pair.
+    size : int
+        Number of degrees of freedom: rows and columns of the whole.
+
+    Examples
+    --------
+    >>> parts = contact.tangent_parts(coords)
+    >>> np.allclose(parts @ np.ones(16), 0.0)
+    True
+    """
 
     offsets: np.ndarray
     cols: np.ndarray
     values: np.ndarray
     rank_one: tuple[RankOne, ...]
     size: int
-    """Number of degrees of freedom: rows and columns of the whole."""
 
     @cached_property
     def rows(self) -> np.ndarray:
         """Row of every entry."""
         return np.repeat(np.arange(self.size, dtype=self.cols.dtype), np.diff(self.offsets))
 
-    def __matmul__(self, x: np.ndarray) -> np.ndarray:
+    def __matmul__(self, x: ArrayLike) -> np.ndarray:
         """Product with a vector, (size,), terms of rank one included."""
-        x = np.asarray(x, np.float64).reshape(self.size)
-        y = np.bincount(self.rows, self.values * x[self.cols], self.size)
+        values = vector(np.ravel(x), self.size, "x")
+        y: np.ndarray = np.bincount(self.rows, self.values * values[self.cols], self.size)
         for part in self.rank_one:
-            y += part.factor * (part.vector @ x) * part.vector
+            y += part.factor * (part.vector @ values) * part.vector
         return y
 
     def triplets(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Rows, columns and values of the whole, terms of rank one multiplied out; duplicates are summed."""
+        """Rows, columns and values of the whole, with terms of rank one multiplied out.
+
+        Returns
+        -------
+        rows, cols, values : ndarray
+            Duplicates are summed.
+
+        Examples
+        --------
+        >>> rows, cols, values = contact.tangent_parts(coords).triplets()
+        """
         parts = [(self.rows, self.cols, self.values)]
         for part in self.rank_one:
             dofs = np.flatnonzero(part.vector).astype(self.cols.dtype)
@@ -61,7 +107,23 @@ class Tangent:
         return np.concatenate(rows), np.concatenate(cols), np.concatenate(values)
 
     def csr(self) -> Any:
-        """The whole as ``scipy.sparse.csr_matrix``, (size, size)."""
+        """The whole as a matrix of scipy.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix, (size, size)
+            The matrix, with terms of rank one multiplied out.
+
+        Raises
+        ------
+        ImportError
+            Without scipy.
+
+        Examples
+        --------
+        >>> contact.tangent_parts(coords).csr().shape
+        (16, 16)
+        """
         from scipy.sparse import csr_matrix
 
         shape = (self.size, self.size)
@@ -71,7 +133,23 @@ class Tangent:
         return csr_matrix((values, (rows, cols)), shape=shape)
 
     def operator(self) -> Any:
-        """The whole as ``scipy.sparse.linalg.LinearOperator``, without multiplying out terms of rank one."""
+        """The whole as a linear operator of scipy, without multiplying out terms of rank one.
+
+        Returns
+        -------
+        scipy.sparse.linalg.LinearOperator, (size, size)
+            The operator.
+
+        Raises
+        ------
+        ImportError
+            Without scipy.
+
+        Examples
+        --------
+        >>> contact.tangent_parts(coords).operator().shape
+        (16, 16)
+        """
         from scipy.sparse.linalg import LinearOperator
 
         shape = (self.size, self.size)
@@ -83,7 +161,7 @@ def _rows(handle: Handle, flags: int, numbers: int) -> tuple[np.ndarray, np.ndar
     row_count, entry_count = c_size_t(), c_size_t()
     handle.call(library.fmc_context_tangent_csr_size, flags, byref(row_count), byref(entry_count))
     is_narrow = max(row_count.value, entry_count.value) <= np.iinfo(np.int32).max
-    dtype = np.int32 if is_narrow else np.int64
+    dtype: Any = np.int32 if is_narrow else np.int64
     offsets, cols = np.empty(row_count.value + 1, dtype), np.empty(entry_count.value, dtype)
     values = np.empty(entry_count.value * numbers)
     fetch = library.fmc_context_tangent_csr if is_narrow else library.fmc_context_tangent_csr_i64
@@ -97,9 +175,9 @@ def gather(handle: Handle, part_count: int, obstacles: bool) -> Tangent:
     size = len(offsets) - 1
     parts = []
     for index in range(part_count):
-        factor, vector = c_double(), np.empty(size)
-        handle.call(library.fmc_context_tangent_rank_one, index, byref(factor), vector, size)
-        parts.append(RankOne(factor.value, vector))
+        factor, entries = c_double(), np.empty(size)
+        handle.call(library.fmc_context_tangent_rank_one, index, byref(factor), entries, size)
+        parts.append(RankOne(factor.value, entries))
     return Tangent(offsets, cols, values, tuple(parts), size)
 
 

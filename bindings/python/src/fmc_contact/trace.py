@@ -39,7 +39,7 @@ class Trace:
     def __init__(self, faces: ArrayLike) -> None:
         faces = np.asarray(faces)
         if faces.ndim != 2 or faces.shape[1] not in (2, 3, 4):
-            raise ValueError(f"faces has shape {faces.shape}, (faces, 2 to 4 corners) is wanted")
+            raise ValueError(f"faces has shape {faces.shape}, expected (faces, 2 to 4 corners)")
         self.corner_ids, nodes = np.unique(faces, return_inverse=True)
         self.nodes, self.node_count = nodes.reshape(faces.shape), len(self.corner_ids)
         self.facets, self.face_of_facet = self.nodes, np.arange(len(faces))

@@ -19,7 +19,7 @@ An equilibrium is one for the stiffness asked for, never for a lower one.
 
 from __future__ import annotations
 
-from typing import Any, Callable
+from typing import Any, Callable, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -41,67 +41,97 @@ def newton(
     contact: Any,
     x: ArrayLike,
     free: ArrayLike,
-    prescribed: ArrayLike | None = None,
+    prescribed: Optional[ArrayLike] = None,
     *,
     young: float,
     tolerance: float = 1e-9,
     max_iterations: int = 30,
     lagged: bool = False,
-    solve: Callable[[Any, np.ndarray], np.ndarray] | None = None,
-    two_level: bool | None = None,
-    penetration: float | None = None,
+    solve: Optional[Callable[[Any, np.ndarray], np.ndarray]] = None,
+    two_level: Optional[bool] = None,
+    penetration: Optional[float] = None,
     reach: float = 0.0,
     max_updates: int = 20,
     find_patches: bool = False,
 ) -> Equilibrium:
     """Equilibrium of bodies in contact at the end of a load step, by Newton's method.
 
-    ``residual_and_tangent(x)``: internal less external forces of the host, without contact, in the shape of ``x``, and
-    their derivative, (size, size), a matrix of scipy or an array, and as a third, where the host has it, strain energy less the work of
-    loads; degree of freedom ``node * dim + axis`` for coordinates. ``contact``: a ``Contact``, for which ``x`` are coordinates, (n, dim); or an adapter with ``contact``,
-    ``evaluate``, ``on_dofs`` and ``tangent``, such as ``SkfemContact``, for which ``x`` is a displacement, (size,).
-    ``x``: where the load step begins, best the last equilibrium; it is not changed. ``free``: numbers of the unknowns
-    that are solved for. ``prescribed``: in the shape of ``x``, what the others are at the end of the step, entries at
-    free ones are not read; default: what they are in ``x``. ``young``: Young's modulus of the softest body, which says
-    what pressure cells bear. Converged: the residual at free unknowns is at most ``tolerance`` times the forces, in
-    Euclid's norm, of the bodies or of contact, whichever is larger, or rounding. ``solve(matrix, right)``: a linear
-    solver; default: the library's Cholesky factors, where the matrix is not symmetric and positive definite MUMPS' (where petsc4py with
-    it was imported) or scipy's ``splu``, numpy's for an array. Lengths and pressures are in the units of the contact.
+    It suits laws whose pressure is ``stiffness`` times the penetration: ``"depth"``, and ``"fiber"`` with kept patches. The stiffness of
+    the contact is changed during the call. Afterwards it is as before, also after an error, unless ``penetration`` raises it.
 
-    For laws of which the pressure is ``stiffness`` times the penetration: ``"depth"``, and ``"fiber"`` with kept
-    patches. The stiffness of the contact is changed during the call; afterwards, and after an error, it is what it was, if
-    no ``penetration`` raises it.
+    Parameters
+    ----------
+    residual_and_tangent : callable
+        Takes ``x`` and returns the residual of the bodies without contact, internal minus external forces in the shape of ``x``; its
+        derivative, (size, size), a matrix of scipy or an array; and optionally strain energy minus the work of loads. For
+        coordinates the degree of freedom is ``node * dim + axis``.
+    contact : Contact or adapter
+        A ``Contact``, for which ``x`` are coordinates, (n, dim). Or an adapter such as ``SkfemContact``, for which ``x`` is a
+        displacement, (size,): an object with ``contact``, ``coords``, ``evaluate``, ``on_dofs`` and ``tangent``.
+    x : array_like
+        Where the load step begins, best the last equilibrium. It is not changed.
+    free : array_like of int or bool
+        Numbers of the unknowns that are solved for, or a mark for every unknown.
+    prescribed : array_like, optional
+        Values of the other unknowns at the end of the step, in the shape of ``x``. Entries at free unknowns are not read. Default: ``x``.
+    young : float
+        Young's modulus of the softest body (pressure). It limits the pressure of a first, deep overlap.
+    tolerance : float
+        The residual at free unknowns divided by the forces, in the Euclidean norm. The forces are those of the bodies or of the
+        contact, whichever are larger.
+    max_iterations : int
+        Number of linear solves, at most.
+    lagged : bool
+        Whether friction is frozen, solved for, and frozen again until nothing changes. This also converges where the current pressure
+        does not, but takes more solves. Near the end the current pressure takes over if it converges, but not with a ``solve`` of
+        your own. The equilibrium is the same. Friction is released afterwards.
+    solve : callable, optional
+        Linear solver, ``solve(matrix, right)``. Default: the library's Cholesky factors. If the matrix is not symmetric and positive
+        definite, MUMPS if petsc4py was imported and has it, else scipy's ``splu``; for arrays numpy.
+    two_level : bool, optional
+        Whether the bodies are condensed on the unknowns that feel contact, which is then iterated by ``Contact.contact_step``. It takes
+        fewer linear solves, and finds the stable equilibrium. Default: wherever it is possible without a ``solve`` of your own.
+        ``Equilibrium.plain_because`` says why it was not, or where it was given up.
+    penetration : float, optional
+        Penetration tolerance: largest mean penetration of a node over its part of the surface (length). Surfaces are moved out near an
+        equilibrium (``Multipliers.augment``), and stay so for the next load step. If an update leaves more than a quarter, the
+        stiffness is raised fourfold, sixteenfold at most, and stays raised. Not with friction or self-contact. Default: what the
+        law leaves.
+    reach : float
+        As for ``Multipliers.augment``.
+    max_updates : int
+        Number of updates, at most.
+    find_patches : bool
+        With the law ``"fiber"``: whether patches are kept at the start, follow the contact far from its equilibrium, and are found
+        again near it. Otherwise they are left to you.
 
-    With friction, after ``friction.begin_step``; a step that is accepted is committed by the caller. ``lagged`` freezes friction where
-    the bodies are, solves, and freezes it anew at what was found, until nothing changes: friction has an energy then, and the
-    method goes on where that of the current pressure does not converge, but takes more solves. Near the end the plain method with the
-    current pressure takes over, where it gets there; not with a ``solve`` of your own, which gets symmetric matrices alone. The
-    equilibrium is the same. Friction is released afterwards.
+    Returns
+    -------
+    Equilibrium
+        Solution, contact and counts.
 
-    ``penetration``: the largest mean penetration of a node, over its part of the surface, that is wanted, a length, however soft the
-    contact is; ``None``: what the law leaves. Surfaces are moved out by what they penetrate near an equilibrium
-    (``Multipliers.augment``, with gaps measured as far as ``reach``), and again, at most ``max_updates`` times; they stay so for the next
-    load step. Where an update leaves more than a quarter, the contact's stiffness is raised fourfold (``Contact.stiffen``), sixteenfold at
-    most, and stays raised. Not with friction and self-contact.
+    Raises
+    ------
+    NotConvergedError
+        Also if a cell is inverted, the matrix singular or the residual not finite. A smaller load step helps. If the matrix is
+        singular, a body must be held.
+    ValueError
+        For shapes, and for arguments that exclude one another.
 
-    ``find_patches``, with the law ``"fiber"``: patches are kept at the start, follow the contact while it is far from its equilibrium,
-    and are found anew once near it; else they are the caller's affair.
+    Examples
+    --------
+    Two squares on springs, which push each other apart:
 
-    ``two_level``, where ``None``, the default, means wherever it can be (not with a ``solve`` of your own), and ``False``
-    never: the bodies are factorised down to the unknowns that feel contact, and the contact is iterated as it is
-    (``Contact.contact_step`` with ``soft_start``), without soft iterations of this method; where that leads nowhere, or more than 5 000 unknowns feel contact, the rest is plain, and
-    ``Equilibrium.plain_because`` says why. It takes fewer linear
-    solves where contact opens and closes, also out of a first overlap of half a cell. It goes where the energy is least: where the
-    plain method stays on an equilibrium that is not stable, as of two columns pressed straight together that hardly anything holds
-    sideways, it finds the stable one, in which they have slipped off.
-
-    Errors: ``NotConvergedError``, also where a cell is inverted, the matrix singular or the residual not finite. A
-    smaller load step helps; if the matrix is singular, a body must be held. ``ValueError`` for shapes.
+    >>> from fmc_contact import newton
+    >>> bodies = lambda x: ((1e4 * (x - coords)).ravel(), 1e4 * np.eye(16))
+    >>> found = newton(bodies, contact, coords, range(16), young=1e4)
+    >>> found.residuals[-1] < 1e-9
+    True
     """
-    x, free = start(x, free)
-    model = Model(residual_and_tangent, contact, x.shape, free)
+    begin, solved_for = start(x, free)
+    model = Model(residual_and_tangent, contact, begin.shape, solved_for)
     softening = Softening(model, young)
-    search = Search(model, x, moved(x, free, prescribed), softening, solve or solved)
+    search = Search(model, begin, moved(begin, solved_for, prescribed), softening, solve or solved)
     if penetration is not None:
         search.penetration = Penetration(model, penetration, reach, max_updates)
     if find_patches and model.inner.options["law"] == "fiber":
@@ -113,7 +143,7 @@ def newton(
         if lagged:
             # An own solver may be one for symmetric matrices.
             search.frozen = Frozen(model, tolerance, None if is_own else search.solve)
-            model.inner.friction.freeze(model.coords(x))
+            model.inner.friction.freeze(model.coords(begin))
         return search.run(tolerance, max_iterations)
     finally:
         softening.undone()

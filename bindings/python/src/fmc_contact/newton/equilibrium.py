@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from ..result import Result
 
 
 class NotConvergedError(FmcError, RuntimeError):
-    """Newton's method did not find an equilibrium; ``residuals`` are those of all iterations, relative, ``iterations`` their number."""
+    """Newton's method did not find an equilibrium. ``residuals`` are the relative residuals of all iterations, ``iterations`` is their number."""
 
     def __init__(self, message: str, residuals: list[float], iterations: int = 0) -> None:
         super().__init__(message)
@@ -20,27 +21,49 @@ class NotConvergedError(FmcError, RuntimeError):
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """What ``newton`` found."""
+    """Result of ``newton``.
+
+    Attributes
+    ----------
+    x : ndarray
+        The solution, in the shape of the start.
+    iterations : int
+        Number of linear solves.
+    soft_iterations : int
+        Those of them with a lower stiffness than asked for.
+    residuals : list of float
+        Relative residual before each solve and at the end; nan before prescribed displacements are reached.
+    result : Result
+        Contact at the solution.
+    reactions : ndarray
+        Residual at the solution, in the shape of ``x``: the forces that hold the unknowns that are not free.
+    plain_because : str
+        Why Newton's method was undamped and without condensation, from some iteration on; empty if it was two-level to the end.
+    contact_iterations : int
+        Dense systems solved for the contact alone, within the linear solves.
+    factorisations : int
+        Sparse matrices factorised.
+    updates : int
+        Updates of multipliers, if a penetration was asked for.
+    penetration : float or None
+        Largest mean penetration of a node at the solution (length), if one was asked for.
+
+    Examples
+    --------
+    >>> bodies = lambda x: ((1e4 * (x - coords)).ravel(), 1e4 * np.eye(16))
+    >>> from fmc_contact import newton
+    >>> newton(bodies, contact, coords, range(16), young=1e4).iterations < 10
+    True
+    """
 
     x: np.ndarray
-    """The solution, in the shape of the start."""
     iterations: int
-    """Number of linear solves."""
     soft_iterations: int
-    """Those of them with a stiffness lower than the one asked for."""
     residuals: list[float]
-    """Relative residual before each solve and at the end; not a number before prescribed displacements are reached."""
     result: Result
-    """Contact at the solution."""
     reactions: np.ndarray
-    """Residual at the solution, in the shape of ``x``: the forces that hold the unknowns that are not free."""
     plain_because: str = ""
-    """Why the method was plain, from some iteration on; empty where it was in two levels to the end."""
     contact_iterations: int = 0
-    """Dense systems solved for the contact alone, within the linear solves."""
     factorisations: int = 0
-    """Sparse matrices factorised."""
     updates: int = 0
-    """Updates of multipliers, where a penetration was asked for."""
-    penetration: float | None = None
-    """Largest mean penetration of a node at the solution, where one was asked for."""
+    penetration: Optional[float] = None

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, Callable
+
 import numpy as np
 
 from ..errors import FmcError
@@ -20,7 +22,7 @@ class Frozen:
     end the plain method takes over, with the friction of the pressure of now, where it gets there and may: its matrix is
     unsymmetric."""
 
-    def __init__(self, model: Model, tolerance: float, solve: object | None) -> None:
+    def __init__(self, model: Model, tolerance: float, solve: Callable[[Any, np.ndarray], np.ndarray] | None) -> None:
         self.model, self.tolerance, self.solve = model, tolerance, solve
         self.goal, self.solves = float("inf"), 0
 
@@ -44,6 +46,7 @@ class Frozen:
 
     def _with_current_pressure(self, state: State) -> State | None:
         """By whole steps while the residual falls; ``None`` where it does not."""
+        assert self.solve is not None
         model, free = self.model, self.model.free
         model.inner.friction.release()
         try:
@@ -51,7 +54,7 @@ class Frozen:
             while state.relative > self.tolerance:
                 matrix = summed(state.matrix, model.contact.tangent(state.x, semidefinite=False))
                 step = np.zeros(model.size)
-                step[free] = self.solve(matrix[free][:, free], -state.residual[free])  # type: ignore[operator]
+                step[free] = self.solve(matrix[free][:, free], -state.residual[free])
                 self.solves += 1
                 reached = model.at(state.x + step.reshape(state.x.shape))
                 if not reached.norm < state.norm:

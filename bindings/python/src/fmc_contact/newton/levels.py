@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -29,7 +29,7 @@ def condensed_of(model: Model) -> Condensed:
         known = Condensed(model.contact, model.size, model.free)
         if hasattr(model.contact, "__dict__"):
             setattr(model.contact, _KEPT, known)
-    return known
+    return cast(Condensed, known)
 
 
 class Levels:
@@ -61,7 +61,7 @@ class Levels:
             )
         except _FAILURES as error:
             why = str(error)
-        if found is None or found.state == "not_converged" and found.residual >= found.residual_at_start:
+        if found is None or (found.state == "not_converged" and found.residual >= found.residual_at_start):
             self.because = why or "the iterations of the contact led nowhere"
             return None
         self.contact_iterations += found.iterations

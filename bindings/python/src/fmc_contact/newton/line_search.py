@@ -31,7 +31,7 @@ def least_energy(model: Model, state: State, step: np.ndarray) -> State | None:
         except InvertedCellError as error:
             inverted, length = error, 0.5 * length
             continue
-        if not np.isfinite(reached.norm) or reached.energy is not None and not np.isfinite(reached.energy):
+        if not np.isfinite(reached.norm) or (reached.energy is not None and not np.isfinite(reached.energy)):
             length *= 0.5
             continue
         gained, rounding, flat = state.gained(reached, length * step)

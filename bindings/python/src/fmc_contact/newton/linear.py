@@ -40,4 +40,5 @@ def solved(matrix: Any, right: np.ndarray) -> np.ndarray:
         return mumps.solved(matrix, right)
     from scipy.sparse.linalg import splu
 
-    return splu(matrix.tocsc(), **SYMMETRIC).solve(right)
+    found: np.ndarray = splu(matrix.tocsc(), **SYMMETRIC).solve(right)
+    return found

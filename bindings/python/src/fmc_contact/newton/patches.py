@@ -12,7 +12,8 @@ class Patches:
     """Which patches are kept, from iteration to iteration."""
 
     def __init__(self, model: Model, tolerance: float) -> None:
-        self.model, self.at = model, None
+        self.model = model
+        self.at: State | None = None
         self.turned = self.was_turned = tolerance >= FAR
 
     def chosen(self, state: State) -> State:
@@ -21,7 +22,7 @@ class Patches:
         Lines run along the contact normal of the start. Once the solution is near, they turn into that of now. Far from it they follow
         the contact when it has begun or spread."""
         is_near = state.relative <= FAR
-        if self.at is None or is_near and not self.turned or not is_near and state.outgrows(self.at):
+        if self.at is None or (is_near and not self.turned) or (not is_near and state.outgrows(self.at)):
             self.turned |= is_near
             self.model.inner.patches.keep(self.model.coords(state.x))
             state = self.at = self.model.again(state)

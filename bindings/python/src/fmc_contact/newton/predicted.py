@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable
+from typing import Any, Callable, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,24 +20,26 @@ def predicted(
     free: ArrayLike,
     prescribed: ArrayLike,
     *,
-    solve: Callable[[Any, np.ndarray], np.ndarray] | None = None,
-) -> np.ndarray | None:
+    solve: Optional[Callable[[Any, np.ndarray], np.ndarray]] = None,
+) -> Optional[np.ndarray]:
     """Where one linear solve leads from the equilibrium ``x`` when what is prescribed is moved, in the shape of ``x``: bodies follow as
     their tangent and the semidefinite one of the contact say, without a look at what they meet there. ``None`` where the matrix is
     singular. Arguments as for ``newton``."""
-    x, free = start(x, free)
-    model = Model(residual_and_tangent, contact, x.shape, free)
-    step = moved(x, free, prescribed)
-    state = model.at(x)
+    begin, solved_for = start(x, free)
+    model = Model(residual_and_tangent, contact, begin.shape, solved_for)
+    step = moved(begin, solved_for, prescribed)
+    state = model.at(begin)
     if solve is None and not state.result.pairs:
         try:
-            return x + condensed_of(model).carried(x.ravel(), step, state.inside, state.matrix).reshape(x.shape)
+            change = condensed_of(model).carried(begin.ravel(), step, state.inside, state.matrix)
+            found: np.ndarray = begin + change.reshape(begin.shape)
+            return found
         except (ValueError, ImportError, RuntimeError, np.linalg.LinAlgError):
             pass
-    matrix = summed(state.matrix, contact.tangent(x, semidefinite=True))
-    right = -(state.residual + matrix @ step)[free]
+    matrix = summed(state.matrix, contact.tangent(begin, semidefinite=True))
+    right = -(state.residual + matrix @ step)[solved_for]
     try:
-        step[free] = (solve or solved)(matrix[free][:, free], right)
+        step[solved_for] = (solve or solved)(matrix[solved_for][:, solved_for], right)
     except (RuntimeError, np.linalg.LinAlgError):
         return None
-    return x + step.reshape(x.shape) if np.isfinite(step).all() else None
+    return begin + step.reshape(begin.shape) if np.isfinite(step).all() else None

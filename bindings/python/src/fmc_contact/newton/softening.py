@@ -32,7 +32,7 @@ class Softening:
         self.wanted = self.now = self._stiffness()
 
     def _stiffness(self) -> float:
-        return float(self.model.inner.options["stiffness"])  # type: ignore[arg-type]
+        return float(self.model.inner.options["stiffness"])
 
     @property
     def is_soft(self) -> bool:
