@@ -4,6 +4,7 @@ check: check-tools
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy -p fmc-contact --all-targets --release -- -D warnings
 	$(CARGO) test -p fmc-contact --release
+	$(MAKE) python-lint
 
 # Every step, and every program of tests, is a suite; .ci/suite notes its processor time.
 export SUITES = $(abspath $(TARGET))/suites.txt
@@ -17,6 +18,7 @@ test: tools
 	$(CARGO) fmt --all --check
 	$(SUITE_OF) "figures of the pages" $(MAKE) figures-check
 	$(SUITE_OF) "lints (clippy)" $(CARGO) clippy --workspace --all-targets --release -- -D warnings
+	$(SUITE_OF) "lints (Python)" $(MAKE) python-lint
 	$(SUITE_OF) "fmc with force alone" $(CARGO) check --release -p fmc --no-default-features
 	$(SUITE_OF) "build of the tests" $(CARGO) test --workspace --release $(TESTS) --no-run
 	$(AS_SUITES) $(CARGO) test --workspace --release $(TESTS)

@@ -1,6 +1,7 @@
 # The Python package and the examples, each in an environment of its own.
 #
 # make python    the Python package, in an environment of its own under target/, and its tests
+# make python-lint   ruff over all Python, mypy --strict on the package
 # make examples  NGSolve and FElupe with contact, and the notebook, in an environment of their own
 
 PYTHON ?= python3
@@ -15,6 +16,15 @@ python:
 	@$(call ENVIRONMENT,$(VENV))
 	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
 	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q bindings/python
+
+# Lower bounds, so that newer releases are taken; numpy brings types of its own.
+LINT = $(TARGET)/lint
+
+python-lint:
+	@$(call ENVIRONMENT,$(LINT))
+	@$(LINT)/bin/python -m pip install -q 'ruff>=0.14' 'mypy>=1.19' 'numpy>=2.0'
+	$(LINT)/bin/ruff check .
+	cd bindings/python && $(abspath $(LINT))/bin/mypy
 
 # What is stored in the notebook is renewed with UPDATE_NOTEBOOK=1.
 EXAMPLES = $(abspath $(TARGET))/examples

@@ -1,7 +1,8 @@
 """The page docs/gallery.md: cases with their pictures, their files, and what came out beside the references."""
 
-import tomllib
 from pathlib import Path
+
+import tomllib
 
 CASES = Path(__file__).parents[1] / "cases"
 SHOWN = [

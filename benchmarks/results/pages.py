@@ -4,8 +4,9 @@ import re
 from pathlib import Path
 
 import fields
-import hosts
 import penetration
+
+import hosts
 
 ROOT = Path(__file__).parents[2]
 TABLES = Path(__file__).parent / "tables"

@@ -1,6 +1,7 @@
 """The tables of docs/hosts.md beside the agreement: penetration that is wanted, and the cost of the Python hosts."""
 
 from fields import number
+
 from hosts import HOSTS
 
 CASES = {
@@ -23,10 +24,12 @@ def table(results):
     for case, host, figures in _found(results, "penetration"):
         pair = {key: " · ".join(number(figures[f"{key}_{way}"], ".0f") for way in ("law", "wanted")) for key in COUNTS}
         force = figures["force_wanted"] / figures["force_law"] - 1
-        lines.append([case, host, number(figures["wanted"], ".1e"), number(figures["penetration_law"], ".0e"), number(figures["penetration_wanted"], ".0e"), *pair.values(), number(figures["updates_wanted"], ".0f"), number(force, "+.3%")])
+        lengths = [number(figures[key], form) for key, form in LENGTHS]
+        lines.append([case, host, *lengths, *pair.values(), number(figures["updates_wanted"], ".0f"), number(force, "+.3%")])
     return _text(lines)
 
 
+LENGTHS = (("wanted", ".1e"), ("penetration_law", ".0e"), ("penetration_wanted", ".0e"))
 COUNTS = ("iterations", "contact_iterations", "factorisations")
 
 
@@ -38,7 +41,9 @@ def beside(results):
         is_first = host == HOSTS["reference"]
         theirs = figures if is_first else theirs
         by = ["–" if is_first else number(figures[key] / theirs[key], ".2f") for key in ("iterations", "seconds")]
-        lines.append([case, host, number(figures["iterations"], ".0f"), by[0], number(figures["factorisations"], ".0f"), _seconds(figures["seconds"]), by[1], "" if is_first else _seconds(figures["program"])])
+        program = "" if is_first else _seconds(figures["program"])
+        counts = [number(figures[key], ".0f") for key in ("iterations", "factorisations")]
+        lines.append([case, host, counts[0], by[0], counts[1], _seconds(figures["seconds"]), by[1], program])
     return _text(lines)
 
 

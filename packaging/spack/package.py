@@ -2,9 +2,8 @@
 
 import os
 
-from spack_repo.builtin.build_systems.makefile import MakefilePackage
-
 from spack.package import *
+from spack_repo.builtin.build_systems.makefile import MakefilePackage
 
 
 class FmcContact(MakefilePackage):

@@ -5,7 +5,8 @@ import os
 
 import numpy as np
 import pytest
-from fmc_agreement import outcome, problem as problems, reference, runs, table
+from fmc_agreement import outcome, reference, runs, table
+from fmc_agreement import problem as problems
 from fmc_agreement.runs import Case, label
 
 if "FMC" not in os.environ:

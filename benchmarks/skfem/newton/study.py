@@ -2,9 +2,10 @@
 
     python study.py [problem [cells [law [stiffness [recipe [load steps]]]]]]
 
-Each is a list with commas, but for the number of load steps; "all" are all problems. Stiffnesses are by Young's modulus and the size of a facet. Recipes: "soft" is ``fmc_contact.newton``; "first" has the
-semidefinite tangent in the first two iterations of each load step, "always" in all of them, "full" in none. With the
-law "fiber" patches are kept from the start of each load step; with "anew", which is "soft" otherwise, they are not.
+Each is a list with commas, but for the number of load steps; "all" are all problems. Stiffnesses are by Young's modulus and the
+size of a facet. Recipes: "soft" is ``fmc_contact.newton``; "first" has the semidefinite tangent in the
+first two iterations of each load step, "always" in all of them, "full" in none. With the law "fiber" patches are kept from
+the start of each load step; with "anew", which is "soft" otherwise, they are not.
 """
 
 import sys

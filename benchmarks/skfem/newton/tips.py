@@ -91,7 +91,7 @@ def stages(half_angle, material, law="depth", two_level=True, **options):
         prescribed = u.copy()
         prescribed[top[1]] = -depth
         try:
-            host = lambda u: (solid.forces(u), solid.stiffness(u))  # noqa: E731
+            host = lambda u: (solid.forces(u), solid.stiffness(u))
             end = newton(host, contact, u, free, prescribed, young=BLOCK, max_iterations=40, two_level=two_level)
             u = end.x
             found.append((-end.reactions[top[1]].sum(), end.iterations))

@@ -9,14 +9,14 @@ from scipy.integrate import trapezoid
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "friction"))
 
-import arm  # noqa: E402
-import balls  # noqa: E402
-import capstan  # noqa: E402
-import cylinders  # noqa: E402
-import fold  # noqa: E402
-import pushed_plate  # noqa: E402
-import ring_on_disc  # noqa: E402
-import slope  # noqa: E402
+import arm
+import balls
+import capstan
+import cylinders
+import fold
+import pushed_plate
+import ring_on_disc
+import slope
 
 LAWS = ["depth", "fiber"]
 
@@ -43,7 +43,7 @@ def test_a_block_is_pushed_up_a_slope(law):
 def test_a_softer_block_tilts_the_slope():
     """By 0.4 %, as a linear model has it: more when the block is in the middle than later."""
     for coefficient in (0.0, 0.2):
-        forces, counts = slope.Slope(coefficient, young=1100).push(20)
+        forces, _counts = slope.Slope(coefficient, young=1100).push(20)
         assert forces[3:].mean() / slope.exact(coefficient) - 1 == pytest.approx(-0.004, abs=1e-3)
 
 

@@ -7,8 +7,8 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "newton"))
 
-import problems  # noqa: E402
-import study  # noqa: E402
+import problems
+import study
 
 CASES = [(name, count) for name in ("punch", "half-disc", "press fit", "disc") for count in (16, 32)]
 

@@ -7,7 +7,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "newton"))
 
-import tips  # noqa: E402
+import tips
 
 
 def forces(half_angle, material, **options):

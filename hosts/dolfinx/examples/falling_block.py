@@ -19,7 +19,7 @@ contact = DolfinxContact(spaces, stiffness=2e8, estimator="exact")
 
 # 2. Hooke's law, as forms that are assembled at every step; masses are lumped; the lower block's bottom is held.
 us, vs = [fem.Function(s) for s in spaces], [ufl.TestFunction(s) for s in spaces]
-strain = lambda u: ufl.sym(ufl.grad(u))  # noqa: E731
+strain = lambda u: ufl.sym(ufl.grad(u))
 stress = [young * strain(u) for u in us]  # Poisson's ratio 0
 inside = [fem.form(ufl.inner(s, strain(v)) * ufl.dx) for s, v in zip(stress, vs)]
 energy = [fem.form(0.5 * ufl.inner(s, strain(u)) * ufl.dx) for s, u in zip(stress, us)]

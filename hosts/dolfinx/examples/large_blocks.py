@@ -27,7 +27,7 @@ def block(count, low, high):
     ticks = [np.linspace(low[a], high[a], count + 1) for a in range(3)]
     x = np.stack(np.meshgrid(*ticks, indexing="ij"), axis=-1).reshape(-1, 3)
     number = np.arange(len(x)).reshape([count + 1] * 3)
-    at = lambda *s: number[tuple(slice(k, k + count) for k in s)].ravel()  # noqa: E731
+    at = lambda *s: number[tuple(slice(k, k + count) for k in s)].ravel()
     around = ((0, 0), (1, 0), (1, 1), (0, 1))
     cells = np.stack([at(*corner, k) for k in (0, 1) for corner in around], axis=1)
     paths = ([0, 1, 2, 6], [0, 2, 3, 6], [0, 3, 7, 6], [0, 7, 4, 6], [0, 4, 5, 6], [0, 5, 1, 6])

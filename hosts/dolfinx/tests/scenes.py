@@ -17,7 +17,7 @@ def block(kind, count, low, high):
     ticks = [np.linspace(low[a], high[a], count + 1) for a in range(dim)]
     x = np.stack(np.meshgrid(*ticks, indexing="ij"), axis=-1).reshape(-1, dim)
     number = np.arange(len(x)).reshape([count + 1] * dim)
-    at = lambda *s: number[tuple(slice(k, k + count) for k in s)].ravel()  # noqa: E731
+    at = lambda *s: number[tuple(slice(k, k + count) for k in s)].ravel()
     if dim == 2:
         cells = np.stack([at(0, 0), at(1, 0), at(1, 1), at(0, 1)], axis=1)
         if kind == "triangle":

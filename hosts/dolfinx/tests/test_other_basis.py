@@ -105,13 +105,13 @@ def test_what_cannot_be_read_is_refused():
             DolfinxContact(space("DG"), stiffness=1.0)
     finally:
         del SPACES["P3 3D"], SPACES["DG"]
-    V, contact = on_plane("P3")
+    _V, contact = on_plane("P3")
     with pytest.raises(LayoutError, match="no nodes"):
         contact.function(np.zeros(3))
 
 
 def test_displacements_of_vertices_by_input_number():
-    V, contact = on_plane("Q3")
+    V, _contact = on_plane("Q3")
     u = fem.Function(V)
     u.interpolate(lambda x: np.array([x[0] + 2 * x[1] ** 3, x[0] * x[1]]))
     x, _ = block("quad", 2, [0.0] * 2, [1.0] * 2)

@@ -88,7 +88,7 @@ def test_other_spaces_are_refused():
 
 
 def test_bodies_by_numbers_of_cells():
-    x, cells = blocks("quad")
+    _x, _cells = blocks("quad")
     V = space("quad")
     number = np.asarray(V.mesh.topology.original_cell_index)
     of_cells = np.where(number < 9, 5, 8)

@@ -62,7 +62,7 @@ def test_forces_keep_their_sum_and_are_those_of_the_overlap(name):
     assert result.volume == pytest.approx(0.02 * area, rel=1e-12)
     assert result.bodies[1].force[-1] == pytest.approx(1e4 * area, rel=1e-12)
     # As GetFEM's own integral over that face has it.
-    mesh, space = scene.meshes[1], scene.spaces[1]
+    mesh, _space = scene.meshes[1], scene.spaces[1]
     mesh.set_region(9, mesh.faces_from_pid(np.flatnonzero(mesh.pts()[-1] < 0.98 + 1e-9)))
     shared = gf.asm_generic(gf.MeshIm(mesh, 5), 1, f"1e4*Test_v({dim})", 9, scene.model)
     first, count = scene.contact.interval("v")

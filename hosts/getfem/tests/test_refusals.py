@@ -31,16 +31,16 @@ def variable(element, components=2, mesh=None):
     ],
 )
 def test_other_unknowns_are_refused(element, components, words):
-    model, *kept = variable(element, components)
+    model, *_kept = variable(element, components)
     with pytest.raises(LayoutError, match=words):
         GetfemContact(model, "u", stiffness=1.0)
 
 
 def test_meshes_of_lines_and_meshes_that_are_gone_are_refused():
-    model, *kept = variable("FEM_PK(1,1)", 1, gf.Mesh("cartesian", [0.0, 1.0]))
+    model, *_kept = variable("FEM_PK(1,1)", 1, gf.Mesh("cartesian", [0.0, 1.0]))
     with pytest.raises(LayoutError, match="1D"):
         GetfemContact(model, "u", stiffness=1.0)
-    model, space, mesh = variable("FEM_PK(2,1)")
+    model, _space, mesh = variable("FEM_PK(2,1)")
     del mesh
     with pytest.raises(LayoutError, match="still there"):
         GetfemContact(model, "u", stiffness=1.0)
@@ -58,7 +58,7 @@ def test_meshes_are_kept_by_the_contact():
 
 
 def test_unknowns_that_are_combined_are_refused():
-    model, space, mesh = variable("FEM_PK(2,1)")
+    model, space, _mesh = variable("FEM_PK(2,1)")
     part = gf.MeshFem("partial", space, [0, 1, 2, 3])
     model.add_fem_variable("part", part)
     with pytest.raises(LayoutError, match="reduced|mesh_fem"):
@@ -67,7 +67,7 @@ def test_unknowns_that_are_combined_are_refused():
 
 def test_curved_cells_want_a_displacement_of_their_own_order():
     mesh = gf.Mesh("regular simplices", [0.0, 1.0], [0.0, 1.0], "degree", 2)
-    model, *kept = variable("FEM_PK(2,1)", 2, mesh)
+    model, *_kept = variable("FEM_PK(2,1)", 2, mesh)
     with pytest.raises(LayoutError, match="more curved"):
         GetfemContact(model, "u", stiffness=1.0)
 
@@ -124,7 +124,7 @@ def test_bricks_of_a_failed_update_are_as_they_were():
 
 
 def test_options_are_those_of_the_package():
-    model, *kept = variable("FEM_PK(2,1)")
+    model, *_kept = variable("FEM_PK(2,1)")
     with pytest.raises(errors.NotPositiveError):
         GetfemContact(model, "u", stiffness=-1.0)
     with pytest.raises((TypeError, errors.FmcError)):

@@ -17,7 +17,7 @@ u[basis.nodal_dofs[1]] = -DOWN
 contact, penalty = Contact(x, mesh.t.T, "triangle", stiffness=1.0), 10 * E / mesh.param()
 contact.obstacles.add_half_space((0, 0), (0, 1))
 for update in range(1, 11):
-    for iteration in range(20):
+    for _ in range(20):
         gaps = contact.gap_constraints(x + u[dofs].reshape(x.shape), reach=0.1 * R)
         rows = csr_matrix((gaps.data, dofs[gaps.indices], gaps.indptr), shape=(len(gaps), basis.N))
         p = np.maximum(0, pressure[gaps.node] - penalty * gaps.gap / gaps.area)

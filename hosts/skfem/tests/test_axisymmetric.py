@@ -91,7 +91,7 @@ def test_a_ball_on_a_plane(law: str) -> None:
     contact.obstacles.add_half_space((0, 0), (0, 1))
     if law == "fiber":
         contact.patches.keep(shape + start)
-    u, result = solve(contact, shape, matrix, fixed, start.ravel())
+    _u, result = solve(contact, shape, matrix, fixed, start.ravel())
     found = result.obstacles[0].force[1]
     assert abs(-found / force - 1) < 0.01
 
@@ -123,7 +123,7 @@ def test_a_press_fit(law: str) -> None:
     contact.mesh.set_symmetry_nodes(np.flatnonzero(ends))
     fixed = np.zeros(points.size, bool)
     fixed[1::2] = ends
-    u, result = solve(contact, points, stiffness(points, quads), fixed, np.zeros(points.size))
+    _u, result = solve(contact, points, stiffness(points, quads), fixed, np.zeros(points.size))
     assert not result.warnings
     area = 2 * np.pi * middle * height
     # What both tubes are pressed by, on the inner and the outer one: less by what the penalty gives way.

@@ -77,7 +77,7 @@ def test_nodes_are_where_the_displacement_puts_them(name):
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_forces_are_those_of_nodes_brought_back(name):
     """Against the same cells whose nodes are moved by themselves."""
-    bases, contact = pair(name)
+    _bases, contact = pair(name)
     u = some(contact, 1e-3)
     found = contact.evaluate(u)
     nodes = contact.nodes(u)

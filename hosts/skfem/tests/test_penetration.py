@@ -11,7 +11,7 @@ from skfem import Basis, ElementTriP1, ElementTriP2, ElementVector, MeshTri
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "newton"))
-import problems  # noqa: E402
+import problems
 
 R, E, NU, DOWN = 1.0, 1e3, 0.3, 0.02
 
@@ -68,7 +68,7 @@ def test_a_disc_on_a_block_over_load_steps():
         for push in problem.pushes[3:]:
             prescribed = u.copy()
             prescribed[problem.moved] = push
-            host = lambda u: (problem.solid.forces(u), problem.solid.stiffness(u))  # noqa: E731
+            host = lambda u: (problem.solid.forces(u), problem.solid.stiffness(u))
             found = newton(host, contact, u, problem.free, prescribed, young=problem.young, penetration=penetration)
             u = found.x
             counts[penetration].append(found.iterations)

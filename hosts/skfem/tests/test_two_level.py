@@ -9,8 +9,8 @@ from fmc_contact import newton
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "newton"))
 
-import problems  # noqa: E402
-import study  # noqa: E402
+import problems
+import study
 
 
 def _load_steps(problem, two_level, stiffness=10):

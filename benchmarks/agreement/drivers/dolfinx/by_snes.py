@@ -33,7 +33,7 @@ def solved(problem: Problem, model: Model, contact: Timed) -> Solved:
     hard = contact.contact.options["stiffness"]
     soft = min(hard, soft_stiffness(problem))
     contact.contact.set_options(stiffness=soft)
-    at = lambda u: contact.contact.evaluate(problem.coords + u).forces  # noqa: E731
+    at = lambda u: contact.contact.evaluate(problem.coords + u).forces
     set_by_input_number(model.u, approach(problem, np.where(problem.held, problem.prescribed, 0.0), load, at))
     tolerance, size = problem.raw["load_steps"]["tolerance"], np.linalg.norm(load)
     stages = [(soft, FAR), ((soft * hard) ** 0.5, FAR)] if soft < hard else []

@@ -12,9 +12,11 @@ coords, cells, displacement = plates()
 space = vector_space(mesh_from_cells(comm, coords, cells, "hexahedron"))
 u = fem.Function(space)
 set_by_input_number(u, displacement)
+surface = 0
 for estimator in ("fibers", "exact"):
     contact = DolfinxContact(space, stiffness=1e6, estimator=estimator)
-    surface = contact._shows.points.count if estimator == "fibers" else surface  # noqa: F821
+    if estimator == "fibers":
+        surface = contact._shows.points.count
     residual = np.zeros(contact._fields[0].owned * 3)
 
     def adapted():

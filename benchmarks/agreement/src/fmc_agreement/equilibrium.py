@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 import numpy as np
-from fmc_contact import FmcError, NotConvergedError, newton
 from fmc_contact import Equilibrium as Found
+from fmc_contact import FmcError, NotConvergedError, newton
 from fmc_contact.newton import predicted
 from scipy.sparse import csr_matrix
 

@@ -74,7 +74,6 @@ def hertz(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.nd
 def balls(problem: Problem, forces: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
     """Figures of a ball on its mirror image, of which the case has a part: p^2 over r^2 fitted where p is more than 0.3
     of the largest; and the profile, distance from the axis and pressure, (places, 2)."""
-    body = problem.bodies[0]
     pressure = nodal_pressures(problem, 0, forces)
     r = norm(problem.coords[:, :-1], axis=1)
     fitted = pressure > 0.3 * pressure.max()

@@ -20,7 +20,7 @@ class Forces(Protocol):
     def internal(self, u: np.ndarray) -> tuple[np.ndarray, float]:
         """Internal forces and strain energy."""
 
-    def contact(self, u: np.ndarray) -> tuple[np.ndarray, "Touch"]:
+    def contact(self, u: np.ndarray) -> tuple[np.ndarray, Touch]:
         """Contact forces, and what is kept of them."""
 
 

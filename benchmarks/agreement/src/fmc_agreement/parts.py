@@ -3,9 +3,10 @@ together."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import groupby
-from typing import Any, Protocol, Sequence
+from typing import Any, Protocol
 
 import numpy as np
 from scipy.sparse import block_diag, csr_matrix

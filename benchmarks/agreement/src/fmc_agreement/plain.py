@@ -12,8 +12,8 @@ half_spaces K       a point and the outward normal of each
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Iterable
 
 import numpy as np
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, Sequence
+from typing import Any
 
 import numpy as np
 from fmc_contact import Contact, NodalContact, Result
@@ -43,8 +44,8 @@ class DolfinxContact(Linearised):
     """
 
     contact: Contact
-    """The contact below, the same on every rank, for its obstacles (``contact.obstacles.add_half_space``, ...), options and the like. With the mesh in
-    parts a ``PartitionedContact``, whose nodes, facets and cells are those gathered."""
+    """The contact below, the same on every rank, for its obstacles (``contact.obstacles.add_half_space``, ...), options
+    and the like. With the mesh in parts a ``PartitionedContact``, whose nodes, facets and cells are those gathered."""
     whole_because: str
     """Why every rank has the whole mesh, or boundary; empty where it is in parts."""
 
