@@ -1,10 +1,9 @@
 //! Overlap of two bodies, law by law.
 //!
 //! `pair` (two sides and their overlap) · `gaps`, whatever the law · `sums` (over nodes) · `lines` (sampled) · `depth`, `volume`
-//! and `normal_lines` (what the laws `depth`, `volume` and `fiber` stand on) · `estimators`
+//! and `normal_lines` (what the laws `depth`, `volume` and `fiber` stand on)
 
 pub(crate) mod depth;
-mod estimators;
 mod gaps;
 pub(crate) mod lines;
 pub(crate) mod normal_lines;
@@ -12,24 +11,24 @@ pub(crate) mod pair;
 pub(crate) mod sums;
 pub(crate) mod volume;
 
-pub(crate) use depth::depth_integral;
-pub(crate) use depth::integral::{DepthIntegral, DepthRequest, SecondDerivative};
+pub(crate) use depth::integral::{DepthIntegral, DepthRequest};
+pub(crate) use depth::measure::depth_integral;
 pub(crate) use depth::points::{DepthPlace, DepthPoint, PlaceInCell, PointLists};
-pub(crate) use estimators::estimator;
-pub(crate) use estimators::estimator::{Imbalance, OverlapEstimator};
 pub(crate) use gaps::{NodalGap, nodal_gaps};
+pub(crate) use lines::pair_estimator::PairEstimator;
 pub(crate) use normal_lines::patches::partition::Patches;
 pub(crate) use normal_lines::patches::search::{Reach, find as find_patches};
 pub(crate) use normal_lines::points::contact_point::ContactPoint;
 pub(crate) use normal_lines::points::contact_points::{ContactPoints, PointGradient};
-pub(crate) use normal_lines::points::end_motion::nodes_of;
 pub(crate) use normal_lines::points::nodal_sums::NodalSum;
 pub use pair::fiber_trace::FiberTrace;
+pub(crate) use pair::imbalance::Imbalance;
 pub(crate) use pair::obstacle_distance::distance_from_facets;
 pub(crate) use pair::obstacle_region::region as obstacle_region;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
 pub use pair::overlap::{Overlap, PoseGradient};
 pub use pair::partner::Partner;
+pub(crate) use pair::second_derivative::SecondDerivative;
 pub(crate) use pair::sides::{Counterpart, ImplicitSide, Pair};
 pub(crate) use pair::surface_point::SurfacePoint;
 pub use pair::warning::Warning;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Folders and files of src from the ground up; a file may import from its own room and from those before it. A name
 /// stands for all that lies below it and has no line of its own.
-const ROOMS: [&str; 37] = [
+const ROOMS: [&str; 35] = [
     "error",
     "dimension",
     "geometry",
@@ -23,14 +23,13 @@ const ROOMS: [&str; 37] = [
     "overlap/pair",
     "overlap/gaps",
     "overlap/sums",
+    // The default law, below all lines and patches.
     "overlap/depth",
+    "overlap/lines",
     "overlap/normal_lines/patches",
     "overlap/normal_lines/points",
-    "overlap/estimators/estimator",
-    "overlap/volume",
-    "overlap/lines",
     "overlap/normal_lines",
-    "overlap/estimators",
+    "overlap/volume",
     "overlap",
     "contact/laws/energy_law",
     "contact/tangents",
@@ -49,7 +48,7 @@ const ROOMS: [&str; 37] = [
 /// The exact estimator and the sampled one, which do not know each other.
 const ESTIMATORS: [&[&str]; 2] = [
     &["overlap/depth", "overlap/volume/clipped", "overlap/normal_lines/projected"],
-    &["overlap/lines", "overlap/normal_lines/sampled"],
+    &["overlap/lines", "overlap/volume/on_lines", "overlap/normal_lines/sampled"],
 ];
 
 fn root() -> PathBuf {

@@ -7,14 +7,13 @@
 //! The first integral is over the facets of A inside the pieces of B on which g_B is linear; the second, and J_B itself,
 //! need the first two moments of A in every such piece.
 //!
-//! `integral` (what a law is handed) · `points` (where it presses) · `facet_sums` (over facets) · `simplex_parts` ·
+//! `measure` (of a pair) · `integral` (what a law is handed) · `points` (where it presses) · `facet_sums` (over facets) · `simplex_parts` ·
 //! `bodies` (two of cells, or one with itself) · `obstacles` (a rigid partner)
 
-pub(crate) mod bodies;
+mod bodies;
 pub(crate) mod facet_sums;
 pub(crate) mod integral;
+pub(crate) mod measure;
 mod obstacles;
 pub(crate) mod points;
 pub(crate) mod simplex_parts;
-
-pub(crate) use bodies::depth_integral;

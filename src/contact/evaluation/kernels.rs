@@ -11,7 +11,8 @@ use crate::contact::results::{
 };
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::dimension::{recast, rows};
-use crate::overlap::{self, FiberTrace, Overlap, OverlapEstimator, Partner, Patches, Reach};
+use crate::overlap::normal_lines::estimate as normal_lines;
+use crate::overlap::{self, FiberTrace, Overlap, PairEstimator, Partner, Patches, Reach};
 use std::any::Any;
 
 /// Facets with friction by pair.
@@ -286,18 +287,18 @@ fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Resu
             return Ok(None);
         }
         let Some(mut patches) = measured.patches(Reach::Everywhere)? else { return Ok(None) };
-        patches.spacing = measured.estimator.spacing(measured.pair, &patches)?;
+        patches.spacing = normal_lines::spacing(measured.estimator, measured.pair, &patches)?;
         Ok(Some((measured.pair.partners, patches)))
     })
 }
 
 /// The estimator that the options name.
-pub(crate) fn estimator<const D: usize>(options: &Options) -> Result<Box<dyn OverlapEstimator<D>>, Error> {
-    fn in_plane(options: &Options) -> Box<dyn OverlapEstimator<2>> {
-        overlap::estimator(&options.estimator)
+pub(crate) fn estimator<const D: usize>(options: &Options) -> Result<PairEstimator<D>, Error> {
+    fn in_plane(options: &Options) -> PairEstimator<2> {
+        PairEstimator::new(&options.estimator)
     }
-    fn in_space(options: &Options) -> Box<dyn OverlapEstimator<3>> {
-        overlap::estimator(&options.estimator)
+    fn in_space(options: &Options) -> PairEstimator<3> {
+        PairEstimator::new(&options.estimator)
     }
     if D == 2 { recast(in_plane(options)) } else { recast(in_space(options)) }
 }

@@ -153,6 +153,6 @@ impl<const D: usize> Contact<D> {
             Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, sharing, region };
         // They were kept in the order of the pairs.
         let kept = self.kept.binary_search_by_key(&partners, |(kept, _)| *kept).ok().map(|place| &self.kept[place].1);
-        work(&Measured { pair: &pair, law, estimator: &*self.estimator, kept, found })
+        work(&Measured { pair: &pair, law, estimator: &self.estimator, kept, found })
     }
 }

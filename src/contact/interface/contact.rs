@@ -13,7 +13,7 @@ use crate::contact::tangents::{Tangent, TangentPart};
 use crate::contact::work::Workers;
 use crate::depth_field::DepthField;
 use crate::geometry::{Basis, BoundaryFacet, PointWeights, Surface};
-use crate::overlap::{FiberTrace, Overlap, OverlapEstimator, Partner, Patches};
+use crate::overlap::{FiberTrace, Overlap, PairEstimator, Partner, Patches};
 use crate::ranks::Ranks;
 use std::sync::{Mutex, OnceLock};
 
@@ -32,7 +32,7 @@ pub struct Contact<const D: usize> {
     pub(in crate::contact) workers: Option<Workers>,
     /// Those that share the work with this one.
     pub(in crate::contact) ranks: Option<Ranks>,
-    pub(in crate::contact) estimator: Box<dyn OverlapEstimator<D>>,
+    pub(in crate::contact) estimator: PairEstimator<D>,
     /// Of the pairs that have none of their own.
     pub(in crate::contact) law: Box<dyn PairLaw<D>>,
     pub(in crate::contact) pair_table: PairTable<D>,

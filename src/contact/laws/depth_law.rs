@@ -5,8 +5,9 @@ use super::pair_energy::PairEnergy;
 use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use super::pressure_point::of_depth_points;
 use crate::Error;
-use crate::contact::tangents::{Tangent, TangentPart};
-use crate::overlap::{DepthIntegral, DepthRequest, NodalSum, Overlap, Pair, SecondDerivative, depth_integral};
+use crate::contact::tangents::Tangent;
+use crate::overlap::volume::estimate as volume;
+use crate::overlap::{DepthIntegral, DepthRequest, NodalSum, Overlap, Pair, depth_integral};
 
 /// The depth law.
 pub(super) struct DepthLaw {
@@ -44,18 +45,10 @@ impl DepthLaw {
     }
 }
 
-fn second(part: Option<TangentPart>) -> SecondDerivative {
-    match part {
-        None => SecondDerivative::No,
-        Some(TangentPart::Full | TangentPart::Symmetric) => SecondDerivative::Full,
-        Some(TangentPart::Semidefinite) => SecondDerivative::Semidefinite,
-    }
-}
-
 impl<const D: usize> PairLaw<D> for DepthLaw {
     /// With sums at the nodes, the forces on inner nodes come at the surface above them.
     fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error> {
-        let (second, obstacle_node) = (second(asked.tangent), measured.obstacle_node());
+        let (second, obstacle_node) = (asked.second_derivative(), measured.obstacle_node());
         let request = DepthRequest { second, obstacle_node, points: asked.points || asked.slides };
         let Some(mut depth) = depth_integral(measured.pair, &request)? else { return Ok(None) };
         let tangent = asked.tangent.map(|_| self.tangent_of(&mut depth));
@@ -71,7 +64,7 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
 
     /// The volume of the overlap and its gradient, as the law `volume` has them.
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {
-        Ok(measured.estimator.overlap(measured.pair)?.filter(Overlap::has_content))
+        Ok(volume::overlap(measured.estimator, measured.pair)?.filter(Overlap::has_content))
     }
 
     fn is_local(&self) -> bool {

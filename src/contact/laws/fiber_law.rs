@@ -7,6 +7,8 @@ use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use super::pressure_point::of_contact_points;
 use crate::Error;
 use crate::contact::tangents::{Tangent, TangentPart};
+use crate::overlap::normal_lines::estimate as normal_lines;
+use crate::overlap::volume::estimate as volume;
 use crate::overlap::{ContactPoints, Overlap};
 
 /// The fiber law, and any local law of the penetration.
@@ -18,11 +20,11 @@ impl FiberLaw {
         points: &ContactPoints<D>,
         measured: &Measured<D>,
     ) -> Result<PairEnergy<D>, Error> {
-        let expected = measured.estimator.imbalance_of_points(measured.pair);
+        let expected = normal_lines::imbalance(measured.estimator, measured.pair);
         let mut energy = PairEnergy::of_points(points, measured.pair, &self.0, expected);
         // Lines of several directions pass through the same places: together they measure more than there is.
         if points.patches.directions.len() > 1
-            && let Some(once) = measured.estimator.overlap(measured.pair)?
+            && let Some(once) = volume::overlap(measured.estimator, measured.pair)?
         {
             let overlap = &mut energy.overlap;
             (overlap.volume, overlap.standard_error) = (once.volume, once.standard_error);
@@ -55,7 +57,7 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         let points = measured.contact_points(false)?;
         let mut overlap = points.map(|points| points.overlap(measured.pair)).filter(Overlap::has_content);
         // Overlaps are corrected as those of the volume law are.
-        if let (Some(o), Some(expected)) = (&mut overlap, measured.estimator.imbalance_of_volume(measured.pair)) {
+        if let (Some(o), Some(expected)) = (&mut overlap, volume::imbalance(measured.estimator, measured.pair)) {
             balance(o, measured.pair, expected);
         }
         Ok(overlap)

@@ -4,7 +4,10 @@ use super::pair_energy::PairEnergy;
 use super::pressure_point::PressurePoint;
 use crate::Error;
 use crate::contact::tangents::{Tangent, TangentPart};
-use crate::overlap::{ContactPoints, NodalSum, Overlap, OverlapEstimator, Pair, Partner, Patches, Reach, find_patches};
+use crate::overlap::normal_lines::estimate as normal_lines;
+use crate::overlap::{
+    ContactPoints, NodalSum, Overlap, Pair, PairEstimator, Partner, Patches, Reach, SecondDerivative, find_patches,
+};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
@@ -52,6 +55,17 @@ pub(crate) struct Asked {
     pub(crate) turns: bool,
 }
 
+impl Asked {
+    /// Which second derivatives of the overlap that takes.
+    pub(crate) fn second_derivative(&self) -> SecondDerivative {
+        match self.tangent {
+            None => SecondDerivative::No,
+            Some(TangentPart::Full | TangentPart::Symmetric) => SecondDerivative::Full,
+            Some(TangentPart::Semidefinite) => SecondDerivative::Semidefinite,
+        }
+    }
+}
+
 /// What a law answers: the parts that were asked for.
 pub(crate) struct Answer<const D: usize> {
     pub(crate) energy: Option<PairEnergy<D>>,
@@ -70,7 +84,7 @@ pub(crate) struct Measured<'a, const D: usize> {
     pub(crate) pair: &'a Pair<'a, D>,
     /// The law that the pair follows.
     pub(crate) law: &'a dyn PairLaw<D>,
-    pub(crate) estimator: &'a dyn OverlapEstimator<D>,
+    pub(crate) estimator: &'a PairEstimator<D>,
     /// Patches that are kept during a solve.
     pub(crate) kept: Option<&'a Patches<D>>,
     pub(crate) found: &'a FoundPatches<D>,
@@ -86,9 +100,9 @@ impl<const D: usize> Measured<'_, D> {
     /// Contact points on the kept patches, or on those that are found now; `None` where the sides are apart.
     pub(crate) fn contact_points(&self, derivative: bool) -> Result<Option<ContactPoints<D>>, Error> {
         let points = match self.kept {
-            Some(patches) => self.estimator.contact_points(self.pair, patches, derivative)?,
+            Some(patches) => normal_lines::contact_points(self.estimator, self.pair, patches, derivative)?,
             None => match self.patches(Reach::Region)? {
-                Some(patches) => self.estimator.contact_points(self.pair, &patches, derivative)?,
+                Some(patches) => normal_lines::contact_points(self.estimator, self.pair, &patches, derivative)?,
                 None => None,
             },
         };
@@ -105,7 +119,7 @@ impl<const D: usize> Measured<'_, D> {
         if is_kept && let Some(found) = lock().get(&key) {
             return Ok(found.clone());
         }
-        let samples = self.estimator.samples(self.pair)?;
+        let samples = normal_lines::samples(self.estimator, self.pair)?;
         let patches = find_patches(self.pair, &samples, reach)?;
         if is_kept {
             lock().insert(key, patches.clone());

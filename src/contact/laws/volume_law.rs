@@ -6,7 +6,8 @@ use super::pair_energy::PairEnergy;
 use super::pair_law::{Answer, Asked, Measured, PairLaw};
 use super::pressure_point::{PressurePoint, of_depth_points};
 use crate::Error;
-use crate::contact::tangents::{Tangent, TangentPart};
+use crate::contact::tangents::Tangent;
+use crate::overlap::volume::estimate as volume;
 use crate::overlap::{DepthRequest, Overlap, SecondDerivative, depth_integral};
 
 /// The volume law.
@@ -16,7 +17,7 @@ impl VolumeLaw {
     /// The overlap with its imbalance put right.
     fn corrected<const D: usize>(overlap: Option<Overlap<D>>, measured: &Measured<D>) -> Option<Overlap<D>> {
         let mut overlap = overlap.filter(Overlap::has_content);
-        if let (Some(o), Some(expected)) = (&mut overlap, measured.estimator.imbalance_of_volume(measured.pair)) {
+        if let (Some(o), Some(expected)) = (&mut overlap, volume::imbalance(measured.estimator, measured.pair)) {
             balance(o, measured.pair, expected);
         }
         overlap
@@ -35,40 +36,16 @@ impl VolumeLaw {
         let pressure = self.0.energy_gradient(overlap.volume);
         Ok(of_depth_points(depth.points, measured.pair, |_| pressure, |_| 0.0))
     }
-
-    /// The overlap, and the tangent on it as it was measured.
-    fn with_tangent<const D: usize>(
-        &self,
-        measured: &Measured<D>,
-        part: TangentPart,
-    ) -> Result<(Option<Overlap<D>>, Option<Tangent<D>>), Error> {
-        let (pair, obstacle_node) = (measured.pair, measured.obstacle_node());
-        let tangent = |overlap: &Overlap<D>, blocks| Tangent::of_volume(overlap, blocks, &self.0, obstacle_node);
-        if part == TangentPart::Semidefinite {
-            let overlap = measured.estimator.overlap(pair)?;
-            let of_volume = overlap.as_ref().filter(|overlap| overlap.has_volume());
-            let tangent = of_volume.map(|overlap| tangent(overlap, Vec::new()));
-            return Ok((overlap, tangent));
-        }
-        Ok(match measured.estimator.overlap_and_hessian(pair, obstacle_node)? {
-            Some((overlap, blocks)) => {
-                let tangent = overlap.has_volume().then(|| tangent(&overlap, blocks));
-                (Some(overlap), tangent)
-            }
-            None => (None, None),
-        })
-    }
 }
 
 impl<const D: usize> PairLaw<D> for VolumeLaw {
     fn measure(&self, measured: &Measured<D>, asked: &Asked) -> Result<Option<Answer<D>>, Error> {
-        if asked.tangent.is_some() {
-            measured.estimator.check_tangent(measured.pair)?;
-        }
-        let (overlap, tangent) = match asked.tangent {
-            Some(part) => self.with_tangent(measured, part)?,
-            None => (measured.estimator.overlap(measured.pair)?, None),
-        };
+        let (second, obstacle_node) = (asked.second_derivative(), measured.obstacle_node());
+        let found = volume::overlap_and_hessian(measured.estimator, measured.pair, second, obstacle_node)?;
+        let (overlap, blocks) = found.unzip();
+        let of_tangent = overlap.as_ref().filter(|overlap| asked.tangent.is_some() && overlap.has_volume());
+        let tangent =
+            of_tangent.zip(blocks).map(|(overlap, blocks)| Tangent::of_volume(overlap, blocks, &self.0, obstacle_node));
         let points = match &overlap {
             Some(overlap) if asked.slides => self.points(overlap, measured)?,
             _ => Vec::new(),
@@ -80,7 +57,7 @@ impl<const D: usize> PairLaw<D> for VolumeLaw {
     }
 
     fn overlap(&self, measured: &Measured<D>) -> Result<Option<Overlap<D>>, Error> {
-        Ok(Self::corrected(measured.estimator.overlap(measured.pair)?, measured))
+        Ok(Self::corrected(volume::overlap(measured.estimator, measured.pair)?, measured))
     }
 
     fn is_local(&self) -> bool {

@@ -4,7 +4,7 @@ use super::point_of_contact::{PointOfContact, SideOfPoint};
 use crate::contact::friction::PointFriction;
 use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::Vector;
-use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint, nodes_of};
+use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint};
 
 /// The contact points of a pair, with what friction does at each; `None` without friction.
 pub(crate) fn points_of_contact<const D: usize>(
@@ -44,7 +44,7 @@ fn of_surface<const D: usize>(pair: &Pair<D>, end: &SurfacePoint<D>) -> SideOfPo
     let in_surface = pair.surface.ranges[body].start + facet as usize;
     side.cell = pair.surface.facet_cell.get(in_surface).map(|&cell| cell as usize);
     for (&vertex, weight) in pair.side(of_b).facets[facet as usize].iter().zip(weights) {
-        nodes_of(pair.surface, vertex, |node, part| {
+        pair.surface.nodes_of_vertex(vertex).for_each(|(node, part)| {
             let known = side.nodes[..side.node_count].iter().position(|&n| n == node);
             let place = known.unwrap_or_else(|| {
                 side.nodes[side.node_count] = node;

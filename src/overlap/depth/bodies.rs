@@ -14,4 +14,4 @@ mod piece_moments;
 mod point_sums;
 mod two_bodies;
 
-pub(crate) use two_bodies::depth_integral;
+pub(crate) use two_bodies::of_bodies;

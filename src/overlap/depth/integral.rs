@@ -3,20 +3,10 @@
 use super::points::PointLists;
 use crate::geometry::Vector;
 use crate::overlap::pair::overlap::{Overlap, PoseGradient};
+use crate::overlap::pair::second_derivative::SecondDerivative;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::sums::block_sum::Block;
 use crate::ranks::packed;
-
-/// Which derivatives are asked for beside the gradient.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SecondDerivative {
-    /// None.
-    No,
-    /// A positive semidefinite part.
-    Semidefinite,
-    /// All of it.
-    Full,
-}
 
 /// What is asked for beside the value and its gradient.
 #[derive(Clone, Copy, Debug)]

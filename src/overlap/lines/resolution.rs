@@ -26,6 +26,9 @@ const MOST_AUTOMATIC: f64 = 4e6;
 /// Most fibers of one pair. Ten times what the finest study needs; it takes some ten seconds.
 pub(crate) const MOST_FIBERS: f64 = 1e8;
 
+/// Fewer fibers in an overlap than this are reported as not resolving it.
+pub(crate) const FEWEST_FIBERS: usize = 8;
+
 /// Mean size of some facets of `side`: the root of their mean measure; infinite without facets.
 pub(crate) fn facet_size<const D: usize>(side: &FacetSide<D>, facets: &[u32]) -> f64 {
     let total: f64 = facets.iter().map(|&f| area_vector(&side.corners(f as usize)).norm()).sum();

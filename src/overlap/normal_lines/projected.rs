@@ -6,6 +6,7 @@ pub(crate) mod edges;
 pub(crate) mod inside;
 pub(crate) mod kinks;
 pub(crate) mod projected_facets;
+pub(crate) mod projected_pair;
 pub(crate) mod reached;
 pub(crate) mod samples;
 pub(crate) mod silhouettes;

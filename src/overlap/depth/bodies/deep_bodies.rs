@@ -7,7 +7,6 @@ use crate::depth_field::DepthField;
 use crate::geometry::cells::Cells;
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
-use crate::overlap::depth::obstacles::of_obstacle;
 use crate::overlap::pair::bounds::Bounds;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::region::Region;
@@ -26,24 +25,16 @@ pub(crate) struct DeepBodies<'a, const D: usize> {
 pub(crate) const WEIGHT: f64 = 0.5;
 
 impl<'a, const D: usize> DeepBodies<'a, D> {
-    /// J of a pair, or `None` where the sides are apart: of two bodies as `measure` finds it, against an obstacle without
-    /// it.
+    /// The bodies of a pair.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for bodies that are given by facets only, against one another. Those of `measure`.
-    pub(crate) fn integral(
-        pair: &'a Pair<'a, D>,
-        request: &'a DepthRequest,
-        measure: impl FnOnce(&Self) -> Result<Option<DepthIntegral<D>>, Error>,
-    ) -> Result<Option<DepthIntegral<D>>, Error> {
-        if let (Partner::Obstacle(_), Some(pose)) = (pair.partners[1], pair.pose) {
-            return of_obstacle(pair, pose, request);
-        }
+    /// [`Error::Unsupported`] for bodies that are given by facets only.
+    pub(crate) fn new(pair: &'a Pair<'a, D>, request: &'a DepthRequest) -> Result<Self, Error> {
         let what = "the law depth, or friction with the law volume, between bodies given by facets: give cells";
         let (Some(field), Some(cells)) = (pair.depth, &pair.surface.cells) else {
             return Err(Error::Unsupported { what });
         };
-        measure(&Self { pair, cells, field, request })
+        Ok(Self { pair, cells, field, request })
     }
 
     /// From what the facets of either side have inside the other, and the moments of its pieces.

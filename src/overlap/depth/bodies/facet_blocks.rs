@@ -4,8 +4,8 @@ use crate::depth_field::{DepthPiece, MOST_NODES};
 use crate::geometry::Weighting;
 use crate::geometry::cells::Cells;
 use crate::geometry::facet::area_slopes;
-use crate::overlap::depth::integral::SecondDerivative;
 use crate::overlap::pair::body_facet::{BodyFacet, FACET_NODES};
+use crate::overlap::pair::second_derivative::SecondDerivative;
 use crate::overlap::sums::block_sum::{BlockSum, product};
 
 /// Nodes that take part where a facet lies in a cell.

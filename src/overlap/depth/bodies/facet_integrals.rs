@@ -10,9 +10,10 @@ use crate::geometry::cells::Cells;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::{Surface, Weighting};
 use crate::overlap::depth::facet_sums::FacetSums;
-use crate::overlap::depth::integral::{DepthRequest, SecondDerivative};
+use crate::overlap::depth::integral::DepthRequest;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::bounds::Bounds;
+use crate::overlap::pair::second_derivative::SecondDerivative;
 
 /// Cosine of an angle between normals that is rounding.
 const SAME_WAY: f64 = 1.0 - 1e-9;

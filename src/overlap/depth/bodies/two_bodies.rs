@@ -20,19 +20,18 @@ use crate::overlap::pair::sides::{Counterpart, Pair};
 /// Facets, or pieces, that a thread takes at once.
 const CHUNK: usize = 64;
 
-/// J of a pair, or `None` where the sides are apart.
+/// J of two bodies, or of one with itself; `None` where the sides are apart.
 ///
 /// # Errors
-/// Those of [`DeepBodies::integral`].
-pub(crate) fn depth_integral<const D: usize>(
+/// Those of [`DeepBodies::new`].
+pub(crate) fn of_bodies<const D: usize>(
     pair: &Pair<D>,
     request: &DepthRequest,
 ) -> Result<Option<DepthIntegral<D>>, Error> {
-    DeepBodies::integral(pair, request, |bodies| {
-        Ok(match &pair.counterpart {
-            Counterpart::Facets(b) => pair.region()?.and_then(|region| bodies.two(b, region)),
-            _ => bodies.one(),
-        })
+    let bodies = DeepBodies::new(pair, request)?;
+    Ok(match &pair.counterpart {
+        Counterpart::Facets(b) => pair.region()?.and_then(|region| bodies.two(b, region)),
+        _ => bodies.one(),
     })
 }
 

@@ -6,8 +6,8 @@ use super::least_of::{candidates, cut_to_least};
 use crate::geometry::Weighting;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::quadrature::for_each_gauss_point;
-use crate::overlap::depth::integral::SecondDerivative;
 use crate::overlap::pair::body_facet::BodyFacet;
+use crate::overlap::pair::second_derivative::SecondDerivative;
 
 /// What a facet has inside the solid. All integrands are of degree 2, in the plane 3, which the quadrature takes exactly.
 pub(crate) fn facet_moments<const D: usize>(

@@ -4,9 +4,10 @@ use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_slopes;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::depth::facet_sums::FacetSums;
-use crate::overlap::depth::integral::{DepthRequest, SecondDerivative};
+use crate::overlap::depth::integral::DepthRequest;
 use crate::overlap::depth::points::{DepthPlace, DepthPoint};
 use crate::overlap::pair::body_facet::BodyFacet;
+use crate::overlap::pair::second_derivative::SecondDerivative;
 use crate::overlap::sums::block_sum::product;
 use std::ops::AddAssign;
 

@@ -9,9 +9,10 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::simplex_rule::InSimplex;
 use crate::overlap::depth::facet_sums::FacetSums;
-use crate::overlap::depth::integral::{DepthRequest, SecondDerivative};
+use crate::overlap::depth::integral::DepthRequest;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance};
+use crate::overlap::pair::second_derivative::SecondDerivative;
 use crate::overlap::pair::sides::Pair;
 
 /// What the division of a piece may tell without being followed, in parts of the sum over all, for pieces of one, two and

@@ -62,11 +62,6 @@ fn nodes_at<const D: usize>(surface: &Surface<D>, vertex: u32) -> ([u32; 4], u8)
     }
 }
 
-/// Nodes of a surface's vertex with their parts.
-pub(crate) fn nodes_of<const D: usize>(surface: &Surface<D>, vertex: u32, mut visit: impl FnMut(u32, f64)) {
-    surface.nodes_of_vertex(vertex).for_each(|(node, part)| visit(node, part));
-}
-
 impl<const D: usize> ContactPoints<D> {
     /// The motions of a point's two ends; `None` where a facet is seen edge-on.
     pub(crate) fn end_motions(
@@ -108,7 +103,9 @@ pub(crate) fn for_each_node<const D: usize>(
 ) {
     match anchor {
         Anchor::Vertex { of_b: true, .. } if pair.pose.is_some() => visit(obstacle_node, 1.0),
-        Anchor::Vertex { vertex, .. } => nodes_of(pair.surface, vertex, visit),
+        Anchor::Vertex { vertex, .. } => {
+            pair.surface.nodes_of_vertex(vertex).for_each(|(node, part)| visit(node, part));
+        }
         Anchor::Obstacle => visit(obstacle_node, 1.0),
     }
 }

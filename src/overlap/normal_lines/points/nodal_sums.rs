@@ -1,7 +1,6 @@
 //! Sums over the contact points at every node of the mesh.
 
 use super::contact_points::ContactPoints;
-use super::end_motion::nodes_of;
 use super::facet_sums::facet_sums;
 use crate::overlap::pair::sides::Pair;
 
@@ -30,7 +29,7 @@ impl<const D: usize> ContactPoints<D> {
                 continue;
             }
             for (corner, &vertex) in pair.side(p.of_b).facets[p.facet as usize].iter().enumerate() {
-                nodes_of(pair.surface, vertex, |node, part| {
+                pair.surface.nodes_of_vertex(vertex).for_each(|(node, part)| {
                     let [area, pressure, penetration] =
                         [p.volume[corner], p.energy[corner], l.energy[corner]].map(|sum| part * sum);
                     sums.push(NodalSum { node, area, pressure, penetration });

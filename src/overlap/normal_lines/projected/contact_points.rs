@@ -8,6 +8,7 @@
 
 use super::edges::Edge;
 use super::projected_facets::{Near, ProjectedFacet, Projection, SLIVER, end};
+use super::projected_pair::ProjectedPair;
 use super::reached::Reached;
 use super::work::Work;
 use crate::Error;
@@ -23,7 +24,6 @@ use crate::overlap::normal_lines::points::contact_points::ContactPoints;
 use crate::overlap::normal_lines::points::edge_terms::GapKink;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::surface_point::SurfacePoint;
-use crate::overlap::volume::clipped::volume::ExactPair;
 use crate::ranks::Packed;
 use crate::sampling::Family;
 
@@ -34,7 +34,7 @@ const EDGE_ON: f64 = 1e-9;
 /// Facets, edges or curves that a thread takes at once.
 const CHUNK: usize = 32;
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ProjectedPair<'_, D> {
     /// All contact points along the directions of `patches`, and, if asked for, the kinks of the gap that their tangent
     /// needs.
     pub(crate) fn contact_points(
@@ -42,7 +42,7 @@ impl<const D: usize> ExactPair<'_, D> {
         patches: &Patches<D>,
         derivative: bool,
     ) -> Result<Option<ContactPoints<D>>, Error> {
-        let plane = self.plane()?;
+        let plane = self.pair.plane()?;
         patches.check(self.pair.weighting)?;
         let Some(reached) = self.reached_facets()? else { return Ok(None) };
         let mut points = ContactPoints { patches: patches.clone(), ..ContactPoints::default() };

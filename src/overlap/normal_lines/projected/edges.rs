@@ -1,8 +1,8 @@
 //! Edges of facets as seen along the lines (2D: nodes).
 
 use super::projected_facets::{ProjectedFacet, Projection};
+use super::projected_pair::ProjectedPair;
 use crate::geometry::Vector;
-use crate::overlap::volume::clipped::volume::ExactPair;
 use crate::ranks::packed;
 
 /// An edge as one facet has it.
@@ -29,7 +29,7 @@ pub(crate) struct Edge<const D: usize> {
 
 packed!(Edge<D> { of_b, facets, nu });
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ProjectedPair<'_, D> {
     /// All edges of the facets that are seen, the facets of one edge beside one another.
     pub(crate) fn edge_sides(&self, seen: &Projection<D>) -> Vec<EdgeSide> {
         let mut sides = Vec::with_capacity(D * seen.facets.len());

@@ -1,14 +1,14 @@
 //! Whether the line between two facets is inside both sides.
 
 use super::projected_facets::{ProjectedFacet, Projection, flat};
+use super::projected_pair::ProjectedPair;
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::plane::Plane;
 use crate::overlap::pair::sides::Counterpart;
-use crate::overlap::volume::clipped::volume::ExactPair;
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ProjectedPair<'_, D> {
     /// Whether a line is inside both sides between two facets with nothing between, through one of which it enters and
     /// through the other of which it leaves. Where they are of two sides it is, unless one is inside out there; where they
     /// are of one, the other has to cover the line as well (or the body itself once more).

@@ -16,6 +16,7 @@ use super::edges::Edge;
 use super::edges::{EdgeSide, along, distance, flanks};
 use super::projected_facets::end;
 use super::projected_facets::{ProjectedFacet, Projection, flat};
+use super::projected_pair::ProjectedPair;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::{Corners, cut, whole, zeros};
@@ -24,7 +25,6 @@ use crate::geometry::plane::Plane;
 use crate::geometry::quadrature::ON_CURVE;
 use crate::overlap::normal_lines::points::edge_terms::{Anchor, GapKink};
 use crate::overlap::pair::surface_point::SurfacePoint;
-use crate::overlap::volume::clipped::volume::ExactPair;
 use crate::ranks::packed;
 use crate::sampling::Family;
 use smallvec::{SmallVec, smallvec};
@@ -102,7 +102,7 @@ impl<const D: usize> KinkCurve<D> {
     }
 }
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ProjectedPair<'_, D> {
     /// Every kink seen along `family`; `finish` is given each with the ends of the lines there, and the edge it is on.
     pub(crate) fn kinks(
         &self,

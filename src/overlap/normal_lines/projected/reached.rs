@@ -1,9 +1,9 @@
 //! Facets that lines through the overlap may meet.
 
+use super::projected_pair::ProjectedPair;
 use crate::Error;
 use crate::configuration::FacetSide;
 use crate::overlap::pair::sides::Counterpart;
-use crate::overlap::volume::clipped::volume::ExactPair;
 use std::borrow::Cow;
 
 /// Facets of either side that lines through the overlap may meet.
@@ -15,7 +15,7 @@ pub(crate) struct Reached<'a> {
     pub(crate) is_upright: bool,
 }
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ProjectedPair<'_, D> {
     /// `None` where the sides are apart.
     pub(crate) fn reached_facets(&self) -> Result<Option<Reached<'_>>, Error> {
         let Some(region) = self.pair.region()? else { return Ok(None) };

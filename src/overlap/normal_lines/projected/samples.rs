@@ -9,13 +9,13 @@
 //! facets are seen along this one alone.
 
 use super::contact_points::Rule;
+use super::projected_pair::ProjectedPair;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::overlap::normal_lines::patches::sample::ContactSample;
 use crate::overlap::normal_lines::points::contact_point::ContactPoint;
 use crate::overlap::pair::main_normal::MainNormal;
 use crate::overlap::pair::surface_point::SurfacePoint;
-use crate::overlap::volume::clipped::volume::ExactPair;
 use crate::sampling::Family;
 
 /// Part of all samples' measure below which one of them is left out: a hundred thousand equal ones are far above it.
@@ -55,10 +55,10 @@ impl<const D: usize> Views<D> {
     }
 }
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ProjectedPair<'_, D> {
     /// One sample for every piece between two facets, along each of the directions along which one of the two is seen.
     pub(crate) fn samples(&self) -> Result<Vec<ContactSample<D>>, Error> {
-        let plane = self.plane()?;
+        let plane = self.pair.plane()?;
         let Some(reached) = self.reached_facets()? else { return Ok(Vec::new()) };
         let views = Views::new(self.pair.region()?.and_then(|region| self.pair.main_normal(region)));
         let mut samples = Vec::new();

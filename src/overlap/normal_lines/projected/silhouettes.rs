@@ -22,6 +22,7 @@ use super::edge_bounds::{Bound, Bounded, Segment, bounded};
 use super::edges::{EdgeSide, along, distance, flanks};
 use super::projected_facets::end;
 use super::projected_facets::{Projection, flat};
+use super::projected_pair::ProjectedPair;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::plane::Plane;
@@ -29,7 +30,6 @@ use crate::geometry::quadrature::ON_CURVE;
 use crate::overlap::normal_lines::points::contact_point::ContactPoint;
 use crate::overlap::normal_lines::points::edge_terms::{Anchor, SilhouettePoint};
 use crate::overlap::pair::surface_point::SurfacePoint;
-use crate::overlap::volume::clipped::volume::ExactPair;
 use crate::sampling::Family;
 
 /// The inner edge of a notch: lines leave through the first facet and enter through the second.
@@ -48,7 +48,7 @@ impl<const D: usize> SilhouetteEdge<D> {
     }
 }
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ProjectedPair<'_, D> {
     /// Every point of the quadrature along the silhouette edges inside the overlap.
     pub(crate) fn silhouettes(
         &self,

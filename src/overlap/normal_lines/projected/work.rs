@@ -60,15 +60,15 @@ mod tests {
     use super::*;
     use crate::geometry::Vector;
     use crate::overlap::normal_lines::projected::contact_points::Rule;
+    use crate::overlap::normal_lines::projected::projected_pair::ProjectedPair;
     use crate::overlap::pair::of_meshes::with_pair;
-    use crate::overlap::volume::clipped::volume::ExactPair;
     use crate::sampling::Family;
     use fmc_shapes::{Mesh, cuboid_surface, icosphere};
 
     /// Pieces for every facet in the region of contact, and of these, seen along the last axis.
     fn pieces_per_facet(a: &Mesh<3>, b: &Mesh<3>) -> f64 {
         with_pair(a, b, |pair| {
-            let exact = ExactPair { pair };
+            let exact = ProjectedPair { pair };
             let reached = exact.reached_facets().expect("facets").expect("an overlap");
             let family = Family::<3>::along(Vector::<3>::new(0.0, 0.0, 1.0), 0, 0);
             let seen = exact.projection(&family, &reached, None);

@@ -20,11 +20,11 @@ use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
-use crate::geometry::{Pose, Shape, Vector};
+use crate::geometry::{Pose, Vector};
 use crate::overlap::pair::assembly::Assembly;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::partner::Partner;
-use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
+use crate::overlap::pair::sides::{Counterpart, Pair};
 use crate::overlap::pair::warning::swallowed;
 use crate::ranks::Sharing;
 
@@ -32,7 +32,7 @@ use crate::ranks::Sharing;
 const CHUNK: usize = 16;
 
 /// A pair that is to be clipped.
-pub(crate) struct ExactPair<'a, const D: usize> {
+pub(crate) struct ClippedPair<'a, const D: usize> {
     pub(crate) pair: &'a Pair<'a, D>,
 }
 
@@ -45,7 +45,7 @@ pub(crate) struct Found<'a, const D: usize> {
     pub(crate) plane: Option<Plane<D>>,
 }
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ClippedPair<'_, D> {
     /// The overlap, or `None` where the sides are apart.
     pub(crate) fn overlap(&self) -> Result<Option<Overlap<D>>, Error> {
         Ok(self.clipped()?.map(|found| self.assemble(&found)))
@@ -79,7 +79,7 @@ impl<const D: usize> ExactPair<'_, D> {
                 Ok(Some(Found { sides: vec![(a, shares_a, None), (b, shares_b, pose)], region: aabb, plane: None }))
             }
             Counterpart::Implicit(_) => {
-                let Some(plane) = self.plane()? else { return Ok(None) };
+                let Some(plane) = self.pair.plane()? else { return Ok(None) };
                 let tolerance = a.aabb.rounding();
                 let mut clipper = Clipper::new(self.pair.weighting);
                 let below = a.facets_where(|aabb| plane.least(aabb) <= tolerance);
@@ -88,21 +88,6 @@ impl<const D: usize> ExactPair<'_, D> {
                     .filter_map(|facet| clipper.below(facet, &a.corners(facet as usize), &plane, tolerance))
                     .collect();
                 Ok(Some(Found { sides: vec![(a, shares, None)], region: a.aabb, plane: Some(plane) }))
-            }
-        }
-    }
-
-    /// The plane of a half-space, where that is the second side.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] for other obstacles without facets.
-    pub(crate) fn plane(&self) -> Result<Option<Plane<D>>, Error> {
-        match &self.pair.counterpart {
-            Counterpart::Itself | Counterpart::Facets(_) => Ok(None),
-            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Ok(Some(Plane::of(pose))),
-            Counterpart::Implicit(_) => {
-                let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as a polygon or triangle mesh";
-                Err(Error::Unsupported { what })
             }
         }
     }

@@ -17,15 +17,14 @@
 //! Not for a body against itself, nor for bodies that are folded.
 
 use super::clipper::Clipped;
-use super::volume::{ExactPair, Found};
+use super::volume::{ClippedPair, Found};
 use crate::Error;
 use crate::configuration::FacetSide;
 use crate::geometry::convex_piece::{whole, zeros};
 use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
 use crate::geometry::{Vector, Weighting};
-use crate::overlap::estimators::estimator::WithHessian;
-use crate::overlap::normal_lines::points::end_motion::nodes_of;
+use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::sums::block_sum::{Block, BlockSum, product, symmetric_part};
 
@@ -38,10 +37,10 @@ const CHUNK: usize = 256;
 /// What moves a point: nodes, each with the corner it belongs to and its part of that corner.
 type Movers = Vec<(u32, usize, f64)>;
 
-impl<const D: usize> ExactPair<'_, D> {
+impl<const D: usize> ClippedPair<'_, D> {
     /// The overlap, and the Hessian of its volume, as blocks sorted by row and column; the translation of the pair's
     /// obstacle has the number `obstacle_node`. `None` where the sides are apart.
-    pub(crate) fn overlap_and_hessian(&self, obstacle_node: u32) -> Result<Option<WithHessian<D>>, Error> {
+    pub(crate) fn overlap_and_hessian(&self, obstacle_node: u32) -> Result<Option<(Overlap<D>, Vec<Block<D>>)>, Error> {
         let Some(found) = self.clipped()? else { return Ok(None) };
         let overlap = self.assemble(&found);
         if !overlap.has_volume() {
@@ -94,7 +93,7 @@ impl<const D: usize> ExactPair<'_, D> {
         }
         let mut movers = Vec::with_capacity(4 * D);
         for (corner, &vertex) in side.facets[facet as usize].iter().enumerate() {
-            nodes_of(self.pair.surface, vertex, |node, part| movers.push((node, corner, part)));
+            movers.extend(self.pair.surface.nodes_of_vertex(vertex).map(|(node, part)| (node, corner, part)));
         }
         movers
     }

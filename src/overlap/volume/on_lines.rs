@@ -4,27 +4,21 @@
 //! consistent weights give the exact gradient of the estimated volume; with balance weights a crossing with normal n
 //! weighs n / Σ_k ρ_k |d_k·n|, which is bounded, and the gradient is unbiased but not that of one number.
 
-use super::bundle::Bundle;
-use super::crossings::LineEvents;
-use super::layout::{FiberPair, Layout};
-use super::obstacle_crossings::intersections;
-use super::sweep::{Event, sort, sweep};
 use crate::Error;
 use crate::geometry::convex_piece::place;
 use crate::geometry::crossing::weights_at;
 use crate::geometry::facet::area_vector;
-use crate::geometry::{Intersection, Vector};
+use crate::overlap::lines::bundle::Bundle;
+use crate::overlap::lines::layout::{FiberPair, Layout};
+use crate::overlap::lines::resolution::FEWEST_FIBERS;
+use crate::overlap::lines::sweep::sweep;
 use crate::overlap::pair::assembly::{Assembly, FacetShare, PointShare};
-use crate::overlap::pair::options::LineWeights;
 use crate::overlap::pair::overlap::Overlap;
 use crate::overlap::pair::sides::Counterpart;
 use crate::overlap::pair::warning::Warning;
 use crate::overlap::pair::warning::swallowed;
-use crate::ranks::{Packed, packed};
+use crate::ranks::packed;
 use crate::sampling::FiberPattern;
-
-/// Fewer fibers in an overlap than this are reported as not resolving it.
-pub(crate) const FEWEST_FIBERS: usize = 8;
 
 /// What one bundle measured.
 struct BundleSum<const D: usize> {
@@ -45,57 +39,6 @@ impl<const D: usize> FiberPair<'_, D> {
             let sums = self.for_each_bundle(layout, |bundle| self.measure(bundle, layout))?;
             Ok(self.assemble(layout, sums))
         })
-    }
-
-    /// Results in the order of the bundles. A signed distance function is called from this thread only.
-    pub(crate) fn for_each_bundle<T: Packed + Send>(
-        &self,
-        layout: &Layout<D>,
-        work: impl Fn(&Bundle<D>) -> Result<T, Error> + Sync,
-    ) -> Result<Vec<T>, Error> {
-        let found = self.pair.in_chunks(&layout.bundles, 1, |bundle| work(&bundle[0]));
-        found.into_iter().collect()
-    }
-
-    /// Calls `visit(fiber, cover at its start, sorted events, passages)` for every fiber that may meet both sides.
-    pub(crate) fn visit_fibers(
-        &self,
-        bundle: &Bundle<D>,
-        layout: &Layout<D>,
-        mut visit: impl FnMut(u64, [i16; 2], &[Event], &[Intersection<D>]),
-    ) -> Result<(), Error> {
-        let mut gathered = bundle.gather(&self.pair.a, &self.pair.counterpart);
-        let Counterpart::Implicit(side) = &self.pair.counterpart else {
-            for LineEvents { fiber, start, events } in gathered.fibers {
-                let events = &mut gathered.events[events];
-                sort(events);
-                visit(fiber, start, events, &[]);
-            }
-            return Ok(());
-        };
-        let hits = intersections(side, bundle, &gathered, 1e-2 * layout.spacing)?;
-        let [low, high] = bundle.reach();
-        let mut merged: Vec<Event> = Vec::new();
-        let mut next = 0;
-        for (index, LineEvents { fiber, mut start, events }) in gathered.fibers.into_iter().enumerate() {
-            merged.clear();
-            merged.extend_from_slice(&gathered.events[events]);
-            let first = next;
-            while next < hits.len() && hits[next].fiber == index {
-                let Intersection { hit, leaves, .. } = hits[next];
-                if hit.t < low {
-                    start[1] += if leaves { -1 } else { 1 };
-                } else if hit.t <= high {
-                    merged.push(Event { t: hit.t, source: next as u32, of_b: true, leaves });
-                }
-                next += 1;
-            }
-            if first < next {
-                sort(&mut merged);
-                visit(fiber, start, &merged, &hits);
-            }
-        }
-        Ok(())
     }
 
     fn measure(&self, bundle: &Bundle<D>, layout: &Layout<D>) -> Result<BundleSum<D>, Error> {
@@ -146,18 +89,6 @@ impl<const D: usize> FiberPair<'_, D> {
         })?;
         (sum.facet_shares, sum.point_shares) = (facet_shares, point_shares);
         Ok(sum)
-    }
-
-    /// Measure of boundary that a crossing with this normal stands for; 0 where the fiber runs along the facet.
-    pub(crate) fn weight(&self, layout: &Layout<D>, direction: &Vector<D>, normal: &Vector<D>) -> f64 {
-        let slope = match (self.options.pattern, self.options.weights) {
-            (FiberPattern::Isotropic { .. }, _) => direction.dot(normal).abs(),
-            (FiberPattern::Lines, LineWeights::Consistent) => self.families.len() as f64 * direction.dot(normal).abs(),
-            (FiberPattern::Lines, LineWeights::Balance) => {
-                self.families.iter().map(|f| f.direction().dot(normal).abs()).sum::<f64>()
-            }
-        };
-        if slope > 0.0 { layout.volume_per_length / slope } else { 0.0 }
     }
 
     fn assemble(&self, layout: &Layout<D>, sums: Vec<BundleSum<D>>) -> Overlap<D> {
