@@ -21,7 +21,7 @@ pub use contact_step::{CondensedBodies, ContactStep, ContactStepOptions, Contact
 pub(crate) use evaluation::{Earlier, Needed};
 pub use friction::{Friction, FrictionTotals};
 pub use interface::{Contact, FrictionStep, contact_force, contact_force_step};
-pub use laws::{EnergyLaw, FiberProfile, StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
+pub use laws::{EnergyLaw, EnergyProfile, PenetrationLaw, StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 pub use method::Options;
 pub use multipliers::Multiplier;
 pub use partners::PairOptions;

@@ -28,7 +28,7 @@ pub mod sparse;
 #[allow(unsafe_code)]
 mod capi;
 
-pub use contact::{Contact, ContactForces, EnergyLaw, FiberProfile, Options, contact_force};
+pub use contact::{Contact, ContactForces, EnergyLaw, EnergyProfile, Options, PenetrationLaw, contact_force};
 pub use error::{Error, MapPoint};
 pub use geometry::{
     Basis, Bodies, BoundaryFacet, CellBlock, CellType, FacetBlock, FacetType, HeightField, Obstacle, PointWeights,

@@ -2,8 +2,8 @@
 
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{
-    Bodies, CellBlock, CellType, Contact, ContactForces, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern,
-    FiberProfile, LineWeights, Obstacle, Options, Pose, Resolution, Shape, Surface,
+    Bodies, CellBlock, CellType, Contact, ContactForces, EnergyLaw, EnergyProfile, Error, Estimator, FiberOptions,
+    FiberPattern, LineWeights, Obstacle, Options, PenetrationLaw, Pose, Resolution, Shape, Surface,
 };
 use proptest::prelude::*;
 use proptest::test_runner::Config;
@@ -95,7 +95,10 @@ fn law() -> impl Strategy<Value = EnergyLaw> {
         match kind {
             0 => EnergyLaw::Volume { stiffness: k, exponent: 1.0 + x.abs() },
             1 => EnergyLaw::fiber(k),
-            _ => EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length: x.abs() } },
+            _ => EnergyLaw::Fiber(PenetrationLaw {
+                stiffness: k,
+                profile: EnergyProfile::Linear { smoothing_length: x.abs() },
+            }),
         }
     })
 }

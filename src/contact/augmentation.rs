@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::contact::evaluation::kernels;
 use crate::contact::interface::Contact;
-use crate::contact::laws::{EnergyLaw, FiberProfile};
+use crate::contact::laws::{EnergyLaw, EnergyProfile, PenetrationLaw};
 use crate::contact::method::Options;
 use crate::contact::multipliers::{Multiplier, Multipliers, sorted};
 use crate::contact::results::GapConstraints;
@@ -152,7 +152,9 @@ fn check(name: &'static str, value: f64) -> Result<(), Error> {
 fn refuse(law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
     let what = match law {
         _ if is_rubbed => "a penetration asked for with friction or self-contact",
-        EnergyLaw::Fiber { profile: FiberProfile::Quadratic, .. } | EnergyLaw::Depth { .. } => return Ok(()),
+        EnergyLaw::Fiber(PenetrationLaw { profile: EnergyProfile::Quadratic, .. }) | EnergyLaw::Depth { .. } => {
+            return Ok(());
+        }
         _ => "a penetration asked for under a law whose pressure is not a stiffness times the penetration",
     };
     Err(Error::Unsupported { what })

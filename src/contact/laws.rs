@@ -9,13 +9,15 @@ mod fiber_law;
 mod momentum_correction;
 mod pair_energy;
 mod pair_law;
+pub(super) mod penetration_law;
 mod pressure_point;
 mod stiffness;
 mod volume_law;
 
 pub(super) use by_options::pair_law;
-pub use energy_law::{EnergyLaw, FiberProfile};
+pub use energy_law::EnergyLaw;
 pub(super) use pair_energy::PairEnergy;
 pub(super) use pair_law::{Answer, Asked, FoundPatches, Measured, PairLaw};
+pub use penetration_law::{EnergyProfile, PenetrationLaw};
 pub(super) use pressure_point::{PointOnSide, PressurePoint};
 pub use stiffness::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};

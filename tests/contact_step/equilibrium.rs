@@ -2,7 +2,8 @@
 
 use fmc_contact::contact::{CondensedBodies, ContactStepOptions, ContactStepState, Friction, TangentPart};
 use fmc_contact::{
-    Bodies, CellBlock, CellType, Contact, EnergyLaw, Estimator, FiberProfile, Obstacle, Options, Pose, Shape, Surface,
+    Bodies, CellBlock, CellType, Contact, EnergyLaw, EnergyProfile, Estimator, Obstacle, Options, PenetrationLaw, Pose,
+    Shape, Surface,
 };
 use fmc_shapes::rectangle_quad4;
 use nalgebra::{DMatrix, DVector};
@@ -128,7 +129,7 @@ impl Scene {
 fn it_is_that_of_all_unknowns_at_once_with_every_law() {
     let laws = [
         EnergyLaw::depth(K),
-        EnergyLaw::Fiber { stiffness: K, profile: FiberProfile::Quadratic },
+        EnergyLaw::Fiber(PenetrationLaw { stiffness: K, profile: EnergyProfile::Quadratic }),
         EnergyLaw::Volume { stiffness: K, exponent: 2.0 },
     ];
     for law in laws {

@@ -4,7 +4,7 @@ use crate::equilibrium::{K, Scene, scene};
 use crate::springs::square;
 use fmc_contact::contact::{ContactStepOptions, Friction, Multiplier};
 use fmc_contact::overlap::Partner;
-use fmc_contact::{EnergyLaw, Error, Estimator, FiberOptions, FiberProfile, Options};
+use fmc_contact::{EnergyLaw, EnergyProfile, Error, Estimator, FiberOptions, Options, PenetrationLaw};
 use nalgebra::DVector;
 
 /// Beside the contact step, which has pressures at nodes in place of a law, and gaps as constraints.
@@ -156,9 +156,9 @@ fn what_cannot_be_is_refused() {
     let itself = Options { self_contact: true, ..Options::new(EnergyLaw::depth(1.0)) };
     let volume = Options::new(EnergyLaw::volume(1.0));
     // What a shift presses with would not stay when the law is made stiffer, and never comes to more than the law's k.
-    let profile = FiberProfile::Linear { smoothing_length: 1e-3 };
+    let profile = EnergyProfile::Linear { smoothing_length: 1e-3 };
     let estimator = Estimator::Fibers(FiberOptions::default());
-    let fiber = Options { estimator, ..Options::new(EnergyLaw::Fiber { stiffness: 1.0, profile }) };
+    let fiber = Options { estimator, ..Options::new(EnergyLaw::Fiber(PenetrationLaw { stiffness: 1.0, profile })) };
     for options in [rubbed, itself, volume, fiber] {
         refused(options);
     }

@@ -2,7 +2,8 @@
 
 use fmc_contact::contact::{CondensedBodies, ContactStep, ContactStepOptions, ContactStepState};
 use fmc_contact::{
-    Bodies, CellBlock, CellType, Contact, EnergyLaw, FiberProfile, Obstacle, Options, Pose, Shape, Surface,
+    Bodies, CellBlock, CellType, Contact, EnergyLaw, EnergyProfile, Obstacle, Options, PenetrationLaw, Pose, Shape,
+    Surface,
 };
 
 pub(crate) const SPRING: f64 = 100.0;
@@ -13,7 +14,7 @@ pub(crate) fn square(height: f64) -> (Vec<[f64; 2]>, Contact<2>) {
     let coords = vec![[0.0, height], [1.0, height], [1.0, 1.0 + height], [0.0, 1.0 + height]];
     let block = CellBlock { cell_type: CellType::Quad4, conn: &[0, 1, 2, 3] };
     let surface = Surface::from_cells(&coords, &[block], Bodies::Connected).unwrap();
-    let law = EnergyLaw::Fiber { stiffness: K, profile: FiberProfile::Quadratic };
+    let law = EnergyLaw::Fiber(PenetrationLaw { stiffness: K, profile: EnergyProfile::Quadratic });
     let mut contact = Contact::new(surface, Options::new(law)).unwrap();
     contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::default() }).unwrap();
     (coords, contact)

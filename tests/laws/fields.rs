@@ -52,7 +52,7 @@ fn on_a_flat<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
         let field = contact.nodal_contact(&scene.coords).unwrap();
         let pressure = match options.law {
             EnergyLaw::Volume { stiffness, .. } => stiffness,
-            EnergyLaw::Fiber { .. } => contact.evaluate(&scene.coords).unwrap().pairs[0].pressure,
+            EnergyLaw::Fiber(_) => contact.evaluate(&scene.coords).unwrap().pairs[0].pressure,
             _ => unreachable!("a law of the tests"),
         };
         // Bottom nodes of the upper block that are not on its side walls, which the law "volume" presses as well.

@@ -71,7 +71,7 @@ fn of_two_corners() {
         check(found.contact_area, 0.9, tolerance, &format!("{name}, area"));
         // The longest line; the deepest place; the extent along the mean normal, which is (0.5, 0.4).
         let penetration = match options.law {
-            EnergyLaw::Fiber { .. } => 0.5,
+            EnergyLaw::Fiber(_) => 0.5,
             EnergyLaw::Depth { .. } => 0.4,
             _ => 0.4 / 0.41f64.sqrt(),
         };

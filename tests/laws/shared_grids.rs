@@ -7,7 +7,7 @@
 use crate::scene::table::{by_laws, local_laws};
 use crate::scene::{Scene, exact, fibers};
 use fmc_contact::contact::TangentPart;
-use fmc_contact::{EnergyLaw, Estimator, FiberOptions, Obstacle, Options, Pose, Shape, Warning};
+use fmc_contact::{EnergyLaw, Estimator, FiberOptions, Obstacle, Options, PenetrationLaw, Pose, Shape, Warning};
 use fmc_shapes::{
     Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_surface, cuboid_tet4, polygon, rectangle_quad4, rectangle_tri3,
 };
@@ -69,7 +69,7 @@ fn sunk<const D: usize>(mesh: &Mesh<D>, depth: f64) -> Mesh<D> {
 fn pressure(law: &EnergyLaw, depth: f64) -> f64 {
     match *law {
         EnergyLaw::Volume { stiffness, .. } => stiffness,
-        EnergyLaw::Fiber { stiffness, .. } => stiffness * depth,
+        EnergyLaw::Fiber(PenetrationLaw { stiffness, .. }) => stiffness * depth,
         _ => unreachable!("a law of the tests"),
     }
 }

@@ -3,10 +3,10 @@
 use crate::scene::table::exactly;
 use crate::scene::{Scene, distance, norm};
 use fmc_contact::contact::TangentPart;
-use fmc_contact::{Contact, ContactForces, EnergyLaw, FiberProfile, Obstacle, Pose, Shape};
+use fmc_contact::{Contact, ContactForces, EnergyLaw, EnergyProfile, Obstacle, PenetrationLaw, Pose, Shape};
 use fmc_shapes::{cuboid_hex8, rectangle_quad4};
 
-const LAW: EnergyLaw = EnergyLaw::Fiber { stiffness: 1e6, profile: FiberProfile::Quadratic };
+const LAW: EnergyLaw = EnergyLaw::Fiber(PenetrationLaw { stiffness: 1e6, profile: EnergyProfile::Quadratic });
 
 /// A mesh with the upper face of a half-space, or of a wide cuboid, in it.
 fn on<const D: usize>(scene: &Scene<D>, as_cuboid: bool) -> Contact<D> {

@@ -3,7 +3,9 @@
 //! A new law or estimator is one entry here, and every such test takes it up.
 
 use super::{Scene, exact, fibers, isotropic, lines};
-use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
+use fmc_contact::{
+    EnergyLaw, EnergyProfile, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw, Resolution,
+};
 
 /// Laws for bodies of this size, whose energies are of the order of 1 at the size of 1: local laws beside the global one.
 pub(crate) fn laws(size: f64) -> [EnergyLaw; 3] {
@@ -15,7 +17,10 @@ pub(crate) fn laws(size: f64) -> [EnergyLaw; 3] {
 pub(crate) fn local_laws(size: f64) -> [EnergyLaw; 2] {
     [
         EnergyLaw::fiber(3.0),
-        EnergyLaw::Fiber { stiffness: 2.0, profile: FiberProfile::Linear { smoothing_length: 0.05 * size } },
+        EnergyLaw::Fiber(PenetrationLaw {
+            stiffness: 2.0,
+            profile: EnergyProfile::Linear { smoothing_length: 0.05 * size },
+        }),
     ]
 }
 
@@ -64,7 +69,8 @@ pub(crate) fn exactly(law: EnergyLaw) -> Options {
 /// Whether an estimate is a sum over pieces whose number follows from the bodies alone: exact integration of what is no
 /// polynomial takes it at points, by triangles into which pieces fall as their corners are numbered.
 pub(crate) fn is_quadrature(options: &Options) -> bool {
-    let is_polynomial = !matches!(options.law, EnergyLaw::Fiber { profile: FiberProfile::Linear { .. }, .. });
+    let is_polynomial =
+        !matches!(options.law, EnergyLaw::Fiber(PenetrationLaw { profile: EnergyProfile::Linear { .. }, .. }));
     options.estimator == Estimator::Exact && !is_polynomial
 }
 

@@ -1,7 +1,9 @@
 //! Energy law and estimator of a case.
 
 use fmc_contact::contact::Friction;
-use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
+use fmc_contact::{
+    EnergyLaw, EnergyProfile, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw, Resolution,
+};
 use serde::{Deserialize, Serialize};
 
 /// `[contact]`
@@ -140,8 +142,8 @@ impl Contact {
             LawName::Fiber => EnergyLaw::fiber(self.stiffness),
             LawName::Depth => EnergyLaw::depth(self.stiffness),
             LawName::FiberLinear => {
-                let profile = FiberProfile::Linear { smoothing_length: self.smoothing_length.unwrap_or(0.0) };
-                EnergyLaw::Fiber { stiffness: self.stiffness, profile }
+                let profile = EnergyProfile::Linear { smoothing_length: self.smoothing_length.unwrap_or(0.0) };
+                EnergyLaw::Fiber(PenetrationLaw { stiffness: self.stiffness, profile })
             }
         };
         let estimator = match self.estimator {

@@ -2,7 +2,7 @@
 
 use crate::case::Case;
 use anyhow::Result;
-use fmc_contact::{EnergyLaw, FiberProfile};
+use fmc_contact::{EnergyLaw, EnergyProfile, PenetrationLaw};
 use fmc_solid::statics::{Equilibrium, Iteration, NewtonSettings, Path, StaticsError};
 use std::fmt::Write;
 use std::ops::ControlFlow;
@@ -117,12 +117,12 @@ fn lead<const D: usize>(
     reached: &mut dyn FnMut(&Equilibrium<D>),
 ) -> Result<(), StaticsError> {
     match equilibrium.problem().contact.law {
-        EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
+        EnergyLaw::Fiber(PenetrationLaw { stiffness: k, profile: EnergyProfile::Linear { smoothing_length } }) => {
             let first = smoothing_length.max(FIRST_SMOOTHING * equilibrium.size());
-            equilibrium.set_law(EnergyLaw::Fiber {
+            equilibrium.set_law(EnergyLaw::Fiber(PenetrationLaw {
                 stiffness: k,
-                profile: FiberProfile::Linear { smoothing_length: first },
-            })?;
+                profile: EnergyProfile::Linear { smoothing_length: first },
+            }))?;
             equilibrium.follow_telling(path, watch, reached)?;
             equilibrium.continue_smoothing(smoothing_length, watch)
         }

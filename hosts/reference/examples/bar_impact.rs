@@ -4,7 +4,7 @@
 //! ρ c v = 300 from the first touch until the wave has run to the free end and back, 2 L/c; the bar leaves with −v.
 //! Checked: the impulse 2 m v within 0.1 %, the pressure within 1 %, the energy within 0.1 %.
 
-use fmc_contact::{CellType, EnergyLaw, Estimator, FiberProfile, Obstacle, Options, Pose, Shape};
+use fmc_contact::{CellType, EnergyLaw, EnergyProfile, Estimator, Obstacle, Options, PenetrationLaw, Pose, Shape};
 use fmc_shapes::rectangle_quad4;
 use fmc_solid::dynamics::{Setup, Simulation, Step};
 use fmc_solid::fem::{Constraints, Law, Material, Model, Part};
@@ -29,7 +29,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let velocity = vec![[0.0, -SPEED]; model.node_count()];
 
     // 2. The contact: pressure = k × penetration. Stiffer than a spring of a few cells, it would only ring.
-    let law = EnergyLaw::Fiber { stiffness: 0.4 * MATERIAL.young / cell, profile: FiberProfile::Quadratic };
+    let law =
+        EnergyLaw::Fiber(PenetrationLaw { stiffness: 0.4 * MATERIAL.young / cell, profile: EnergyProfile::Quadratic });
     let contact = Options { estimator: Estimator::Exact, ..Options::new(law) };
     let wall = Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0; 2]) };
 

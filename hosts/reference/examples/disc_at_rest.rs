@@ -4,7 +4,7 @@
 //! half width a = √(4 F R (1 − ν²)/(π E)) = 0.6808, greatest pressure p0 = 2 F/(π a) = 9.351.
 //! Checked: the contact carries F, and p0 is met within 1 %.
 
-use fmc_contact::{CellType, EnergyLaw, Estimator, FiberProfile, Obstacle, Options, Pose, Shape};
+use fmc_contact::{CellType, EnergyLaw, EnergyProfile, Estimator, Obstacle, Options, PenetrationLaw, Pose, Shape};
 use fmc_shapes::graded_half_disc_tri3;
 use fmc_solid::fem::{Constraints, Law, Material, Model, Part};
 use fmc_solid::statics::{Equilibrium, Path, Problem, nodal_pressures};
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let load = model.surface_load(&flat, |_, _| [0.0, -FORCE / (2.0 * RADIUS)]);
 
     // 3. How it touches: pressure = k × penetration, measured exactly; the plane y ≤ 0.
-    let law = EnergyLaw::Fiber { stiffness: 2e5, profile: FiberProfile::Quadratic };
+    let law = EnergyLaw::Fiber(PenetrationLaw { stiffness: 2e5, profile: EnergyProfile::Quadratic });
     let contact = Options { estimator: Estimator::Exact, ..Options::new(law) };
     let plane = Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0; 2]) };
     let problem = Problem { supports, load, obstacles: vec![plane], ..Problem::new(model, contact) };

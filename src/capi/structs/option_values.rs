@@ -4,7 +4,10 @@ use super::options::{fmc_estimator, fmc_law, fmc_options, fmc_pattern, fmc_weigh
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
 use crate::contact::Friction;
-use crate::{EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
+use crate::{
+    EnergyLaw, EnergyProfile, Error, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw,
+    Resolution,
+};
 
 /// An option that takes one of a few values, each with its number and name.
 pub(crate) struct Choice {
@@ -154,11 +157,11 @@ impl fmc_options {
     fn law(&self) -> Result<EnergyLaw, Failure> {
         let k = self.stiffness;
         let profile = match self.smoothing_length {
-            0.0 => FiberProfile::Quadratic,
-            smoothing_length => FiberProfile::Linear { smoothing_length },
+            0.0 => EnergyProfile::Quadratic,
+            smoothing_length => EnergyProfile::Linear { smoothing_length },
         };
         Ok(match LAW.name(self.law)? {
-            "fiber" => EnergyLaw::Fiber { stiffness: k, profile },
+            "fiber" => EnergyLaw::Fiber(PenetrationLaw { stiffness: k, profile }),
             "depth" => EnergyLaw::Depth { stiffness: k },
             _ => EnergyLaw::Volume { stiffness: k, exponent: self.exponent },
         })
@@ -228,8 +231,8 @@ mod tests {
         let mut options = fmc_options { stiffness: 3.0, law: 1, ..fmc_options::default() };
         assert_eq!(options.to_options().unwrap().law, EnergyLaw::fiber(3.0));
         options.smoothing_length = 1e-3;
-        let profile = FiberProfile::Linear { smoothing_length: 1e-3 };
-        assert_eq!(options.to_options().unwrap().law, EnergyLaw::Fiber { stiffness: 3.0, profile });
+        let profile = EnergyProfile::Linear { smoothing_length: 1e-3 };
+        assert_eq!(options.to_options().unwrap().law, EnergyLaw::Fiber(PenetrationLaw { stiffness: 3.0, profile }));
     }
 
     #[test]

@@ -11,6 +11,6 @@ pub(crate) fn pair_law<const D: usize>(law: &EnergyLaw) -> Box<dyn PairLaw<D>> {
     match law {
         EnergyLaw::Volume { .. } => Box::new(VolumeLaw(*law)),
         EnergyLaw::Depth { stiffness } => Box::new(DepthLaw { stiffness: *stiffness }),
-        EnergyLaw::Fiber { .. } => Box::new(FiberLaw(*law)),
+        EnergyLaw::Fiber(law) => Box::new(FiberLaw(*law)),
     }
 }

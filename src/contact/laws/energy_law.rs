@@ -1,5 +1,6 @@
 //! Contact energy.
 
+use super::penetration_law::{PenetrationLaw, check_positive};
 use crate::Error;
 
 /// Contact energy w of one overlapping pair; nodal forces are −∂w/∂x.
@@ -21,34 +22,15 @@ pub enum EnergyLaw {
     /// w = Σ ω ψ(L) over lines along the mean contact normal, with ω the measure across them for which each stands and
     /// L the length of its part inside both bodies: the penetration depth. The energy is local, and its traction ψ'(L)
     /// varies over the patch.
-    Fiber {
-        /// Stiffness, positive: Pa/length for [`FiberProfile::Quadratic`], Pa for [`FiberProfile::Linear`].
-        stiffness: f64,
-        /// ψ.
-        profile: FiberProfile,
-    },
+    Fiber(PenetrationLaw),
     /// w = k/2 ∫ (g_A + g_B) dx over the overlap, each body carrying the depth g of its material below its own surface;
     /// against an obstacle w = k ∫ g dx with the depth below its surface. Where flat surfaces overlap by δ the pressure
     /// is k δ on either, as with `Fiber`; but no direction is needed, and the energy has no step wherever corners, edges
     /// and whole bodies go. Bodies need cells where they meet one another, not where they meet obstacles. Obstacles that
-    /// are curved, or not convex, by quadrature.
-    /// Measured without lines under every estimator.
+    /// are curved, or not convex, by quadrature. Measured without lines under every estimator.
     Depth {
         /// Stiffness, positive, Pa/length.
         stiffness: f64,
-    },
-}
-
-/// Energy ψ of a penetration, per measure across it, for the law `Fiber`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum FiberProfile {
-    /// ψ = ½ k L²: the pressure is k times the penetration. Smooth (C¹) where contact begins.
-    Quadratic,
-    /// ψ = k (√(L² + ε²) − ε): for ε → 0 the paper's m = 1, pressure k wherever there is overlap; smooth for ε > 0.
-    Linear {
-        /// Smoothing length ε > 0, over which the pressure grows to k.
-        smoothing_length: f64,
     },
 }
 
@@ -60,7 +42,7 @@ impl EnergyLaw {
 
     /// w = Σ ω ½ k L²: pressure = k × penetration, k in Pa/length.
     pub fn fiber(k: f64) -> Self {
-        EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic }
+        EnergyLaw::Fiber(PenetrationLaw::quadratic(k))
     }
 
     /// w = k/2 ∫ (g_A + g_B) dx: pressure = k × penetration, k in Pa/length.
@@ -69,64 +51,47 @@ impl EnergyLaw {
     }
 
     /// The same with another stiffness: k by a factor.
-    pub fn stiffened(self, factor: f64) -> Self {
-        match self {
-            EnergyLaw::Volume { stiffness, exponent } => EnergyLaw::Volume { stiffness: factor * stiffness, exponent },
-            EnergyLaw::Fiber { stiffness, profile } => EnergyLaw::Fiber { stiffness: factor * stiffness, profile },
-            EnergyLaw::Depth { stiffness } => EnergyLaw::Depth { stiffness: factor * stiffness },
-        }
+    pub fn stiffened(mut self, factor: f64) -> Self {
+        let (EnergyLaw::Volume { stiffness, .. }
+        | EnergyLaw::Fiber(PenetrationLaw { stiffness, .. })
+        | EnergyLaw::Depth { stiffness }) = &mut self;
+        *stiffness *= factor;
+        self
     }
 
     /// Energy of `measure`: of the overlap volume V; for the fiber law ψ of a length L; for the depth law of a
     /// penetration between flat surfaces, by area.
     pub fn energy(&self, measure: f64) -> f64 {
-        let x = measure.max(0.0);
         match *self {
-            EnergyLaw::Volume { stiffness: k, exponent: m } => k * x.powf(m),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
-                0.5 * k * x * x
-            }
-            // √(L² + ε²) − ε without cancellation.
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
-                k * x * (x / (x.hypot(smoothing_length) + smoothing_length))
-            }
+            EnergyLaw::Volume { stiffness: k, exponent: m } => k * measure.max(0.0).powf(m),
+            EnergyLaw::Fiber(law) => law.energy(measure),
+            EnergyLaw::Depth { stiffness } => PenetrationLaw::quadratic(stiffness).energy(measure),
         }
     }
 
     /// Its first derivative: the traction. At 0 it is the one-sided limit, k for `Volume` with m = 1.
     pub fn energy_gradient(&self, measure: f64) -> f64 {
-        let x = measure.max(0.0);
         match *self {
             EnergyLaw::Volume { stiffness: k, exponent: 1.0 } => k,
-            EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * x.powf(m - 1.0),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
-                k * x
-            }
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
-                k * (x / x.hypot(smoothing_length))
-            }
+            EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * measure.max(0.0).powf(m - 1.0),
+            EnergyLaw::Fiber(law) => law.energy_gradient(measure),
+            EnergyLaw::Depth { stiffness } => PenetrationLaw::quadratic(stiffness).energy_gradient(measure),
         }
     }
 
     /// Its second derivative; at 0 the one-sided limit, infinite for `Volume` with 1 < m < 2.
     pub fn energy_hessian(&self, measure: f64) -> f64 {
-        let x = measure.max(0.0);
         match *self {
             EnergyLaw::Volume { exponent: 1.0, .. } => 0.0,
-            EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * (m - 1.0) * x.powf(m - 2.0),
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
-                k
-            }
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
-                let r = x.hypot(smoothing_length);
-                k * (smoothing_length / r) * (smoothing_length / r) / r
-            }
+            EnergyLaw::Volume { stiffness: k, exponent: m } => k * m * (m - 1.0) * measure.max(0.0).powf(m - 2.0),
+            EnergyLaw::Fiber(law) => law.energy_hessian(measure),
+            EnergyLaw::Depth { stiffness } => stiffness,
         }
     }
 
     /// Whether the energy is taken line by line.
     pub fn is_fiber(&self) -> bool {
-        matches!(self, EnergyLaw::Fiber { .. })
+        matches!(self, EnergyLaw::Fiber(_))
     }
 
     /// Whether it asks how deep the cells of bodies lie below their surfaces.
@@ -137,23 +102,14 @@ impl EnergyLaw {
     /// Checks that k is positive and finite, m finite and at least 1, ε positive and finite. An error names the option
     /// as the user sets it, `stiffness` for k and `exponent` for m.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        let positive = |name, value: f64, least: f64| {
-            if value.is_finite() && value > 0.0 && value >= least {
-                Ok(())
-            } else {
-                Err(Error::NotPositive { name, value })
-            }
-        };
         match *self {
-            EnergyLaw::Volume { stiffness: k, exponent: m } => {
-                positive("stiffness", k, 0.0).and(positive("exponent", m, 1.0))
+            EnergyLaw::Volume { stiffness, exponent } if exponent.is_finite() && exponent >= 1.0 => {
+                check_positive("stiffness", stiffness)
             }
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
-                positive("stiffness", k, 0.0)
-            }
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } => {
-                positive("stiffness", k, 0.0).and(positive("smoothing_length", smoothing_length, 0.0))
-            }
+            EnergyLaw::Volume { stiffness, exponent } => check_positive("stiffness", stiffness)
+                .and(Err(Error::NotPositive { name: "exponent", value: exponent })),
+            EnergyLaw::Fiber(law) => law.check(),
+            EnergyLaw::Depth { stiffness } => check_positive("stiffness", stiffness),
         }
     }
 }
@@ -161,17 +117,18 @@ impl EnergyLaw {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::laws::EnergyProfile;
 
     #[test]
     fn derivatives_are_those_of_the_energy() {
-        let linear = FiberProfile::Linear { smoothing_length: 1e-2 };
+        let linear = EnergyProfile::Linear { smoothing_length: 1e-2 };
         for law in [
             EnergyLaw::Volume { stiffness: 3.0, exponent: 2.0 },
             EnergyLaw::Volume { stiffness: 3.0, exponent: 1.5 },
             EnergyLaw::volume(3.0),
             EnergyLaw::fiber(3.0),
             EnergyLaw::depth(3.0),
-            EnergyLaw::Fiber { stiffness: 3.0, profile: linear },
+            EnergyLaw::Fiber(PenetrationLaw { stiffness: 3.0, profile: linear }),
         ] {
             for x in [1e-3, 0.02, 0.7] {
                 // Central differences: truncation (h/x)² and rounding 1e-16 x/h.

@@ -1,9 +1,9 @@
 //! w = Σ measure · ψ(L) over contact points, L being the penetration: a traction ψ'(L) that varies over the patch.
 
-use super::energy_law::EnergyLaw;
 use super::momentum_correction::balance;
 use super::pair_energy::PairEnergy;
 use super::pair_law::{Answer, Asked, Measured, PairLaw};
+use super::penetration_law::PenetrationLaw;
 use super::pressure_point::of_contact_points;
 use crate::Error;
 use crate::contact::tangents::{Tangent, TangentPart};
@@ -12,7 +12,7 @@ use crate::overlap::volume::estimate as volume;
 use crate::overlap::{ContactPoints, Overlap};
 
 /// The fiber law, and any local law of the penetration.
-pub(super) struct FiberLaw(pub(super) EnergyLaw);
+pub(super) struct FiberLaw(pub(super) PenetrationLaw);
 
 impl FiberLaw {
     fn energy_of<const D: usize>(

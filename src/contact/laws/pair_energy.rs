@@ -2,6 +2,7 @@
 
 use super::energy_law::EnergyLaw;
 use super::momentum_correction::correct;
+use super::penetration_law::PenetrationLaw;
 use crate::geometry::Vector;
 use crate::overlap::{ContactPoints, Imbalance, Overlap, Pair, PointGradient, PoseGradient};
 
@@ -36,7 +37,7 @@ impl<const D: usize> PairEnergy<D> {
     pub(crate) fn of_points(
         points: &ContactPoints<D>,
         pair: &Pair<D>,
-        law: &EnergyLaw,
+        law: &PenetrationLaw,
         expected: Option<Imbalance>,
     ) -> Self {
         let slope = |length: f64| law.energy_gradient(length);

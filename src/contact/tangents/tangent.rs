@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::contact::laws::energy_law::EnergyLaw;
+use crate::contact::laws::penetration_law::PenetrationLaw;
 use crate::overlap::{Block, ContactPoints, Overlap, Pair, merged};
 
 /// Which part of the second derivative.
@@ -119,7 +120,7 @@ impl<const D: usize> Tangent<D> {
     pub(crate) fn of_points(
         points: &ContactPoints<D>,
         pair: &Pair<D>,
-        law: &EnergyLaw,
+        law: &PenetrationLaw,
         part: TangentPart,
         obstacle_node: u32,
     ) -> Self {

@@ -2,7 +2,9 @@
 
 use anyhow::ensure;
 use clap::{Args, ValueEnum};
-use fmc_contact::{EnergyLaw, Estimator, FiberOptions, FiberPattern, FiberProfile, LineWeights, Options, Resolution};
+use fmc_contact::{
+    EnergyLaw, EnergyProfile, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw, Resolution,
+};
 
 /// How overlap is measured and what it costs.
 #[derive(Args, Clone, Debug)]
@@ -138,11 +140,11 @@ impl EstimatorArgs {
     pub(crate) fn options(&self, stiffness: f64) -> Options {
         let profile = self
             .smoothing_length
-            .map_or(FiberProfile::Quadratic, |smoothing_length| FiberProfile::Linear { smoothing_length });
+            .map_or(EnergyProfile::Quadratic, |smoothing_length| EnergyProfile::Linear { smoothing_length });
         let law = match self.law {
             LawKind::Volume => EnergyLaw::Volume { stiffness, exponent: self.m },
             LawKind::Depth => EnergyLaw::depth(stiffness),
-            LawKind::Fiber => EnergyLaw::Fiber { stiffness, profile },
+            LawKind::Fiber => EnergyLaw::Fiber(PenetrationLaw { stiffness, profile }),
         };
         Options {
             estimator: match self.estimator {

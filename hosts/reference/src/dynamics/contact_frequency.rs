@@ -26,7 +26,7 @@
 //! contact, which the depth law has in closed form without a step.
 
 use super::surface_area::surface_areas;
-use fmc_contact::contact::FiberProfile;
+use fmc_contact::contact::{EnergyProfile, PenetrationLaw};
 use fmc_contact::{Contact, EnergyLaw, Error};
 
 /// Bound of ω_c whatever the bodies do; `None` where the law has none.
@@ -42,9 +42,9 @@ pub(super) fn before_contact<const D: usize>(
             Some((2.0 * k * partner_count(contact) * mobility).sqrt())
         }
         EnergyLaw::Depth { stiffness: k } => Some(by_area(contact, coords, inverse_mass, k)),
-        EnergyLaw::Fiber { stiffness: k, profile } => {
+        EnergyLaw::Fiber(PenetrationLaw { stiffness: k, profile }) => {
             let steepest = match profile {
-                FiberProfile::Linear { smoothing_length } => k / smoothing_length,
+                EnergyProfile::Linear { smoothing_length } => k / smoothing_length,
                 _ => k,
             };
             Some(by_area(contact, coords, inverse_mass, steepest))

@@ -3,7 +3,7 @@
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::newton::Watch;
-use fmc_contact::{EnergyLaw, FiberProfile};
+use fmc_contact::{EnergyLaw, EnergyProfile, PenetrationLaw};
 
 /// Part to which ε is reduced at once: smaller ones cost more iterations than they save.
 const STRIDE: f64 = 0.3;
@@ -19,12 +19,15 @@ impl<const D: usize> Equilibrium<D> {
     /// Those of [`StaticsError`]; the last equilibrium is kept, with its ε in force. Other laws are left alone.
     pub fn continue_smoothing(&mut self, target: f64, watch: Watch) -> Result<(), StaticsError> {
         let mut stride = STRIDE;
-        while let EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } } =
+        while let EnergyLaw::Fiber(PenetrationLaw { stiffness: k, profile: EnergyProfile::Linear { smoothing_length } }) =
             self.problem.contact.law
             && smoothing_length > target
         {
             let next = (stride * smoothing_length).max(target);
-            self.set_law(EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length: next } })?;
+            self.set_law(EnergyLaw::Fiber(PenetrationLaw {
+                stiffness: k,
+                profile: EnergyProfile::Linear { smoothing_length: next },
+            }))?;
             match self.newton(self.displacement.clone(), self.load, watch) {
                 Ok((u, balance)) => {
                     self.accept(u, balance, self.load);
@@ -33,10 +36,10 @@ impl<const D: usize> Equilibrium<D> {
                 }
                 Err(StaticsError::Interrupted) => return Err(StaticsError::Interrupted),
                 Err(error) => {
-                    self.set_law(EnergyLaw::Fiber {
+                    self.set_law(EnergyLaw::Fiber(PenetrationLaw {
                         stiffness: k,
-                        profile: FiberProfile::Linear { smoothing_length },
-                    })?;
+                        profile: EnergyProfile::Linear { smoothing_length },
+                    }))?;
                     stride = stride.sqrt();
                     if stride > LEAST_STRIDE {
                         return Err(self.too_soft(&self.balance).unwrap_or(error));

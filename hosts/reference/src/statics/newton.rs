@@ -7,7 +7,7 @@ use super::iteration::{Iteration, Tangent};
 use super::newton_settings::NewtonSettings;
 use super::penetration::Updates;
 use fmc_contact::contact::descent::TangentChoice;
-use fmc_contact::{EnergyLaw, FiberProfile};
+use fmc_contact::{EnergyLaw, EnergyProfile, PenetrationLaw};
 use std::ops::ControlFlow;
 
 /// What a solver is watched by; it may break off.
@@ -98,7 +98,7 @@ impl<const D: usize> Equilibrium<D> {
         let penetration = balance.contact.penetration;
         match self.problem.contact.law {
             // k L/√(L² + ε²) is k to 0.5 % at L = 10 ε: what resists more is elastic, or nothing.
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Linear { smoothing_length } }
+            EnergyLaw::Fiber(PenetrationLaw { stiffness: k, profile: EnergyProfile::Linear { smoothing_length } })
                 if penetration > 10.0 * smoothing_length =>
             {
                 Some(StaticsError::PeakPressureAboveStiffness { stiffness: k, penetration, smoothing_length })

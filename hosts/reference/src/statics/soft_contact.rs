@@ -4,7 +4,7 @@ use super::equilibrium::{Equilibrium, size};
 use super::error::StaticsError;
 use super::newton::{State, Watch};
 use crate::fem::Part;
-use fmc_contact::{EnergyLaw, FiberProfile};
+use fmc_contact::{EnergyLaw, EnergyProfile, PenetrationLaw};
 
 /// Factor from one rough contact to the next: ten times as much takes half as many iterations more.
 const STRIDE: f64 = 100.0;
@@ -107,9 +107,8 @@ impl<const D: usize> Equilibrium<D> {
     /// k of a law whose pressure is k times the penetration.
     fn penalty(&self) -> Option<f64> {
         match self.problem.contact.law {
-            EnergyLaw::Fiber { stiffness: k, profile: FiberProfile::Quadratic } | EnergyLaw::Depth { stiffness: k } => {
-                Some(k)
-            }
+            EnergyLaw::Fiber(PenetrationLaw { stiffness: k, profile: EnergyProfile::Quadratic })
+            | EnergyLaw::Depth { stiffness: k } => Some(k),
             _ => None,
         }
     }

@@ -1,13 +1,13 @@
 //! A half-disc pressed on a rigid plane.
 
 use crate::scene::{HALF_WIDTH, PEAK, exact, hertz, hertz_of, lines, recorder, solved};
-use fmc_contact::{EnergyLaw, FiberProfile, Options};
+use fmc_contact::{EnergyLaw, EnergyProfile, Options, PenetrationLaw};
 use fmc_solid::fem::Law;
 use fmc_solid::statics::{Equilibrium, FixedPoint, Iteration, Problem, nodal_pressures};
 use std::ops::ControlFlow;
 
 /// 1000 E per length: a penetration of 5e-5 at the peak pressure.
-const LAW: EnergyLaw = EnergyLaw::Fiber { stiffness: 2e5, profile: FiberProfile::Quadratic };
+const LAW: EnergyLaw = EnergyLaw::Fiber(PenetrationLaw { stiffness: 2e5, profile: EnergyProfile::Quadratic });
 
 /// Peak and half width of p² = p0² (1 − x²/a²), fitted where p > 0.3 p0; pressures per undeformed area.
 fn fitted(at: &Equilibrium<2>) -> [f64; 2] {
@@ -90,8 +90,9 @@ fn multipliers_take_the_penetration_and_keep_the_pressure() {
 
 #[test]
 fn the_linear_law_is_made_sharp() {
-    let law =
-        |smoothing_length| EnergyLaw::Fiber { stiffness: 15.0, profile: FiberProfile::Linear { smoothing_length } };
+    let law = |smoothing_length| {
+        EnergyLaw::Fiber(PenetrationLaw { stiffness: 15.0, profile: EnergyProfile::Linear { smoothing_length } })
+    };
     let (mut at, _) = solved(hertz(8.0, exact(law(8e-3))));
     let mut log = Vec::new();
     at.continue_smoothing(8e-6, &mut recorder(&mut log)).unwrap();

@@ -1,7 +1,7 @@
 //! Two blocks, one on the other, under uniform pressure: the stress is uniform whatever the meshes.
 
 use crate::scene::{exact, lines, part, solved};
-use fmc_contact::{CellType, EnergyLaw, Estimator, FiberProfile, Options};
+use fmc_contact::{CellType, EnergyLaw, EnergyProfile, Estimator, Options, PenetrationLaw};
 use fmc_shapes::{Diagonals, Mesh, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3};
 use fmc_solid::fem::{Constraints, Model};
 use fmc_solid::statics::Problem;
@@ -165,7 +165,10 @@ fn the_depth_law_passes_within_the_depth_by_a_facet() {
 
 #[test]
 fn the_linear_law_passes_too() {
-    let law = EnergyLaw::Fiber { stiffness: 2.0 * PRESSURE, profile: FiberProfile::Linear { smoothing_length: 1e-5 } };
+    let law = EnergyLaw::Fiber(PenetrationLaw {
+        stiffness: 2.0 * PRESSURE,
+        profile: EnergyProfile::Linear { smoothing_length: 1e-5 },
+    });
     let error = stress_error(CellType::Quad4, plane(CellType::Quad4), exact(law));
     assert!(error < 1e-9, "{error:.2e}");
 }

@@ -1,7 +1,7 @@
 //! What has no equilibrium ends with a message that says why.
 
 use crate::scene::{exact, hertz};
-use fmc_contact::{EnergyLaw, FiberProfile};
+use fmc_contact::{EnergyLaw, EnergyProfile, PenetrationLaw};
 use fmc_solid::fem::Constraints;
 use fmc_solid::statics::{Equilibrium, Iteration, Problem, StaticsError};
 use std::ops::ControlFlow;
@@ -37,7 +37,8 @@ fn a_disc_that_is_lifted_is_separated() {
 
 #[test]
 fn pressure_above_the_stiffness_goes_through() {
-    let law = EnergyLaw::Fiber { stiffness: 5.0, profile: FiberProfile::Linear { smoothing_length: 8e-3 } };
+    let law =
+        EnergyLaw::Fiber(PenetrationLaw { stiffness: 5.0, profile: EnergyProfile::Linear { smoothing_length: 8e-3 } });
     let mut equilibrium = Equilibrium::new(hertz(4.0, exact(law))).unwrap();
     let mut watch = |_: &Iteration| ControlFlow::Continue(());
     // At this ε the disc sinks in until its contact is wide enough; it stays there however small ε becomes.

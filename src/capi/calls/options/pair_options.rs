@@ -10,7 +10,7 @@ use crate::capi::structs::option_values::EXCLUDED;
 use crate::capi::structs::options::{fmc_estimator, fmc_law, fmc_options};
 use crate::capi::structs::partner::partner;
 use crate::contact::PairOptions;
-use crate::{EnergyLaw, FiberProfile};
+use crate::{EnergyLaw, EnergyProfile, PenetrationLaw};
 
 /// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 /// after they change.
@@ -81,10 +81,10 @@ impl From<PairOptions> for fmc_pair_options {
                 Self { law: fmc_law::FMC_LAW_VOLUME as i32, stiffness, exponent, ..own }
             }
             Some(EnergyLaw::Depth { stiffness }) => Self { law: fmc_law::FMC_LAW_DEPTH as i32, stiffness, ..own },
-            Some(EnergyLaw::Fiber { stiffness, profile }) => {
+            Some(EnergyLaw::Fiber(PenetrationLaw { stiffness, profile })) => {
                 let smoothing_length = match profile {
-                    FiberProfile::Quadratic => 0.0,
-                    FiberProfile::Linear { smoothing_length } => smoothing_length,
+                    EnergyProfile::Quadratic => 0.0,
+                    EnergyProfile::Linear { smoothing_length } => smoothing_length,
                 };
                 Self { law: fmc_law::FMC_LAW_FIBER as i32, stiffness, smoothing_length, ..own }
             }
@@ -226,11 +226,11 @@ mod tests {
     #[test]
     fn options_come_back_as_they_were_set() {
         assert_eq!(fmc_pair_options::default().to_pair_options().unwrap(), PairOptions::default());
-        let linear = FiberProfile::Linear { smoothing_length: 1e-3 };
+        let linear = EnergyProfile::Linear { smoothing_length: 1e-3 };
         for law in [
             EnergyLaw::Volume { stiffness: 3.0, exponent: 1.5 },
             EnergyLaw::fiber(3.0),
-            EnergyLaw::Fiber { stiffness: 3.0, profile: linear },
+            EnergyLaw::Fiber(PenetrationLaw { stiffness: 3.0, profile: linear }),
             EnergyLaw::depth(3.0),
         ] {
             for excluded in [false, true] {
