@@ -25,41 +25,41 @@
 // Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
 // changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
 // library at run time.
-#define FMC_ABI_VERSION 2
+#define FMC_ABI_VERSION 3
 
 // Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
 // instead of overwriting it.
-#define FMC_ADD 1
+#define FMC_EVALUATE_ADD 1
 
 // Level of a log message: something the user should know about a result that is an answer all the same.
 #define FMC_LOG_WARNING 1
 
 // Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
 // far from a solution.
-#define FMC_SEMIDEFINITE 2
+#define FMC_TANGENT_SEMIDEFINITE 2
 
 // Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
-#define FMC_SYMMETRIC 32
+#define FMC_TANGENT_SYMMETRIC 32
 
 // Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
-#define FMC_BLOCKS 4
+#define FMC_CSR_BLOCKS 4
 
 // Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
-#define FMC_OBSTACLES 8
+#define FMC_CSR_OBSTACLES 8
 
 // Flag of `fmc_context_tangent_csr`: `row_offsets` and `cols` count from 1, as in Fortran.
 #define FMC_FROM_ONE 16
 
 // Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 // after they change.
-#define FMC_LAW_OF_CONTEXT -1
+#define FMC_PAIR_LAW_OF_CONTEXT -1
 
 // Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
 // changes.
-#define FMC_FRICTION_OF_CONTEXT -1
+#define FMC_PAIR_FRICTION_OF_CONTEXT -1
 
 // Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
-// offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
+// offending indices and values is given by `fmc_last_error`.
 //
 // After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
 typedef enum {
@@ -101,7 +101,7 @@ typedef enum {
   FMC_ERROR_EMPTY = 17,
   // A parameter is not positive and finite, or an exponent not at least 1.
   FMC_ERROR_NOT_POSITIVE = 18,
-  // No such option or flag, no such value of an option, or two options that exclude one another.
+  // No option of this name.
   FMC_ERROR_UNKNOWN_OPTION = 19,
   // A struct was not initialised by its `_init` function, or comes from a header that this library does not know.
   FMC_ERROR_STRUCT_SIZE = 20,
@@ -157,9 +157,9 @@ typedef enum {
   // The stiffness of bodies and contact together is not positive definite.
   FMC_ERROR_INDEFINITE_STIFFNESS = 45,
   // A list of degrees of freedom names one that does not exist.
-  FMC_ERROR_FREEDOM_OUT_OF_RANGE = 46,
+  FMC_ERROR_DOF_OUT_OF_RANGE = 46,
   // A list of degrees of freedom does not ascend, or names one that another list has.
-  FMC_ERROR_REPEATED_FREEDOM = 47,
+  FMC_ERROR_REPEATED_DOF = 47,
   // A stiffness or a residual that was given is NaN or infinite.
   FMC_ERROR_NON_FINITE_STIFFNESS = 48,
   // A host's function that places its nodes failed.
@@ -180,6 +180,14 @@ typedef enum {
   FMC_ERROR_UNSYMMETRIC = 56,
   // There are no factors of a matrix: none was given, or the last one had none.
   FMC_ERROR_NOT_FACTORISED = 57,
+  // An option, a kind or a switch has no such value.
+  FMC_ERROR_BAD_VALUE = 59,
+  // A bit of `flags` that the function does not have.
+  FMC_ERROR_UNKNOWN_FLAG = 60,
+  // Two options exclude one another, or one would have no effect beside the others.
+  FMC_ERROR_OPTIONS_CONFLICT = 61,
+  // A reserved field is not zero: an option of a later version of the library.
+  FMC_ERROR_RESERVED_FIELD = 62,
 } fmc_status;
 
 // Contact energy.
@@ -384,9 +392,8 @@ typedef struct {
   // Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
   // k > 0, no default. For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
-  // see `fmc_suggest_fiber_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
-  // and must exceed the peak contact pressure; in general energy / (length^dim)^m; see
-  // `fmc_suggest_stiffness_from_modulus`.
+  // see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
+  // and must exceed the peak contact pressure; in general energy / (length^dim)^m.
   double stiffness;
   // m >= 1, for the law "volume" only. Default 1.
   double exponent;
@@ -558,9 +565,9 @@ typedef struct {
   double volume_standard_error;
   // Contact energy, summed over the pairs.
   double energy;
-  // Area of contact (2D: length), summed over the pairs; see `fmc_pair`.
+  // Area of contact (2D: length), summed over the pairs; see `fmc_pair_result`.
   double contact_area;
-  // Largest penetration of any pair; see `fmc_pair`.
+  // Largest penetration of any pair; see `fmc_pair_result`.
   double penetration;
   // Fibers laid.
   size_t fiber_count;
@@ -568,11 +575,11 @@ typedef struct {
   size_t crossing_count;
   // Facets that bound an overlap.
   size_t facet_count;
-  // Overlapping pairs, for `fmc_context_pair`.
+  // Overlapping pairs, for `fmc_context_pair_result`.
   size_t pair_count;
-  // Bodies, for `fmc_context_body`.
+  // Bodies, for `fmc_context_body_resultant`.
   size_t body_count;
-  // Obstacles, for `fmc_context_obstacle`.
+  // Obstacles, for `fmc_context_obstacle_resultant`.
   size_t obstacle_count;
   // Warnings, for `fmc_context_warning`.
   size_t warning_count;
@@ -595,12 +602,12 @@ typedef struct {
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Its body, an index for `fmc_context_body`.
+  // Its body, an index for `fmc_context_body_resultant`.
   size_t body;
   // Its cell, counted from 0 over all blocks; -1 where the context was made from facets.
   int64_t cell;
-  // Its number among the facets as given, counted from 0; -1 where the context was made from cells.
-  int64_t given;
+  // Its number among the facets that the context was made from, counted from 0; -1 where it was made from cells.
+  int64_t input_facet;
   // Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
   // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
   // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
@@ -728,13 +735,13 @@ typedef struct {
   double tolerance;
   // Norm of the residual, a force, at which it has converged too; 0, the default: none. Bodies that are not linear need no
   // more than a part of what their linearisation leaves.
-  double goal;
+  double absolute_tolerance;
   // Relative residual below which the full tangent is taken, above it the semidefinite one. Default 0.1.
   double full_below;
   // Iterations, at most, at least 1. Default 80.
-  int32_t most_iterations;
+  int32_t max_iterations;
   // Trials along a direction, at most, at least 1. Default 12.
-  int32_t most_trials;
+  int32_t max_trials;
   // Largest mean penetration of a node that is wanted, a length; 0, the default: that of the law, as it is. Where the law leaves
   // more, an augmented Lagrangian takes over, whose pressures at nodes need no penetration: for the laws "depth" and
   // "fiber", without friction and self-contact.
@@ -742,10 +749,10 @@ typedef struct {
   // How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
   double reach;
   // Updates of these pressures, at most, at least 1. Default 20.
-  int32_t most_updates;
+  int32_t max_updates;
   // 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
   // energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
-  // degree of freedom of the list, then one ten times as stiff, and so on. Each may take `most_iterations`. What is reported
+  // degree of freedom of the list, then one ten times as stiff, and so on. Each may take `max_iterations`. What is reported
   // is that of the contact as it is. 0, the default: off.
   int32_t soft_start;
   // Zero. Room for options of later versions.
@@ -813,7 +820,7 @@ typedef struct {
   int32_t a_kind;
   // Second side: a value of `fmc_partner`.
   int32_t b_kind;
-  // First side: index for `fmc_context_body` or `fmc_context_obstacle`.
+  // First side: index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
   size_t a;
   // Second side; the same as the first for a body that overlaps itself.
   size_t b;
@@ -849,7 +856,7 @@ typedef struct {
   double slip_area;
   // Zero.
   uint64_t reserved[4];
-} fmc_pair;
+} fmc_pair_result;
 
 // Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 // has without options of its own.
@@ -872,16 +879,40 @@ typedef struct {
   // rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Between bodies, and of one with itself,
   // only with the law "depth" and not positive: -c lets either body in by c before it presses.
   double gap_offset;
-  // Coefficient of friction, at least 0, or `FMC_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
+  // Coefficient of friction, at least 0, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
   // the context's options.
   double friction_coefficient;
-  // A value of `fmc_law`, or `FMC_LAW_OF_CONTEXT`, the default.
+  // A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
   int32_t law;
   // 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
   int32_t excluded;
   // Zero. Room for options of later versions.
   uint64_t reserved[10];
 } fmc_pair_options;
+
+// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL where it is not asked for. With
+// n nodes of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
+//
+// New fields are added at the end, and `fmc_nodal_contact_init` sets them to NULL: the library reads no more than `struct_size`.
+typedef struct {
+  // Set by `fmc_nodal_contact_init`.
+  size_t struct_size;
+  // Contact pressure: the mean of the law's over the part of the facets at the node that is in contact, weighted with the
+  // node's shape function, int N p dA / int N dA; with the law "volume" that of the pair.
+  double *pressure;
+  // Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
+  double *gap;
+  // Area (2D: length), int N dA, up to the curvature of the surface.
+  double *area;
+  // Unit vector outwards of the node's body.
+  double *normal;
+  // Traction of friction on the node's body, the mean over the same part.
+  double *friction;
+  // The part of the contact at the node that slides, of its area, between 0 and 1.
+  double *sliding;
+  // Values of `fmc_node_status`.
+  int32_t *status;
+} fmc_nodal_contact;
 
 // One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second
 // order those of the straight face or cell of their division.
@@ -890,7 +921,7 @@ typedef struct {
   int32_t kind;
   // How many of `nodes` and `weights` are used; 0 for an obstacle, and where no cell of the other body is.
   int32_t node_count;
-  // Index for `fmc_context_body` or `fmc_context_obstacle`.
+  // Index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
   size_t index;
   // Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
   int64_t cell;
@@ -953,13 +984,13 @@ typedef struct {
   // The node, counted from the option `index_base`; with cells of second order the point, see
   // `fmc_context_point_weights`: from the node count on it is no node.
   int64_t node;
-  // Its body, an index for `fmc_context_body`.
+  // Its body, an index for `fmc_context_body_resultant`.
   size_t body;
   // What the partner is: a value of `fmc_partner`.
   int32_t partner_kind;
   // Zero.
   int32_t reserved_flags;
-  // Index of the partner for `fmc_context_body` or `fmc_context_obstacle`.
+  // Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
   size_t partner;
   // Weighted gap, in length^dim.
   double gap;
@@ -979,8 +1010,8 @@ typedef struct {
   double change;
   // Number of multipliers, for `fmc_context_multipliers`.
   size_t multiplier_count;
-  // Whether both are no more than what was enough: the multipliers have then stayed.
-  int32_t is_enough;
+  // Whether both are no more than the tolerance: the multipliers have then stayed.
+  int32_t is_converged;
   // Zero.
   int32_t reserved_flags;
   // Zero.
@@ -994,13 +1025,13 @@ typedef struct {
   // The node, counted from the option `index_base`; with cells of second order the point, see
   // `fmc_context_point_weights`.
   int64_t node;
-  // Its body, an index for `fmc_context_body`.
+  // Its body, an index for `fmc_context_body_resultant`.
   size_t body;
   // What the partner is: a value of `fmc_partner`.
   int32_t partner_kind;
   // Zero.
   int32_t reserved_flags;
-  // Index of the partner for `fmc_context_body` or `fmc_context_obstacle`.
+  // Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
   size_t partner;
   // How far, a positive length; by the law's stiffness the pressure without penetration.
   double shift;
@@ -1063,9 +1094,8 @@ const char *fmc_version(void);
 // Version of the binary interface of the library: `FMC_ABI_VERSION` of the header it was built with. Threads: any.
 int32_t fmc_abi_version(void);
 
-// 1 if the library has the feature of this name, else 0: "2d", "3d", "contact_points", "exact", "fiber_law", "fibers",
-// "isotropic", "obstacles", "self_contact", "shapes" (convex hulls and compounds), "signed_distance", "solver"
-// (`fmc_condensation`), "tangent", "threads". 0 for unknown names and for NULL. Threads: any.
+// 1 if this build of the library has a feature that a build can lack, else 0: "shapes" (convex hulls and compounds),
+// "solver" (`fmc_condensation`). 0 for any other name and for NULL. Threads: any.
 int32_t fmc_has_feature(const char *name);
 
 // Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for any other number.
@@ -1073,10 +1103,14 @@ int32_t fmc_has_feature(const char *name);
 // The text is constant and never freed. Threads: any.
 const char *fmc_status_name(int32_t status);
 
+// Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is no status. A host that
+// branches on classes bears statuses of later versions of the library. Threads: any.
+int32_t fmc_status_class(int32_t status);
+
 // Text of the last call that failed on this thread, "" if none did; never NULL. It names the offending indices.
 //
-// For calls without a context: failed creation, `fmc_contact_force`, options. The text is valid until the next call
-// fails on this thread; successful calls do not change it. Threads: each has its own.
+// The text is valid until the next call fails on this thread; successful calls do not change it. Threads: each has its
+// own.
 const char *fmc_last_error(void);
 
 // Sets all options to their defaults. Afterwards set at least `stiffness`.
@@ -1087,9 +1121,8 @@ fmc_status fmc_options_init(fmc_options *options);
 // Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
 // ("momentum_correction", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
 //
-// The key "test_panic" panics inside the library, so that a host can check that a panic is returned as a status.
-//
-// Errors: `FMC_ERROR_UNKNOWN_OPTION` for an unknown key or value; ranges are checked where the options are used.
+// Errors: `FMC_ERROR_UNKNOWN_OPTION` for an unknown key, `FMC_ERROR_BAD_VALUE` for an unknown value; ranges are checked
+// where the options are used.
 // Threads: any, on different structs.
 fmc_status fmc_options_set(fmc_options *options, const char *key, const char *value);
 
@@ -1140,7 +1173,7 @@ fmc_status fmc_friction_step_init(fmc_friction_step *step);
 //
 // Outputs are written only on success, but for `step->facet_count`, from which a host learns the length of its slip.
 //
-// Errors: those of `fmc_contact_force` and of these calls; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_UNKNOWN_OPTION`, and
+// Errors: those of `fmc_contact_force` and of these calls; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, and
 // `FMC_ERROR_LENGTH` for another `slip_length`. Threads: any, also at once.
 fmc_status fmc_contact_force_step(int32_t dim,
                                   const double *coords,
@@ -1179,7 +1212,8 @@ fmc_status fmc_contact_force_step_i64(int32_t dim,
 // Errors, all with the offending indices in `fmc_last_error`: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`,
 // `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_REPEATED_NODE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`,
-// `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`,
+// `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_OPTIONS_CONFLICT`,
+// `FMC_ERROR_RESERVED_FIELD`,
 // `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`. Threads: any, also at once.
 fmc_status fmc_context_new_from_cells(int32_t dim,
                                       const fmc_coords *coords,
@@ -1253,9 +1287,17 @@ fmc_status fmc_context_new_from_facet_blocks_i64(int32_t dim,
 
 // Replaces the options. They apply from the next evaluation on; results of the last one are kept.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`, `FMC_ERROR_STRUCT_SIZE`,
-// `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_set_options(fmc_context *context, const fmc_options *options);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`,
+// `FMC_ERROR_OPTIONS_CONFLICT`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_set_options(fmc_context *context,
+                                   const fmc_options *options);
+
+// The options in force: those of the creation or of the last `fmc_context_set_options`, with the stiffness that
+// `fmc_context_stiffen` has made of theirs.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+// changes it.
+fmc_status fmc_context_options(const fmc_context *context, fmc_options *options);
 
 // Sets the callback that receives messages; NULL, the default: none. The library never prints.
 //
@@ -1276,7 +1318,7 @@ fmc_status fmc_context_counts(const fmc_context *context,
 // Contact forces at `coords`, the current coordinates of all nodes of the mesh.
 //
 // `forces`, which may be NULL, receives the nodal forces in the order of the nodes: the negative derivative of the
-// contact energy, which pushes bodies apart. They overwrite the array, or are added to it with the flag `FMC_ADD`.
+// contact energy, which pushes bodies apart. They overwrite the array, or are added to it with the flag `FMC_EVALUATE_ADD`.
 // Nodes that are not in contact get 0. `result`, which may be NULL too, receives the overlap volume and the other
 // totals; forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
 //
@@ -1285,29 +1327,23 @@ fmc_status fmc_context_counts(const fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
 // `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_UNFINISHED_LINES`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_TOO_MANY_PIECES`,
-// `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`; the text is given by
-// `fmc_context_error`. Threads: one call at a time on a context.
+// `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_evaluate(fmc_context *context,
                                 const fmc_coords *coords,
                                 const fmc_forces *forces,
                                 uint32_t flags,
                                 fmc_result *result);
 
-// Text of the last call that failed on this context, "" if none did; never NULL. It names the offending indices.
+// The boundary facets in the order in which `fmc_context_slip` has them, body after body.
 //
-// It is valid until the next call fails on the context, or the context ends. Getters, which do not change the context,
-// leave their text in `fmc_last_error` only; so does a context that is NULL or busy, for which this returns that text.
-// Threads: several at once on one context, as long as no call changes it.
-const char *fmc_context_error(const fmc_context *context);
-
-// Writes the boundary facets to the host's array, with room for `capacity`: as many as `fmc_context_counts` says, in the
-// order in which `fmc_context_slip` has them, body after body.
+// `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-// context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
+// once on one context, as long as no call changes it.
 fmc_status fmc_context_boundary_facets(const fmc_context *context,
                                        fmc_boundary_facet *facets,
-                                       size_t capacity);
+                                       size_t capacity,
+                                       size_t *count);
 
 // Sizes of the matrix of `fmc_context_point_weights`: rows, which are points, at least as many as there are nodes, and
 // entries. Either output may be NULL. They change with a basis only.
@@ -1400,24 +1436,27 @@ fmc_status fmc_context_commit_step(fmc_context *context,
 fmc_status fmc_context_freeze_friction(fmc_context *context,
                                        const fmc_coords *coords);
 
-// Writes the elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
-// of `fmc_context_boundary_facets`, to `slip`, which has room for `capacity` numbers: that of the facet against what it faces. With the
+// The elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
+// of `fmc_context_boundary_facets`: that of the facet against what it faces. With the
 // coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
 // `fmc_context_set_slip`, gives the bits of the unbroken run.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several
-// at once on one context, as long as no call changes it.
+// `count` becomes how many numbers there are; `slip` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then.
+// Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_slip(const fmc_context *context,
                             double *slip,
-                            size_t capacity);
+                            size_t capacity,
+                            size_t *count);
 
-// Sets the elastic slip that was carried into the step that has begun: `length` numbers, as `fmc_context_slip` writes
+// Sets the elastic slip that was carried into the step that has begun: `count` numbers, as `fmc_context_slip` writes
 // them.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another length than `dim` times the
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another count than `dim` times the
 // number of facets, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
 // time on a context.
-fmc_status fmc_context_set_slip(fmc_context *context, const double *slip, size_t length);
+fmc_status fmc_context_set_slip(fmc_context *context, const double *slip, size_t count);
 
 // Sets the coordinates of all nodes without deformation, from which the law "depth" has its depths; those at which the
 // context was created are the default.
@@ -1444,7 +1483,7 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
 // `fmc_context_tangent_entries`.
 //
 // Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
-// place of Cholesky or conjugate gradients, or ask for `FMC_SYMMETRIC`, with which Newton's method takes more
+// place of Cholesky or conjugate gradients, or ask for `FMC_TANGENT_SYMMETRIC`, with which Newton's method takes more
 // iterations, and fails sooner at large coefficients of friction. Row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 // is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
 // beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
@@ -1453,12 +1492,12 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
 //
 // With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
 // and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
-// `FMC_SYMMETRIC` or `FMC_SEMIDEFINITE`, which is symmetric too.
+// `FMC_TANGENT_SYMMETRIC` or `FMC_TANGENT_SEMIDEFINITE`, which is symmetric too.
 //
 // Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
 // a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
 // k * penetration of an iterate exceeds E / 10, and twice that of the last equilibrium, lower the option `stiffness` so that
-// it does not, raise it at least fourfold in every iteration, and take `FMC_SEMIDEFINITE` until it is k again; else take the
+// it does not, raise it at least fourfold in every iteration, and take `FMC_TANGENT_SEMIDEFINITE` until it is k again; else take the
 // full tangent. docs/newton.md has the loop, and the iterations it takes on five problems.
 //
 // Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
@@ -1500,10 +1539,10 @@ fmc_status fmc_context_tangent_rank_one(const fmc_context *context,
                                         size_t length);
 
 // Sizes of the last tangent in compressed rows, for `fmc_context_tangent_csr` with the same flags: rows, those without
-// entries included, and entries, which are numbers, or blocks with `FMC_BLOCKS`. Either output may be NULL. Before the
+// entries included, and entries, which are numbers, or blocks with `FMC_CSR_BLOCKS`. Either output may be NULL. Before the
 // first tangent there are no rows.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_BUSY`. Threads: several
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUSY`. Threads: several
 // at once on one context, as long as no call changes it.
 fmc_status fmc_context_tangent_csr_size(const fmc_context *context,
                                         uint32_t flags,
@@ -1514,12 +1553,12 @@ fmc_status fmc_context_tangent_csr_size(const fmc_context *context,
 // the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns
 // `cols`, each column once. Rows and columns are degrees of freedom, `node * dim + axis`.
 //
-// `flags`: `FMC_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
-// are nodes; `FMC_OBSTACLES`; `FMC_FROM_ONE`. As elsewhere in the tangent, the option `index_base` has no effect.
+// `flags`: `FMC_CSR_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
+// are nodes; `FMC_CSR_OBSTACLES`; `FMC_FROM_ONE`. As elsewhere in the tangent, the option `index_base` has no effect.
 // `row_offsets` has room for one number more than there are rows, `cols` for `capacity` entries, and `values` for as
-// many, or, with `FMC_BLOCKS`, `capacity * dim * dim` numbers.
+// many, or, with `FMC_CSR_BLOCKS`, `capacity * dim * dim` numbers.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_BUFFER_TOO_SMALL`,
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`,
 // `FMC_ERROR_LENGTH` where a number does not fit into 32 bits, `FMC_ERROR_BUSY`. Threads: several at once on one
 // context, as long as no call changes it.
 fmc_status fmc_context_tangent_csr(const fmc_context *context,
@@ -1542,21 +1581,21 @@ fmc_status fmc_context_tangent_csr_i64(const fmc_context *context,
 // is the same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
 // tangent has its own pattern, which is the default. Values, and the other functions of the tangent, do not change.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for another number, `FMC_ERROR_BUSY`. Threads: one call
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
 // at a time on a context.
 fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
 
 // Gives tangents rows and columns for the rotations of the obstacles, with `on` 1, from the next one on; 0, the default:
 // none. With n nodes and m obstacles, removed ones included, the rotation of obstacle o is node n + m + o: a rotation
 // vector about the position of its pose, which moves along; in 2D its first entry is the angle, and the second has only
-// zeros. Wherever there are translations of obstacles, as with `FMC_OBSTACLES`, there are rotations then, after them.
+// zeros. Wherever there are translations of obstacles, as with `FMC_CSR_OBSTACLES`, there are rotations then, after them.
 //
 // It is the second derivative of the energy, and symmetric. The moment M about the position (that of
-// `fmc_context_obstacle` less position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta. With
+// `fmc_context_obstacle_resultant` less position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta. With
 // axisymmetry nothing turns, and there are only zeros. With friction, and where a body meets an obstacle by
 // the law "fiber", whose lines do not turn along, the tangent is then refused, with `FMC_ERROR_UNSUPPORTED`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for another number, `FMC_ERROR_BUSY`. Threads: one call
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
 // at a time on a context.
 fmc_status fmc_context_set_obstacle_rotations(fmc_context *context,
                                               int32_t on);
@@ -1564,7 +1603,7 @@ fmc_status fmc_context_set_obstacle_rotations(fmc_context *context,
 // `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
 // bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
 //
-// `flags`: `FMC_ADD`, `FMC_SEMIDEFINITE` and `FMC_SYMMETRIC`. All outputs may be NULL, and are written only on success.
+// `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on success.
 //
 // Errors: those of the two. Threads: one call at a time on a context.
 fmc_status fmc_context_evaluate_tangent(fmc_context *context,
@@ -1616,11 +1655,11 @@ fmc_status fmc_context_set_communicator(fmc_context *context,
 fmc_status fmc_context_rank_counts(const fmc_context *context, fmc_rank_counts *counts);
 
 // Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
-// only those that may be in contact: `fmc_context_bring` takes the coordinates of the own nodes, and after it the other
+// only those that may be in contact: `fmc_context_set_coords` takes the coordinates of the own nodes, and after it the other
 // functions of the context are used as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, by all ranks
 // together, which share the work. Results have the bits of one rank with the whole mesh, for any number of ranks.
 //
-// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_bring` is called again after it. A body that may
+// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_set_coords` is called again after it. A body that may
 // touch itself, and one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole.
 // Refused are nodes that hang, another reference, a basis, and another communicator. It begins at the coordinates of the part.
 //
@@ -1643,9 +1682,9 @@ fmc_status fmc_context_new_from_part(int32_t dim,
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_UNSUPPORTED`; naming own nodes and cells
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; `FMC_ERROR_RANKS_DIFFER` for a node in two
 // places, `FMC_ERROR_ON_OTHER_RANK`, `FMC_ERROR_COMMUNICATION`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_bring(fmc_context *context,
-                             const fmc_coords *coords,
-                             int32_t *renumbered);
+fmc_status fmc_context_set_coords(fmc_context *context,
+                                  const fmc_coords *coords,
+                                  int32_t *renumbered);
 
 // Sets the elastic slip that was carried into the step that has begun, of a mesh in parts: that of `count` facets, as
 // `fmc_context_carried_slip` writes them, zero for all others. All ranks give the same, after `fmc_context_begin_step`.
@@ -1719,8 +1758,8 @@ fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 // Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
 // in every iteration: some 500 take tenths of a second.
 //
-// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
-// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION` and `FMC_ERROR_STRUCT_SIZE` for the options,
+// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
+// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE` and `FMC_ERROR_STRUCT_SIZE` for the options,
 // `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
 // a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
 // one call at a time on a context.
@@ -1755,8 +1794,8 @@ fmc_status fmc_condensation_free(fmc_condensation **condensation);
 // equations have to be positive definite: bodies that are held, or are so by what is kept. What depends on the pattern alone is
 // kept for the next matrix of the same pattern, and factorising that takes less.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_FREEDOM_OUT_OF_RANGE`,
-// `FMC_ERROR_REPEATED_FREEDOM`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`,
+// `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
 // were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the
 // library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 fmc_status fmc_condensation_factorise(fmc_condensation *condensation,
@@ -1812,16 +1851,18 @@ fmc_status fmc_condensation_expand(const fmc_condensation *condensation,
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_BUSY`. Threads: several at once on one
 // context, as long as no call changes it.
-fmc_status fmc_context_body(const fmc_context *context, size_t index, fmc_resultant *body);
+fmc_status fmc_context_body_resultant(const fmc_context *context, size_t index, fmc_resultant *body);
 
-// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body`.
-fmc_status fmc_context_obstacle(const fmc_context *context, size_t index, fmc_resultant *obstacle);
+// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body_resultant`.
+fmc_status fmc_context_obstacle_resultant(const fmc_context *context,
+                                          size_t index,
+                                          fmc_resultant *obstacle);
 
-// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body`.
-fmc_status fmc_context_pair(const fmc_context *context, size_t index, fmc_pair *pair);
+// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body_resultant`.
+fmc_status fmc_context_pair_result(const fmc_context *context, size_t index, fmc_pair_result *pair);
 
 // One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
-// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
+// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body_resultant`.
 fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t *code, const char **text);
 
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
@@ -1832,13 +1873,13 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
 // the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
 //
-// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body` and obstacles as
-// `fmc_context_obstacle`. For a body with itself these options decide in place of the context's `self_contact` whether
+// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
+// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
 // it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
-// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
-// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
+// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
+// `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 // `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
 // gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 // estimator that does not support the law of a pair. Threads: one call at a time on a context.
@@ -1853,7 +1894,7 @@ fmc_status fmc_context_set_pair_options(fmc_context *context,
 // hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
-// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
 // obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_pair_options(const fmc_context *context,
                                     int32_t a_kind,
@@ -1862,17 +1903,13 @@ fmc_status fmc_context_pair_options(const fmc_context *context,
                                     size_t b,
                                     fmc_pair_options *options);
 
-// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
-// Every output may be NULL. All but `normal` and `friction` have one entry per node, `node_count` of them, which is that of
-// the mesh; those two have `dim` per node, in dense rows.
+// Asks for nothing: all pointers NULL.
 //
-// `pressure` is the mean of the law's over the part of the facets at the node that is in contact, weighted with the
-// node's shape function, int N p dA / int N dA; with the law "volume" that of the pair. `gap` is minus the penetration,
-// the mean over the same part, and never positive: distances of what is apart are not measured. `area` (2D: length) is
-// int N dA, up to the curvature of the surface. `normal` is a unit vector, outwards of the node's body. The nodal force
-// without its friction is -pressure * area * normal, to rounding. `friction` is the traction of friction on the node's
-// body, the mean over the same part, and `sliding` the part of the contact at the node that slides, of its area,
-// between 0 and 1. `status` has values of `fmc_node_status`.
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_nodal_contact_init(fmc_nodal_contact *nodal);
+
+// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches. `nodal` says
+// what is asked for, and where it goes. The nodal force without its friction is -pressure * area * normal, to rounding.
 //
 // With cells of second order a node has what is at the point of their division that stands for it, with the straight shape
 // function of that point: shape functions of second order are negative in places, and have no mean at a corner. Forces
@@ -1880,91 +1917,87 @@ fmc_status fmc_context_pair_options(const fmc_context *context,
 // faces have no node in their middle, whose points are not told.
 //
 // It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
-// the context. Errors: as `fmc_context_evaluate`; nothing is written then. Threads: one call at a time on a context.
+// the context. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_STRUCT_SIZE`; nothing is written then. Threads: one call at a
+// time on a context.
 fmc_status fmc_context_nodal_contact(fmc_context *context,
                                      const fmc_coords *coords,
-                                     double *pressure,
-                                     double *gap,
-                                     double *area,
-                                     double *normal,
-                                     double *friction,
-                                     double *sliding,
-                                     int32_t *status,
-                                     size_t node_count);
+                                     const fmc_nodal_contact *nodal);
 
-// Finds the contact points at `coords`, where the laws "fiber" and "depth" press, and keeps them in the context until
-// the next call, for `fmc_context_contact_points`. `count` receives their number, 0 with the law "volume", which has one
-// pressure for a whole pair, unless friction acts; it may be NULL. With friction the points have its traction and their
+// The contact points at `coords`, where the laws "fiber" and "depth" press, in the order of the pairs; none with the law "volume",
+// which has one pressure for a whole pair, unless friction acts. With friction the points have its traction and their
 // slip, with the current pressure even where friction is frozen.
 //
-// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
-fmc_status fmc_context_find_contact_points(fmc_context *context,
-                                           const fmc_coords *coords,
-                                           size_t *count);
-
-// Writes the contact points that were found to the host's array, with room for `capacity`, in the order of the pairs.
+// `count` becomes their number; `points` has room for `capacity`. NULL with capacity 0: the number alone is asked for, and the next
+// call at the same coordinates does not search again.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-// context, as long as no call changes it.
-fmc_status fmc_context_contact_points(const fmc_context *context, fmc_contact_point *points, size_t capacity);
+// Errors: as `fmc_context_evaluate`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_contact_points(fmc_context *context,
+                                      const fmc_coords *coords,
+                                      fmc_contact_point *points,
+                                      size_t capacity,
+                                      size_t *count);
 
-// Finds the weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping,
-// and keeps them in the context until the next call: what an augmented Lagrangian, an interior point method or a
-// preconditioner asks for. They depend on no law and no estimator. `count` receives the number of rows, `entry_count`
-// that of the entries of their derivative; both may be NULL.
+// The weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping:
+// what an augmented Lagrangian, an interior point method or a preconditioner asks for. They depend on no law and no estimator.
 //
 // Both bodies of a pair have rows, ordered by pair, side and node; a host that wants one side only takes the rows of one
-// body. A body has no gaps over itself. With cells of second order rows are points, columns nodes. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_NOT_POSITIVE` for `reach`; what
-// was kept then stays. Threads: one call at a time on a context.
-fmc_status fmc_context_find_gap_constraints(fmc_context *context,
-                                            const fmc_coords *coords,
-                                            double reach,
-                                            size_t *count,
-                                            size_t *entry_count);
-
-// Writes the rows that were found to the host's array, with room for `capacity`.
+// body. A body has no gaps over itself. With cells of second order rows are points, columns nodes.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-// context, as long as no call changes it.
-fmc_status fmc_context_gap_constraints(const fmc_context *context, fmc_gap_constraint *rows, size_t capacity);
+// `count` becomes the number of rows; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for, and the
+// next call at the same coordinates does not search again. What was found stays, for `fmc_context_gap_gradient`.
+//
+// Errors: as `fmc_context_evaluate`, `FMC_ERROR_NOT_POSITIVE` for `reach`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then.
+// Threads: one call at a time on a context.
+fmc_status fmc_context_gap_constraints(fmc_context *context,
+                                       const fmc_coords *coords,
+                                       double reach,
+                                       fmc_gap_constraint *rows,
+                                       size_t capacity,
+                                       size_t *count);
 
-// Writes the derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
+// The derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
 // `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom,
 // `node * dim + axis`, counted from 0 as in the tangent. Their set is what feels the contact. Pressures p on the rows
 // act with the nodal forces sum over r of p_r times row r.
 //
-// `row_offsets` has room for one number more than there are rows, `cols` and `values` for `capacity` entries.
+// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
+// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
+// asked for.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-// context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+// several at once on one context, as long as no call changes it.
 fmc_status fmc_context_gap_gradient(const fmc_context *context,
                                     int64_t *row_offsets,
+                                    size_t offset_capacity,
+                                    size_t *offset_count,
                                     int64_t *cols,
                                     double *values,
-                                    size_t capacity);
+                                    size_t capacity,
+                                    size_t *count);
 
 // Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
-// (`fmc_context_find_gap_constraints`) at `coords`, up to four times as far where the last update of a series has closed less than it
+// (`fmc_context_gap_constraints`) at `coords`, up to four times as far where the last update of a series has closed less than it
 // moved out, and back where it has opened. It is the method of multipliers: by the law's stiffness a shift is a pressure without
 // penetration.
 //
-// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_enough`. The law's stiffness may be any,
+// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_converged`. The law's stiffness may be any,
 // but a low one takes more updates. All that is asked of the context afterwards, forces, tangents, steps, is that of the surfaces
 // moved out, whose penetration is pressure by stiffness; weighted gaps are those of the true ones. What is moved out stays for the
 // next load step; `fmc_context_set_multipliers` with none moves it back. Of two bodies the one with more nodes near the other has the
 // multipliers, of equals the first.
 //
-// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `enough`: the penetration and the
-// change that are left alone, a length. `found` receives what there was.
+// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`: the penetration and
+// the change that are left alone, a length. `result` receives what there was.
 //
-// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `enough` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
+// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
 // self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
 // `fmc_context_evaluate`. The multipliers have then stayed. Threads: one call at a time on a context.
 fmc_status fmc_context_augment(fmc_context *context,
                                const fmc_coords *coords,
                                double reach,
-                               double enough,
-                               fmc_augmentation *found);
+                               double tolerance,
+                               fmc_augmentation *result);
 
 // Multiplies the stiffness of the law, and of those that pairs have of their own, by `factor`; what surfaces that are moved out press
 // with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, a quarter say,
@@ -1976,7 +2009,9 @@ fmc_status fmc_context_stiffen(fmc_context *context,
                                double factor);
 
 // The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
-// again. `count` becomes their number; `rows`, which may be NULL to ask for that alone, has room for `capacity`.
+// again.
+//
+// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 // context, as long as no call changes it.
@@ -1987,7 +2022,7 @@ fmc_status fmc_context_multipliers(const fmc_context *context,
 
 // Sets the multipliers, `count` structs as `fmc_context_multipliers` writes them; none: surfaces are where they are again.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`, `FMC_ERROR_UNKNOWN_OPTION` for a kind of
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`, `FMC_ERROR_BAD_VALUE` for a kind of
 // partner that there is not, `FMC_ERROR_NOT_POSITIVE` for a shift or a direction that is none, `FMC_ERROR_UNSUPPORTED` as
 // `fmc_context_augment`, `FMC_ERROR_BUSY`; what was moved out then stays. Threads: one call at a time on a context.
 fmc_status fmc_context_set_multipliers(fmc_context *context,
@@ -2111,7 +2146,7 @@ fmc_status fmc_context_add_height_field(fmc_context *context,
 // Its signed distance is the least of those of its parts: exact outside, and inside a single part; where parts
 // overlap, the depth of a point is its largest depth in any part.
 //
-// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_UNKNOWN_OPTION` for a number that
+// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_BAD_VALUE` for a number that
 // is not a value of `fmc_shape`; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "shapes". Threads: one call
 // at a time on a context.
 fmc_status fmc_context_add_compound(fmc_context *context,
@@ -2152,34 +2187,21 @@ fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc
 // before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
 
-// Stiffness k of the quadratic law "fiber" (Pa/length) from the largest contact pressure expected (Pa) and the
-// acceptable penetration at that pressure (length): their ratio. From a modulus E and facets of size h, take E and h /
-// 10.
+// A stiffness k to begin with, from Young's modulus E of the softer body (Pa) and the size h of its cells in contact
+// (length). `law` is a value of `fmc_law`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
-fmc_status fmc_suggest_fiber_stiffness(double pressure, double penetration, double *stiffness);
-
-// Stiffness k of w = k V^m from Young's modulus of the softer body (Pa) and the size of its facets in contact
-// (length): an overlap a tenth of a facet deep over a patch one facet wide gives the traction E. `exponent` is m.
+// For the laws "depth" and "fiber" k = 10 E / h, a pressure per length: a penetration of a tenth of a cell presses with E.
+// `dim` and `exponent` have no effect. For the law "volume" with the exponent m an overlap a tenth of a cell deep over a
+// patch one cell wide presses with E: k = E / (m V^(m - 1)), V = h^dim / 10, in Pa / (length^dim)^(m - 1); for m = 1 it is E.
 //
-// Units of k: Pa / (length^dim)^(m - 1); for m = 1 a pressure, in 2D and in 3D.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_NOT_POSITIVE`. Threads: any.
-fmc_status fmc_suggest_stiffness_from_modulus(int32_t dim,
-                                              double exponent,
-                                              double modulus,
-                                              double facet_size,
-                                              double *stiffness);
-
-// Stiffness k of w = k V^m from the largest contact pressure expected (Pa) and the acceptable overlap of one pair at
-// that pressure (length^dim; not used for m = 1): 1.2 times the stiffness that gives this pressure. `exponent` is m.
-//
-// Otherwise as `fmc_suggest_stiffness_from_modulus`.
-fmc_status fmc_suggest_stiffness_from_pressure(int32_t dim,
-                                               double exponent,
-                                               double pressure,
-                                               double overlap,
-                                               double *stiffness);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for an unknown law, `FMC_ERROR_DIMENSION`,
+// `FMC_ERROR_NOT_POSITIVE`. Threads: any.
+fmc_status fmc_suggest_stiffness(int32_t law,
+                                 int32_t dim,
+                                 double exponent,
+                                 double modulus,
+                                 double cell_size,
+                                 double *stiffness);
 
 #ifdef __cplusplus
 }  // extern "C"

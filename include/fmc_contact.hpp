@@ -36,21 +36,11 @@ inline ContactForces contact_force_step(int dim, Coords coords, fmc_cell_type ty
 inline ContactForces contact_force_step(int dim, Coords coords, fmc_cell_type type, View<const int64_t> conn,
                                         const Options &options, FrictionStep &step, View<const int64_t> body_ids = {});
 
-// Stiffness k of the laws "fiber" and "depth" (Pa/length): the largest pressure expected by the penetration accepted there.
-inline double suggest_fiber_stiffness(double pressure, double penetration) {
+// A stiffness k to begin with, from Young's modulus of the softer body and the size of its cells, see `fmc_suggest_stiffness`; `dim`
+// and `exponent` for the law "volume" alone.
+inline double suggest_stiffness(double modulus, double cell_size, fmc_law law = FMC_LAW_DEPTH, int dim = 3, double exponent = 1) {
   double k = 0;
-  check(fmc_suggest_fiber_stiffness(pressure, penetration, &k));
-  return k;
-}
-// Of the law "volume", from Young's modulus and the size of facets in contact, or from pressure and overlap of one pair.
-inline double suggest_stiffness_from_modulus(int dim, double exponent, double modulus, double facet_size) {
-  double k = 0;
-  check(fmc_suggest_stiffness_from_modulus(dim, exponent, modulus, facet_size, &k));
-  return k;
-}
-inline double suggest_stiffness_from_pressure(int dim, double exponent, double pressure, double overlap) {
-  double k = 0;
-  check(fmc_suggest_stiffness_from_pressure(dim, exponent, pressure, overlap, &k));
+  check(fmc_suggest_stiffness(law, dim, exponent, modulus, cell_size, &k));
   return k;
 }
 

@@ -228,13 +228,13 @@ contains
     type(fmc_result) :: all
     integer(c_int32_t) :: flags
     flags = 0
-    if (present(add)) flags = merge(FMC_ADD, 0, add)
+    if (present(add)) flags = merge(FMC_EVALUATE_ADD, 0, add)
     call checked(fmc_context_evaluate(self%handle, view(x), onto(forces), flags, all), stat)
     if (present(found)) found = all
   end subroutine
 
   ! Second derivative of the energy, - d force / d x, in compressed rows that count from 1: what a host adds to its
-  ! stiffness. flags: FMC_SEMIDEFINITE, FMC_SYMMETRIC (fmc_context_tangent, fmc_context_tangent_csr).
+  ! stiffness. flags: FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC (fmc_context_tangent, fmc_context_tangent_csr).
   subroutine tangent(self, x, row_offsets, cols, values, flags, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
@@ -294,21 +294,21 @@ contains
     class(contact), intent(in) :: self
     integer, intent(in) :: index
     integer, intent(out), optional :: stat
-    call checked(fmc_context_body(self%handle, int(index - 1, c_size_t), body), stat)
+    call checked(fmc_context_body_resultant(self%handle, int(index - 1, c_size_t), body), stat)
   end function
 
   type(fmc_resultant) function obstacle(self, index, stat)
     class(contact), intent(in) :: self
     integer, intent(in) :: index
     integer, intent(out), optional :: stat
-    call checked(fmc_context_obstacle(self%handle, int(index - 1, c_size_t), obstacle), stat)
+    call checked(fmc_context_obstacle_resultant(self%handle, int(index - 1, c_size_t), obstacle), stat)
   end function
 
-  type(fmc_pair) function pair(self, index, stat)
+  type(fmc_pair_result) function pair(self, index, stat)
     class(contact), intent(in) :: self
     integer, intent(in) :: index
     integer, intent(out), optional :: stat
-    call checked(fmc_context_pair(self%handle, int(index - 1, c_size_t), pair), stat)
+    call checked(fmc_context_pair_result(self%handle, int(index - 1, c_size_t), pair), stat)
     pair%a = pair%a + 1
     pair%b = pair%b + 1
   end function
@@ -509,12 +509,12 @@ contains
     class(contact), intent(in) :: self
     real(c_double), intent(out), allocatable :: values(:, :)
     integer, intent(out), optional :: stat
-    integer(c_size_t) :: facets
+    integer(c_size_t) :: numbers
     integer(c_int32_t) :: status
-    facets = 0
-    status = fmc_context_counts(self%handle, facet_count=facets)
-    allocate (values(self%dim, facets))
-    if (status == FMC_OK) status = fmc_context_slip(self%handle, values, size(values, kind=c_size_t))
+    numbers = 0
+    status = fmc_context_slip(self%handle, capacity=0_c_size_t, count=numbers)
+    allocate (values(self%dim, numbers / self%dim))
+    if (status == FMC_OK) status = fmc_context_slip(self%handle, values, numbers)
     call checked(status, stat)
   end subroutine
 
@@ -529,12 +529,20 @@ contains
   subroutine nodal_contact(self, x, pressure, gap, area, normal, friction, sliding, status, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
-    real(c_double), intent(out), contiguous, optional :: pressure(:), gap(:), area(:), sliding(:)
-    real(c_double), intent(out), contiguous, optional :: normal(:, :), friction(:, :)
-    integer(c_int32_t), intent(out), contiguous, optional :: status(:)
+    real(c_double), intent(out), contiguous, target, optional :: pressure(:), gap(:), area(:), sliding(:)
+    real(c_double), intent(out), contiguous, target, optional :: normal(:, :), friction(:, :)
+    integer(c_int32_t), intent(out), contiguous, target, optional :: status(:)
     integer, intent(out), optional :: stat
-    call checked(fmc_context_nodal_contact(self%handle, view(x), pressure, gap, area, normal, friction, sliding, &
-                                           status, size(x, 2, c_size_t)), stat)
+    type(fmc_nodal_contact) :: nodal
+    call checked(fmc_nodal_contact_init(nodal))
+    if (present(pressure)) nodal%pressure = c_loc(pressure)
+    if (present(gap)) nodal%gap = c_loc(gap)
+    if (present(area)) nodal%area = c_loc(area)
+    if (present(normal)) nodal%normal = c_loc(normal)
+    if (present(friction)) nodal%friction = c_loc(friction)
+    if (present(sliding)) nodal%sliding = c_loc(sliding)
+    if (present(status)) nodal%status = c_loc(status)
+    call checked(fmc_context_nodal_contact(self%handle, view(x), nodal), stat)
   end subroutine
 
   ! Where the laws `fiber` and `depth` press at x.
@@ -547,9 +555,9 @@ contains
     integer(c_int32_t) :: status
     integer :: k
     count = 0
-    status = fmc_context_find_contact_points(self%handle, view(x), count)
+    status = fmc_context_contact_points(self%handle, view(x), capacity=0_c_size_t, count=count)
     allocate (points(count))
-    if (status == FMC_OK) status = fmc_context_contact_points(self%handle, points, count)
+    if (status == FMC_OK) status = fmc_context_contact_points(self%handle, view(x), points, count)
     do k = 1, size(points)
       points(k)%patch = points(k)%patch + 1
       points(k)%sides%index = points(k)%sides%index + 1
@@ -559,7 +567,7 @@ contains
   end subroutine
 
   ! Weighted gaps of the nodes within reach of a partner, and d gap / d x in compressed rows that count from 1
-  ! (fmc_context_find_gap_constraints).
+  ! (fmc_context_gap_constraints).
   subroutine gap_constraints(self, x, reach, rows, row_offsets, cols, values, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
@@ -572,10 +580,12 @@ contains
     integer(c_int32_t) :: status
     count = 0
     entries = 0
-    status = fmc_context_find_gap_constraints(self%handle, view(x), reach, count, entries)
+    status = fmc_context_gap_constraints(self%handle, view(x), reach, capacity=0_c_size_t, count=count)
+    if (status == FMC_OK) status = fmc_context_gap_gradient(self%handle, offset_capacity=0_c_size_t, capacity=0_c_size_t, count=entries)
     allocate (rows(count), row_offsets(count + 1), cols(entries), values(entries))
-    if (status == FMC_OK) status = fmc_context_gap_constraints(self%handle, rows, count)
-    if (status == FMC_OK) status = fmc_context_gap_gradient(self%handle, row_offsets, cols, values, entries)
+    if (status == FMC_OK) status = fmc_context_gap_constraints(self%handle, view(x), reach, rows, count)
+    if (status == FMC_OK) status = fmc_context_gap_gradient(self%handle, row_offsets, count + 1, cols=cols, values=values, &
+                                                            capacity=entries)
     if (status == FMC_OK) then
       row_offsets = row_offsets + 1
       cols = cols + 1
@@ -586,17 +596,17 @@ contains
   end subroutine
 
   ! Moves surfaces out by what they penetrate at x (fmc_context_augment); reach: 0 for a twentieth of the bodies' extent.
-  subroutine augment(self, x, enough, found, reach, stat)
+  subroutine augment(self, x, tolerance, result, reach, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
-    real(c_double), intent(in) :: enough
-    type(fmc_augmentation), intent(out) :: found
+    real(c_double), intent(in) :: tolerance
+    type(fmc_augmentation), intent(out) :: result
     real(c_double), intent(in), optional :: reach
     integer, intent(out), optional :: stat
     real(c_double) :: within
     within = 0
     if (present(reach)) within = reach
-    call checked(fmc_context_augment(self%handle, view(x), within, enough, found), stat)
+    call checked(fmc_context_augment(self%handle, view(x), within, tolerance, result), stat)
   end subroutine
 
   ! How far surfaces are moved out, by nodes, bodies and partners that count from 1.
@@ -635,12 +645,12 @@ contains
     integer(c_size_t) :: count
     integer(c_int32_t) :: status
     count = 0
-    status = fmc_context_counts(self%handle, facet_count=count)
+    status = fmc_context_boundary_facets(self%handle, capacity=0_c_size_t, count=count)
     allocate (facets(count))
     if (status == FMC_OK) status = fmc_context_boundary_facets(self%handle, facets, count)
     facets%body = facets%body + 1
     where (facets%cell >= 0) facets%cell = facets%cell + 1
-    where (facets%given >= 0) facets%given = facets%given + 1
+    where (facets%input_facet >= 0) facets%input_facet = facets%input_facet + 1
     call checked(status, stat)
   end subroutine
 

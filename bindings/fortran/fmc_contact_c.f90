@@ -9,16 +9,16 @@ module fmc_contact_c
   implicit none
   public
 
-  integer(c_int32_t), parameter :: FMC_ABI_VERSION_OF_HEADER = 2
-  integer(c_int32_t), parameter :: FMC_ADD = 1
+  integer(c_int32_t), parameter :: FMC_ABI_VERSION_OF_HEADER = 3
+  integer(c_int32_t), parameter :: FMC_EVALUATE_ADD = 1
   integer(c_int32_t), parameter :: FMC_LOG_WARNING = 1
-  integer(c_int32_t), parameter :: FMC_SEMIDEFINITE = 2
-  integer(c_int32_t), parameter :: FMC_SYMMETRIC = 32
-  integer(c_int32_t), parameter :: FMC_BLOCKS = 4
-  integer(c_int32_t), parameter :: FMC_OBSTACLES = 8
+  integer(c_int32_t), parameter :: FMC_TANGENT_SEMIDEFINITE = 2
+  integer(c_int32_t), parameter :: FMC_TANGENT_SYMMETRIC = 32
+  integer(c_int32_t), parameter :: FMC_CSR_BLOCKS = 4
+  integer(c_int32_t), parameter :: FMC_CSR_OBSTACLES = 8
   integer(c_int32_t), parameter :: FMC_FROM_ONE = 16
-  integer(c_int32_t), parameter :: FMC_LAW_OF_CONTEXT = -1
-  integer(c_int32_t), parameter :: FMC_FRICTION_OF_CONTEXT = -1
+  integer(c_int32_t), parameter :: FMC_PAIR_LAW_OF_CONTEXT = -1
+  integer(c_int32_t), parameter :: FMC_PAIR_FRICTION_OF_CONTEXT = -1
   integer(c_int32_t), parameter :: FMC_OK = 0
   integer(c_int32_t), parameter :: FMC_ERROR_NULL_POINTER = 1
   integer(c_int32_t), parameter :: FMC_ERROR_MISALIGNED_POINTER = 2
@@ -65,8 +65,8 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_NON_CONFORMING = 43
   integer(c_int32_t), parameter :: FMC_ERROR_SINGULAR_STIFFNESS = 44
   integer(c_int32_t), parameter :: FMC_ERROR_INDEFINITE_STIFFNESS = 45
-  integer(c_int32_t), parameter :: FMC_ERROR_FREEDOM_OUT_OF_RANGE = 46
-  integer(c_int32_t), parameter :: FMC_ERROR_REPEATED_FREEDOM = 47
+  integer(c_int32_t), parameter :: FMC_ERROR_DOF_OUT_OF_RANGE = 46
+  integer(c_int32_t), parameter :: FMC_ERROR_REPEATED_DOF = 47
   integer(c_int32_t), parameter :: FMC_ERROR_NON_FINITE_STIFFNESS = 48
   integer(c_int32_t), parameter :: FMC_ERROR_PLACE = 49
   integer(c_int32_t), parameter :: FMC_ERROR_BAD_RANK = 50
@@ -77,6 +77,10 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_NOT_POSITIVE_DEFINITE = 55
   integer(c_int32_t), parameter :: FMC_ERROR_UNSYMMETRIC = 56
   integer(c_int32_t), parameter :: FMC_ERROR_NOT_FACTORISED = 57
+  integer(c_int32_t), parameter :: FMC_ERROR_BAD_VALUE = 59
+  integer(c_int32_t), parameter :: FMC_ERROR_UNKNOWN_FLAG = 60
+  integer(c_int32_t), parameter :: FMC_ERROR_OPTIONS_CONFLICT = 61
+  integer(c_int32_t), parameter :: FMC_ERROR_RESERVED_FIELD = 62
   integer(c_int32_t), parameter :: FMC_LAW_VOLUME = 0
   integer(c_int32_t), parameter :: FMC_LAW_FIBER = 1
   integer(c_int32_t), parameter :: FMC_LAW_DEPTH = 2
@@ -237,7 +241,7 @@ module fmc_contact_c
     integer(c_size_t) :: struct_size
     integer(c_size_t) :: body
     integer(c_int64_t) :: cell
-    integer(c_int64_t) :: given
+    integer(c_int64_t) :: input_facet
     integer(c_int32_t) :: local_face
     integer(c_int32_t) :: node_count
     integer(c_int64_t) :: nodes(4)
@@ -292,13 +296,13 @@ module fmc_contact_c
   type, bind(c) :: fmc_contact_step_options
     integer(c_size_t) :: struct_size
     real(c_double) :: tolerance
-    real(c_double) :: goal
+    real(c_double) :: absolute_tolerance
     real(c_double) :: full_below
-    integer(c_int32_t) :: most_iterations
-    integer(c_int32_t) :: most_trials
+    integer(c_int32_t) :: max_iterations
+    integer(c_int32_t) :: max_trials
     real(c_double) :: penetration
     real(c_double) :: reach
-    integer(c_int32_t) :: most_updates
+    integer(c_int32_t) :: max_updates
     integer(c_int32_t) :: soft_start
     integer(c_int64_t) :: reserved(5)
   end type
@@ -326,7 +330,7 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
-  type, bind(c) :: fmc_pair
+  type, bind(c) :: fmc_pair_result
     integer(c_size_t) :: struct_size
     integer(c_int32_t) :: a_kind
     integer(c_int32_t) :: b_kind
@@ -356,6 +360,17 @@ module fmc_contact_c
     integer(c_int32_t) :: law
     integer(c_int32_t) :: excluded
     integer(c_int64_t) :: reserved(10)
+  end type
+
+  type, bind(c) :: fmc_nodal_contact
+    integer(c_size_t) :: struct_size
+    type(c_ptr) :: pressure
+    type(c_ptr) :: gap
+    type(c_ptr) :: area
+    type(c_ptr) :: normal
+    type(c_ptr) :: friction
+    type(c_ptr) :: sliding
+    type(c_ptr) :: status
   end type
 
   type, bind(c) :: fmc_contact_side
@@ -400,7 +415,7 @@ module fmc_contact_c
     real(c_double) :: penetration
     real(c_double) :: change
     integer(c_size_t) :: multiplier_count
-    integer(c_int32_t) :: is_enough
+    integer(c_int32_t) :: is_converged
     integer(c_int32_t) :: reserved_flags
     integer(c_int64_t) :: reserved(4)
   end type
@@ -495,6 +510,11 @@ module fmc_contact_c
       import
       integer(c_int32_t), value :: status
       type(c_ptr) :: fmc_status_name
+    end function
+    function fmc_status_class(status) bind(c)
+      import
+      integer(c_int32_t), value :: status
+      integer(c_int32_t) :: fmc_status_class
     end function
     function fmc_last_error() bind(c)
       import
@@ -662,6 +682,12 @@ module fmc_contact_c
       type(fmc_options), intent(in), optional :: options
       integer(c_int32_t) :: fmc_context_set_options
     end function
+    function fmc_context_options(context, options) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_context_options
+    end function
     function fmc_context_set_log(context, callback, user) bind(c)
       import
       type(c_ptr), value :: context
@@ -686,16 +712,12 @@ module fmc_contact_c
       type(fmc_result), intent(inout), optional :: result
       integer(c_int32_t) :: fmc_context_evaluate
     end function
-    function fmc_context_error(context) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(c_ptr) :: fmc_context_error
-    end function
-    function fmc_context_boundary_facets(context, facets, capacity) bind(c)
+    function fmc_context_boundary_facets(context, facets, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_boundary_facet), intent(inout), optional :: facets(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_boundary_facets
     end function
     function fmc_context_point_weights_size(context, point_count, entry_count) bind(c)
@@ -752,18 +774,19 @@ module fmc_contact_c
       type(fmc_coords), intent(in), optional :: coords
       integer(c_int32_t) :: fmc_context_freeze_friction
     end function
-    function fmc_context_slip(context, slip, capacity) bind(c)
+    function fmc_context_slip(context, slip, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
       real(c_double), intent(inout), optional :: slip(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_slip
     end function
-    function fmc_context_set_slip(context, slip, length) bind(c)
+    function fmc_context_set_slip(context, slip, count) bind(c)
       import
       type(c_ptr), value :: context
       real(c_double), intent(in), optional :: slip(*)
-      integer(c_size_t), value :: length
+      integer(c_size_t), value :: count
       integer(c_int32_t) :: fmc_context_set_slip
     end function
     function fmc_context_set_reference(context, coords) bind(c)
@@ -901,12 +924,12 @@ module fmc_contact_c
       type(c_ptr), intent(inout), optional :: context
       integer(c_int32_t) :: fmc_context_new_from_part
     end function
-    function fmc_context_bring(context, coords, renumbered) bind(c)
+    function fmc_context_set_coords(context, coords, renumbered) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
       integer(c_int32_t), intent(inout), optional :: renumbered
-      integer(c_int32_t) :: fmc_context_bring
+      integer(c_int32_t) :: fmc_context_set_coords
     end function
     function fmc_context_set_carried_slip(context, carried, count) bind(c)
       import
@@ -1018,26 +1041,26 @@ module fmc_contact_c
       integer(c_size_t), value :: capacity
       integer(c_int32_t) :: fmc_condensation_expand
     end function
-    function fmc_context_body(context, index, body) bind(c)
+    function fmc_context_body_resultant(context, index, body) bind(c)
       import
       type(c_ptr), value :: context
       integer(c_size_t), value :: index
       type(fmc_resultant), intent(inout), optional :: body
-      integer(c_int32_t) :: fmc_context_body
+      integer(c_int32_t) :: fmc_context_body_resultant
     end function
-    function fmc_context_obstacle(context, index, obstacle) bind(c)
+    function fmc_context_obstacle_resultant(context, index, obstacle) bind(c)
       import
       type(c_ptr), value :: context
       integer(c_size_t), value :: index
       type(fmc_resultant), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_obstacle
+      integer(c_int32_t) :: fmc_context_obstacle_resultant
     end function
-    function fmc_context_pair(context, index, pair) bind(c)
+    function fmc_context_pair_result(context, index, pair) bind(c)
       import
       type(c_ptr), value :: context
       integer(c_size_t), value :: index
-      type(fmc_pair), intent(inout), optional :: pair
-      integer(c_int32_t) :: fmc_context_pair
+      type(fmc_pair_result), intent(inout), optional :: pair
+      integer(c_int32_t) :: fmc_context_pair_result
     end function
     function fmc_context_warning(context, index, code, text) bind(c)
       import
@@ -1072,67 +1095,57 @@ module fmc_contact_c
       type(fmc_pair_options), intent(inout), optional :: options
       integer(c_int32_t) :: fmc_context_pair_options
     end function
-    function fmc_context_nodal_contact(context, coords, pressure, gap, area, normal, friction, &
-        sliding, status, node_count) bind(c)
+    function fmc_nodal_contact_init(nodal) bind(c)
+      import
+      type(fmc_nodal_contact), intent(inout), optional :: nodal
+      integer(c_int32_t) :: fmc_nodal_contact_init
+    end function
+    function fmc_context_nodal_contact(context, coords, nodal) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
-      real(c_double), intent(inout), optional :: pressure(*)
-      real(c_double), intent(inout), optional :: gap(*)
-      real(c_double), intent(inout), optional :: area(*)
-      real(c_double), intent(inout), optional :: normal(*)
-      real(c_double), intent(inout), optional :: friction(*)
-      real(c_double), intent(inout), optional :: sliding(*)
-      integer(c_int32_t), intent(inout), optional :: status(*)
-      integer(c_size_t), value :: node_count
+      type(fmc_nodal_contact), intent(in), optional :: nodal
       integer(c_int32_t) :: fmc_context_nodal_contact
     end function
-    function fmc_context_find_contact_points(context, coords, count) bind(c)
+    function fmc_context_contact_points(context, coords, points, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_find_contact_points
-    end function
-    function fmc_context_contact_points(context, points, capacity) bind(c)
-      import
-      type(c_ptr), value :: context
       type(fmc_contact_point), intent(inout), optional :: points(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_contact_points
     end function
-    function fmc_context_find_gap_constraints(context, coords, reach, count, entry_count) bind(c)
+    function fmc_context_gap_constraints(context, coords, reach, rows, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
       real(c_double), value :: reach
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_size_t), intent(inout), optional :: entry_count
-      integer(c_int32_t) :: fmc_context_find_gap_constraints
-    end function
-    function fmc_context_gap_constraints(context, rows, capacity) bind(c)
-      import
-      type(c_ptr), value :: context
       type(fmc_gap_constraint), intent(inout), optional :: rows(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_gap_constraints
     end function
-    function fmc_context_gap_gradient(context, row_offsets, cols, values, capacity) bind(c)
+    function fmc_context_gap_gradient(context, row_offsets, offset_capacity, offset_count, cols, &
+        values, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
       integer(c_int64_t), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: offset_capacity
+      integer(c_size_t), intent(inout), optional :: offset_count
       integer(c_int64_t), intent(inout), optional :: cols(*)
       real(c_double), intent(inout), optional :: values(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_gap_gradient
     end function
-    function fmc_context_augment(context, coords, reach, enough, found) bind(c)
+    function fmc_context_augment(context, coords, reach, tolerance, result) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
       real(c_double), value :: reach
-      real(c_double), value :: enough
-      type(fmc_augmentation), intent(inout), optional :: found
+      real(c_double), value :: tolerance
+      type(fmc_augmentation), intent(inout), optional :: result
       integer(c_int32_t) :: fmc_context_augment
     end function
     function fmc_context_stiffen(context, factor) bind(c)
@@ -1304,32 +1317,15 @@ module fmc_contact_c
       integer(c_size_t), value :: obstacle
       integer(c_int32_t) :: fmc_context_remove_obstacle
     end function
-    function fmc_suggest_fiber_stiffness(pressure, penetration, stiffness) bind(c)
+    function fmc_suggest_stiffness(law, dim, exponent, modulus, cell_size, stiffness) bind(c)
       import
-      real(c_double), value :: pressure
-      real(c_double), value :: penetration
-      real(c_double), intent(inout), optional :: stiffness
-      integer(c_int32_t) :: fmc_suggest_fiber_stiffness
-    end function
-    function fmc_suggest_stiffness_from_modulus(dim, exponent, modulus, facet_size, &
-        stiffness) bind(c)
-      import
+      integer(c_int32_t), value :: law
       integer(c_int32_t), value :: dim
       real(c_double), value :: exponent
       real(c_double), value :: modulus
-      real(c_double), value :: facet_size
+      real(c_double), value :: cell_size
       real(c_double), intent(inout), optional :: stiffness
-      integer(c_int32_t) :: fmc_suggest_stiffness_from_modulus
-    end function
-    function fmc_suggest_stiffness_from_pressure(dim, exponent, pressure, overlap, &
-        stiffness) bind(c)
-      import
-      integer(c_int32_t), value :: dim
-      real(c_double), value :: exponent
-      real(c_double), value :: pressure
-      real(c_double), value :: overlap
-      real(c_double), intent(inout), optional :: stiffness
-      integer(c_int32_t) :: fmc_suggest_stiffness_from_pressure
+      integer(c_int32_t) :: fmc_suggest_stiffness
     end function
   end interface
 end module

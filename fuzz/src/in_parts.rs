@@ -77,7 +77,7 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) 
     unsafe {
         let mut expected = std::mem::zeroed::<fmc_result>();
         let status = checked(fmc_context_evaluate(whole, &coords.view, &of_whole.out(), 0, &mut expected));
-        let brought = checked(fmc_context_bring(part, &coords.view, null_mut()));
+        let brought = checked(fmc_context_set_coords(part, &coords.view, null_mut()));
         let mut counts = fmc_gathered_counts::default();
         assert_eq!(checked(fmc_context_gathered_counts(part, &mut counts)), OK);
         assert!(checked(fmc_context_gathered_counts(whole, &mut counts)) != OK, "a whole mesh has no parts");

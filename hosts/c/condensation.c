@@ -64,14 +64,14 @@ int main(void) {
   check(fmc_condensation_complement(bodies, S, 4));
   check(fmc_condensation_condense(bodies, load, 4, condensed, 2));
 
-  const int64_t freedoms[2] = {2 * 4 + 1, 2 * 5 + 1}, held[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const int64_t dofs[2] = {2 * 4 + 1, 2 * 5 + 1}, held[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   const fmc_coords initial = {start[0], 8, 0, 0};
   const double residual[2] = {-condensed[0], -condensed[1]};
   fmc_contact_step_options when;
   fmc_contact_step_result found;
   check(fmc_contact_step_options_init(&when));
   when.tolerance = 1e-12;
-  check(fmc_context_contact_step(context, &initial, &when, freedoms, 2, held, 8, S, residual, follow, NULL, d, &found));
+  check(fmc_context_contact_step(context, &initial, &when, dofs, 2, held, 8, S, residual, follow, NULL, d, &found));
   check(fmc_condensation_expand(bodies, load, 4, d, 2, all, 4));
   printf("S %g %g %g %g  u %.9f, expected %.9f, between %.9f\n", S[0], S[1], S[2], S[3], -d[0], 100.8 / 1001, -all[0]);
   wrong += found.state != FMC_STEP_CONVERGED;
@@ -100,10 +100,10 @@ int main(void) {
   wrong += FACTORISE(offsets, cols, values, NULL) != FMC_ERROR_NULL_POINTER;
   wrong += FACTORISE(falling, cols, values, kept) != FMC_ERROR_LENGTH;
   wrong += FACTORISE(below, cols, values, kept) != FMC_ERROR_LENGTH;
-  wrong += FACTORISE(offsets, far_cols, values, kept) != FMC_ERROR_FREEDOM_OUT_OF_RANGE;
-  wrong += FACTORISE(offsets, cols, values, beyond) != FMC_ERROR_FREEDOM_OUT_OF_RANGE;
-  wrong += FACTORISE(offsets, cols, values, negative) != FMC_ERROR_FREEDOM_OUT_OF_RANGE;
-  wrong += FACTORISE(offsets, cols, values, twice) != FMC_ERROR_REPEATED_FREEDOM;
+  wrong += FACTORISE(offsets, far_cols, values, kept) != FMC_ERROR_DOF_OUT_OF_RANGE;
+  wrong += FACTORISE(offsets, cols, values, beyond) != FMC_ERROR_DOF_OUT_OF_RANGE;
+  wrong += FACTORISE(offsets, cols, values, negative) != FMC_ERROR_DOF_OUT_OF_RANGE;
+  wrong += FACTORISE(offsets, cols, values, twice) != FMC_ERROR_REPEATED_DOF;
   wrong += FACTORISE(offsets, cols, lost, kept) != FMC_ERROR_NON_FINITE_STIFFNESS;
   wrong += FACTORISE(offsets, cols, uneven, kept) != FMC_ERROR_UNSYMMETRIC;
   memset(again, 0, sizeof again);

@@ -23,11 +23,14 @@ int main(void) {
   options.estimator = FMC_ESTIMATOR_EXACT;
   CHECK(fmc_context_new_from_cells(2, &coords, &squares, 1, NULL, &options, &contact));
   CHECK(fmc_context_evaluate(contact, &coords, NULL, 0, NULL));
-  CHECK(fmc_context_body(contact, 1, &second));
+  CHECK(fmc_context_body_resultant(contact, 1, &second));
 
   double pressure[8], gap[8], area[8], normal[8][2], of_nodes = 0, of_points = 0;
   int32_t status[8];
-  CHECK(fmc_context_nodal_contact(contact, &coords, pressure, gap, area, normal[0], NULL, NULL, status, 8));
+  fmc_nodal_contact nodal;
+  CHECK(fmc_nodal_contact_init(&nodal));
+  nodal.pressure = pressure, nodal.gap = gap, nodal.area = area, nodal.normal = normal[0], nodal.status = status;
+  CHECK(fmc_context_nodal_contact(contact, &coords, &nodal));
   for (int n = 4; n < 8; n++) {
     of_nodes -= pressure[n] * area[n] * normal[n][0];
     if (status[n] == FMC_NODE_TOUCHING)
@@ -36,9 +39,9 @@ int main(void) {
   }
 
   size_t count;
-  CHECK(fmc_context_find_contact_points(contact, &coords, &count));
+  CHECK(fmc_context_contact_points(contact, &coords, NULL, 0, &count));
   fmc_contact_point *points = malloc(count * sizeof *points);
-  CHECK(fmc_context_contact_points(contact, points, count));
+  CHECK(fmc_context_contact_points(contact, &coords, points, count, NULL));
   for (size_t i = 0; i < count; i++) of_points += points[i].pressure * points[i].area * points[i].normal[0];
   printf("force on the second square: %.2f, from its nodes %.2f, from the points %.2f\n", second.force[0], of_nodes,
          of_points);

@@ -81,7 +81,10 @@ int main(void) {
     }
     printf("pushed by %7.4f: %8.5f of %.5f, dissipated %.2e\n", way[k], along, mu * normal, result.friction_dissipation);
     EXPECT(fabs(along) <= 1.001 * mu * normal && result.friction_dissipation >= 0);
-    OK(fmc_context_nodal_contact(context, &at, NULL, NULL, NULL, NULL, friction[0], sliding, status, NODES));
+    fmc_nodal_contact nodal;
+    OK(fmc_nodal_contact_init(&nodal));
+    nodal.friction = friction[0], nodal.sliding = sliding, nodal.status = status;
+    OK(fmc_context_nodal_contact(context, &at, &nodal));
     EXPECT(k == 0 || k == 2 ? status[4] == FMC_NODE_STICKING : status[4] == FMC_NODE_SLIDING);
     EXPECT(friction[4][0] * along > 0 && friction[0][0] == 0);
 
@@ -95,7 +98,7 @@ int main(void) {
     OK(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], &volume));
     EXPECT(memcmp(forces, other, sizeof forces) == 0 && volume == result.volume);
     OK(fmc_context_commit_step(context, &at));
-    OK(fmc_context_slip(context, kept, 64));
+    OK(fmc_context_slip(context, kept, 64, NULL));
     EXPECT(memcmp(kept, slip, length * sizeof *slip) == 0 && memcmp(before, slip, sizeof slip) != 0);
     memcpy(start, coords, sizeof start);
   }
@@ -115,7 +118,7 @@ int main(void) {
   slip[5] = before[5];
   step.reserved[0] = 1;
   EXPECT(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], NULL) ==
-         FMC_ERROR_UNKNOWN_OPTION);
+         FMC_ERROR_RESERVED_FIELD);
   step.struct_size = 8;
   EXPECT(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], NULL) ==
          FMC_ERROR_STRUCT_SIZE);

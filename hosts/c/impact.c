@@ -114,7 +114,7 @@ int main(void) {
     if (step % 20 == 0) {
       fmc_resultant block;
       double momentum = 0, total = 0;
-      check(fmc_context_body(contact, 1, &block));
+      check(fmc_context_body_resultant(contact, 1, &block));
       for (int n = upper; n < NODES; n++) {
         momentum += mass[n] * v[n][1];
         total += mass[n];

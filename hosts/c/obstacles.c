@@ -57,8 +57,8 @@ int main(void) {
     check(way == 0 ? fmc_context_add_ball(context, radius, &pose, NULL)
                    : fmc_context_add_signed_distance(context, disc, &radius, &pose, NULL));
     check(fmc_context_evaluate(context, &x, &f, 0, &result));
-    check(fmc_context_body(context, 0, &square));
-    check(fmc_context_obstacle(context, 0, &obstacle));
+    check(fmc_context_body_resultant(context, 0, &square));
+    check(fmc_context_obstacle_resultant(context, 0, &obstacle));
     printf("%s  volume %.4f of %.4f  force %.0f of %.0f\n", way == 0 ? "ball    " : "callback", result.volume, cap,
            square.force[1], 1000 * width);
     if (fabs(result.volume - cap) > 1e-3 * cap || fabs(square.force[1] - 1000 * width) > 1.0) return 1;

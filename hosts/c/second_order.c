@@ -76,9 +76,9 @@ int main(void) {
   /* Forces at contact points, by the shape functions of the points and the weights of the nodes. */
   size_t count;
   double brought[NODES][2] = {{0}};
-  CHECK(fmc_context_find_contact_points(contact, &coords, &count));
+  CHECK(fmc_context_contact_points(contact, &coords, NULL, 0, &count));
   fmc_contact_point *found = malloc(count * sizeof *found);
-  CHECK(fmc_context_contact_points(contact, found, count));
+  CHECK(fmc_context_contact_points(contact, &coords, found, count, NULL));
   for (size_t i = 0; i < count; i++)
     for (int s = 0; s < 2; s++)
       for (int k = 0; k < found[i].sides[s].node_count; k++) {
@@ -92,12 +92,13 @@ int main(void) {
 
   /* Rows are points, columns degrees of freedom of nodes. */
   size_t rows, slopes;
-  CHECK(fmc_context_find_gap_constraints(contact, &coords, 0.3, &rows, &slopes));
+  CHECK(fmc_context_gap_constraints(contact, &coords, 0.3, NULL, 0, &rows));
+  CHECK(fmc_context_gap_gradient(contact, NULL, 0, NULL, NULL, NULL, 0, &slopes));
   fmc_gap_constraint *gaps = malloc(rows * sizeof *gaps);
   int64_t *offsets = malloc((rows + 1) * sizeof *offsets), *cols = malloc(slopes * sizeof *cols);
   double *values = malloc(slopes * sizeof *values);
-  CHECK(fmc_context_gap_constraints(contact, gaps, rows));
-  CHECK(fmc_context_gap_gradient(contact, offsets, cols, values, slopes));
+  CHECK(fmc_context_gap_constraints(contact, &coords, 0.3, gaps, rows, NULL));
+  CHECK(fmc_context_gap_gradient(contact, offsets, rows + 1, NULL, cols, values, slopes, NULL));
   for (size_t r = 0; r < rows; r++) {
     EXPECT(gaps[r].node >= 1 && gaps[r].node <= (int64_t)points);
     if (gaps[r].node == 16 && gaps[r].body == 1) EXPECT(fabs(gaps[r].gap / gaps[r].area + 0.1) < 1e-12);

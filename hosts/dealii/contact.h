@@ -30,7 +30,7 @@ class Contact {
 
   /* Finds the tangent, which the other two hand out: its places first, since contact comes and goes. */
   void find_tangent(const dealii::Vector<double> &u, bool semidefinite = false) {
-    context_.find_tangent(moved(u), semidefinite ? FMC_SEMIDEFINITE : 0);
+    context_.find_tangent(moved(u), semidefinite ? FMC_TANGENT_SEMIDEFINITE : 0);
     tangent_ = context_.tangent_entries();
   }
   void add_places(dealii::DynamicSparsityPattern &pattern) const {

@@ -47,7 +47,7 @@ contains
     type(fmc_options) :: options
     type(fmc_result) :: found
     type(fmc_resultant) :: body
-    type(fmc_pair) :: pair
+    type(fmc_pair_result) :: pair
     type(fmc_contact_point), allocatable :: points(:)
     type(fmc_gap_constraint), allocatable :: gaps(:)
     type(fmc_multiplier), allocatable :: shifts(:)
@@ -97,7 +97,7 @@ contains
     ! The structs are those of the library, which writes their size.
     call expect("size of fmc_options", real(c_sizeof(options), c_double), real(options%struct_size, c_double), 0d0)
     call expect("size of fmc_result", real(c_sizeof(found), c_double), real(found%struct_size, c_double), 0d0)
-    call expect("size of fmc_pair", real(c_sizeof(pair), c_double), real(pair%struct_size, c_double), 0d0)
+    call expect("size of fmc_pair_result", real(c_sizeof(pair), c_double), real(pair%struct_size, c_double), 0d0)
     call expect("size of a point", real(c_sizeof(points(1)), c_double), real(points(1)%struct_size, c_double), 0d0)
     call expect("size of a gap", real(c_sizeof(gaps(1)), c_double), real(gaps(1)%struct_size, c_double), 0d0)
     call expect("gaps", minval(gaps%gap/gaps%area), -depth, 1d-9)

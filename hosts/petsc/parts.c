@@ -59,7 +59,7 @@ static PetscErrorCode bring(Parts *p, Vec u) {
   for (PetscInt i = 0; i < 3 * count; i++) p->own_x[i] = p->blocks->x[i] + at[i];
   PetscCall(VecRestoreArrayRead(local, &at));
   PetscCall(VecGhostRestoreLocalForm(p->ghosted, &local));
-  PetscCall(together(fmc_context_bring(p->context, &(fmc_coords){p->own_x, count, 0, 0}, NULL)));
+  PetscCall(together(fmc_context_set_coords(p->context, &(fmc_coords){p->own_x, count, 0, 0}, NULL)));
   PetscCall(read_nodes(p));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
@@ -127,10 +127,10 @@ PetscErrorCode parts_tangent(Parts *p, Vec u, PetscBool semidefinite, Mat *tange
   PetscFunctionBeginUser;
   PetscCall(bring(p, u));
   const fmc_coords coords = {p->x, p->count, 0, 0};
-  PetscCall(together(fmc_context_tangent(p->context, &coords, semidefinite ? FMC_SEMIDEFINITE : 0, NULL, NULL)));
-  PetscCall(together(fmc_context_tangent_csr_size(p->context, FMC_BLOCKS, &rows, &entries)));
+  PetscCall(together(fmc_context_tangent(p->context, &coords, semidefinite ? FMC_TANGENT_SEMIDEFINITE : 0, NULL, NULL)));
+  PetscCall(together(fmc_context_tangent_csr_size(p->context, FMC_CSR_BLOCKS, &rows, &entries)));
   PetscCall(PetscMalloc3(rows + 1, &offsets, entries, &cols, 9 * entries, &values));
-  PetscCall(together(fmc_context_tangent_csr(p->context, FMC_BLOCKS, offsets, cols, values, entries)));
+  PetscCall(together(fmc_context_tangent_csr(p->context, FMC_CSR_BLOCKS, offsets, cols, values, entries)));
   PetscCall(VecGetOwnershipRange(u, &first, &last));
   PetscCall(PetscCalloc1(last - first, &counts));
   PetscCall(PetscMalloc1(3 * rows, &found));

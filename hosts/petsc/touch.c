@@ -99,7 +99,7 @@ PetscErrorCode touch_add_tangent(Touch *t, Vec u, PetscBool semidefinite, Mat ma
   PetscFunctionBeginUser;
   begin = processor_seconds();
   PetscCall(gather(t, u, &coords));
-  PetscCall(together(fmc_context_tangent(t->context, &coords, semidefinite ? FMC_SEMIDEFINITE : 0, &count, NULL)));
+  PetscCall(together(fmc_context_tangent(t->context, &coords, semidefinite ? FMC_TANGENT_SEMIDEFINITE : 0, &count, NULL)));
   PetscCall(PetscMalloc3(count, &rows, count, &cols, count, &values));
   PetscCall(together(fmc_context_tangent_entries(t->context, rows, cols, values, count)));
   PetscCall(MatGetOwnershipRange(matrix, &first, &last));

@@ -67,10 +67,14 @@ class Context {
   int dim() const noexcept { return dim_; }
   // For calls of the C interface. The context stays owned; callbacks that throw are for the methods here.
   fmc_context *get() const noexcept { return context_.get(); }
-  // Text of the last call that failed on this context.
-  std::string error() const { return fmc_context_error(get()); }
 
   void set_options(const Options &options) { call(fmc_context_set_options(get(), &options)); }
+  // Those in force, with the stiffness that `stiffen` has made of theirs.
+  Options options() const {
+    Options options(0);
+    check(fmc_context_options(get(), &options));
+    return options;
+  }
   Counts counts() const {
     Counts counts;
     check(fmc_context_counts(get(), &counts.nodes, &counts.facets, &counts.bodies));
@@ -85,7 +89,7 @@ class Context {
     callbacks_->log = std::move(next);
   }
 
-  // Forces at the current coordinates of all nodes, into the host's array or, with the flag `FMC_ADD`, onto what it holds.
+  // Forces at the current coordinates of all nodes, into the host's array or, with the flag `FMC_EVALUATE_ADD`, onto what it holds.
   fmc_result evaluate(Coords coords, Forces forces, uint32_t flags = 0) {
     fmc_result result;
     const auto x = coords.as_c(dim_);
@@ -102,18 +106,18 @@ class Context {
   }
 
   // Of the last evaluation: force and moment on bodies and obstacles, the pairs that overlap, warnings.
-  fmc_resultant body(std::size_t index) const { return get_one<fmc_resultant>(fmc_context_body, index); }
-  fmc_resultant obstacle(std::size_t index) const { return get_one<fmc_resultant>(fmc_context_obstacle, index); }
-  fmc_pair pair(std::size_t index) const { return get_one<fmc_pair>(fmc_context_pair, index); }
+  fmc_resultant body(std::size_t index) const { return get_one<fmc_resultant>(fmc_context_body_resultant, index); }
+  fmc_resultant obstacle(std::size_t index) const { return get_one<fmc_resultant>(fmc_context_obstacle_resultant, index); }
+  fmc_pair_result pair(std::size_t index) const { return get_one<fmc_pair_result>(fmc_context_pair_result, index); }
   Warning warning(std::size_t index) const {
     int32_t code = 0;
     const char *text = nullptr;
     check(fmc_context_warning(get(), index, &code, &text));
     return {code, text};
   }
-  std::vector<fmc_resultant> bodies() const { return get_all<fmc_resultant>(fmc_context_body); }
-  std::vector<fmc_resultant> obstacles() const { return get_all<fmc_resultant>(fmc_context_obstacle); }
-  std::vector<fmc_pair> pairs() const { return get_all<fmc_pair>(fmc_context_pair); }
+  std::vector<fmc_resultant> bodies() const { return get_all<fmc_resultant>(fmc_context_body_resultant); }
+  std::vector<fmc_resultant> obstacles() const { return get_all<fmc_resultant>(fmc_context_obstacle_resultant); }
+  std::vector<fmc_pair_result> pairs() const { return get_all<fmc_pair_result>(fmc_context_pair_result); }
   std::vector<Warning> warnings() const {
     std::vector<Warning> all;
     int32_t code = 0;
@@ -122,8 +126,8 @@ class Context {
     return all;
   }
 
-  // The tangent at `coords` in compressed rows, with flags of `fmc_context_tangent` (`FMC_SEMIDEFINITE`, `FMC_SYMMETRIC`) and of
-  // `fmc_context_tangent_csr` (`FMC_BLOCKS`, `FMC_OBSTACLES`, `FMC_FROM_ONE`). Unsymmetric with friction. Terms of rank one,
+  // The tangent at `coords` in compressed rows, with flags of `fmc_context_tangent` (`FMC_TANGENT_SEMIDEFINITE`, `FMC_TANGENT_SYMMETRIC`) and of
+  // `fmc_context_tangent_csr` (`FMC_CSR_BLOCKS`, `FMC_CSR_OBSTACLES`, `FMC_FROM_ONE`). Unsymmetric with friction. Terms of rank one,
   // which the law "volume" has, are not in it.
   template <class Int = int32_t>
   Csr<Int> tangent(Coords coords, uint32_t flags = 0) {
@@ -152,7 +156,7 @@ class Context {
   template <class Int = int32_t>
   Csr<Int> tangent_csr(uint32_t flags = 0) const {
     const auto size = tangent_csr_size(flags);
-    const auto block = (flags & FMC_BLOCKS) != 0 ? axes() * axes() : 1;
+    const auto block = (flags & FMC_CSR_BLOCKS) != 0 ? axes() * axes() : 1;
     Csr<Int> csr;
     csr.row_offsets.resize(size.rows + 1), csr.cols.resize(size.entries), csr.values.resize(size.entries * block);
     tangent_csr<Int>(flags, csr.row_offsets, csr.cols, csr.values);
@@ -161,14 +165,14 @@ class Context {
   // Into arrays of the host, of the lengths that `tangent_csr_size` says.
   template <class Int>
   void tangent_csr(uint32_t flags, View<Int> row_offsets, View<Int> cols, View<double> values) const {
-    const auto block = (flags & FMC_BLOCKS) != 0 ? axes() * axes() : 1;
+    const auto block = (flags & FMC_CSR_BLOCKS) != 0 ? axes() * axes() : 1;
     need(row_offsets.size(), tangent_csr_size(flags).rows + 1, "row_offsets");
     need(values.size(), cols.size() * block, "values");
     check(detail::Calls<Int>::tangent_csr(get(), flags, row_offsets.data(), cols.data(), values.data(), cols.size()));
   }
   Entries tangent_entries() const {
     // As many as in compressed rows: both have each place once, obstacles included.
-    const auto count = tangent_csr_size(FMC_OBSTACLES).entries;
+    const auto count = tangent_csr_size(FMC_CSR_OBSTACLES).entries;
     Entries entries{std::vector<int32_t>(count), std::vector<int32_t>(count), std::vector<double>(count)};
     check(fmc_context_tangent_entries(get(), entries.rows.data(), entries.cols.data(), entries.values.data(), count));
     return entries;
@@ -180,7 +184,7 @@ class Context {
   }
   RankOne tangent_rank_one(std::size_t index) const {
     RankOne term;
-    term.vector.resize(tangent_csr_size(FMC_OBSTACLES).rows);
+    term.vector.resize(tangent_csr_size(FMC_CSR_OBSTACLES).rows);
     check(fmc_context_tangent_rank_one(get(), index, &term.factor, term.vector.data(), term.vector.size()));
     return term;
   }
@@ -200,7 +204,7 @@ class Context {
   bool bring(Coords own) {
     int32_t renumbered = 0;
     const auto x = own.as_c(dim_);
-    call(fmc_context_bring(get(), &x, &renumbered));
+    call(fmc_context_set_coords(get(), &x, &renumbered));
     return renumbered != 0;
   }
   fmc_gathered_counts gathered_counts() const {
@@ -221,11 +225,7 @@ class Context {
   }
   // Slip that was carried into the step, of all facets where it is not zero: what a restart on any number of ranks needs.
   std::vector<fmc_carried_slip> carried_slip() const {
-    std::size_t count = 0;
-    check(fmc_context_carried_slip(get(), nullptr, 0, &count));
-    std::vector<fmc_carried_slip> carried(count);
-    check(fmc_context_carried_slip(get(), carried.data(), carried.size(), &count));
-    return carried;
+    return detail::rows<fmc_carried_slip>([&](auto... room) { return fmc_context_carried_slip(get(), room...); });
   }
   void set_carried_slip(View<const fmc_carried_slip> carried) {
     call(fmc_context_set_carried_slip(get(), carried.data(), carried.size()));
@@ -254,18 +254,16 @@ class Context {
   void freeze_friction(Coords coords) { at(fmc_context_freeze_friction, coords); }
   void release_friction() { call(fmc_context_freeze_friction(get(), nullptr)); }
   std::vector<double> slip() const {
-    std::vector<double> slip(counts().facets * axes());
-    check(fmc_context_slip(get(), slip.data(), slip.size()));
-    return slip;
+    return detail::rows<double>([&](auto... room) { return fmc_context_slip(get(), room...); });
   }
   void set_slip(View<const double> slip) { call(fmc_context_set_slip(get(), slip.data(), slip.size())); }
 
   // Equilibrium of the contact with condensed bodies, of stiffness (n, n) and residual (n) on n degrees of freedom; `held`: others
   // that do not move; `place` moves the nodes that follow.
-  ContactStep contact_step(Coords coords, View<const int64_t> freedoms, View<const double> stiffness, View<const double> residual,
+  ContactStep contact_step(Coords coords, View<const int64_t> dofs, View<const double> stiffness, View<const double> residual,
                            View<const int64_t> held = {}, const Place &place = {},
                            const ContactStepOptions &options = {}) {
-    const auto count = freedoms.size();
+    const auto count = dofs.size();
     if (stiffness.size() != count * count)
       detail::refuse(FMC_ERROR_LENGTH, "stiffness: " + std::to_string(stiffness.size()) + " numbers, not " +
                                            std::to_string(count * count));
@@ -274,7 +272,7 @@ class Context {
     ContactStep step;
     step.displacement.resize(count);
     const auto status = fmc_context_contact_step(
-        get(), &x, &options, freedoms.data(), count, held.data(), held.size(), stiffness.data(),
+        get(), &x, &options, dofs.data(), count, held.data(), held.size(), stiffness.data(),
         detail::one_for_each(residual, count, "residual"), place ? detail::PlaceCall::run : nullptr, &placing,
         step.displacement.data(), &step);
     if (placing.thrown) std::rethrow_exception(placing.thrown);
@@ -299,9 +297,7 @@ class Context {
 
   // The surface: its facets, and the matrix from nodes to the points of which facets, contact points and gaps tell.
   std::vector<fmc_boundary_facet> boundary_facets() const {
-    std::vector<fmc_boundary_facet> facets(counts().facets);
-    check(fmc_context_boundary_facets(get(), facets.data(), facets.size()));
-    return facets;
+    return detail::rows<fmc_boundary_facet>([&](auto... room) { return fmc_context_boundary_facets(get(), room...); });
   }
   Csr<int64_t> point_weights() const {
     std::size_t points = 0, entries = 0;
@@ -318,45 +314,41 @@ class Context {
     NodalContact at;
     for (auto *field : {&at.pressure, &at.gap, &at.area, &at.sliding}) field->resize(nodes);
     at.normal.resize(nodes * axes()), at.friction.resize(nodes * axes()), at.status.resize(nodes);
-    call(fmc_context_nodal_contact(get(), &x, at.pressure.data(), at.gap.data(), at.area.data(), at.normal.data(),
-                                   at.friction.data(), at.sliding.data(), at.status.data(), nodes));
+    fmc_nodal_contact to;
+    check(fmc_nodal_contact_init(&to));
+    to.pressure = at.pressure.data(), to.gap = at.gap.data(), to.area = at.area.data(), to.normal = at.normal.data();
+    to.friction = at.friction.data(), to.sliding = at.sliding.data(), to.status = at.status.data();
+    call(fmc_context_nodal_contact(get(), &x, &to));
     return at;
   }
   std::vector<fmc_contact_point> contact_points(Coords coords) {
     const auto x = coords.as_c(dim_);
-    std::size_t count = 0;
-    call(fmc_context_find_contact_points(get(), &x, &count));
-    std::vector<fmc_contact_point> points(count);
-    check(fmc_context_contact_points(get(), points.data(), count));
-    return points;
+    return found<fmc_contact_point>([&](auto... room) { return fmc_context_contact_points(get(), &x, room...); });
   }
   GapConstraints gap_constraints(Coords coords, double reach) {
     const auto x = coords.as_c(dim_);
-    std::size_t count = 0, entries = 0;
-    call(fmc_context_find_gap_constraints(get(), &x, reach, &count, &entries));
-    GapConstraints gaps{std::vector<fmc_gap_constraint>(count),
-                        {std::vector<int64_t>(count + 1), std::vector<int64_t>(entries), std::vector<double>(entries)}};
+    GapConstraints gaps;
+    gaps.rows = found<fmc_gap_constraint>([&](auto... room) { return fmc_context_gap_constraints(get(), &x, reach, room...); });
     auto &gradient = gaps.gradient;
-    check(fmc_context_gap_constraints(get(), gaps.rows.data(), count));
-    check(fmc_context_gap_gradient(get(), gradient.row_offsets.data(), gradient.cols.data(), gradient.values.data(), entries));
+    std::size_t offsets = 0, entries = 0;
+    check(fmc_context_gap_gradient(get(), nullptr, 0, &offsets, nullptr, nullptr, 0, &entries));
+    gradient.row_offsets.resize(offsets), gradient.cols.resize(entries), gradient.values.resize(entries);
+    check(fmc_context_gap_gradient(get(), gradient.row_offsets.data(), offsets, nullptr, gradient.cols.data(), gradient.values.data(),
+                                   entries, nullptr));
     return gaps;
   }
 
   // Moves surfaces out by what they penetrate, see `fmc_context_augment`.
-  fmc_augmentation augment(Coords coords, double enough, double reach = 0) {
+  fmc_augmentation augment(Coords coords, double tolerance, double reach = 0) {
     const auto x = coords.as_c(dim_);
-    fmc_augmentation found{};
-    call(fmc_context_augment(get(), &x, reach, enough, &found));
-    return found;
+    fmc_augmentation result{};
+    call(fmc_context_augment(get(), &x, reach, tolerance, &result));
+    return result;
   }
   // Multiplies the stiffness of the laws; see `fmc_context_stiffen`.
   void stiffen(double factor) { call(fmc_context_stiffen(get(), factor)); }
   std::vector<fmc_multiplier> multipliers() const {
-    std::size_t count = 0;
-    check(fmc_context_multipliers(get(), nullptr, 0, &count));
-    std::vector<fmc_multiplier> found(count);
-    check(fmc_context_multipliers(get(), found.data(), count, &count));
-    return found;
+    return detail::rows<fmc_multiplier>([&](auto... room) { return fmc_context_multipliers(get(), room...); });
   }
   void set_multipliers(const std::vector<fmc_multiplier> &multipliers) {
     call(fmc_context_set_multipliers(get(), multipliers.data(), multipliers.size()));
@@ -442,7 +434,7 @@ class Context {
   }
 
  private:
-  static constexpr uint32_t layout = FMC_BLOCKS | FMC_OBSTACLES | FMC_FROM_ONE;
+  static constexpr uint32_t layout = FMC_CSR_BLOCKS | FMC_CSR_OBSTACLES | FMC_FROM_ONE;
   struct Free {
     void operator()(fmc_context *context) const noexcept { fmc_context_free(&context); }
   };
@@ -495,6 +487,10 @@ class Context {
 
   std::size_t axes() const noexcept { return static_cast<std::size_t>(dim_); }
   // The end of every call that may have called a callback: what that threw goes on here.
+  template <class T, class Give>
+  std::vector<T> found(const Give &give) {
+    return detail::rows<T>(give, [this](fmc_status status) { call(status); });
+  }
   void call(fmc_status status) {
     if (callbacks_) callbacks_->rethrow();
     check(status);

@@ -1,5 +1,5 @@
 // What goes into a context and what comes out of it. Part of fmc_contact.hpp. The structs of results themselves, with their
-// units, are those of fmc_contact.h: fmc_result, fmc_resultant, fmc_pair, fmc_contact_point, fmc_gap_constraint, fmc_multiplier,
+// units, are those of fmc_contact.h: fmc_result, fmc_resultant, fmc_pair_result, fmc_contact_point, fmc_gap_constraint, fmc_multiplier,
 // fmc_boundary_facet.
 #ifndef FMC_CONTACT_DATA_HPP
 #define FMC_CONTACT_DATA_HPP

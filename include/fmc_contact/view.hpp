@@ -40,6 +40,20 @@ inline void check(fmc_status status) {
 
 namespace detail {
 
+// Rows whose number the library knows: it is asked for that, then for them. `give` takes an array, its room and a number.
+template <class T, class Give, class Done>
+std::vector<T> rows(const Give &give, const Done &done) {
+  std::size_t count = 0;
+  done(give(static_cast<T *>(nullptr), std::size_t{0}, &count));
+  std::vector<T> found(count);
+  done(give(found.data(), count, &count));
+  return found;
+}
+template <class T, class Give>
+std::vector<T> rows(const Give &give) {
+  return rows<T>(give, check);
+}
+
 struct Nothing {
   Nothing() = delete;
 };

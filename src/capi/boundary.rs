@@ -4,5 +4,7 @@ pub(super) mod dimension;
 pub(super) mod entry;
 pub(super) mod failure;
 pub(super) mod last_error;
+pub(super) mod list;
 pub(super) mod pointer;
 pub(super) mod status;
+pub(super) mod status_class;

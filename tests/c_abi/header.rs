@@ -3,9 +3,10 @@
 use super::program::root;
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 50] = [
+const SOURCES: [&str; 51] = [
     "calls/version",
     "boundary/status",
+    "boundary/status_class",
     "boundary/failure",
     "boundary/last_error",
     "structs/options",

@@ -57,7 +57,7 @@ fn ranks_of_the_guide() {
 
 /// An obstacle is added where the page says so: before `bring`.
 fn with_floor(parts: &str) -> String {
-    let bring = "fmc_context_bring(";
+    let bring = "fmc_context_set_coords(";
     assert_eq!(parts.matches(bring).count(), 1);
     parts.replace(bring, &format!("fmc_context_add_half_space(context, &floor, NULL);\n{bring}"))
 }

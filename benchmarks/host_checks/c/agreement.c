@@ -66,7 +66,7 @@ static void run(int32_t estimator) {
   }
 
   /* Adding to what is there; and no forces at all. */
-  OK(fmc_context_evaluate(context, &x, &f, FMC_ADD, NULL));
+  OK(fmc_context_evaluate(context, &x, &f, FMC_EVALUATE_ADD, NULL));
   int doubled = 1;
   for (int node = 0; node < NODES; node++) {
     for (int axis = 0; axis < 2; axis++) doubled = doubled && forces[node][axis] == 2 * reference[node][axis];
@@ -132,18 +132,18 @@ static void run(int32_t estimator) {
   OK(fmc_context_set_options(context, &options));
   OK(fmc_context_set_pair_options(context, FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 1, NULL));
   OK(fmc_context_pair_options(context, FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 0, &shown));
-  EXPECT(shown.law == FMC_LAW_OF_CONTEXT && shown.excluded == 0 && shown.stiffness == 0);
+  EXPECT(shown.law == FMC_PAIR_LAW_OF_CONTEXT && shown.excluded == 0 && shown.stiffness == 0);
   OK(fmc_context_pair_options(context, FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 1, &shown));
-  EXPECT(shown.law == FMC_LAW_OF_CONTEXT && shown.excluded == 1);
+  EXPECT(shown.law == FMC_PAIR_LAW_OF_CONTEXT && shown.excluded == 1);
   OK(fmc_context_evaluate(context, &x, &f, 0, &result));
   EXPECT(SAME(forces, reference));
 
   /* Resultants balance, and the pair names its sides. */
   fmc_resultant a, b;
-  fmc_pair pair;
-  OK(fmc_context_body(context, 0, &a));
-  OK(fmc_context_body(context, 1, &b));
-  OK(fmc_context_pair(context, 0, &pair));
+  fmc_pair_result pair;
+  OK(fmc_context_body_resultant(context, 0, &a));
+  OK(fmc_context_body_resultant(context, 1, &b));
+  OK(fmc_context_pair_result(context, 0, &pair));
   const double size = 1e-12 * (fabs(a.force[0]) + fabs(a.force[1]));
   EXPECT(fabs(a.force[0] + b.force[0]) <= size && fabs(a.force[1] + b.force[1]) <= size);
   EXPECT(fabs(a.moment[2] + b.moment[2]) <= 4 * size && a.force[0] < 0);
@@ -160,8 +160,8 @@ static void run(int32_t estimator) {
   const fmc_cell_block_i64 block = {FMC_TRI3, wide, CELLS};
   OK(fmc_context_new_from_cells_i64(2, &x, &block, 1, ids, &options, &context));
   OK(fmc_context_evaluate(context, &x, &f, 0, &result));
-  OK(fmc_context_body(context, 0, &a));
-  OK(fmc_context_body(context, 2, &b));
+  OK(fmc_context_body_resultant(context, 0, &a));
+  OK(fmc_context_body_resultant(context, 2, &b));
   EXPECT(a.id == -3 && b.id == INT64_C(1) << 40 && a.node_count == 4 && b.force[0] > 0);
   OK(fmc_context_free(&context));
   options.index_base = 0;

@@ -130,15 +130,15 @@ static void stateless(void) {
   p.spacing = 1e-300;
   EXPECT(FMC_ERROR_TOO_MANY_FIBERS, "spacing is too small", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.estimator = 9;
-  EXPECT(FMC_ERROR_UNKNOWN_OPTION, "option 'estimator' has no value 9", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
+  EXPECT(FMC_ERROR_BAD_VALUE, "option 'estimator' has no value 9", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.axisymmetric = 1;
   memcpy(bad, coords, sizeof bad);
   for (int node = 0; node < 8; node++) bad[2 * node] -= 10;
   EXPECT(FMC_ERROR_NEGATIVE_RADIUS, "node 0 lies beyond the axis", FORCE(2, bad, 8, FMC_QUAD4, conn, 2, &p));
   p.axisymmetric = 2;
-  EXPECT(FMC_ERROR_UNKNOWN_OPTION, "option 'axisymmetric' has no value 2", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
+  EXPECT(FMC_ERROR_BAD_VALUE, "option 'axisymmetric' has no value 2", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.reserved[0] = 1;
-  EXPECT(FMC_ERROR_UNKNOWN_OPTION, "later version", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
+  EXPECT(FMC_ERROR_RESERVED_FIELD, "later version", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   p = o, p.stiffness = 1e308, p.exponent = 1.5;
   bad[0] = 0;
   for (int i = 0; i < 16; i++) bad[i] = 1e3 * coords[i];
@@ -160,9 +160,8 @@ static void options_by_key(void) {
   EXPECT(FMC_ERROR_NULL_POINTER, "'key'", fmc_options_set(&options, NULL, "1"));
   EXPECT(FMC_ERROR_NULL_POINTER, "'value'", fmc_options_set(&options, "seed", NULL));
   EXPECT(FMC_ERROR_UNKNOWN_OPTION, "no option 'stifness'", fmc_options_set(&options, "stifness", "1"));
-  EXPECT(FMC_ERROR_UNKNOWN_OPTION, "fibers or exact", fmc_options_set(&options, "estimator", "exakt"));
-  EXPECT(FMC_ERROR_UNKNOWN_OPTION, "'1,5'", fmc_options_set(&options, "exponent", "1,5"));
-  EXPECT(FMC_ERROR_PANIC, "test_panic", fmc_options_set(&options, "test_panic", "1"));
+  EXPECT(FMC_ERROR_BAD_VALUE, "fibers or exact", fmc_options_set(&options, "estimator", "exakt"));
+  EXPECT(FMC_ERROR_BAD_VALUE, "'1,5'", fmc_options_set(&options, "exponent", "1,5"));
   EXPECT_TRUE(memcmp(&options, &before, sizeof before) == 0);
   EXPECT_OK(fmc_options_set(&options, "stiffness", " 2.5d3 "));
   EXPECT_TRUE(options.stiffness == 2500);
@@ -246,12 +245,6 @@ static int32_t distance(void *user, size_t n, const double *x, double *phi, doub
   return 0;
 }
 
-#define EXPECT_IN_CONTEXT(wanted, fragment, call)                              \
-  do {                                                                         \
-    const fmc_status found_ = (call);                                          \
-    expect_text(#call, found_, wanted, fmc_context_error(context), fragment);  \
-  } while (0)
-
 static void contexts(void) {
   fmc_options o = defaults();
   const fmc_coords x = {coords, NODES, 2, 1};
@@ -260,13 +253,12 @@ static void contexts(void) {
   fmc_context *context = NULL;
   fmc_result good, result;
   fmc_resultant body, before;
-  fmc_pair pair;
+  fmc_pair_result pair;
   double reference[2 * NODES], bad[2 * NODES];
   EXPECT_OK(fmc_context_new_from_cells(2, &x, &block, 1, NULL, &o, &context));
-  EXPECT_TRUE(strcmp(fmc_context_error(context), "") == 0);
-  EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no body 0", fmc_context_body(context, 0, &body));
+  EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no body 0", fmc_context_body_resultant(context, 0, &body));
   EXPECT_OK(fmc_context_evaluate(context, &x, &f, 0, &good));
-  EXPECT_OK(fmc_context_body(context, 0, &before));
+  EXPECT_OK(fmc_context_body_resultant(context, 0, &before));
   memcpy(reference, forces, sizeof forces);
   fill();
   memset(&result, 7, sizeof result);
@@ -276,63 +268,71 @@ static void contexts(void) {
   const fmc_forces small = {forces, 7, 2, 1}, overlapping = {forces, NODES, 1, 1}, nowhere = {NULL, NODES, 2, 1};
   const fmc_coords broken = {bad, NODES, 2, 1};
 #define EVALUATE(c, g) fmc_context_evaluate(context, c, g, 0, &result)
-  EXPECT_IN_CONTEXT(FMC_ERROR_LENGTH, "'coords' has 7 nodes, the mesh has 8", EVALUATE(&too_few, &f));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", EVALUATE(&no_data, &f));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", EVALUATE(NULL, &f));
-  EXPECT_IN_CONTEXT(FMC_ERROR_STRIDE, "'coords' spans more than memory", EVALUATE(&far, &f));
-  EXPECT_IN_CONTEXT(FMC_ERROR_BUFFER_TOO_SMALL, "room for 7 nodes, the mesh has 8", EVALUATE(&x, &small));
-  EXPECT_IN_CONTEXT(FMC_ERROR_STRIDE, "'forces' overlap", EVALUATE(&x, &overlapping));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'forces' is NULL", EVALUATE(&x, &nowhere));
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "flag", fmc_context_evaluate(context, &x, &f, 2, &result));
+  EXPECT(FMC_ERROR_LENGTH, "'coords' has 7 nodes, the mesh has 8", EVALUATE(&too_few, &f));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", EVALUATE(&no_data, &f));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", EVALUATE(NULL, &f));
+  EXPECT(FMC_ERROR_STRIDE, "'coords' spans more than memory", EVALUATE(&far, &f));
+  EXPECT(FMC_ERROR_BUFFER_TOO_SMALL, "room for 7 nodes, the mesh has 8", EVALUATE(&x, &small));
+  EXPECT(FMC_ERROR_STRIDE, "'forces' overlap", EVALUATE(&x, &overlapping));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'forces' is NULL", EVALUATE(&x, &nowhere));
+  EXPECT(FMC_ERROR_UNKNOWN_FLAG, "flag", fmc_context_evaluate(context, &x, &f, 2, &result));
   memcpy(bad, coords, sizeof bad);
   bad[7] = NAN;
-  EXPECT_IN_CONTEXT(FMC_ERROR_NON_FINITE_COORDINATE, "coordinate 1 of node 3", EVALUATE(&broken, &f));
+  EXPECT(FMC_ERROR_NON_FINITE_COORDINATE, "coordinate 1 of node 3", EVALUATE(&broken, &f));
   memcpy(bad, coords, sizeof bad);
   bad[8] = 3;
-  EXPECT_IN_CONTEXT(FMC_ERROR_INVERTED_CELL, "cell 1", EVALUATE(&broken, &f));
+  EXPECT(FMC_ERROR_INVERTED_CELL, "cell 1", EVALUATE(&broken, &f));
   EXPECT(FMC_ERROR_NULL_POINTER, "'context' is NULL", fmc_context_evaluate(NULL, &x, &f, 0, &result));
-  EXPECT_TRUE(strstr(fmc_context_error(NULL), "'context' is NULL") != NULL);
 
   /* Nodes and points of the contact. */
   double pressure[NODES];
   size_t point_count = 99;
   fmc_contact_point points[1];
+  fmc_nodal_contact nodal;
   memset(pressure, 7, sizeof pressure);
-#define AT_NODES(c, p, n) fmc_context_nodal_contact(context, c, p, NULL, NULL, NULL, NULL, NULL, NULL, n)
-  EXPECT_IN_CONTEXT(FMC_ERROR_LENGTH, "room for 7 nodes, the mesh has 8", AT_NODES(&x, pressure, 7));
-  EXPECT_IN_CONTEXT(FMC_ERROR_LENGTH, "'coords' has 7 nodes", AT_NODES(&too_few, pressure, NODES));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", AT_NODES(NULL, pressure, NODES));
-  EXPECT_IN_CONTEXT(FMC_ERROR_INVERTED_CELL, "cell 1", AT_NODES(&broken, pressure, NODES));
-  EXPECT(FMC_ERROR_MISALIGNED_POINTER, "'gap'",
-         fmc_context_nodal_contact(context, &x, NULL, (double *)((char *)pressure + 1), NULL, NULL, NULL, NULL, NULL, NODES));
-  EXPECT_OK(AT_NODES(&x, NULL, NODES));
+  memset(&nodal, 0, sizeof nodal);
+#define AT_NODES(c) fmc_context_nodal_contact(context, c, &nodal)
+  EXPECT(FMC_ERROR_STRUCT_SIZE, "call fmc_nodal_contact_init first", AT_NODES(&x));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'nodal' is NULL", fmc_nodal_contact_init(NULL));
+  EXPECT_OK(fmc_nodal_contact_init(&nodal));
+  EXPECT_OK(AT_NODES(&x));
+  nodal.pressure = pressure;
+  EXPECT(FMC_ERROR_LENGTH, "'coords' has 7 nodes", AT_NODES(&too_few));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", AT_NODES(NULL));
+  EXPECT(FMC_ERROR_INVERTED_CELL, "cell 1", AT_NODES(&broken));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'nodal' is NULL", fmc_context_nodal_contact(context, &x, NULL));
+  nodal.gap = (double *)((char *)pressure + 1);
+  EXPECT(FMC_ERROR_MISALIGNED_POINTER, "'gap'", AT_NODES(&x));
   const double untouched = pressure[0];
   EXPECT_TRUE(memcmp(&untouched, &pressure[NODES - 1], sizeof untouched) == 0);
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", fmc_context_find_contact_points(context, NULL, NULL));
-  EXPECT_IN_CONTEXT(FMC_ERROR_INVERTED_CELL, "cell 1", fmc_context_find_contact_points(context, &broken, &point_count));
-  EXPECT_OK(fmc_context_find_contact_points(context, &x, &point_count));
+#define POINTS(c, rows, room) fmc_context_contact_points(context, c, rows, room, &point_count)
+  EXPECT(FMC_ERROR_NULL_POINTER, "'coords' is NULL", POINTS(NULL, NULL, 0));
+  EXPECT(FMC_ERROR_INVERTED_CELL, "cell 1", POINTS(&broken, NULL, 0));
+  EXPECT_TRUE(point_count == 99);
+  EXPECT_OK(POINTS(&x, NULL, 0));
   EXPECT_TRUE(point_count == 0); /* The law "volume" has none. */
-  EXPECT_OK(fmc_context_contact_points(context, NULL, 0));
   fmc_options by_lines = o;
   by_lines.law = FMC_LAW_FIBER;
   EXPECT_OK(fmc_context_set_options(context, &by_lines));
-  EXPECT_OK(fmc_context_find_contact_points(context, &x, &point_count));
-  EXPECT(FMC_ERROR_BUFFER_TOO_SMALL, "room for 1 contact points", fmc_context_contact_points(context, points, 1));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'points'", fmc_context_contact_points(context, NULL, point_count));
+  EXPECT_OK(POINTS(&x, NULL, 0));
+  const size_t there = point_count;
+  EXPECT(FMC_ERROR_BUFFER_TOO_SMALL, "room for 1 contact points", POINTS(&x, points, 1));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'points'", POINTS(&x, NULL, there));
+  EXPECT_TRUE(there > 1 && point_count == there);
   EXPECT_OK(fmc_context_set_options(context, &o));
 
   /* Boundary facets. */
   fmc_boundary_facet facets[8];
   EXPECT(FMC_ERROR_BUFFER_TOO_SMALL, "room for 7 boundary facets, and there are 8",
-         fmc_context_boundary_facets(context, facets, 7));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'facets'", fmc_context_boundary_facets(context, NULL, 8));
-  EXPECT_OK(fmc_context_boundary_facets(context, facets, 8));
+         fmc_context_boundary_facets(context, facets, 7, NULL));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'facets'", fmc_context_boundary_facets(context, NULL, 8, NULL));
+  EXPECT_OK(fmc_context_boundary_facets(context, facets, 8, NULL));
   EXPECT_TRUE(facets[4].cell == 1 && facets[4].body == 1 && facets[4].local_face == 0 && facets[4].nodes[2] == -1);
 
   /* Options. */
   o.stiffness = -1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'stiffness' is -1", fmc_context_set_options(context, &o));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'options'", fmc_context_set_options(context, NULL));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'stiffness' is -1", fmc_context_set_options(context, &o));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'options'", fmc_context_set_options(context, NULL));
 
   /* Obstacles: none of these may stay behind. */
   fmc_pose pose;
@@ -342,28 +342,28 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_BAD_POSE, "no direction", fmc_pose_along(2, coords, none, &pose));
   EXPECT(FMC_ERROR_DIMENSION, "dimension is 1", fmc_pose_along(1, coords, coords, &pose));
   EXPECT_OK(fmc_pose_init(&pose));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'radius' is -2", fmc_context_add_ball(context, -2, &pose, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "is NaN", fmc_context_add_cylinder(context, 1, NAN, &pose, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "is 0", fmc_context_add_cone(context, 1, 0, &pose, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'radius' is 0", fmc_context_add_capsule(context, 0, 1, &pose, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "is 0", fmc_context_add_cuboid(context, half, &pose, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'half_extents'", fmc_context_add_cuboid(context, NULL, &pose, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'callback'",
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'radius' is -2", fmc_context_add_ball(context, -2, &pose, &index));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "is NaN", fmc_context_add_cylinder(context, 1, NAN, &pose, &index));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "is 0", fmc_context_add_cone(context, 1, 0, &pose, &index));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'radius' is 0", fmc_context_add_capsule(context, 0, 1, &pose, &index));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "is 0", fmc_context_add_cuboid(context, half, &pose, &index));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'half_extents'", fmc_context_add_cuboid(context, NULL, &pose, &index));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'callback'",
                     fmc_context_add_signed_distance(context, NULL, NULL, &pose, &index));
   const int32_t edges[6] = {0, 1, 1, 2, 2, 0};
   const fmc_coords polygon = {coords, 3, 0, 0};
-  EXPECT_IN_CONTEXT(FMC_ERROR_OPEN_SURFACE, "node 0",
+  EXPECT(FMC_ERROR_OPEN_SURFACE, "node 0",
                     fmc_context_add_polytope(context, &polygon, edges, 2, NULL, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_NULL_POINTER, "'points'",
+  EXPECT(FMC_ERROR_NULL_POINTER, "'points'",
                     fmc_context_add_polytope(context, NULL, edges, 3, NULL, &index));
   pose.rotation[0] = 2;
-  EXPECT_IN_CONTEXT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_half_space(context, &pose, &index));
+  EXPECT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_half_space(context, &pose, &index));
   EXPECT_OK(fmc_pose_init(&pose));
   pose.scale = 0;
-  EXPECT_IN_CONTEXT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_ball(context, 1, &pose, &index));
+  EXPECT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_ball(context, 1, &pose, &index));
   EXPECT_OK(fmc_pose_init(&pose));
-  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_set_pose(context, 0, &pose));
-  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_remove_obstacle(context, 0));
+  EXPECT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_set_pose(context, 0, &pose));
+  EXPECT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_remove_obstacle(context, 0));
   EXPECT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 3", fmc_context_obstacle_shape(context, 3, NULL, NULL));
   EXPECT(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_remove_obstacle(NULL, 0));
   EXPECT_TRUE(index == 99);
@@ -377,56 +377,56 @@ static void contexts(void) {
 #define BODIES PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 1)
   wanted = own;
   EXPECT_OK(BODIES);
-  EXPECT_IN_CONTEXT(FMC_ERROR_BODY_OUT_OF_RANGE, "no body 2, only 2", PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 2));
-  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", PAIR(FMC_PARTNER_OBSTACLE, 0, FMC_PARTNER_BODY, 0));
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "2 is no value of fmc_partner", PAIR(2, 0, FMC_PARTNER_BODY, 0));
+  EXPECT(FMC_ERROR_BODY_OUT_OF_RANGE, "no body 2, only 2", PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 2));
+  EXPECT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", PAIR(FMC_PARTNER_OBSTACLE, 0, FMC_PARTNER_BODY, 0));
+  EXPECT(FMC_ERROR_BAD_VALUE, "2 is no value of fmc_partner", PAIR(2, 0, FMC_PARTNER_BODY, 0));
   EXPECT(FMC_ERROR_NULL_POINTER, "'context'",
          fmc_context_set_pair_options(NULL, FMC_PARTNER_BODY, 0, FMC_PARTNER_BODY, 1, &wanted));
   for (int k = 0; k < 4; k++) {
     wanted = own, wanted.stiffness = k == 0 ? NAN : k == 1 ? INFINITY : k == 2 ? 0 : -1;
-    EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "pair of body 0 and body 1: 'stiffness' is ", BODIES);
+    EXPECT(FMC_ERROR_NOT_POSITIVE, "pair of body 0 and body 1: 'stiffness' is ", BODIES);
   }
   wanted = own, wanted.exponent = 0.5;
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", BODIES);
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", BODIES);
   wanted = own, wanted.struct_size = 0;
-  EXPECT_IN_CONTEXT(FMC_ERROR_STRUCT_SIZE, "fmc_pair_options has struct_size 0", BODIES);
+  EXPECT(FMC_ERROR_STRUCT_SIZE, "fmc_pair_options has struct_size 0", BODIES);
   wanted = own, wanted.reserved[9] = 1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "later version", BODIES);
+  EXPECT(FMC_ERROR_RESERVED_FIELD, "later version", BODIES);
   wanted = own, wanted.law = 9;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "option 'law' has no value 9", BODIES);
+  EXPECT(FMC_ERROR_BAD_VALUE, "option 'law' has no value 9", BODIES);
   wanted = own, wanted.excluded = 2;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "option 'excluded' has no value 2", BODIES);
-  wanted = own, wanted.law = FMC_LAW_OF_CONTEXT;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNKNOWN_OPTION, "'stiffness' of a pair belongs to a law", BODIES);
+  EXPECT(FMC_ERROR_BAD_VALUE, "option 'excluded' has no value 2", BODIES);
+  wanted = own, wanted.law = FMC_PAIR_LAW_OF_CONTEXT;
+  EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'stiffness' of a pair belongs to a law", BODIES);
   wanted = own, wanted.gap_offset = 0.1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "a positive gap offset between bodies", BODIES);
+  EXPECT(FMC_ERROR_UNSUPPORTED, "a positive gap offset between bodies", BODIES);
   wanted = own, wanted.gap_offset = -0.1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "a gap offset between bodies by another law", BODIES);
+  EXPECT(FMC_ERROR_UNSUPPORTED, "a gap offset between bodies by another law", BODIES);
   wanted = own, wanted.gap_offset = NAN;
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'gap_offset' is NaN", BODIES);
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'gap_offset' is NaN", BODIES);
   wanted = own, wanted.friction_coefficient = 0.3;
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "friction with the law volume", BODIES);
+  EXPECT(FMC_ERROR_UNSUPPORTED, "friction with the law volume", BODIES);
   wanted = own, wanted.friction_coefficient = -0.3;
-  EXPECT_IN_CONTEXT(FMC_ERROR_NOT_POSITIVE, "'friction_coefficient' is -0.3", BODIES);
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'friction_coefficient' is -0.3", BODIES);
 #define SHOWN(kind, index, output) fmc_context_pair_options(context, kind, index, FMC_PARTNER_BODY, 1, output)
   EXPECT(FMC_ERROR_NULL_POINTER, "'options'", SHOWN(FMC_PARTNER_BODY, 0, NULL));
   EXPECT(FMC_ERROR_BODY_OUT_OF_RANGE, "no body 7", SHOWN(FMC_PARTNER_BODY, 7, &shown));
-  EXPECT(FMC_ERROR_UNKNOWN_OPTION, "-1 is no value", SHOWN(-1, 0, &shown));
+  EXPECT(FMC_ERROR_BAD_VALUE, "-1 is no value", SHOWN(-1, 0, &shown));
   EXPECT_OK(SHOWN(FMC_PARTNER_BODY, 0, &shown));
   EXPECT_TRUE(memcmp(&shown, &own, sizeof own) == 0);
 
   /* Getters. */
-  EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no body 2 in the last evaluation, only 2", fmc_context_body(context, 2, &body));
-  EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no obstacle 0", fmc_context_obstacle(context, 0, &body));
-  EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no pair 1", fmc_context_pair(context, 1, &pair));
+  EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no body 2 in the last evaluation, only 2", fmc_context_body_resultant(context, 2, &body));
+  EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no obstacle 0", fmc_context_obstacle_resultant(context, 0, &body));
+  EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no pair 1", fmc_context_pair_result(context, 1, &pair));
   EXPECT(FMC_ERROR_INDEX_OUT_OF_RANGE, "no warning 0", fmc_context_warning(context, 0, NULL, NULL));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'body'", fmc_context_body(context, 0, NULL));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'body'", fmc_context_body_resultant(context, 0, NULL));
   EXPECT(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_counts(NULL, NULL, NULL, NULL));
 
   /* After all that: outputs untouched, the context as it was, to the bit. */
   expect_untouched();
   EXPECT_TRUE(result.volume != good.volume);
-  EXPECT_OK(fmc_context_body(context, 0, &body));
+  EXPECT_OK(fmc_context_body_resultant(context, 0, &body));
   EXPECT_TRUE(memcmp(&body, &before, sizeof body) == 0);
   EXPECT_OK(fmc_context_evaluate(context, &x, &f, 0, &result));
   EXPECT_TRUE(memcmp(&result, &good, sizeof good) == 0);
@@ -437,17 +437,17 @@ static void contexts(void) {
   char last_point[32];
   fill();
   EXPECT_OK(fmc_context_add_signed_distance(context, distance, &m, NULL, &index));
-  EXPECT_IN_CONTEXT(FMC_ERROR_UNSUPPORTED, "not supported", EVALUATE(&x, &f));
+  EXPECT(FMC_ERROR_UNSUPPORTED, "not supported", EVALUATE(&x, &f));
   o = defaults();
   o.estimator = FMC_ESTIMATOR_FIBERS;
   EXPECT_OK(fmc_context_set_options(context, &o));
   const fmc_status failed = EVALUATE(&x, &f);
   snprintf(last_point, sizeof last_point, "at point %zu of", m.count - 1);
-  EXPECT_IN_CONTEXT(FMC_ERROR_SIGNED_DISTANCE, last_point, failed);
+  EXPECT(FMC_ERROR_SIGNED_DISTANCE, last_point, failed);
   m.kind = 1;
-  EXPECT_IN_CONTEXT(FMC_ERROR_SIGNED_DISTANCE, "obstacle 0 failed or is not finite at point 0", EVALUATE(&x, &f));
+  EXPECT(FMC_ERROR_SIGNED_DISTANCE, "obstacle 0 failed or is not finite at point 0", EVALUATE(&x, &f));
   m.kind = 2;
-  EXPECT_IN_CONTEXT(FMC_ERROR_SIGNED_DISTANCE, "at point 0", EVALUATE(&x, &f));
+  EXPECT(FMC_ERROR_SIGNED_DISTANCE, "at point 0", EVALUATE(&x, &f));
   expect_untouched();
   m.kind = 3;
   EXPECT_OK(EVALUATE(&x, &f));
@@ -464,10 +464,10 @@ static void contexts(void) {
   shape = -7;
   EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_obstacle_shape(context, 0, &shape, &pose));
   EXPECT_TRUE(shape == -7);
-  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_remove_obstacle(context, 0));
-  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_set_pose(context, 0, &pose));
+  EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_remove_obstacle(context, 0));
+  EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_set_pose(context, 0, &pose));
   wanted = own;
-  EXPECT_IN_CONTEXT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed",
+  EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed",
                     PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_OBSTACLE, 0));
   pose.position[0] = 3;
   EXPECT_OK(fmc_context_add_ball(context, 0.5, &pose, &index));
@@ -480,21 +480,21 @@ static void contexts(void) {
 
 static void stiffness(void) {
   double k = 42;
-  EXPECT(FMC_ERROR_NULL_POINTER, "'stiffness'", fmc_suggest_stiffness_from_modulus(2, 1, 1e6, 0.1, NULL));
-  EXPECT(FMC_ERROR_DIMENSION, "dimension is 0", fmc_suggest_stiffness_from_modulus(0, 1, 1e6, 0.1, &k));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "'modulus' is -1", fmc_suggest_stiffness_from_modulus(2, 1, -1, 0.1, &k));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "'facet_size' is 0", fmc_suggest_stiffness_from_modulus(2, 1, 1e6, 0, &k));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", fmc_suggest_stiffness_from_pressure(2, 0.5, 1e6, 1, &k));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "'overlap' is 0", fmc_suggest_stiffness_from_pressure(3, 2, 1e6, 0, &k));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'stiffness'", fmc_suggest_stiffness(FMC_LAW_DEPTH, 2, 1, 1e6, 0.1, NULL));
+  EXPECT(FMC_ERROR_BAD_VALUE, "option 'law' has no value 9", fmc_suggest_stiffness(9, 2, 1, 1e6, 0.1, &k));
+  EXPECT(FMC_ERROR_DIMENSION, "dimension is 0", fmc_suggest_stiffness(FMC_LAW_VOLUME, 0, 1, 1e6, 0.1, &k));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'modulus' is -1", fmc_suggest_stiffness(FMC_LAW_VOLUME, 2, 1, -1, 0.1, &k));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'cell_size' is 0", fmc_suggest_stiffness(FMC_LAW_DEPTH, 2, 1, 1e6, 0, &k));
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", fmc_suggest_stiffness(FMC_LAW_VOLUME, 2, 0.5, 1e6, 1, &k));
   EXPECT_TRUE(k == 42);
-  EXPECT_OK(fmc_suggest_stiffness_from_pressure(2, 1, 1e6, 0, &k));
+  EXPECT_OK(fmc_suggest_stiffness(FMC_LAW_VOLUME, 2, 1, 1.2e6, 0.1, &k));
   EXPECT_TRUE(k == 1.2e6);
 }
 
 int main(void) {
   EXPECT_TRUE(strcmp(fmc_last_error(), "") == 0);
   EXPECT_TRUE(strcmp(fmc_status_name(4711), "FMC_UNKNOWN_STATUS") == 0);
-  EXPECT_TRUE(fmc_has_feature(NULL) == 0 && fmc_has_feature("teleport") == 0 && fmc_has_feature("exact") == 1);
+  EXPECT_TRUE(fmc_has_feature(NULL) == 0 && fmc_has_feature("teleport") == 0 && fmc_has_feature("exact") == 0);
   EXPECT_TRUE(fmc_abi_version() == FMC_ABI_VERSION && strlen(fmc_version()) >= 5);
   stateless();
   options_by_key();

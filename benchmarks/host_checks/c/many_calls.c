@@ -34,10 +34,13 @@ static void step(fmc_context *context) {
   OK(fmc_context_evaluate_tangent(context, &x, 0, &f, &result, NULL, NULL));
   OK(fmc_context_tangent_csr_size(context, 0, &rows, &entries));
   if (rows == 16 && entries <= ROOM) OK(fmc_context_tangent_csr(context, 0, offsets, cols, values, ROOM));
-  OK(fmc_context_nodal_contact(context, &x, pressure, NULL, NULL, NULL, NULL, NULL, NULL, 8));
-  OK(fmc_context_find_contact_points(context, &x, &points));
+  fmc_nodal_contact nodal;
+  OK(fmc_nodal_contact_init(&nodal));
+  nodal.pressure = pressure;
+  OK(fmc_context_nodal_contact(context, &x, &nodal));
+  OK(fmc_context_contact_points(context, &x, NULL, 0, &points));
   found = malloc((points + 1) * sizeof *found);
-  OK(fmc_context_contact_points(context, found, points));
+  OK(fmc_context_contact_points(context, &x, found, points, NULL));
   free(found);
   OK(fmc_context_commit_step(context, &x));
   if (!(result.volume > 0.007 && result.volume < 0.009)) failures++, printf("FAIL volume %g\n", result.volume);

@@ -76,7 +76,7 @@ static size_t compare(uint32_t flags, int is_wide) {
   static double values[ROOM];
   size_t row_count, count;
   OK(fmc_context_tangent_csr_size(context, flags, &row_count, &count));
-  const size_t per = flags & FMC_BLOCKS ? (size_t)dim : 1, size = flags & FMC_OBSTACLES ? rooms : dofs;
+  const size_t per = flags & FMC_CSR_BLOCKS ? (size_t)dim : 1, size = flags & FMC_CSR_OBSTACLES ? rooms : dofs;
   const int64_t base = flags & FMC_FROM_ONE ? 1 : 0;
   EXPECT(row_count * per == size && count > 0 && count * per * per < ROOM);
   if (is_wide) {
@@ -112,7 +112,7 @@ static void rows(void) {
   gather(entries);
   size_t of_mesh = 0;
   for (uint32_t choice = 0; choice < 8; choice++) {
-    const uint32_t flags = (choice & 1 ? FMC_BLOCKS : 0) | (choice & 2 ? FMC_OBSTACLES : 0) | (choice & 4 ? FMC_FROM_ONE : 0);
+    const uint32_t flags = (choice & 1 ? FMC_CSR_BLOCKS : 0) | (choice & 2 ? FMC_CSR_OBSTACLES : 0) | (choice & 4 ? FMC_FROM_ONE : 0);
     const size_t count = compare(flags, 0);
     EXPECT(compare(flags, 1) == count);
     const size_t numbers = count * (choice & 1 ? (size_t)(dim * dim) : 1);
@@ -145,25 +145,25 @@ static void kept_pattern(void) {
   const size_t first = (nodes - 1) / 2;
   OK(fmc_context_tangent(context, &x, 0, &entries, NULL));
   OK(fmc_context_keep_pattern(context, 1));
-  OK(fmc_context_tangent_csr_size(context, FMC_BLOCKS, NULL, &before));
+  OK(fmc_context_tangent_csr_size(context, FMC_CSR_BLOCKS, NULL, &before));
   for (size_t node = first; node < nodes - 1; node++) coords[node * dim + dim - 1] += 0.2;
   OK(fmc_context_tangent(context, &x, 0, &entries, NULL));
   gather(entries);
-  OK(fmc_context_tangent_csr_size(context, FMC_BLOCKS, NULL, &moved));
+  OK(fmc_context_tangent_csr_size(context, FMC_CSR_BLOCKS, NULL, &moved));
   EXPECT(moved == before && entries < before * (size_t)(dim * dim));
-  EXPECT(compare(FMC_BLOCKS, 0) == before);
+  EXPECT(compare(FMC_CSR_BLOCKS, 0) == before);
   EXPECT(compare(0, 1) == before * (size_t)(dim * dim));
   for (size_t node = first; node < nodes - 1; node++) coords[node * dim + dim - 1] -= 0.2;
   OK(fmc_context_keep_pattern(context, 1));
-  OK(fmc_context_evaluate_tangent(context, &x, FMC_SEMIDEFINITE, NULL, NULL, &entries, NULL));
+  OK(fmc_context_evaluate_tangent(context, &x, FMC_TANGENT_SEMIDEFINITE, NULL, NULL, &entries, NULL));
   gather(entries);
-  EXPECT(compare(FMC_BLOCKS | FMC_FROM_ONE, 0) == before);
-  OK(fmc_context_tangent_csr_size(context, FMC_BLOCKS, NULL, &back));
+  EXPECT(compare(FMC_CSR_BLOCKS | FMC_FROM_ONE, 0) == before);
+  OK(fmc_context_tangent_csr_size(context, FMC_CSR_BLOCKS, NULL, &back));
   EXPECT(back == before);
   for (size_t node = first; node < nodes - 1; node++) coords[node * dim + dim - 1] += 0.2;
   OK(fmc_context_tangent(context, &x, 0, &entries, NULL));
   OK(fmc_context_keep_pattern(context, 0));
-  OK(fmc_context_tangent_csr_size(context, FMC_BLOCKS, NULL, &none));
+  OK(fmc_context_tangent_csr_size(context, FMC_CSR_BLOCKS, NULL, &none));
   EXPECT(none < before);
   for (size_t node = first; node < nodes - 1; node++) coords[node * dim + dim - 1] -= 0.2;
 }
@@ -176,17 +176,17 @@ static void together(void) {
   fmc_result one, two;
   size_t entries, parts, same_entries, same_parts;
   OK(fmc_context_evaluate(context, &x, &f, 0, &two));
-  for (uint32_t flags = 0; flags <= FMC_SEMIDEFINITE; flags += FMC_SEMIDEFINITE) {
+  for (uint32_t flags = 0; flags <= FMC_TANGENT_SEMIDEFINITE; flags += FMC_TANGENT_SEMIDEFINITE) {
     OK(fmc_context_tangent(context, &x, flags, &entries, &parts));
     gather(entries);
     memcpy(before, full, sizeof full);
     memset(forces, 0, sizeof forces);
-    OK(fmc_context_evaluate_tangent(context, &x, flags | FMC_ADD, &g, &one, &same_entries, &same_parts));
+    OK(fmc_context_evaluate_tangent(context, &x, flags | FMC_EVALUATE_ADD, &g, &one, &same_entries, &same_parts));
     gather(entries);
     EXPECT(memcmp(before, full, sizeof full) == 0 && memcmp(forces, apart, sizeof forces) == 0);
     EXPECT(memcmp(&one, &two, sizeof one) == 0 && entries == same_entries && parts == same_parts && one.pair_count == 2);
   }
-  OK(fmc_context_evaluate_tangent(context, &x, FMC_ADD, &g, NULL, NULL, NULL));
+  OK(fmc_context_evaluate_tangent(context, &x, FMC_EVALUATE_ADD, &g, NULL, NULL, NULL));
   int doubled = 1;
   for (size_t dof = 0; dof < dofs; dof++) doubled = doubled && forces[dof] == 2 * apart[dof];
   EXPECT(doubled);
@@ -228,8 +228,8 @@ static void refused(void) {
   size_t row_count = 77, count = 77, entries = 77, parts = 77;
   offsets[0] = cols[0] = 77, values[0] = 77, wide[0] = 77;
   REFUSED(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_tangent_csr_size(NULL, 0, &row_count, &count));
-  REFUSED(FMC_ERROR_UNKNOWN_OPTION, "flag in 0x2", fmc_context_tangent_csr_size(context, FMC_SEMIDEFINITE, &row_count, &count));
-  REFUSED(FMC_ERROR_UNKNOWN_OPTION, "flag in 0x20", fmc_context_tangent_csr(context, 32, offsets, cols, values, ROOM / 100));
+  REFUSED(FMC_ERROR_UNKNOWN_FLAG, "flag in 0x2", fmc_context_tangent_csr_size(context, FMC_TANGENT_SEMIDEFINITE, &row_count, &count));
+  REFUSED(FMC_ERROR_UNKNOWN_FLAG, "flag in 0x20", fmc_context_tangent_csr(context, 32, offsets, cols, values, ROOM / 100));
   EXPECT(row_count == 77 && count == 77);
   OK(fmc_context_tangent_csr_size(context, 0, &row_count, &count));
   REFUSED(FMC_ERROR_BUFFER_TOO_SMALL, "room for", fmc_context_tangent_csr(context, 0, offsets, cols, values, count - 1));
@@ -239,11 +239,11 @@ static void refused(void) {
   REFUSED(FMC_ERROR_NULL_POINTER, "'cols'", fmc_context_tangent_csr_i64(context, 0, wide, NULL, values, count));
   int64_t *const odd = (int64_t *)(void *)((char *)wide + 4);
   REFUSED(FMC_ERROR_MISALIGNED_POINTER, "'row_offsets'", fmc_context_tangent_csr_i64(context, 0, odd, wide, values, count));
-  REFUSED(FMC_ERROR_UNKNOWN_OPTION, "'keep' is 2", fmc_context_keep_pattern(context, 2));
+  REFUSED(FMC_ERROR_BAD_VALUE, \"'keep' is 2", fmc_context_keep_pattern(context, 2));
   REFUSED(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_keep_pattern(NULL, 1));
-  REFUSED(FMC_ERROR_UNKNOWN_OPTION, "'on' is 2", fmc_context_set_obstacle_rotations(context, 2));
-  REFUSED(FMC_ERROR_UNKNOWN_OPTION, "flag in 0x1", fmc_context_tangent(context, &x, FMC_ADD, &entries, &parts));
-  REFUSED(FMC_ERROR_UNKNOWN_OPTION, "flag in 0x4", fmc_context_evaluate_tangent(context, &x, FMC_BLOCKS, NULL, NULL, &entries, &parts));
+  REFUSED(FMC_ERROR_BAD_VALUE, \"'on' is 2", fmc_context_set_obstacle_rotations(context, 2));
+  REFUSED(FMC_ERROR_UNKNOWN_FLAG, "flag in 0x1", fmc_context_tangent(context, &x, FMC_EVALUATE_ADD, &entries, &parts));
+  REFUSED(FMC_ERROR_UNKNOWN_FLAG, "flag in 0x4", fmc_context_evaluate_tangent(context, &x, FMC_CSR_BLOCKS, NULL, NULL, &entries, &parts));
   REFUSED(FMC_ERROR_NULL_POINTER, "'coords'", fmc_context_evaluate_tangent(context, NULL, 0, NULL, NULL, &entries, &parts));
   const fmc_forces small = {values, nodes - 1, dim, 1};
   REFUSED(FMC_ERROR_BUFFER_TOO_SMALL, "room for", fmc_context_evaluate_tangent(context, &x, 0, &small, NULL, &entries, &parts));

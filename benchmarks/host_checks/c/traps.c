@@ -82,7 +82,7 @@ static void step(int dim, const fmc_coords *x, const fmc_cell_block *block, cons
     size_t entries, rank_one;
     if (!good(fmc_context_evaluate(*context, x, &f, 0, NULL))) return;
     good(fmc_context_tangent(*context, x, 0, &entries, &rank_one));
-    good(fmc_context_tangent(*context, x, FMC_SEMIDEFINITE, &entries, &rank_one));
+    good(fmc_context_tangent(*context, x, FMC_TANGENT_SEMIDEFINITE, &entries, &rank_one));
     good(fmc_context_stable_step(*context, x, masses, &stable));
     if (!good(fmc_context_keep_patches(*context, x, NULL))) return;
   }

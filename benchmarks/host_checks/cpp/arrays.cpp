@@ -149,7 +149,7 @@ int main() try {
   auto broken = coords;
   broken[9] = nan;
   EXPECT(refused(FMC_ERROR_NON_FINITE_COORDINATE, "4", [&] { contact.evaluate(broken, forces); }));
-  EXPECT(contact.error().find("4") != std::string::npos && forces == std::vector<double>(16));
+  EXPECT(std::string(fmc_last_error()).find("4") != std::string::npos && forces == std::vector<double>(16));
   EXPECT(refused(FMC_ERROR_LENGTH, "15 numbers", [&] { contact.evaluate({coords.data(), 15}); }));
   EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { contact.evaluate({coords.data(), 14}); }));
   EXPECT(refused(FMC_ERROR_BUFFER_TOO_SMALL, "", [&] { contact.evaluate(coords, {forces.data(), 14}); }));

@@ -47,7 +47,7 @@ def test_facets_are_outward_faces_of_their_cells(cell_type, base):
     inside = coords[cells].mean(axis=1)[facets.cell]
     assert (np.einsum("md,md->m", areas, corner - inside) > 0).all()
     assert np.linalg.norm(areas, axis=1).sum() == pytest.approx(2 * coords.shape[1], rel=1e-14)
-    assert (facets.body == 0).all() and (facets.given == -1).all()
+    assert (facets.body == 0).all() and (facets.input_facet == -1).all()
 
 
 def test_bodies_come_in_the_order_of_results(squares):
@@ -61,7 +61,7 @@ def test_facets_keep_the_numbers_that_they_were_given():
     edges = np.array([[0, 1], [4, 5], [1, 2], [5, 6], [2, 0], [6, 4]])
     coords = np.array([[0, 0], [1, 0], [0, 1], [9, 9], [3, 0], [4, 0], [3, 1]], dtype=float)
     facets = Contact.from_facets(coords, edges, stiffness=K, law="fiber", bodies=[1, 0] * 3).mesh.boundary_facets()
-    np.testing.assert_array_equal(facets.given, [1, 3, 5, 0, 2, 4])
-    np.testing.assert_array_equal(facets.nodes, edges[facets.given])
+    np.testing.assert_array_equal(facets.input_facet, [1, 3, 5, 0, 2, 4])
+    np.testing.assert_array_equal(facets.nodes, edges[facets.input_facet])
     np.testing.assert_array_equal(facets.body, [0] * 3 + [1] * 3)
     assert (facets.cell == -1).all() and (facets.local_face == -1).all()

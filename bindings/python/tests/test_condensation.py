@@ -5,12 +5,12 @@ import pytest
 from fmc_contact import Condensation
 from fmc_contact.cholesky import Cholesky
 from fmc_contact.errors import (
-    FreedomOutOfRangeError,
+    DofOutOfRangeError,
     LengthError,
     NonFiniteStiffnessError,
     NotFactorisedError,
     NotPositiveDefiniteError,
-    RepeatedFreedomError,
+    RepeatedDofError,
     UnsymmetricError,
 )
 from fmc_contact.schur import SuperLU
@@ -68,9 +68,9 @@ def test_what_is_refused_is_named_and_leaves_the_factors():
         return other.tocsr()
 
     for other, kept, error in [
-        (matrix, [16], FreedomOutOfRangeError),
-        (matrix, [-1], FreedomOutOfRangeError),
-        (matrix, [2, 2], RepeatedFreedomError),
+        (matrix, [16], DofOutOfRangeError),
+        (matrix, [-1], DofOutOfRangeError),
+        (matrix, [2, 2], RepeatedDofError),
         (changed(0, 1, -1.5), [3], UnsymmetricError),
         (changed(0, 0, np.nan), [3], NonFiniteStiffnessError),
     ]:

@@ -34,22 +34,22 @@ def test_what_it_says_where_it_does_not_get_there(square):
     assert found.state == "outside" and found.outside_count >= 1
     found = square.contact_step(COORDS, [1], [[SPRING]], [0.0], held=[0, 2, 3, 4, 5, 6, 7])
     assert found.state == "converged"
-    far = {"most_iterations": 1, "most_trials": 1}
+    far = {"max_iterations": 1, "max_trials": 1}
     found = square.contact_step(COORDS + [0, 0.1], [0, 1, 2, 3], SPRING * np.eye(4), [0, 20, 0, 20], place=follow, **far)
     assert found.state == "not_converged" and found.residual > 1e-3 * found.scale
 
 
 def test_what_is_refused(square):
-    def step(freedoms, stiffness, residual, **more):
-        return square.contact_step(COORDS, freedoms, stiffness, residual, **more)
+    def step(dofs, stiffness, residual, **more):
+        return square.contact_step(COORDS, dofs, stiffness, residual, **more)
 
     with pytest.raises(ValueError, match=r"stiffness has shape \(1, 1\), expected \(2, 2\)"):
         step([1, 3], [[1.0]], [0.0, 0.0])
     with pytest.raises(ValueError, match=r"residual has shape \(1,\)"):
         step([1, 3], np.eye(2), [0.0])
-    with pytest.raises(errors.FreedomOutOfRangeError, match="freedom 8, but there are 8"):
+    with pytest.raises(errors.DofOutOfRangeError, match="freedom 8, but there are 8"):
         step([1, 8], np.eye(2), [0.0, 0.0])
-    with pytest.raises(errors.RepeatedFreedomError, match="freedom 1 is named twice"):
+    with pytest.raises(errors.RepeatedDofError, match="freedom 1 is named twice"):
         step([3, 1], np.eye(2), [0.0, 0.0])
     with pytest.raises(errors.NonFiniteStiffnessError, match="entry 0 of 'residual'"):
         step([1], [[1.0]], [np.nan])

@@ -52,4 +52,4 @@ def test_a_library_of_something_else_is_refused(tmp_path):
 
 def test_features_and_version():
     assert len(fmc_contact.__version__.split(".")) == 3
-    assert fmc_contact.has_feature("exact") and not fmc_contact.has_feature("teleport")
+    assert fmc_contact.has_feature("shapes") and not fmc_contact.has_feature("teleport")

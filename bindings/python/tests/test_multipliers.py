@@ -20,14 +20,14 @@ def test_what_penetrates_presses_twice_as_much(pressed):
     contact, coords = pressed
     before = contact.evaluate(coords).bodies[0].force[1]
     found = contact.multipliers.augment(coords, penetration=1e-6)
-    assert found.penetration == pytest.approx(0.01) and found.change == pytest.approx(0.01) and not found.is_enough
+    assert found.penetration == pytest.approx(0.01) and found.change == pytest.approx(0.01) and not found.is_converged
     assert contact.evaluate(coords).bodies[0].force[1] == pytest.approx(2 * before, rel=1e-3)
     # Weighted gaps are those of the true surfaces.
     gaps = contact.gap_constraints(coords, reach=0.1)
     assert gaps.gap / gaps.area == pytest.approx(-0.01)
     touching = coords + [0, 0.01]
     assert contact.evaluate(touching).bodies[0].force[1] == pytest.approx(before, rel=1e-3)
-    assert contact.multipliers.augment(touching, penetration=1e-9).is_enough
+    assert contact.multipliers.augment(touching, penetration=1e-9).is_converged
 
 
 def test_they_are_a_state_that_can_be_set(pressed):
@@ -56,7 +56,7 @@ def test_what_is_refused(pressed):
         ("node", 9, errors.NodeOutOfRangeError),
         ("shift", -1, errors.NotPositiveError),
         ("struct_size", 0, errors.StructSizeError),
-        ("partner_kind", 7, errors.UnknownOptionError),
+        ("partner_kind", 7, errors.BadValueError),
     ]:
         bad = kept.copy()
         bad[field][0] = value

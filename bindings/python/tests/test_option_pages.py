@@ -15,7 +15,7 @@ PAGES = {
     "fmc_pair_options": ["options-pairs.md"],
     "fmc_contact_step_options": ["options-contact-step.md"],
 }
-NAMED = {-1: {"law": "FMC_LAW_OF_CONTEXT", "friction_coefficient": "FMC_FRICTION_OF_CONTEXT"}}
+NAMED = {-1: {"law": "FMC_PAIR_LAW_OF_CONTEXT", "friction_coefficient": "FMC_PAIR_FRICTION_OF_CONTEXT"}}
 
 
 def rows(page):

@@ -6,8 +6,8 @@ from typing import get_type_hints
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, Options, contact_force, suggest_fiber_stiffness, suggest_stiffness
-from fmc_contact.errors import NotPositiveError, UnknownOptionError
+from fmc_contact import Contact, Options, contact_force, suggest_stiffness
+from fmc_contact.errors import BadValueError, NotPositiveError, UnknownOptionError
 from fmc_contact.options import CHOICES, changed, defaults, described
 from scenes import K, same_bits
 
@@ -74,9 +74,9 @@ def test_what_is_no_option_is_refused(squares):
     coords, conn = squares
     with pytest.raises(UnknownOptionError, match="no option 'stifness'; there are stiffness, "):
         contact_force(coords, conn, "quad", stiffness=K, stifness=2)
-    with pytest.raises(UnknownOptionError, match="'estimator' has no value 'exakt': fibers or exact or auto is wanted"):
+    with pytest.raises(BadValueError, match="'estimator' has no value 'exakt': fibers or exact or auto is wanted"):
         contact_force(coords, conn, "quad", stiffness=K, estimator="exakt")
-    with pytest.raises(UnknownOptionError, match="'fiber_count' has no value '10.5': a whole number is wanted"):
+    with pytest.raises(BadValueError, match="'fiber_count' has no value '10.5': a whole number is wanted"):
         contact_force(coords, conn, "quad", stiffness=K, fiber_count=10.5)
     with pytest.raises(TypeError, match="option 'spacing' is a list"):
         contact_force(coords, conn, "quad", stiffness=K, spacing=[0.1])
@@ -141,14 +141,22 @@ def test_a_body_overlaps_itself_where_it_is_looked_for():
 
 
 def test_stiffness_is_suggested():
-    assert suggest_fiber_stiffness(pressure=1e6, penetration=0.5) == 2e6
-    # The traction m k V^(m - 1) resists 1.2 times the pressure; with the modulus, the modulus.
-    assert suggest_stiffness(2, pressure=1e6) == 1.2e6
-    assert suggest_stiffness(3, modulus=1e9, facet_size=0.1) == 1e9
-    assert suggest_stiffness(3, pressure=1e6, overlap=0.01, exponent=2) == pytest.approx(1.2e6 / (2 * 0.01))
-    with pytest.raises(NotPositiveError, match="is 0, which is not allowed"):
-        suggest_fiber_stiffness(1e6, 0)
+    assert suggest_stiffness(1e6, 10.0) == 1e6 == suggest_stiffness(1e6, 10.0, law="fiber")
+    # The traction m k V^(m - 1) is the modulus, at an overlap a tenth of a cell deep.
+    assert suggest_stiffness(1e9, 0.1, law="volume") == 1e9
+    assert suggest_stiffness(1e9, 0.1, law="volume", dim=2, exponent=2) == pytest.approx(1e9 / (2 * 0.001))
+    with pytest.raises(NotPositiveError, match="'cell_size' is 0"):
+        suggest_stiffness(1e6, 0)
     with pytest.raises(NotPositiveError, match="'modulus' is -1"):
-        suggest_stiffness(2, modulus=-1, facet_size=0.1)
-    with pytest.raises(TypeError, match="give modulus and facet_size, or pressure"):
-        suggest_stiffness(2, modulus=1e9)
+        suggest_stiffness(-1, 0.1)
+    with pytest.raises(BadValueError, match="option 'law' has no value -1"):
+        suggest_stiffness(1e9, 0.1, law="depht")
+
+
+def test_options_in_force_have_the_stiffness_of_now(squares):
+    coords, conn = squares
+    contact = Contact(coords, conn, "quad", stiffness=K, index_base=0, cohesion=2.0)
+    contact.stiffen(3.0)
+    assert contact.options["stiffness"] == 3.0 * K and contact.options["cohesion"] == 2.0
+    contact.set_options(stiffness=5.0)
+    assert contact.options["stiffness"] == 5.0

@@ -99,7 +99,7 @@ def test_what_is_refused_changes_nothing() -> None:
         (errors.UnsupportedError, "two obstacles", lambda: contact.pairs.set(FLOOR, FLOOR)),
         (errors.NotPositiveError, "pair of body 0 and body 1: 'stiffness' is NaN", lambda: contact.pairs.set(0, 1, stiffness=np.nan)),
         (errors.NotPositiveError, "'stiffness' is 0", lambda: contact.pairs.set(0, 1, law="volume")),
-        (errors.UnknownOptionError, "'exponent' of a pair belongs to a law", lambda: contact.pairs.set(0, 1, exponent=2)),
+        (errors.OptionsConflictError, "'exponent' of a pair belongs to a law", lambda: contact.pairs.set(0, 1, exponent=2)),
         (errors.UnsupportedError, "two obstacles", lambda: contact.pairs.set(FLOOR, FLOOR, stiffness=2 * K)),
         (ValueError, "no value 'glue'", lambda: contact.pairs.set(0, 1, law="glue", stiffness=K)),
         (ValueError, "no partner 'wall'", lambda: contact.pairs.set(0, ("wall", 1))),

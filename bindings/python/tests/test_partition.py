@@ -107,7 +107,7 @@ def test_errors_are_told_on_all_ranks():
 def test_other_contacts_are_not_in_parts(blocks):
     contact = whole(blocks)
     with pytest.raises(fmc_contact.errors.UnsupportedError, match="fmc_context_new_from_part"):
-        contact._core.handle.call(fmc_contact.partition.library.fmc_context_bring, None, None)
+        contact._core.handle.call(fmc_contact.partition.library.fmc_context_set_coords, None, None)
     with pytest.raises(ValueError, match="node_numbers has shape \\(3,\\), expected"):
         fmc_contact.PartitionedContact(
             None, blocks[0], blocks[1], "quad", stiffness=1.0, node_numbers=[1, 2, 3], cell_numbers=[], bodies=[]

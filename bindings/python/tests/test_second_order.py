@@ -256,7 +256,7 @@ def test_facets_have_the_forces_of_cells(name, dtype):
     found = contact.evaluate(both)
     assert found.volume == pytest.approx(expected.volume, rel=1e-12) and contact.body_count == 2
     assert found.forces == pytest.approx(expected.forces, abs=1e-12 * np.abs(expected.forces).max())
-    given = contact.mesh.boundary_facets().given
+    given = contact.mesh.boundary_facets().input_facet
     assert set(given) == set(range(sum(len(conn) for _, conn in twice(facets))))
     # One type by name, with bodies.
     (of, conn), *others = facets

@@ -11,8 +11,8 @@ impl Host {
     pub(super) fn contact_step(&mut self, which: u16, shift: i64, numbers: [f64; 4], fault: Fault, hole: Hole) {
         let [stiffness, coupling, residual, tolerance] = numbers;
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
-        let freedoms = 0..(self.mesh.node_count() * self.mesh.dim) as i64;
-        let (mut list, mut held): (Vec<i64>, Vec<i64>) = freedoms.partition(|freedom| which >> (freedom % 15) & 1 == 1);
+        let dofs = 0..(self.mesh.node_count() * self.mesh.dim) as i64;
+        let (mut list, mut held): (Vec<i64>, Vec<i64>) = dofs.partition(|freedom| which >> (freedom % 15) & 1 == 1);
         if which >> 15 == 1 {
             held.clear();
         }
@@ -32,10 +32,10 @@ impl Host {
             let mut options = std::mem::MaybeUninit::<fmc_contact_step_options>::zeroed().assume_init();
             let mut result = std::mem::MaybeUninit::<fmc_contact_step_result>::zeroed().assume_init();
             assert_eq!(checked(fmc_contact_step_options_init(&raw mut options)), OK);
-            (options.tolerance, options.most_iterations, options.soft_start) =
+            (options.tolerance, options.max_iterations, options.soft_start) =
                 (tolerance, 12, i32::from(which & 1 == 1));
             if which & 1 << 14 != 0 {
-                (options.penetration, options.most_updates) = (coupling, 3);
+                (options.penetration, options.max_updates) = (coupling, 3);
             }
             let status = fmc_context_contact_step(
                 self.context,

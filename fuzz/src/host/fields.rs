@@ -16,40 +16,31 @@ impl Host {
         // SAFETY: as in `evaluate`; points go where there is room for so many.
         unsafe {
             let coords = unless(hole, 0, (&raw const view).cast_mut());
-            let (p, s) = (unless(hole, 1, pressure.ptr()), unless(hole, 2, touches.ptr()));
-            let room = if hole == 6 { n + 1 } else { n };
-            let (gap_at, area_at, normal_at) = (gap.ptr(), area.ptr(), normal.ptr());
-            let (friction_at, sliding_at) = (friction.ptr(), sliding.ptr());
-            let status = fmc_context_nodal_contact(
-                self.context,
-                coords,
-                p,
-                gap_at,
-                area_at,
-                normal_at,
-                friction_at,
-                sliding_at,
-                s,
-                room,
-            );
-            let is_ok = checked(status) == OK;
-            assert!(!is_ok || room == n);
+            let mut nodal = std::mem::zeroed();
+            assert_ne!(checked(fmc_context_nodal_contact(self.context, &raw const view, &raw const nodal)), OK);
+            assert_eq!(checked(fmc_nodal_contact_init(&raw mut nodal)), OK);
+            (nodal.pressure, nodal.status) = (unless(hole, 1, pressure.ptr()), unless(hole, 2, touches.ptr()));
+            (nodal.gap, nodal.area, nodal.normal) = (gap.ptr(), area.ptr(), normal.ptr());
+            (nodal.friction, nodal.sliding) = (friction.ptr(), sliding.ptr());
+            let nodal_at = unless(hole, 5, &raw mut nodal).cast_const();
+            let is_ok = checked(fmc_context_nodal_contact(self.context, coords, nodal_at)) == OK;
             let found = [gap.values(), normal.values(), friction.values(), sliding.values()].concat();
             assert_eq!(found.iter().any(|v| v.to_bits() == CANARY), !is_ok);
             assert!(!is_ok || sliding.values().iter().all(|part| (0.0..=1.0 + 1e-9).contains(part)));
             assert!(is_ok && hole != 3 || touches.values().iter().all(|s| *s == 7));
             assert!(!is_ok || hole == 3 || touches.values().iter().all(|s| (0..=3).contains(s)));
             let count_at = unless(hole, 4, &raw mut count);
-            if checked(fmc_context_find_contact_points(self.context, coords, count_at)) != OK || hole == 5 {
+            let ask = fmc_context_contact_points(self.context, coords, std::ptr::null_mut(), 0, count_at);
+            if checked(ask) != OK || hole == 5 {
                 assert_eq!(count, 77);
                 return;
             }
             let blank = std::mem::MaybeUninit::<fmc_contact_point>::zeroed().assume_init();
             let points = Guarded::new(&vec![blank; count]);
-            if count > 0 {
-                assert_ne!(checked(fmc_context_contact_points(self.context, points.ptr(), count - 1)), OK);
-            }
-            assert_eq!(checked(fmc_context_contact_points(self.context, points.ptr(), count)), OK);
+            let mut give = |room| fmc_context_contact_points(self.context, coords, points.ptr(), room, &raw mut count);
+            let there = points.values().len();
+            assert!(there == 0 || checked(give(there - 1)) != OK);
+            assert_eq!(checked(give(there)), OK);
             assert!(points.values().iter().all(|point| point.struct_size == size_of::<fmc_contact_point>()));
         }
     }
@@ -60,23 +51,29 @@ impl Host {
         // SAFETY: as in `evaluate`; rows and entries go where there is room for so many.
         unsafe {
             let coords = unless(hole, 0, (&raw const view).cast_mut());
-            let (rows_at, entries_at) = (unless(hole, 1, &raw mut rows), unless(hole, 2, &raw mut entries));
-            let status = fmc_context_find_gap_constraints(self.context, coords, reach, rows_at, entries_at);
-            if checked(status) != OK || (2..4).contains(&hole) {
-                assert!(rows == 77 || hole == 3);
+            let (rows_at, none) = (unless(hole, 1, &raw mut rows), std::ptr::null_mut());
+            let status = fmc_context_gap_constraints(self.context, coords, reach, none, 0, rows_at);
+            if checked(status) != OK || hole == 2 {
+                assert_eq!(rows, 77);
                 return;
             }
+            let (none, entries_at) = (std::ptr::null_mut(), &raw mut entries);
+            let no_values = std::ptr::null_mut();
+            let status = fmc_context_gap_gradient(self.context, none, 0, std::ptr::null_mut(), none, no_values, 0, entries_at);
+            assert_eq!(checked(status), OK);
             let blank = std::mem::MaybeUninit::<fmc_gap_constraint>::zeroed().assume_init();
             let found = Guarded::new(&vec![blank; rows]);
             let (offsets, cols) = (Guarded::new(&vec![-7i64; rows + 1]), Guarded::new(&vec![-7i64; entries]));
             let values = Guarded::new(&vec![f64::from_bits(CANARY); entries]);
-            if rows > 0 {
-                assert_ne!(checked(fmc_context_gap_constraints(self.context, found.ptr(), rows - 1)), OK);
-            }
-            assert_eq!(checked(fmc_context_gap_constraints(self.context, found.ptr(), rows)), OK);
+            let give = |room| fmc_context_gap_constraints(self.context, coords, reach, found.ptr(), room, std::ptr::null_mut());
+            assert!(rows == 0 || checked(give(rows - 1)) != OK);
+            assert_eq!(checked(give(rows)), OK);
             assert!(found.values().iter().all(|row| row.struct_size == size_of::<fmc_gap_constraint>()));
             let (offsets_at, cols_at, values_at) = (offsets.ptr(), cols.ptr(), values.ptr());
-            assert_eq!(checked(fmc_context_gap_gradient(self.context, offsets_at, cols_at, values_at, entries)), OK);
+            let none = std::ptr::null_mut();
+            let status =
+                fmc_context_gap_gradient(self.context, offsets_at, rows + 1, none, cols_at, values_at, entries, none);
+            assert_eq!(checked(status), OK);
             assert_eq!(offsets.values().last().copied(), Some(entries as i64));
             let size = (self.mesh.node_count() * self.mesh.dim) as i64;
             assert!(cols.values().iter().all(|col| (0..size).contains(col)));

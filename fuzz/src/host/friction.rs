@@ -21,7 +21,7 @@ impl Host {
                 1 => checked(fmc_context_commit_step(self.context, coords)),
                 2 => checked(fmc_context_freeze_friction(self.context, coords)),
                 3 => checked(fmc_context_set_slip(self.context, unless(hole, 1, slip.ptr()).cast_const(), length)),
-                _ => checked(fmc_context_slip(self.context, unless(hole, 1, slip.ptr()), length)),
+                _ => checked(fmc_context_slip(self.context, unless(hole, 1, slip.ptr()), length, std::ptr::null_mut())),
             };
         }
     }

@@ -19,19 +19,19 @@ impl Host {
             reserved: [7; 4],
         };
         let untouched = resultant;
-        let mut pair = std::mem::MaybeUninit::<fmc_pair>::zeroed();
+        let mut pair = std::mem::MaybeUninit::<fmc_pair_result>::zeroed();
         let (mut code, mut text) = (0, null());
         let mut counts = [0usize; 3];
         // SAFETY: outputs that may be written.
         unsafe {
-            let status = checked(fmc_context_body(self.context, index, unless(hole, 0, &raw mut resultant)));
+            let status = checked(fmc_context_body_resultant(self.context, index, unless(hole, 0, &raw mut resultant)));
             assert!(status == OK || resultant == untouched);
             let mut resultant = untouched;
-            let status = checked(fmc_context_obstacle(self.context, index, unless(hole, 1, &raw mut resultant)));
+            let status = checked(fmc_context_obstacle_resultant(self.context, index, unless(hole, 1, &raw mut resultant)));
             assert!(status == OK || resultant == untouched);
-            let status = checked(fmc_context_pair(self.context, index, unless(hole, 2, pair.as_mut_ptr())));
+            let status = checked(fmc_context_pair_result(self.context, index, unless(hole, 2, pair.as_mut_ptr())));
             let pair = pair.assume_init();
-            assert!(if status == OK { pair.struct_size == size_of::<fmc_pair>() } else { pair.struct_size == 0 });
+            assert!(if status == OK { pair.struct_size == size_of::<fmc_pair_result>() } else { pair.struct_size == 0 });
             if checked(fmc_context_warning(self.context, index, &raw mut code, unless(hole, 3, &raw mut text))) == OK
                 && hole != 4
             {
@@ -40,12 +40,15 @@ impl Host {
             let [nodes, facets, bodies] = &mut counts;
             assert_eq!(checked(fmc_context_counts(self.context, nodes, facets, unless(hole, 4, bodies))), OK);
             assert_eq!(counts[0], self.mesh.node_count());
+            let mut options = std::mem::MaybeUninit::<fmc_options>::zeroed().assume_init();
+            assert_eq!(checked(fmc_context_options(self.context, &raw mut options)), OK);
+            assert_eq!(options.struct_size, size_of::<fmc_options>());
             let blank = std::mem::MaybeUninit::<fmc_boundary_facet>::zeroed().assume_init();
             let found = Guarded::new(&vec![blank; counts[1]]);
-            assert_ne!(checked(fmc_context_boundary_facets(self.context, found.ptr(), counts[1] - 1)), OK);
+            assert_ne!(checked(fmc_context_boundary_facets(self.context, found.ptr(), counts[1] - 1, null_mut())), OK);
             let target = unless(hole, 2, found.ptr());
             let is_wanted = !target.is_null();
-            let status = checked(fmc_context_boundary_facets(self.context, target, counts[1]));
+            let status = checked(fmc_context_boundary_facets(self.context, target, counts[1], null_mut()));
             assert_eq!(status == OK, is_wanted);
             let size = if is_wanted { size_of::<fmc_boundary_facet>() } else { 0 };
             assert!(found.values().iter().all(|facet| facet.struct_size == size));
@@ -53,7 +56,7 @@ impl Host {
             let named = found.values().into_iter().flat_map(|facet| facet.nodes);
             let points = weights + i64::from(self.options.index_base);
             assert!(!is_wanted || named.into_iter().all(|point| (-1..points).contains(&point)));
-            CStr::from_ptr(fmc_context_error(unless(hole, 5, self.context))).to_str().expect("UTF-8");
+            CStr::from_ptr(fmc_last_error()).to_str().expect("UTF-8");
         }
     }
 

@@ -18,9 +18,9 @@ pub(super) fn suggest(dim: i32, [a, b, c]: [f64; 3]) {
     };
     // SAFETY: the output may be written.
     unsafe {
-        check(&|found| fmc_suggest_fiber_stiffness(a, b, found));
-        check(&|found| fmc_suggest_stiffness_from_modulus(dim, a, b, c, found));
-        check(&|found| fmc_suggest_stiffness_from_pressure(dim, a, b, c, found));
+        for law in -1..4 {
+            check(&|found| fmc_suggest_stiffness(law, dim, a, b, c, found));
+        }
     }
 }
 
@@ -31,6 +31,7 @@ pub(super) fn texts(status: i32, feature: &[u8; 5]) {
     unsafe {
         assert!((0..=1).contains(&fmc_has_feature(feature.as_ptr())) && fmc_has_feature(null()) == 0);
         assert!(CStr::from_ptr(fmc_status_name(status)).to_bytes().starts_with(b"FMC_"));
+        assert!((0..=6).contains(&fmc_status_class(status)));
         assert!(!CStr::from_ptr(fmc_version()).to_bytes().is_empty());
         assert!(fmc_abi_version() > 0);
         assert!(CStr::from_ptr(fmc_last_error()).to_str().is_ok());

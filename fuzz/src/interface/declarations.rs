@@ -5,16 +5,16 @@
 use std::ffi::{c_char, c_void};
 
 pub type fmc_status = i32;
-pub const FMC_ABI_VERSION: i32 = 2;
-pub const FMC_ADD: i32 = 1;
+pub const FMC_ABI_VERSION: i32 = 3;
+pub const FMC_EVALUATE_ADD: u32 = 1;
 pub const FMC_LOG_WARNING: i32 = 1;
-pub const FMC_SEMIDEFINITE: i32 = 2;
-pub const FMC_SYMMETRIC: i32 = 32;
-pub const FMC_BLOCKS: i32 = 4;
-pub const FMC_OBSTACLES: i32 = 8;
+pub const FMC_TANGENT_SEMIDEFINITE: u32 = 2;
+pub const FMC_TANGENT_SYMMETRIC: u32 = 32;
+pub const FMC_CSR_BLOCKS: u32 = 4;
+pub const FMC_CSR_OBSTACLES: u32 = 8;
 pub const FMC_FROM_ONE: i32 = 16;
-pub const FMC_LAW_OF_CONTEXT: i32 = -1;
-pub const FMC_FRICTION_OF_CONTEXT: i32 = -1;
+pub const FMC_PAIR_LAW_OF_CONTEXT: i32 = -1;
+pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
 pub const FMC_OK: i32 = 0;
 pub const FMC_ERROR_NULL_POINTER: i32 = 1;
 pub const FMC_ERROR_MISALIGNED_POINTER: i32 = 2;
@@ -61,8 +61,8 @@ pub const FMC_ERROR_NEGATIVE_RADIUS: i32 = 42;
 pub const FMC_ERROR_NON_CONFORMING: i32 = 43;
 pub const FMC_ERROR_SINGULAR_STIFFNESS: i32 = 44;
 pub const FMC_ERROR_INDEFINITE_STIFFNESS: i32 = 45;
-pub const FMC_ERROR_FREEDOM_OUT_OF_RANGE: i32 = 46;
-pub const FMC_ERROR_REPEATED_FREEDOM: i32 = 47;
+pub const FMC_ERROR_DOF_OUT_OF_RANGE: i32 = 46;
+pub const FMC_ERROR_REPEATED_DOF: i32 = 47;
 pub const FMC_ERROR_NON_FINITE_STIFFNESS: i32 = 48;
 pub const FMC_ERROR_PLACE: i32 = 49;
 pub const FMC_ERROR_BAD_RANK: i32 = 50;
@@ -73,6 +73,10 @@ pub const FMC_ERROR_NOT_GATHERED: i32 = 54;
 pub const FMC_ERROR_NOT_POSITIVE_DEFINITE: i32 = 55;
 pub const FMC_ERROR_UNSYMMETRIC: i32 = 56;
 pub const FMC_ERROR_NOT_FACTORISED: i32 = 57;
+pub const FMC_ERROR_BAD_VALUE: i32 = 59;
+pub const FMC_ERROR_UNKNOWN_FLAG: i32 = 60;
+pub const FMC_ERROR_OPTIONS_CONFLICT: i32 = 61;
+pub const FMC_ERROR_RESERVED_FIELD: i32 = 62;
 pub const FMC_LAW_VOLUME: i32 = 0;
 pub const FMC_LAW_FIBER: i32 = 1;
 pub const FMC_LAW_DEPTH: i32 = 2;
@@ -273,7 +277,7 @@ pub struct fmc_boundary_facet {
     pub struct_size: usize,
     pub body: usize,
     pub cell: i64,
-    pub given: i64,
+    pub input_facet: i64,
     pub local_face: i32,
     pub node_count: i32,
     pub nodes: [i64; 4],
@@ -340,13 +344,13 @@ pub struct fmc_gathered_counts {
 pub struct fmc_contact_step_options {
     pub struct_size: usize,
     pub tolerance: f64,
-    pub goal: f64,
+    pub absolute_tolerance: f64,
     pub full_below: f64,
-    pub most_iterations: i32,
-    pub most_trials: i32,
+    pub max_iterations: i32,
+    pub max_trials: i32,
     pub penetration: f64,
     pub reach: f64,
-    pub most_updates: i32,
+    pub max_updates: i32,
     pub soft_start: i32,
     pub reserved: [u64; 5],
 }
@@ -380,7 +384,7 @@ pub struct fmc_resultant {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_pair {
+pub struct fmc_pair_result {
     pub struct_size: usize,
     pub a_kind: i32,
     pub b_kind: i32,
@@ -412,6 +416,19 @@ pub struct fmc_pair_options {
     pub law: i32,
     pub excluded: i32,
     pub reserved: [u64; 10],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_nodal_contact {
+    pub struct_size: usize,
+    pub pressure: *mut f64,
+    pub gap: *mut f64,
+    pub area: *mut f64,
+    pub normal: *mut f64,
+    pub friction: *mut f64,
+    pub sliding: *mut f64,
+    pub status: *mut i32,
 }
 
 #[repr(C)]
@@ -464,7 +481,7 @@ pub struct fmc_augmentation {
     pub penetration: f64,
     pub change: f64,
     pub multiplier_count: usize,
-    pub is_enough: i32,
+    pub is_converged: i32,
     pub reserved_flags: i32,
     pub reserved: [u64; 4],
 }
@@ -509,6 +526,7 @@ unsafe extern "C" {
     pub fn fmc_abi_version() -> i32;
     pub fn fmc_has_feature(name: *const c_char) -> i32;
     pub fn fmc_status_name(status: i32) -> *const c_char;
+    pub fn fmc_status_class(status: i32) -> i32;
     pub fn fmc_last_error() -> *const c_char;
     pub fn fmc_options_init(options: *mut fmc_options) -> fmc_status;
     pub fn fmc_options_set(options: *mut fmc_options, key: *const c_char, value: *const c_char) -> fmc_status;
@@ -525,11 +543,11 @@ unsafe extern "C" {
     pub fn fmc_context_new_from_facet_blocks(dim: i32, coords: *const fmc_coords, blocks: *const fmc_facet_block, block_count: usize, body_ids: *const i32, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
     pub fn fmc_context_new_from_facet_blocks_i64(dim: i32, coords: *const fmc_coords, blocks: *const fmc_facet_block_i64, block_count: usize, body_ids: *const i64, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
     pub fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status;
+    pub fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status;
     pub fn fmc_context_set_log(context: *mut fmc_context, callback: fmc_log_callback, user: *mut c_void) -> fmc_status;
     pub fn fmc_context_counts(context: *const fmc_context, node_count: *mut usize, facet_count: *mut usize, body_count: *mut usize) -> fmc_status;
     pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
-    pub fn fmc_context_error(context: *const fmc_context) -> *const c_char;
-    pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize) -> fmc_status;
+    pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_point_weights_size(context: *const fmc_context, point_count: *mut usize, entry_count: *mut usize) -> fmc_status;
     pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut i64, point_capacity: usize, nodes: *mut i64, weights: *mut f64, capacity: usize) -> fmc_status;
     pub fn fmc_context_set_basis(context: *mut fmc_context, unknown_count: usize, row_offsets: *const i64, unknowns: *const i64, weights: *const f64, entry_count: usize) -> fmc_status;
@@ -537,8 +555,8 @@ unsafe extern "C" {
     pub fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_freeze_friction(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
-    pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize) -> fmc_status;
-    pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, length: usize) -> fmc_status;
+    pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const i64, count: usize) -> fmc_status;
     pub fn fmc_context_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, entry_count: *mut usize, rank_one_count: *mut usize) -> fmc_status;
@@ -556,7 +574,7 @@ unsafe extern "C" {
     pub fn fmc_context_set_communicator(context: *mut fmc_context, communicator: *const fmc_communicator) -> fmc_status;
     pub fn fmc_context_rank_counts(context: *const fmc_context, counts: *mut fmc_rank_counts) -> fmc_status;
     pub fn fmc_context_new_from_part(dim: i32, communicator: *const fmc_communicator, part: *const fmc_mesh_part, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
-    pub fn fmc_context_bring(context: *mut fmc_context, coords: *const fmc_coords, renumbered: *mut i32) -> fmc_status;
+    pub fn fmc_context_set_coords(context: *mut fmc_context, coords: *const fmc_coords, renumbered: *mut i32) -> fmc_status;
     pub fn fmc_context_set_carried_slip(context: *mut fmc_context, carried: *const fmc_carried_slip, count: usize) -> fmc_status;
     pub fn fmc_context_gathered_counts(context: *const fmc_context, counts: *mut fmc_gathered_counts) -> fmc_status;
     pub fn fmc_context_gathered_nodes(context: *const fmc_context, numbers: *mut i64, own_nodes: *mut i32, coords: *mut f64, capacity: usize) -> fmc_status;
@@ -570,20 +588,19 @@ unsafe extern "C" {
     pub fn fmc_condensation_complement(condensation: *const fmc_condensation, complement: *mut f64, capacity: usize) -> fmc_status;
     pub fn fmc_condensation_condense(condensation: *const fmc_condensation, right: *const f64, count: usize, condensed: *mut f64, capacity: usize) -> fmc_status;
     pub fn fmc_condensation_expand(condensation: *const fmc_condensation, right: *const f64, count: usize, kept: *const f64, kept_count: usize, solution: *mut f64, capacity: usize) -> fmc_status;
-    pub fn fmc_context_body(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
-    pub fn fmc_context_obstacle(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
-    pub fn fmc_context_pair(context: *const fmc_context, index: usize, pair: *mut fmc_pair) -> fmc_status;
+    pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
+    pub fn fmc_context_obstacle_resultant(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
+    pub fn fmc_context_pair_result(context: *const fmc_context, index: usize, pair: *mut fmc_pair_result) -> fmc_status;
     pub fn fmc_context_warning(context: *const fmc_context, index: usize, code: *mut i32, text: *mut *const c_char) -> fmc_status;
     pub fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status;
     pub fn fmc_context_set_pair_options(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options) -> fmc_status;
     pub fn fmc_context_pair_options(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *mut fmc_pair_options) -> fmc_status;
-    pub fn fmc_context_nodal_contact(context: *mut fmc_context, coords: *const fmc_coords, pressure: *mut f64, gap: *mut f64, area: *mut f64, normal: *mut f64, friction: *mut f64, sliding: *mut f64, status: *mut i32, node_count: usize) -> fmc_status;
-    pub fn fmc_context_find_contact_points(context: *mut fmc_context, coords: *const fmc_coords, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_contact_points(context: *const fmc_context, points: *mut fmc_contact_point, capacity: usize) -> fmc_status;
-    pub fn fmc_context_find_gap_constraints(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, count: *mut usize, entry_count: *mut usize) -> fmc_status;
-    pub fn fmc_context_gap_constraints(context: *const fmc_context, rows: *mut fmc_gap_constraint, capacity: usize) -> fmc_status;
-    pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut i64, cols: *mut i64, values: *mut f64, capacity: usize) -> fmc_status;
-    pub fn fmc_context_augment(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, enough: f64, found: *mut fmc_augmentation) -> fmc_status;
+    pub fn fmc_nodal_contact_init(nodal: *mut fmc_nodal_contact) -> fmc_status;
+    pub fn fmc_context_nodal_contact(context: *mut fmc_context, coords: *const fmc_coords, nodal: *const fmc_nodal_contact) -> fmc_status;
+    pub fn fmc_context_contact_points(context: *mut fmc_context, coords: *const fmc_coords, points: *mut fmc_contact_point, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_gap_constraints(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, rows: *mut fmc_gap_constraint, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut i64, offset_capacity: usize, offset_count: *mut usize, cols: *mut i64, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_augment(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, tolerance: f64, result: *mut fmc_augmentation) -> fmc_status;
     pub fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status;
     pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_multipliers(context: *mut fmc_context, rows: *const fmc_multiplier, count: usize) -> fmc_status;
@@ -605,7 +622,5 @@ unsafe extern "C" {
     pub fn fmc_context_obstacle_shape(context: *const fmc_context, obstacle: usize, shape: *mut i32, pose: *mut fmc_pose) -> fmc_status;
     pub fn fmc_context_set_pose(context: *mut fmc_context, obstacle: usize, pose: *const fmc_pose) -> fmc_status;
     pub fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status;
-    pub fn fmc_suggest_fiber_stiffness(pressure: f64, penetration: f64, stiffness: *mut f64) -> fmc_status;
-    pub fn fmc_suggest_stiffness_from_modulus(dim: i32, exponent: f64, modulus: f64, facet_size: f64, stiffness: *mut f64) -> fmc_status;
-    pub fn fmc_suggest_stiffness_from_pressure(dim: i32, exponent: f64, pressure: f64, overlap: f64, stiffness: *mut f64) -> fmc_status;
+    pub fn fmc_suggest_stiffness(law: i32, dim: i32, exponent: f64, modulus: f64, cell_size: f64, stiffness: *mut f64) -> fmc_status;
 }

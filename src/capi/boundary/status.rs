@@ -4,7 +4,7 @@ use crate::Error;
 use std::ffi::{CStr, c_char};
 
 /// Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
-/// offending indices and values is given by `fmc_context_error` and `fmc_last_error`.
+/// offending indices and values is given by `fmc_last_error`.
 ///
 /// After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
 #[repr(C)]
@@ -48,7 +48,7 @@ pub enum fmc_status {
     FMC_ERROR_EMPTY = 17,
     /// A parameter is not positive and finite, or an exponent not at least 1.
     FMC_ERROR_NOT_POSITIVE = 18,
-    /// No such option or flag, no such value of an option, or two options that exclude one another.
+    /// No option of this name.
     FMC_ERROR_UNKNOWN_OPTION = 19,
     /// A struct was not initialised by its `_init` function, or comes from a header that this library does not know.
     FMC_ERROR_STRUCT_SIZE = 20,
@@ -104,9 +104,9 @@ pub enum fmc_status {
     /// The stiffness of bodies and contact together is not positive definite.
     FMC_ERROR_INDEFINITE_STIFFNESS = 45,
     /// A list of degrees of freedom names one that does not exist.
-    FMC_ERROR_FREEDOM_OUT_OF_RANGE = 46,
+    FMC_ERROR_DOF_OUT_OF_RANGE = 46,
     /// A list of degrees of freedom does not ascend, or names one that another list has.
-    FMC_ERROR_REPEATED_FREEDOM = 47,
+    FMC_ERROR_REPEATED_DOF = 47,
     /// A stiffness or a residual that was given is NaN or infinite.
     FMC_ERROR_NON_FINITE_STIFFNESS = 48,
     /// A host's function that places its nodes failed.
@@ -127,6 +127,14 @@ pub enum fmc_status {
     FMC_ERROR_UNSYMMETRIC = 56,
     /// There are no factors of a matrix: none was given, or the last one had none.
     FMC_ERROR_NOT_FACTORISED = 57,
+    /// An option, a kind or a switch has no such value.
+    FMC_ERROR_BAD_VALUE = 59,
+    /// A bit of `flags` that the function does not have.
+    FMC_ERROR_UNKNOWN_FLAG = 60,
+    /// Two options exclude one another, or one would have no effect beside the others.
+    FMC_ERROR_OPTIONS_CONFLICT = 61,
+    /// A reserved field is not zero: an option of a later version of the library.
+    FMC_ERROR_RESERVED_FIELD = 62,
 }
 
 use fmc_status::*;
@@ -179,8 +187,8 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NON_CONFORMING, c"FMC_ERROR_NON_CONFORMING"),
     (FMC_ERROR_SINGULAR_STIFFNESS, c"FMC_ERROR_SINGULAR_STIFFNESS"),
     (FMC_ERROR_INDEFINITE_STIFFNESS, c"FMC_ERROR_INDEFINITE_STIFFNESS"),
-    (FMC_ERROR_FREEDOM_OUT_OF_RANGE, c"FMC_ERROR_FREEDOM_OUT_OF_RANGE"),
-    (FMC_ERROR_REPEATED_FREEDOM, c"FMC_ERROR_REPEATED_FREEDOM"),
+    (FMC_ERROR_DOF_OUT_OF_RANGE, c"FMC_ERROR_DOF_OUT_OF_RANGE"),
+    (FMC_ERROR_REPEATED_DOF, c"FMC_ERROR_REPEATED_DOF"),
     (FMC_ERROR_NON_FINITE_STIFFNESS, c"FMC_ERROR_NON_FINITE_STIFFNESS"),
     (FMC_ERROR_PLACE, c"FMC_ERROR_PLACE"),
     (FMC_ERROR_BAD_RANK, c"FMC_ERROR_BAD_RANK"),
@@ -191,6 +199,10 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NOT_POSITIVE_DEFINITE, c"FMC_ERROR_NOT_POSITIVE_DEFINITE"),
     (FMC_ERROR_UNSYMMETRIC, c"FMC_ERROR_UNSYMMETRIC"),
     (FMC_ERROR_NOT_FACTORISED, c"FMC_ERROR_NOT_FACTORISED"),
+    (FMC_ERROR_BAD_VALUE, c"FMC_ERROR_BAD_VALUE"),
+    (FMC_ERROR_UNKNOWN_FLAG, c"FMC_ERROR_UNKNOWN_FLAG"),
+    (FMC_ERROR_OPTIONS_CONFLICT, c"FMC_ERROR_OPTIONS_CONFLICT"),
+    (FMC_ERROR_RESERVED_FIELD, c"FMC_ERROR_RESERVED_FIELD"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -225,8 +237,8 @@ impl From<&Error> for fmc_status {
             Error::NotPositiveDefinite { .. } => FMC_ERROR_NOT_POSITIVE_DEFINITE,
             Error::Unsymmetric { .. } => FMC_ERROR_UNSYMMETRIC,
             Error::NotFactorised => FMC_ERROR_NOT_FACTORISED,
-            Error::FreedomOutOfRange { .. } => FMC_ERROR_FREEDOM_OUT_OF_RANGE,
-            Error::RepeatedFreedom { .. } => FMC_ERROR_REPEATED_FREEDOM,
+            Error::FreedomOutOfRange { .. } => FMC_ERROR_DOF_OUT_OF_RANGE,
+            Error::RepeatedFreedom { .. } => FMC_ERROR_REPEATED_DOF,
             Error::NonFiniteStiffness { .. } => FMC_ERROR_NON_FINITE_STIFFNESS,
             Error::Place { .. } => FMC_ERROR_PLACE,
             Error::NoStep => FMC_ERROR_NO_STEP,
@@ -250,6 +262,11 @@ impl From<&Error> for fmc_status {
     }
 }
 
+/// The status of a number.
+pub(crate) fn status_of(code: i32) -> Option<fmc_status> {
+    NAMES.iter().map(|(status, _)| *status).find(|status| *status as i32 == code)
+}
+
 /// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for any other number.
 ///
 /// The text is constant and never freed. Threads: any.
@@ -264,11 +281,11 @@ mod tests {
 
     #[test]
     fn every_code_has_its_name() {
-        for (index, (code, name)) in NAMES.iter().enumerate() {
-            assert_eq!(*code as usize, index);
+        assert!(NAMES.is_sorted_by_key(|(code, _)| *code as i32));
+        for (code, name) in NAMES {
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NOT_FACTORISED);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_RESERVED_FIELD);
     }
 
     #[test]

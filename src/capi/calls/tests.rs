@@ -1,12 +1,13 @@
 //! The C functions called as C calls them, where a C program could not look.
 
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::last_error::fmc_last_error;
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::*;
 use crate::capi::calls::mesh::creation::{fmc_context_free, fmc_context_new_from_cells};
-use crate::capi::calls::results::getters::fmc_context_body;
+use crate::capi::calls::results::getters::fmc_context_body_resultant;
 use crate::capi::context::session::{Counts, Session};
-use crate::capi::context::state::{State, fmc_context, fmc_context_error, fmc_context_evaluate};
+use crate::capi::context::state::{State, fmc_context, fmc_context_evaluate};
 use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 use crate::capi::structs::contact_point::fmc_contact_point;
 use crate::capi::structs::evaluation::{Evaluation, fmc_result, fmc_resultant};
@@ -75,7 +76,7 @@ fn forces_are_those_of_the_rust_api_to_the_bit() {
     let zero = [0.0; 3];
     let mut body = fmc_resultant { id: -1, force: zero, moment: zero, node_count: 0, friction: zero, reserved: [0; 4] };
     // SAFETY: a living context and an output.
-    assert_eq!(unsafe { fmc_context_body(context, 1, &mut body) }, FMC_OK);
+    assert_eq!(unsafe { fmc_context_body_resultant(context, 1, &mut body) }, FMC_OK);
     assert_eq!((body.id, body.force[0], body.force[2]), (1, expected.bodies[1].force[0], 0.0));
     // SAFETY: the context is freed once.
     assert_eq!(unsafe { fmc_context_free(&mut context) }, FMC_OK);
@@ -113,6 +114,10 @@ impl Session for Brittle {
 
     fn set_options(&mut self, _: Options) -> Result<(), Failure> {
         Ok(())
+    }
+
+    fn stiffness(&self) -> f64 {
+        1.0
     }
 
     fn set_pose(&mut self, _: usize, _: fmc_pose) -> Result<(), Failure> {
@@ -215,6 +220,10 @@ impl Session for Brittle {
         .into())
     }
 
+    unsafe fn bits(&mut self, _: &fmc_coords) -> Result<Vec<u64>, Failure> {
+        Ok(Vec::new())
+    }
+
     unsafe fn contact_points(&mut self, _: &fmc_coords, _: i32) -> Result<Vec<fmc_contact_point>, Failure> {
         Ok(Vec::new())
     }
@@ -274,11 +283,14 @@ impl Session for Brittle {
 
 #[test]
 fn a_context_survives_a_panic() {
-    let mut context = Box::into_raw(Box::new(fmc_context::new(State::new(Box::new(Brittle { broken: false }), 0))));
+    let mut context = Box::into_raw(Box::new(fmc_context::new(State::new(
+        Box::new(Brittle { broken: false }),
+        &fmc_options::default(),
+    ))));
     let (status, forces, result) = evaluate(context);
     assert_eq!((status, forces, result), (FMC_ERROR_PANIC, [[7.0; 2]; 8], fmc_result::default()));
     // SAFETY: a living context; the text lives as long as it and is not replaced meanwhile.
-    let text = unsafe { CStr::from_ptr(fmc_context_error(context)) };
+    let text = unsafe { CStr::from_ptr(fmc_last_error()) };
     assert!(text.to_str().is_ok_and(|text| text.ends_with(": facet 3 is lost")), "{text:?}");
     assert_eq!(evaluate(context).0, FMC_OK);
     // SAFETY: made above in the way of `fmc_context_new_from_cells`, and freed once.
@@ -288,7 +300,7 @@ fn a_context_survives_a_panic() {
 #[test]
 fn concurrent_calls_return_busy() {
     let session = Box::new(Brittle { broken: true });
-    let context = fmc_context::new(State::new(session, 0));
+    let context = fmc_context::new(State::new(session, &fmc_options::default()));
     let pointer = (&raw const context).cast_mut();
     {
         // SAFETY: a living context.

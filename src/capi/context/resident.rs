@@ -19,8 +19,8 @@ use crate::capi::structs::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
 use crate::overlap::Partner;
 use crate::{
-    Basis, Communicator, Contact, ContactForces, Error, Obstacle, Options, PartitionedContact, PointWeights, Pose,
-    RankCounts, Surface,
+    Basis, Communicator, Contact, ContactForces, EnergyLaw, Error, Obstacle, Options, PartitionedContact, PointWeights,
+    Pose, RankCounts, Surface,
 };
 
 /// A contact, and room for coordinates that do not lie in dense rows.
@@ -148,6 +148,13 @@ impl<const D: usize> Session for Resident<D> {
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure> {
         Ok(self.held.contact_mut().set_options(options)?)
+    }
+
+    fn stiffness(&self) -> f64 {
+        match self.held.contact().options().law {
+            EnergyLaw::Volume { stiffness, .. } | EnergyLaw::Depth { stiffness } => stiffness,
+            EnergyLaw::Fiber(law) => law.stiffness,
+        }
     }
 
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure> {
@@ -298,6 +305,13 @@ impl<const D: usize> Session for Resident<D> {
     unsafe fn nodal_contact(&mut self, coords: &fmc_coords, index_base: i32) -> Result<NodalLists, Failure> {
         // SAFETY: passed on to the caller.
         Ok(unsafe { self.at(coords, index_base, |contact, rows| contact.nodal_contact(rows)) }?.into())
+    }
+
+    unsafe fn bits(&mut self, coords: &fmc_coords) -> Result<Vec<u64>, Failure> {
+        check_node_count(coords.node_count, self.held.contact().surface().unknown_count())?;
+        // SAFETY: passed on to the caller.
+        let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
+        Ok(rows.as_flattened().iter().map(|number: &f64| number.to_bits()).collect())
     }
 
     unsafe fn contact_points(

@@ -46,6 +46,9 @@ pub(crate) trait Session: Send + Sync {
     fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Failure>;
 
     fn set_options(&mut self, options: Options) -> Result<(), Failure>;
+
+    /// That of the law, as options and [`Self::stiffen`] have left it.
+    fn stiffness(&self) -> f64;
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure>;
     fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure>;
 
@@ -123,6 +126,12 @@ pub(crate) trait Session: Send + Sync {
     /// # Safety
     /// The host guarantees the view.
     unsafe fn nodal_contact(&mut self, coords: &fmc_coords, index_base: i32) -> Result<NodalLists, Failure>;
+
+    /// Bits of the coordinates, to tell whether they are the same.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    unsafe fn bits(&mut self, coords: &fmc_coords) -> Result<Vec<u64>, Failure>;
 
     /// The contact points.
     ///

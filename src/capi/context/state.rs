@@ -1,12 +1,12 @@
 //! The context: a mesh in contact that is evaluated again and again.
 
+use super::found::Found;
 use super::session::Session;
-use crate::capi::boundary::entry::{entry, guarded, quietly};
-use crate::capi::boundary::failure::{Failure, c_text};
-use crate::capi::boundary::last_error::fmc_last_error;
+use crate::capi::boundary::entry::{entry, guarded};
+use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, optional, reference};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_UNKNOWN_OPTION};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_UNKNOWN_FLAG};
 use crate::capi::structs::contact_point::fmc_contact_point;
 use crate::capi::structs::evaluation::{Evaluation, fmc_result};
 use crate::capi::structs::gap_constraint::KeptGaps;
@@ -14,12 +14,12 @@ use crate::capi::structs::kept_tangent::Kept;
 use crate::capi::structs::options::fmc_options;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
 use crate::contact::Pattern;
-use std::ffi::{CString, c_char, c_void};
+use std::ffi::{c_char, c_void};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
 
 /// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
 /// instead of overwriting it.
-pub const FMC_ADD: u32 = 1;
+pub const FMC_EVALUATE_ADD: u32 = 1;
 
 /// Level of a log message: something the user should know about a result that is an answer all the same.
 pub const FMC_LOG_WARNING: i32 = 1;
@@ -43,12 +43,15 @@ pub(crate) struct State {
     pub(crate) session: Box<dyn Session>,
     pub(crate) evaluation: Evaluation,
     pub(crate) tangent: Kept,
-    pub(crate) points: Vec<fmc_contact_point>,
-    pub(crate) gaps: KeptGaps,
+    points: Found<Vec<fmc_contact_point>>,
+    gaps: Found<KeptGaps>,
+    /// How often the context was changed, or could have been.
+    calls: u64,
     /// Of the compressed rows, while it is kept.
     pub(crate) pattern: Option<Pattern>,
     pub(crate) index_base: i32,
-    error: CString,
+    /// As they were set; the stiffness in force is the session's.
+    options: fmc_options,
     log: fmc_log_callback,
     log_user: LogUser,
 }
@@ -60,16 +63,17 @@ impl fmc_context {
 }
 
 impl State {
-    pub(crate) fn new(session: Box<dyn Session>, index_base: i32) -> Self {
+    pub(crate) fn new(session: Box<dyn Session>, options: &fmc_options) -> Self {
         Self {
             session,
             evaluation: Evaluation::default(),
             tangent: Kept::default(),
-            points: Vec::new(),
-            gaps: KeptGaps::default(),
+            points: Found::default(),
+            gaps: Found::default(),
+            calls: 0,
             pattern: None,
-            index_base,
-            error: CString::default(),
+            index_base: options.index_base,
+            options: *options,
             log: None,
             log_user: LogUser(std::ptr::null_mut()),
         }
@@ -77,11 +81,43 @@ impl State {
 
     /// Forgets what was kept of nodes and facets, which have other numbers now.
     pub(crate) fn renumber(&mut self) {
-        (self.evaluation, self.tangent, self.gaps) = (Evaluation::default(), Kept::default(), KeptGaps::default());
-        self.points = Vec::new();
+        (self.evaluation, self.tangent) = (Evaluation::default(), Kept::default());
+        (self.points, self.gaps) = (Found::default(), Found::default());
         if let Some(pattern) = &mut self.pattern {
             *pattern = Pattern::default();
         }
+    }
+
+    /// The contact points at `coords`.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    pub(crate) unsafe fn contact_points(&mut self, coords: &fmc_coords) -> Result<&[fmc_contact_point], Failure> {
+        let Self { session, points, calls, index_base, .. } = self;
+        // SAFETY: passed on to the caller.
+        unsafe {
+            let at = session.bits(coords)?;
+            Ok(points.at(at, *calls, || session.contact_points(coords, *index_base))?)
+        }
+    }
+
+    /// The weighted gaps at `coords`.
+    ///
+    /// # Safety
+    /// The host guarantees the view.
+    pub(crate) unsafe fn gap_constraints(&mut self, coords: &fmc_coords, reach: f64) -> Result<&KeptGaps, Failure> {
+        let Self { session, gaps, calls, index_base, .. } = self;
+        // SAFETY: passed on to the caller.
+        unsafe {
+            let mut at = session.bits(coords)?;
+            at.push(reach.to_bits());
+            gaps.at(at, *calls, || session.gap_constraints(coords, reach, *index_base))
+        }
+    }
+
+    /// The weighted gaps that were found last.
+    pub(crate) fn last_gaps(&self) -> &KeptGaps {
+        &self.gaps.rows
     }
 
     /// Keeps a tangent until the next one, and its places if the pattern is kept.
@@ -121,7 +157,7 @@ pub(crate) unsafe fn read<'a>(context: *const fmc_context) -> Result<RwLockReadG
     }
 }
 
-/// Runs `body` on the state; the text of a failure is kept in the context too.
+/// Runs `body` on the state.
 ///
 /// # Safety
 /// The host guarantees a living context that is not freed during the call.
@@ -135,17 +171,15 @@ pub(crate) unsafe fn write<T>(
         Err(TryLockError::Poisoned(state)) => state.into_inner(),
         Err(TryLockError::WouldBlock) => return Err(busy()),
     };
-    let outcome = guarded(|| body(&mut state));
-    if let Err(failure) = &outcome {
-        state.error = c_text(&failure.text);
-    }
-    outcome
+    state.calls += 1;
+    // A panic is caught under the lock, so that the lock is not poisoned.
+    guarded(|| body(&mut state))
 }
 
 /// Replaces the options. They apply from the next evaluation on; results of the last one are kept.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`, `FMC_ERROR_STRUCT_SIZE`,
-/// `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`,
+/// `FMC_ERROR_OPTIONS_CONFLICT`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status {
     entry(|| {
@@ -154,10 +188,28 @@ pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, opti
             write(context, |state| {
                 let options = reference("options", options)?;
                 state.session.set_options(options.to_options()?)?;
-                state.index_base = options.index_base;
+                (state.index_base, state.options) = (options.index_base, *options);
                 Ok(())
             })
         }
+    })
+}
+
+/// The options in force: those of the creation or of the last `fmc_context_set_options`, with the stiffness that
+/// `fmc_context_stiffen` has made of theirs.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+/// changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status {
+    entry(|| {
+        let output = Output::required("options", options)?;
+        // SAFETY: the host passes a context, and an output that may be written.
+        unsafe {
+            let state = read(context)?;
+            output.write(fmc_options { stiffness: state.session.stiffness(), ..state.options });
+        }
+        Ok(())
     })
 }
 
@@ -213,7 +265,7 @@ pub unsafe extern "C" fn fmc_context_counts(
 /// Contact forces at `coords`, the current coordinates of all nodes of the mesh.
 ///
 /// `forces`, which may be NULL, receives the nodal forces in the order of the nodes: the negative derivative of the
-/// contact energy, which pushes bodies apart. They overwrite the array, or are added to it with the flag `FMC_ADD`.
+/// contact energy, which pushes bodies apart. They overwrite the array, or are added to it with the flag `FMC_EVALUATE_ADD`.
 /// Nodes that are not in contact get 0. `result`, which may be NULL too, receives the overlap volume and the other
 /// totals; forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
 ///
@@ -222,8 +274,7 @@ pub unsafe extern "C" fn fmc_context_counts(
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
 /// `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_UNFINISHED_LINES`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_TOO_MANY_PIECES`,
-/// `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`; the text is given by
-/// `fmc_context_error`. Threads: one call at a time on a context.
+/// `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_evaluate(
     context: *mut fmc_context,
@@ -236,11 +287,11 @@ pub unsafe extern "C" fn fmc_context_evaluate(
         // SAFETY: the host passes a context, both views and an output, or NULL where it may.
         unsafe {
             evaluated(context, result, |state| {
-                if flags & !FMC_ADD != 0 {
-                    return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}")));
+                if flags & !FMC_EVALUATE_ADD != 0 {
+                    return Err(Failure::new(FMC_ERROR_UNKNOWN_FLAG, format!("unknown flag in {flags:#x}")));
                 }
                 let (coords, forces) = (reference("coords", coords)?, optional("forces", forces)?);
-                state.session.evaluate(coords, forces, flags & FMC_ADD != 0, state.index_base)
+                state.session.evaluate(coords, forces, flags & FMC_EVALUATE_ADD != 0, state.index_base)
             })
         }
     })
@@ -274,17 +325,4 @@ pub(crate) unsafe fn evaluated(
         }
     }
     Ok(())
-}
-
-/// Text of the last call that failed on this context, "" if none did; never NULL. It names the offending indices.
-///
-/// It is valid until the next call fails on the context, or the context ends. Getters, which do not change the context,
-/// leave their text in `fmc_last_error` only; so does a context that is NULL or busy, for which this returns that text.
-/// Threads: several at once on one context, as long as no call changes it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_error(context: *const fmc_context) -> *const c_char {
-    quietly(c"".as_ptr(), || {
-        // SAFETY: the host passes a context or NULL.
-        unsafe { read(context) }.map_or_else(|_| fmc_last_error(), |state| state.error.as_ptr())
-    })
 }

@@ -9,12 +9,12 @@ use crate::BoundaryFacet;
 pub struct fmc_boundary_facet {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Its body, an index for `fmc_context_body`.
+    /// Its body, an index for `fmc_context_body_resultant`.
     pub body: usize,
     /// Its cell, counted from 0 over all blocks; -1 where the context was made from facets.
     pub cell: i64,
-    /// Its number among the facets as given, counted from 0; -1 where the context was made from cells.
-    pub given: i64,
+    /// Its number among the facets that the context was made from, counted from 0; -1 where it was made from cells.
+    pub input_facet: i64,
     /// Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
     /// by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
     /// 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
@@ -38,7 +38,7 @@ impl fmc_boundary_facet {
             struct_size: size_of::<Self>(),
             body: facet.body,
             cell: facet.cell.map_or(-1, |cell| cell as i64),
-            given: facet.given.map_or(-1, |given| given as i64),
+            input_facet: facet.given.map_or(-1, |given| given as i64),
             local_face: facet.local_face.map_or(-1, |face| face as i32),
             node_count: facet.nodes.len() as i32,
             nodes: std::array::from_fn(node),

@@ -12,7 +12,7 @@ pub struct fmc_contact_side {
     pub kind: i32,
     /// How many of `nodes` and `weights` are used; 0 for an obstacle, and where no cell of the other body is.
     pub node_count: i32,
-    /// Index for `fmc_context_body` or `fmc_context_obstacle`.
+    /// Index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
     pub index: usize,
     /// Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
     pub cell: i64,

@@ -21,9 +21,9 @@ pub struct fmc_result {
     pub volume_standard_error: f64,
     /// Contact energy, summed over the pairs.
     pub energy: f64,
-    /// Area of contact (2D: length), summed over the pairs; see `fmc_pair`.
+    /// Area of contact (2D: length), summed over the pairs; see `fmc_pair_result`.
     pub contact_area: f64,
-    /// Largest penetration of any pair; see `fmc_pair`.
+    /// Largest penetration of any pair; see `fmc_pair_result`.
     pub penetration: f64,
     /// Fibers laid.
     pub fiber_count: usize,
@@ -31,11 +31,11 @@ pub struct fmc_result {
     pub crossing_count: usize,
     /// Facets that bound an overlap.
     pub facet_count: usize,
-    /// Overlapping pairs, for `fmc_context_pair`.
+    /// Overlapping pairs, for `fmc_context_pair_result`.
     pub pair_count: usize,
-    /// Bodies, for `fmc_context_body`.
+    /// Bodies, for `fmc_context_body_resultant`.
     pub body_count: usize,
-    /// Obstacles, for `fmc_context_obstacle`.
+    /// Obstacles, for `fmc_context_obstacle_resultant`.
     pub obstacle_count: usize,
     /// Warnings, for `fmc_context_warning`.
     pub warning_count: usize,
@@ -83,14 +83,14 @@ pub enum fmc_partner {
 /// One overlapping pair; no side is master or slave.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct fmc_pair {
+pub struct fmc_pair_result {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
     /// First side: a value of `fmc_partner`.
     pub a_kind: i32,
     /// Second side: a value of `fmc_partner`.
     pub b_kind: i32,
-    /// First side: index for `fmc_context_body` or `fmc_context_obstacle`.
+    /// First side: index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
     pub a: usize,
     /// Second side; the same as the first for a body that overlaps itself.
     pub b: usize,
@@ -168,7 +168,7 @@ pub(crate) struct Evaluation {
     pub(crate) result: fmc_result,
     pub(crate) bodies: Vec<fmc_resultant>,
     pub(crate) obstacles: Vec<fmc_resultant>,
-    pub(crate) pairs: Vec<fmc_pair>,
+    pub(crate) pairs: Vec<fmc_pair_result>,
     pub(crate) warnings: Vec<(i32, CString)>,
 }
 
@@ -228,10 +228,10 @@ pub(crate) fn side_of(partner: Partner) -> (i32, usize) {
     }
 }
 
-fn pair(found: &PairForces) -> fmc_pair {
+fn pair(found: &PairForces) -> fmc_pair_result {
     let ((a_kind, a), (b_kind, b)) = (side_of(found.a), side_of(found.b));
-    fmc_pair {
-        struct_size: size_of::<fmc_pair>(),
+    fmc_pair_result {
+        struct_size: size_of::<fmc_pair_result>(),
         a_kind,
         b_kind,
         a,

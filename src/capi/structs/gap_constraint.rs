@@ -18,13 +18,13 @@ pub struct fmc_gap_constraint {
     /// The node, counted from the option `index_base`; with cells of second order the point, see
     /// `fmc_context_point_weights`: from the node count on it is no node.
     pub node: i64,
-    /// Its body, an index for `fmc_context_body`.
+    /// Its body, an index for `fmc_context_body_resultant`.
     pub body: usize,
     /// What the partner is: a value of `fmc_partner`.
     pub partner_kind: i32,
     /// Zero.
     pub reserved_flags: i32,
-    /// Index of the partner for `fmc_context_body` or `fmc_context_obstacle`.
+    /// Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
     pub partner: usize,
     /// Weighted gap, in length^dim.
     pub gap: f64,

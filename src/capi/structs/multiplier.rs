@@ -19,8 +19,8 @@ pub struct fmc_augmentation {
     pub change: f64,
     /// Number of multipliers, for `fmc_context_multipliers`.
     pub multiplier_count: usize,
-    /// Whether both are no more than what was enough: the multipliers have then stayed.
-    pub is_enough: i32,
+    /// Whether both are no more than the tolerance: the multipliers have then stayed.
+    pub is_converged: i32,
     /// Zero.
     pub reserved_flags: i32,
     /// Zero.
@@ -36,13 +36,13 @@ pub struct fmc_multiplier {
     /// The node, counted from the option `index_base`; with cells of second order the point, see
     /// `fmc_context_point_weights`.
     pub node: i64,
-    /// Its body, an index for `fmc_context_body`.
+    /// Its body, an index for `fmc_context_body_resultant`.
     pub body: usize,
     /// What the partner is: a value of `fmc_partner`.
     pub partner_kind: i32,
     /// Zero.
     pub reserved_flags: i32,
-    /// Index of the partner for `fmc_context_body` or `fmc_context_obstacle`.
+    /// Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
     pub partner: usize,
     /// How far, a positive length; by the law's stiffness the pressure without penetration.
     pub shift: f64,
@@ -59,7 +59,7 @@ impl From<Augmentation> for fmc_augmentation {
             penetration: found.penetration,
             change: found.change,
             multiplier_count: found.count,
-            is_enough: i32::from(found.is_enough),
+            is_converged: i32::from(found.is_enough),
             reserved_flags: 0,
             reserved: [0; 4],
         }

@@ -1,4 +1,4 @@
-//! The contact at the nodes as plain lists.
+//! The contact at the nodes: where a host wants it, and as plain lists.
 
 use crate::contact::{NodalContact, NodeStatus};
 
@@ -13,6 +13,48 @@ pub enum fmc_node_status {
     FMC_NODE_STICKING = 2,
     /// At least half of it slides.
     FMC_NODE_SLIDING = 3,
+}
+
+/// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL where it is not asked for. With
+/// n nodes of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
+///
+/// New fields are added at the end, and `fmc_nodal_contact_init` sets them to NULL: the library reads no more than `struct_size`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_nodal_contact {
+    /// Set by `fmc_nodal_contact_init`.
+    pub struct_size: usize,
+    /// Contact pressure: the mean of the law's over the part of the facets at the node that is in contact, weighted with the
+    /// node's shape function, int N p dA / int N dA; with the law "volume" that of the pair.
+    pub pressure: *mut f64,
+    /// Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
+    pub gap: *mut f64,
+    /// Area (2D: length), int N dA, up to the curvature of the surface.
+    pub area: *mut f64,
+    /// Unit vector outwards of the node's body.
+    pub normal: *mut f64,
+    /// Traction of friction on the node's body, the mean over the same part.
+    pub friction: *mut f64,
+    /// The part of the contact at the node that slides, of its area, between 0 and 1.
+    pub sliding: *mut f64,
+    /// Values of `fmc_node_status`.
+    pub status: *mut i32,
+}
+
+impl Default for fmc_nodal_contact {
+    fn default() -> Self {
+        let none = std::ptr::null_mut();
+        Self {
+            struct_size: size_of::<Self>(),
+            pressure: none,
+            gap: none,
+            area: none,
+            normal: none,
+            friction: none,
+            sliding: none,
+            status: std::ptr::null_mut(),
+        }
+    }
 }
 
 /// The contact at the nodes, with its dimension hidden: one list per quantity.

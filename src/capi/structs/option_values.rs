@@ -2,7 +2,9 @@
 
 use super::options::{fmc_estimator, fmc_law, fmc_options, fmc_pattern, fmc_weights};
 use crate::capi::boundary::failure::Failure;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
+use crate::capi::boundary::status::fmc_status::{
+    FMC_ERROR_BAD_VALUE, FMC_ERROR_OPTIONS_CONFLICT, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE,
+};
 use crate::contact::Friction;
 use crate::{
     EnergyLaw, EnergyProfile, Error, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw,
@@ -58,9 +60,11 @@ pub(crate) const EXCLUDED: Choice = Choice { key: "excluded", values: SWITCH };
 impl Choice {
     /// Name of a value, or the failure that there is none.
     pub(crate) fn name(&self, value: i32) -> Result<&'static str, Failure> {
-        self.values.iter().find(|(number, _)| *number == value).map(|(_, name)| *name).ok_or_else(|| {
-            Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{}' has no value {value}", self.key))
-        })
+        self.values
+            .iter()
+            .find(|(number, _)| *number == value)
+            .map(|(_, name)| *name)
+            .ok_or_else(|| Failure::new(FMC_ERROR_BAD_VALUE, format!("option '{}' has no value {value}", self.key)))
     }
 
     pub(crate) fn is_on(&self, value: i32) -> Result<bool, Failure> {
@@ -81,7 +85,7 @@ impl fmc_options {
         }
         if self.reserved != [0; 10] {
             let text = "a reserved field of fmc_options is not zero: an option of a later version of the library";
-            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, text));
         }
         Ok(())
     }
@@ -138,7 +142,7 @@ impl fmc_options {
         ];
         match idle.into_iter().find(|(_, is_idle, _)| *is_idle) {
             Some((key, _, owner)) => {
-                Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{key}' belongs to {owner}")))
+                Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, format!("option '{key}' belongs to {owner}")))
             }
             None => Ok(()),
         }
@@ -174,7 +178,7 @@ impl fmc_options {
             (count, 0.0) => Resolution::Count(usize::try_from(count).unwrap_or(usize::MAX)),
             _ => {
                 let text = "options 'spacing' and 'fiber_count' exclude one another";
-                return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+                return Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text));
             }
         };
         let length = (self.fiber_length != 0.0).then_some(self.fiber_length);
@@ -246,14 +250,18 @@ mod tests {
             |o| o.self_contact = -1,
             |o| o.check_cells = 7,
             |o| o.index_base = 2,
-            |o| o.reserved[3] = 1,
             |o| o.axisymmetric = 2,
-            |o| (o.law, o.spacing, o.fiber_count) = (1, 0.1, 10),
+        ] {
+            assert_eq!(refused(change).0, FMC_ERROR_BAD_VALUE);
+        }
+        assert_eq!(refused(|o| o.reserved[3] = 1).0, FMC_ERROR_RESERVED_FIELD);
+        for change in [
+            (|o| (o.law, o.spacing, o.fiber_count) = (1, 0.1, 10)) as fn(&mut fmc_options),
             |o| (o.law, o.smoothing_length) = (0, 1e-3),
             |o| o.smoothing_length = 1e-3,
             |o| o.exponent = 2.0,
         ] {
-            assert_eq!(refused(change).0, FMC_ERROR_UNKNOWN_OPTION);
+            assert_eq!(refused(change).0, FMC_ERROR_OPTIONS_CONFLICT);
         }
         for (change, text) in [
             ((|o| (o.estimator, o.spacing) = (1, 0.1)) as fn(&mut fmc_options), "'spacing' belongs to the estimator"),
@@ -272,7 +280,7 @@ mod tests {
             ),
         ] {
             let (status, found) = refused(change);
-            assert!(status == FMC_ERROR_UNKNOWN_OPTION && found.contains(text), "{found}");
+            assert!(status == FMC_ERROR_OPTIONS_CONFLICT && found.contains(text), "{found}");
         }
         assert_eq!(refused(|o| o.struct_size = 8).0, FMC_ERROR_STRUCT_SIZE);
         assert_eq!(

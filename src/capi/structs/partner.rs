@@ -2,7 +2,7 @@
 
 use super::evaluation::fmc_partner;
 use crate::capi::boundary::failure::Failure;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNKNOWN_OPTION;
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_BAD_VALUE;
 use crate::overlap::Partner;
 
 /// The partner that the host names.
@@ -10,6 +10,6 @@ pub(crate) fn partner(kind: i32, index: usize) -> Result<Partner, Failure> {
     match kind {
         _ if kind == fmc_partner::FMC_PARTNER_BODY as i32 => Ok(Partner::Body(index)),
         _ if kind == fmc_partner::FMC_PARTNER_OBSTACLE as i32 => Ok(Partner::Obstacle(index)),
-        _ => Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("{kind} is no value of fmc_partner"))),
+        _ => Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("{kind} is no value of fmc_partner"))),
     }
 }

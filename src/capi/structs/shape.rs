@@ -7,7 +7,7 @@ use super::signed_distance::Callback;
 use super::view::fmc_coords;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{reference, slice};
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNKNOWN_OPTION;
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_BAD_VALUE;
 use crate::{HeightField, Obstacle, Shape};
 use std::sync::Arc;
 
@@ -120,7 +120,7 @@ unsafe fn shape_of(part: &fmc_part) -> Result<ShapeOf, Failure> {
         ShapeOf::ConvexHull { points: points()? }
     } else {
         return Err(Failure::new(
-            FMC_ERROR_UNKNOWN_OPTION,
+            FMC_ERROR_BAD_VALUE,
             format!("{} is no value of fmc_shape that a part may have", part.shape),
         ));
     })

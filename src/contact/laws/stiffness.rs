@@ -44,7 +44,7 @@ pub fn suggest_stiffness(from: StiffnessFrom, dimension: usize, m: f64) -> Resul
     EnergyLaw::Volume { stiffness: 1.0, exponent: m }.check()?;
     let (pressure, overlap) = match from {
         StiffnessFrom::Modulus { modulus, facet_size } => {
-            (positive("modulus", modulus)?, 0.1 * positive("facet_size", facet_size)?.powi(dimension as i32))
+            (positive("modulus", modulus)?, 0.1 * positive("cell_size", facet_size)?.powi(dimension as i32))
         }
         StiffnessFrom::PeakPressure { pressure, overlap } if m == 1.0 => {
             (1.2 * positive("pressure", pressure)?, overlap)
@@ -64,7 +64,7 @@ pub fn suggest_stiffness(from: StiffnessFrom, dimension: usize, m: f64) -> Resul
 pub fn suggest_fiber_stiffness(from: StiffnessFrom) -> Result<f64, Error> {
     let (pressure, penetration) = match from {
         StiffnessFrom::Modulus { modulus, facet_size } => {
-            (positive("modulus", modulus)?, 0.1 * positive("facet_size", facet_size)?)
+            (positive("modulus", modulus)?, 0.1 * positive("cell_size", facet_size)?)
         }
         StiffnessFrom::PeakPressure { pressure, overlap } => {
             (positive("pressure", pressure)?, positive("penetration", overlap)?)

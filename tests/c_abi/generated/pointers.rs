@@ -3,7 +3,7 @@
 use crate::declarations::Variable;
 
 /// Pointers to numbers that are written, one number each, not an array.
-const SCALARS: [&str; 17] = [
+const SCALARS: [&str; 18] = [
     "code",
     "count",
     "direction_count",
@@ -13,6 +13,7 @@ const SCALARS: [&str; 17] = [
     "body_count",
     "node_count",
     "obstacle",
+    "offset_count",
     "point_count",
     "rank_one_count",
     "renumbered",

@@ -28,7 +28,7 @@ from .points import PointWeights
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
 from .stateless import contact_force, contact_force_step
-from .stiffness import suggest_fiber_stiffness, suggest_stiffness
+from .stiffness import suggest_stiffness
 from .tangent import RankOne, Tangent
 
 __version__: str = _shared.fmc_version().decode()
@@ -40,7 +40,7 @@ def has_feature(name: str) -> bool:
     Parameters
     ----------
     name : str
-        Name of the feature, as ``fmc_has_feature`` of the header lists them: ``"solver"``, ``"shapes"``, ...
+        Name of the feature, that a build can lack: ``"shapes"`` (convex hulls and compounds), ``"solver"`` (``Condensation``).
 
     Returns
     -------
@@ -50,7 +50,7 @@ def has_feature(name: str) -> bool:
     Examples
     --------
     >>> from fmc_contact import has_feature
-    >>> has_feature("2d")
+    >>> has_feature("shapes")
     True
     """
     return bool(_shared.fmc_has_feature(name.encode()) == 1)
@@ -89,6 +89,5 @@ __all__ = [
     "errors",
     "has_feature",
     "newton",
-    "suggest_fiber_stiffness",
     "suggest_stiffness",
 ]

@@ -5,16 +5,16 @@ Generated from the header by ``make header``; do not edit.
 
 from __future__ import annotations
 
-FMC_ABI_VERSION = 2
-FMC_ADD = 1
+FMC_ABI_VERSION = 3
+FMC_EVALUATE_ADD = 1
 FMC_LOG_WARNING = 1
-FMC_SEMIDEFINITE = 2
-FMC_SYMMETRIC = 32
-FMC_BLOCKS = 4
-FMC_OBSTACLES = 8
+FMC_TANGENT_SEMIDEFINITE = 2
+FMC_TANGENT_SYMMETRIC = 32
+FMC_CSR_BLOCKS = 4
+FMC_CSR_OBSTACLES = 8
 FMC_FROM_ONE = 16
-FMC_LAW_OF_CONTEXT = -1
-FMC_FRICTION_OF_CONTEXT = -1
+FMC_PAIR_LAW_OF_CONTEXT = -1
+FMC_PAIR_FRICTION_OF_CONTEXT = -1
 FMC_OK = 0
 FMC_ERROR_NULL_POINTER = 1
 FMC_ERROR_MISALIGNED_POINTER = 2
@@ -61,8 +61,8 @@ FMC_ERROR_NEGATIVE_RADIUS = 42
 FMC_ERROR_NON_CONFORMING = 43
 FMC_ERROR_SINGULAR_STIFFNESS = 44
 FMC_ERROR_INDEFINITE_STIFFNESS = 45
-FMC_ERROR_FREEDOM_OUT_OF_RANGE = 46
-FMC_ERROR_REPEATED_FREEDOM = 47
+FMC_ERROR_DOF_OUT_OF_RANGE = 46
+FMC_ERROR_REPEATED_DOF = 47
 FMC_ERROR_NON_FINITE_STIFFNESS = 48
 FMC_ERROR_PLACE = 49
 FMC_ERROR_BAD_RANK = 50
@@ -73,6 +73,10 @@ FMC_ERROR_NOT_GATHERED = 54
 FMC_ERROR_NOT_POSITIVE_DEFINITE = 55
 FMC_ERROR_UNSYMMETRIC = 56
 FMC_ERROR_NOT_FACTORISED = 57
+FMC_ERROR_BAD_VALUE = 59
+FMC_ERROR_UNKNOWN_FLAG = 60
+FMC_ERROR_OPTIONS_CONFLICT = 61
+FMC_ERROR_RESERVED_FIELD = 62
 FMC_LAW_VOLUME = 0
 FMC_LAW_FIBER = 1
 FMC_LAW_DEPTH = 2
@@ -178,8 +182,8 @@ FMC_STATUS: dict[int, str] = {
     43: "error_non_conforming",
     44: "error_singular_stiffness",
     45: "error_indefinite_stiffness",
-    46: "error_freedom_out_of_range",
-    47: "error_repeated_freedom",
+    46: "error_dof_out_of_range",
+    47: "error_repeated_dof",
     48: "error_non_finite_stiffness",
     49: "error_place",
     50: "error_bad_rank",
@@ -190,6 +194,10 @@ FMC_STATUS: dict[int, str] = {
     55: "error_not_positive_definite",
     56: "error_unsymmetric",
     57: "error_not_factorised",
+    59: "error_bad_value",
+    60: "error_unknown_flag",
+    61: "error_options_conflict",
+    62: "error_reserved_field",
 }
 
 FMC_LAW: dict[int, str] = {0: "volume", 1: "fiber", 2: "depth"}

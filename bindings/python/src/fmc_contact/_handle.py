@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import threading
 import weakref
-from ctypes import byref
-from typing import Callable
+from ctypes import Array, Structure, byref, c_size_t
+from typing import Callable, TypeVar
 
 from ._library import check, library
 from ._structs import fmc_context
 from .errors import BusyError
+
+Row = TypeVar("Row", bound=Structure)
 
 
 def _free(pointer: fmc_context) -> None:
@@ -57,6 +59,14 @@ class Handle:
         status = function(self.pointer, *arguments)
         self._raise_again()
         check(status)
+
+    def rows(self, of_type: type[Row], function: Callable[..., int], *arguments: object) -> Array[Row]:
+        """Rows of which the library knows the number: it is asked for that, then for them."""
+        count = c_size_t()
+        self.call(function, *arguments, None, 0, byref(count))
+        rows = (of_type * count.value)()
+        self.call(function, *arguments, rows, count.value, byref(count))
+        return rows
 
     def _raise_again(self) -> None:
         if self._raised:

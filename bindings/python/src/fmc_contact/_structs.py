@@ -160,7 +160,7 @@ class fmc_boundary_facet(Structure):
         ("struct_size", c_size_t),
         ("body", c_size_t),
         ("cell", c_int64),
-        ("given", c_int64),
+        ("input_facet", c_int64),
         ("local_face", c_int32),
         ("node_count", c_int32),
         ("nodes", c_int64 * 4),
@@ -227,13 +227,13 @@ class fmc_contact_step_options(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
         ("tolerance", c_double),
-        ("goal", c_double),
+        ("absolute_tolerance", c_double),
         ("full_below", c_double),
-        ("most_iterations", c_int32),
-        ("most_trials", c_int32),
+        ("max_iterations", c_int32),
+        ("max_trials", c_int32),
         ("penetration", c_double),
         ("reach", c_double),
-        ("most_updates", c_int32),
+        ("max_updates", c_int32),
         ("soft_start", c_int32),
         ("reserved", c_uint64 * 5),
     ]
@@ -266,7 +266,7 @@ class fmc_resultant(Structure):
     ]
 
 
-class fmc_pair(Structure):
+class fmc_pair_result(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
         ("a_kind", c_int32),
@@ -299,6 +299,19 @@ class fmc_pair_options(Structure):
         ("law", c_int32),
         ("excluded", c_int32),
         ("reserved", c_uint64 * 10),
+    ]
+
+
+class fmc_nodal_contact(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("pressure", c_void_p),
+        ("gap", c_void_p),
+        ("area", c_void_p),
+        ("normal", c_void_p),
+        ("friction", c_void_p),
+        ("sliding", c_void_p),
+        ("status", c_void_p),
     ]
 
 
@@ -351,7 +364,7 @@ class fmc_augmentation(Structure):
         ("penetration", c_double),
         ("change", c_double),
         ("multiplier_count", c_size_t),
-        ("is_enough", c_int32),
+        ("is_converged", c_int32),
         ("reserved_flags", c_int32),
         ("reserved", c_uint64 * 4),
     ]

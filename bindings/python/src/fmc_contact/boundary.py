@@ -33,7 +33,7 @@ class BoundaryFacets:
         points of the part in which the facet lies: rows of ``contact.mesh.point_weights()``.
     body : ndarray of int, (m,)
         Index of its body in ``Result.bodies``.
-    given : ndarray of int, (m,)
+    input_facet : ndarray of int, (m,)
         Its number among the facets given to ``Contact.from_facets``; -1 where cells were given.
 
     Examples
@@ -46,16 +46,15 @@ class BoundaryFacets:
     local_face: np.ndarray
     nodes: np.ndarray
     body: np.ndarray
-    given: np.ndarray
+    input_facet: np.ndarray
 
     def __len__(self) -> int:
         return len(self.cell)
 
 
-def boundary_facets(handle: Handle, count: int, dim: int) -> BoundaryFacets:
+def boundary_facets(handle: Handle, dim: int) -> BoundaryFacets:
     """Asks for them."""
-    found = (fmc_boundary_facet * count)()
-    handle.call(library.fmc_context_boundary_facets, found, count)
+    found = handle.rows(fmc_boundary_facet, library.fmc_context_boundary_facets)
     facets = written(found, fmc_boundary_facet)
     columns = 2 if dim == 2 else 4
     return BoundaryFacets(
@@ -63,5 +62,5 @@ def boundary_facets(handle: Handle, count: int, dim: int) -> BoundaryFacets:
         facets["local_face"].copy(),
         facets["nodes"][:, :columns].copy(),
         facets["body"].astype(np.int64),
-        facets["given"].copy(),
+        facets["input_facet"].copy(),
     )

@@ -52,7 +52,7 @@ class Condensation:
 
         Raises
         ------
-        UnsymmetricError, FreedomOutOfRangeError, RepeatedFreedomError, NonFiniteStiffnessError
+        UnsymmetricError, DofOutOfRangeError, RepeatedDofError, NonFiniteStiffnessError
             The old factors stay.
         NotPositiveDefiniteError, RangeError
             There are no factors then.

@@ -78,7 +78,7 @@ class Condensed:
         self.free = np.zeros(size, bool)
         self.free[free] = True
         (self.held,) = np.nonzero(~self.free[self.unknowns.of_freedom])
-        self.freedoms = np.zeros(0, np.int64)
+        self.dofs = np.zeros(0, np.int64)
         self.matrix: Any = None
         self.factorisations = 0
         self.soft_start = True
@@ -105,7 +105,7 @@ class Condensed:
 
     def forget(self) -> None:
         """No unknown is known to feel contact."""
-        self.freedoms, self.matrix = np.zeros(0, np.int64), None
+        self.dofs, self.matrix = np.zeros(0, np.int64), None
 
     def grow(self, x: np.ndarray) -> bool:
         """Adds the degrees of freedom that feel contact at ``x``; whether there were any."""
@@ -114,7 +114,7 @@ class Condensed:
     def expect(self, x: np.ndarray, moved: np.ndarray) -> None:
         """Where nothing touches yet, adds those that may when what is prescribed is moved: nodes that are nearer to a partner than
         anything moves. Factors without them would serve for one step."""
-        if len(self.freedoms) or not moved.any():
+        if len(self.dofs) or not moved.any():
             return
         way = np.linalg.norm(moved[self.unknowns.of_freedom].reshape(-1, self.unknowns.inner.dim), axis=1).max()
         try:
@@ -126,14 +126,14 @@ class Condensed:
 
     def _add(self, found: np.ndarray) -> bool:
         found = found[self.free[self.unknowns.of_freedom[found]]]
-        before = len(self.freedoms)
-        self.freedoms = np.union1d(self.freedoms, found)
-        if len(self.freedoms) > before:
+        before = len(self.dofs)
+        self.dofs = np.union1d(self.dofs, found)
+        if len(self.dofs) > before:
             self.matrix = None
-        return len(self.freedoms) > before
+        return len(self.dofs) > before
 
     def step(
-        self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any, tolerance: float, goal: float = 0.0
+        self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any, tolerance: float, absolute_tolerance: float = 0.0
     ) -> tuple[np.ndarray, ContactStep]:
         """Change of all unknowns from ``x``, (size,), with what is prescribed moved by ``moved``, (size,); ``inside`` and
         ``matrix`` are internal less external forces at ``x`` and their derivative, without contact.
@@ -143,7 +143,7 @@ class Condensed:
         self.grow(x)
         self.expect(x, moved)
         for _ in range(_MOST_GROWTHS):
-            change, found = self._step(x, moved, inside, matrix, tolerance, goal)
+            change, found = self._step(x, moved, inside, matrix, tolerance, absolute_tolerance)
             if found.state != "outside" or not self.grow(x + change):
                 break
         return change, found
@@ -162,7 +162,7 @@ class Condensed:
         return change
 
     def _step(
-        self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any, tolerance: float, goal: float
+        self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any, tolerance: float, absolute_tolerance: float
     ) -> tuple[np.ndarray, ContactStep]:
         self._condense(matrix)
         right = inside + matrix @ moved
@@ -183,18 +183,18 @@ class Condensed:
         start = np.ascontiguousarray(self.unknowns.coords(x + change))
         residual = right[self.kept] - self.back @ loaded
         found = self.unknowns.inner.contact_step(
-            start, self.freedoms, self.schur, residual, self.held, place,
-            tolerance=tolerance, goal=goal, soft_start=self.soft_start,
+            start, self.dofs, self.schur, residual, self.held, place,
+            tolerance=tolerance, absolute_tolerance=absolute_tolerance, soft_start=self.soft_start,
         )
         return changed(found.displacement), found
 
     def _condense(self, matrix: Any) -> None:
         """Factorises the bodies on all free unknowns but those that are kept, if that was not done yet."""
-        if len(self.freedoms) > MOST_KEPT:
-            raise RuntimeError(f"{len(self.freedoms)} unknowns feel contact, more than {MOST_KEPT}")
+        if len(self.dofs) > MOST_KEPT:
+            raise RuntimeError(f"{len(self.dofs)} unknowns feel contact, more than {MOST_KEPT}")
         if self.knows(matrix):
             return
-        self.kept = self.unknowns.of_freedom[self.freedoms]
+        self.kept = self.unknowns.of_freedom[self.dofs]
         rest = self.free.copy()
         rest[self.kept] = False
         (self.rest,) = np.nonzero(rest)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from . import creation, result, tangent
 from ._arrays import View, coords_view, forces_view, vector
-from ._constants import FMC_ADD, FMC_SEMIDEFINITE, FMC_SYMMETRIC
+from ._constants import FMC_EVALUATE_ADD, FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC
 from ._core import Core
 from ._library import library
 from ._structs import fmc_log_callback, fmc_options, fmc_result
@@ -221,7 +221,7 @@ class Contact:
 
         Raises
         ------
-        UnknownOptionError
+        UnknownOptionError, BadValueError, OptionsConflictError
             If there is no such option or value, or it would have no effect.
         NotPositiveError
             If a value must be positive and is not.
@@ -259,7 +259,7 @@ class Contact:
         """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_stiffen, c_double(factor))
-            self._core.options.stiffness *= factor
+            self._core.handle.call(library.fmc_context_options, byref(self._core.options))
 
     def evaluate(self, coords: ArrayLike, out: Optional[np.ndarray] = None, add: bool = False) -> Result:
         """Contact forces at the current coordinates.
@@ -355,7 +355,7 @@ class Contact:
     def _forces(self, view: View, out: Optional[np.ndarray], add: bool) -> tuple[np.ndarray, int]:
         """The array for the forces, and the flags."""
         if out is not None:
-            return out, FMC_ADD if add else 0
+            return out, FMC_EVALUATE_ADD if add else 0
         if add:
             raise ValueError("add is for forces that are there already: give the array as out")
         shape = self._core.unknown_count, self._core.dim
@@ -570,7 +570,7 @@ class Contact:
             ``place(displacement, coords)`` moves the nodes that follow, in ``coords``, (n, dim), to which the displacement of ``dofs``
             was added. You need it if bodies move by more than a part of a cell.
         **options : float
-            Fields of ``fmc_contact_step_options``: ``tolerance``, relative to the forces, ``most_iterations``, ...
+            Fields of ``fmc_contact_step_options``: ``tolerance``, relative to the forces, ``max_iterations``, ...
 
         Returns
         -------
@@ -579,7 +579,7 @@ class Contact:
 
         Raises
         ------
-        FreedomOutOfRangeError, RepeatedFreedomError, NonFiniteStiffnessError
+        DofOutOfRangeError, RepeatedDofError, NonFiniteStiffnessError
             For degrees of freedom or a matrix that cannot be.
         SingularStiffnessError, IndefiniteStiffnessError
             For bodies and contact together.
@@ -662,4 +662,4 @@ class Contact:
 
 def _flags(semidefinite: bool, symmetric: bool) -> int:
     """Flags of the tangent."""
-    return (FMC_SEMIDEFINITE if semidefinite else 0) | (FMC_SYMMETRIC if symmetric else 0)
+    return (FMC_TANGENT_SEMIDEFINITE if semidefinite else 0) | (FMC_TANGENT_SYMMETRIC if symmetric else 0)

@@ -16,7 +16,7 @@ from ._library import check, library
 from ._structs import fmc_contact_step_options, fmc_contact_step_result, fmc_place
 
 OPTIONS = (
-    "tolerance", "goal", "full_below", "most_iterations", "most_trials", "penetration", "reach", "most_updates", "soft_start",
+    "tolerance", "absolute_tolerance", "full_below", "max_iterations", "max_trials", "penetration", "reach", "max_updates", "soft_start",
 )  # fmt: skip
 """Names of the options of a step."""
 

@@ -121,7 +121,23 @@ class NotPositiveError(FmcError, ValueError):
 
 
 class UnknownOptionError(FmcError, ValueError):
-    """No such option, no such value of an option, or two options that exclude one another."""
+    """No option of this name."""
+
+
+class BadValueError(FmcError, ValueError):
+    """An option, a kind or a switch has no such value."""
+
+
+class UnknownFlagError(FmcError, ValueError):
+    """A flag that a function does not have."""
+
+
+class OptionsConflictError(FmcError, ValueError):
+    """Two options exclude one another, or one would have no effect with the others."""
+
+
+class ReservedFieldError(FmcError, ValueError):
+    """An option of a later version of the library."""
 
 
 class StructSizeError(FmcError, RuntimeError):
@@ -230,11 +246,11 @@ class IndefiniteStiffnessError(FmcError, ValueError):
     """The stiffness of bodies and contact together is not positive definite."""
 
 
-class FreedomOutOfRangeError(FmcError, IndexError):
+class DofOutOfRangeError(FmcError, IndexError):
     """A list of degrees of freedom names one that does not exist."""
 
 
-class RepeatedFreedomError(FmcError, ValueError):
+class RepeatedDofError(FmcError, ValueError):
     """A list of degrees of freedom does not ascend, or names one that another list has."""
 
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_size_t
+from ctypes import byref
 from dataclasses import dataclass
 
 import numpy as np
 
 from ._arrays import View, written
 from ._handle import Handle
-from ._library import library
-from ._structs import fmc_contact_point
+from ._library import check, library
+from ._structs import fmc_contact_point, fmc_nodal_contact
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,17 +135,18 @@ def nodal_contact(handle: Handle, coords: View, node_count: int, dim: int) -> No
     pressure, gap, area = (np.empty(node_count) for _ in range(3))
     normal, friction = np.empty((node_count, dim)), np.empty((node_count, dim))
     sliding, status = np.empty(node_count), np.empty(node_count, np.int32)
-    lists = pressure, gap, area, normal, friction, sliding, status
-    handle.call(library.fmc_context_nodal_contact, byref(coords.struct), *lists, node_count)
+    lists = {"pressure": pressure, "gap": gap, "area": area, "normal": normal, "friction": friction, "sliding": sliding}
+    nodal = fmc_nodal_contact()
+    check(library.fmc_nodal_contact_init(byref(nodal)))
+    for name, array in {**lists, "status": status}.items():
+        setattr(nodal, name, array.ctypes.data)
+    handle.call(library.fmc_context_nodal_contact, byref(coords.struct), byref(nodal))
     return NodalContact(pressure, gap, area, normal, status != 0, friction, sliding, status == 2, status == 3)
 
 
 def contact_points(handle: Handle, coords: View, dim: int) -> ContactPoints:
     """Finds the contact points at ``coords``."""
-    count = c_size_t()
-    handle.call(library.fmc_context_find_contact_points, byref(coords.struct), byref(count))
-    found = (fmc_contact_point * count.value)()
-    handle.call(library.fmc_context_contact_points, found, count.value)
+    found = handle.rows(fmc_contact_point, library.fmc_context_contact_points, byref(coords.struct))
     points = written(found, fmc_contact_point)
     sides = points["sides"]
     unused = np.arange(8) >= sides["node_count"][..., None]

@@ -145,7 +145,7 @@ class FrictionSteps:
         """
         found = np.empty((self._core.facet_count, self._core.dim))
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_slip, found, found.size)
+            self._core.handle.call(library.fmc_context_slip, found, found.size, None)
         return found
 
     @slip.setter

@@ -80,15 +80,13 @@ class GapConstraints:
 
 def gap_constraints(handle: Handle, coords: View, reach: float) -> GapConstraints:
     """Finds the gaps at ``coords``."""
-    rows, entries = c_size_t(), c_size_t()
-    handle.call(
-        library.fmc_context_find_gap_constraints, byref(coords.struct), c_double(reach), byref(rows), byref(entries)
-    )
-    found = (fmc_gap_constraint * rows.value)()
-    handle.call(library.fmc_context_gap_constraints, found, rows.value)
-    indptr, indices = np.zeros(rows.value + 1, np.int64), np.empty(entries.value, np.int64)
+    arguments = byref(coords.struct), c_double(reach)
+    found = handle.rows(fmc_gap_constraint, library.fmc_context_gap_constraints, *arguments)
+    offsets, entries = c_size_t(), c_size_t()
+    handle.call(library.fmc_context_gap_gradient, None, 0, byref(offsets), None, None, 0, byref(entries))
+    indptr, indices = np.empty(offsets.value, np.int64), np.empty(entries.value, np.int64)
     data = np.empty(entries.value)
-    handle.call(library.fmc_context_gap_gradient, indptr, indices, data, entries.value)
+    handle.call(library.fmc_context_gap_gradient, indptr, len(indptr), None, indices, data, len(data), None)
     row = written(found, fmc_gap_constraint)
     return GapConstraints(
         row["node"].copy(),

@@ -48,7 +48,7 @@ class Mesh:
         """
         core = self._core
         with core.handle:
-            return boundary_facets(core.handle, core.facet_count, core.dim)
+            return boundary_facets(core.handle, core.dim)
 
     def point_weights(self) -> PointWeights:
         """The points that other results name, as combinations of nodes.

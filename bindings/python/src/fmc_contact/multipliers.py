@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_double, c_size_t
+from ctypes import byref, c_double
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,20 +28,20 @@ class Augmentation:
         Largest mean penetration of a node over its part of the surface (length), on the side of each pair that has multipliers.
     change : float
         Largest change of a multiplier divided by the law's stiffness (length): the distance of a pressed node from its partner.
-    is_enough : bool
+    is_converged : bool
         Whether both are within the tolerance. The multipliers have not changed then.
     multiplier_count : int
         Number of multipliers.
 
     Examples
     --------
-    >>> contact.multipliers.augment(coords, 1e-6).is_enough
+    >>> contact.multipliers.augment(coords, 1e-6).is_converged
     False
     """
 
     penetration: float
     change: float
-    is_enough: bool
+    is_converged: bool
     multiplier_count: int
 
 
@@ -65,7 +65,7 @@ class Multipliers:
     def augment(self, coords: ArrayLike, penetration: float, reach: float = 0.0) -> Augmentation:
         """Moves surfaces out by their mean gap, so that the next equilibrium has less penetration.
 
-        Call it at an equilibrium, or near one, solve again, and repeat until ``is_enough``. ``newton`` does so with its argument
+        Call it at an equilibrium, or near one, solve again, and repeat until ``is_converged``. ``newton`` does so with its argument
         ``penetration``. The stiffness may be any, but a low one takes more updates. A node moves up to four times as far where the
         last update closed less than it moved, and back where the surfaces have parted. Of two bodies the one with more nodes near
         the other has the multipliers; of equals the first.
@@ -102,7 +102,7 @@ class Multipliers:
         with self._core.handle:
             arguments = byref(view.struct), c_double(reach), c_double(penetration), byref(found)
             self._core.handle.call(library.fmc_context_augment, *arguments)
-        return Augmentation(found.penetration, found.change, bool(found.is_enough), found.multiplier_count)
+        return Augmentation(found.penetration, found.change, bool(found.is_converged), found.multiplier_count)
 
     @property
     def values(self) -> np.ndarray:
@@ -120,11 +120,8 @@ class Multipliers:
         >>> kept = contact.multipliers.values
         >>> contact.multipliers.values = kept
         """
-        count = c_size_t()
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_multipliers, None, 0, byref(count))
-            found = (fmc_multiplier * count.value)()
-            self._core.handle.call(library.fmc_context_multipliers, found, count.value, byref(count))
+            found = self._core.handle.rows(fmc_multiplier, library.fmc_context_multipliers)
         return written(found, fmc_multiplier)
 
     @values.setter

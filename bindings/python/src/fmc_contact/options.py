@@ -143,7 +143,7 @@ def defaults() -> fmc_options:
 
 
 def changed(options: fmc_options, changes: Mapping[str, object]) -> fmc_options:
-    """A copy with some options changed. Raises ``UnknownOptionError`` for an unknown name or value."""
+    """A copy with some options changed. Raises ``UnknownOptionError`` for an unknown name, ``BadValueError`` for an unknown value."""
     copy = fmc_options.from_buffer_copy(options)
     for key, value in changes.items():
         check(library.fmc_options_set(byref(copy), key.encode(), _text(key, value).encode()))

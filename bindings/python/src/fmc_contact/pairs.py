@@ -5,7 +5,7 @@ from __future__ import annotations
 from ctypes import byref
 from typing import Any, Optional, Union
 
-from ._constants import FMC_FRICTION_OF_CONTEXT, FMC_LAW, FMC_LAW_OF_CONTEXT, FMC_PARTNER
+from ._constants import FMC_PAIR_FRICTION_OF_CONTEXT, FMC_LAW, FMC_PAIR_LAW_OF_CONTEXT, FMC_PARTNER
 from ._core import Core
 from ._library import check, library
 from ._structs import fmc_pair_options
@@ -89,7 +89,7 @@ class Pairs:
             If there is no such partner.
         NotPositiveError
             If a value is not positive.
-        UnknownOptionError
+        BadValueError, OptionsConflictError
             If a value is unknown, or would have no effect.
         UnsupportedError
             For two obstacles, for a law that the estimator does not support, and for a gap offset that cannot be.
@@ -168,8 +168,8 @@ class Pairs:
         found = fmc_pair_options()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
-        has_law = found.law != FMC_LAW_OF_CONTEXT
-        has_friction = found.friction_coefficient != FMC_FRICTION_OF_CONTEXT
+        has_law = found.law != FMC_PAIR_LAW_OF_CONTEXT
+        has_friction = found.friction_coefficient != FMC_PAIR_FRICTION_OF_CONTEXT
         options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
         options["friction_coefficient"] = found.friction_coefficient if has_friction else None
         options["law"] = FMC_LAW[found.law] if has_law else None

@@ -228,7 +228,7 @@ class PartitionedContact(Contact):
         """
         view, renumbered = coords_view(coords, self.dim), c_int32()
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_bring, byref(view.struct), byref(renumbered))
+            self._core.handle.call(library.fmc_context_set_coords, byref(view.struct), byref(renumbered))
         if renumbered.value:
             self._core.count()
         self._read_nodes()

@@ -12,7 +12,7 @@ import numpy as np
 from ._constants import FMC_PARTNER, FMC_WARNING
 from ._handle import Handle
 from ._library import library
-from ._structs import fmc_pair, fmc_result, fmc_resultant
+from ._structs import fmc_pair_result, fmc_result, fmc_resultant
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,8 +217,8 @@ def _friction(found: Any, largest_slip: float) -> Friction:
 
 
 def _pair(handle: Handle, index: int, largest_slip: float) -> Pair:
-    found = fmc_pair()
-    handle.call(library.fmc_context_pair, index, byref(found))
+    found = fmc_pair_result()
+    handle.call(library.fmc_context_pair_result, index, byref(found))
     return Pair(
         (FMC_PARTNER[found.a_kind], found.a),
         (FMC_PARTNER[found.b_kind], found.b),
@@ -241,7 +241,7 @@ def _warning(handle: Handle, index: int) -> ContactWarning:
 
 def gather(handle: Handle, forces: np.ndarray, found: fmc_result, dim: int) -> Result:
     """The result of the evaluation that has just succeeded, copied from what the library keeps until the next one."""
-    body, obstacle = library.fmc_context_body, library.fmc_context_obstacle
+    body, obstacle = library.fmc_context_body_resultant, library.fmc_context_obstacle_resultant
     return Result(
         forces,
         found.volume,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import vector
-from ._constants import FMC_BLOCKS, FMC_OBSTACLES
+from ._constants import FMC_CSR_BLOCKS, FMC_CSR_OBSTACLES
 from ._handle import Handle
 from ._library import library
 
@@ -171,7 +171,7 @@ def _rows(handle: Handle, flags: int, numbers: int) -> tuple[np.ndarray, np.ndar
 
 def gather(handle: Handle, part_count: int, obstacles: bool) -> Tangent:
     """The tangent that has just been found, with so many terms of rank one, with the obstacles or without."""
-    offsets, cols, values = _rows(handle, FMC_OBSTACLES if obstacles else 0, 1)
+    offsets, cols, values = _rows(handle, FMC_CSR_OBSTACLES if obstacles else 0, 1)
     size = len(offsets) - 1
     parts = []
     for index in range(part_count):
@@ -186,7 +186,7 @@ def matrix(handle: Handle, part_count: int, obstacles: bool, dim: int, blocks: b
     if blocks and part_count == 0:
         from scipy.sparse import bsr_matrix
 
-        offsets, cols, values = _rows(handle, FMC_BLOCKS | (FMC_OBSTACLES if obstacles else 0), dim * dim)
+        offsets, cols, values = _rows(handle, FMC_CSR_BLOCKS | (FMC_CSR_OBSTACLES if obstacles else 0), dim * dim)
         size = (len(offsets) - 1) * dim
         return bsr_matrix((values.reshape(-1, dim, dim), cols, offsets), shape=(size, size))
     parts = gather(handle, part_count, obstacles)

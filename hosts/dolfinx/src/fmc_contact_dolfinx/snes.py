@@ -141,7 +141,7 @@ class ContactProblem:
         raising = Raising()
         for update in range(max_updates + 1):
             found = self.contact.contact.multipliers.augment(self.contact.coords(self.u), penetration, reach)
-            if found.is_enough:
+            if found.is_converged:
                 return iterations
             raising.updated(self.contact.contact, found.change)
             if update < max_updates:

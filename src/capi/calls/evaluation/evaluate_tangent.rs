@@ -3,15 +3,15 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, optional, reference};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::calls::tangent::entries::{FMC_SEMIDEFINITE, FMC_SYMMETRIC, part_of};
-use crate::capi::context::state::{FMC_ADD, evaluated, fmc_context};
+use crate::capi::calls::tangent::entries::{FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC, part_of};
+use crate::capi::context::state::{FMC_EVALUATE_ADD, evaluated, fmc_context};
 use crate::capi::structs::evaluation::fmc_result;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
 
 /// `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
 /// bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
 ///
-/// `flags`: `FMC_ADD`, `FMC_SEMIDEFINITE` and `FMC_SYMMETRIC`. All outputs may be NULL, and are written only on success.
+/// `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on success.
 ///
 /// Errors: those of the two. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
@@ -27,12 +27,12 @@ pub unsafe extern "C" fn fmc_context_evaluate_tangent(
     entry(|| {
         let entries = Output::optional("entry_count", entry_count)?;
         let parts = Output::optional("rank_one_count", rank_one_count)?;
-        let part = part_of(flags, FMC_ADD | FMC_SEMIDEFINITE | FMC_SYMMETRIC)?;
+        let part = part_of(flags, FMC_EVALUATE_ADD | FMC_TANGENT_SEMIDEFINITE | FMC_TANGENT_SYMMETRIC)?;
         // SAFETY: the host passes a context, both views and outputs, or NULL where it may.
         unsafe {
             evaluated(context, result, |state| {
                 let (coords, forces) = (reference("coords", coords)?, optional("forces", forces)?);
-                let is_added = flags & FMC_ADD != 0;
+                let is_added = flags & FMC_EVALUATE_ADD != 0;
                 let (found, tangent) =
                     state.session.evaluate_tangent(coords, part, forces, is_added, state.index_base)?;
                 entries.write(tangent.entry_count());

@@ -5,7 +5,7 @@ use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, check, copy_list, reference, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_LENGTH, FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_LENGTH, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
 use crate::capi::calls::mesh::creation::session_of_cells;
 use crate::capi::structs::mesh::{Block, fmc_cell_block, fmc_cell_block_i64};
 use crate::capi::structs::options::fmc_options;
@@ -63,7 +63,7 @@ impl fmc_friction_step {
         }
         if self.reserved != [0; 8] {
             let text = "a reserved field of fmc_friction_step is not zero: one of a later version of the library";
-            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, text));
         }
         Ok(())
     }
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn fmc_friction_step_init(step: *mut fmc_friction_step) ->
 ///
 /// Outputs are written only on success, but for `step->facet_count`, from which a host learns the length of its slip.
 ///
-/// Errors: those of `fmc_contact_force` and of these calls; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_UNKNOWN_OPTION`, and
+/// Errors: those of `fmc_contact_force` and of these calls; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, and
 /// `FMC_ERROR_LENGTH` for another `slip_length`. Threads: any, also at once.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_contact_force_step(

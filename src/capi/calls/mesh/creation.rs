@@ -25,8 +25,8 @@ pub(crate) unsafe fn create(
         let output = Output::required("context", context)?;
         // SAFETY: passed on to the caller.
         let options = unsafe { reference("options", options) }?;
-        let index_base = options.checked_index_base()?;
-        let state = State::new(session(options)?, index_base);
+        options.checked_index_base()?;
+        let state = State::new(session(options)?, options);
         let made = Box::into_raw(Box::new(fmc_context::new(state)));
         // SAFETY: passed on to the caller.
         unsafe { output.write(made) };
@@ -85,7 +85,8 @@ unsafe fn session_of_facets<Id: Copy + Into<i64>, const D: usize>(
 /// Errors, all with the offending indices in `fmc_last_error`: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`,
 /// `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_REPEATED_NODE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`,
-/// `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION`,
+/// `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_OPTIONS_CONFLICT`,
+/// `FMC_ERROR_RESERVED_FIELD`,
 /// `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`. Threads: any, also at once.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_new_from_cells(

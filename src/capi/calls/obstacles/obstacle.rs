@@ -210,7 +210,7 @@ pub unsafe extern "C" fn fmc_context_add_height_field(
 /// Its signed distance is the least of those of its parts: exact outside, and inside a single part; where parts
 /// overlap, the depth of a point is its largest depth in any part.
 ///
-/// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_UNKNOWN_OPTION` for a number that
+/// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_BAD_VALUE` for a number that
 /// is not a value of `fmc_shape`; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "shapes". Threads: one call
 /// at a time on a context.
 #[unsafe(no_mangle)]

@@ -3,20 +3,20 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNKNOWN_OPTION;
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_BAD_VALUE;
 use crate::capi::context::state::{fmc_context, write};
 
 /// Gives tangents rows and columns for the rotations of the obstacles, with `on` 1, from the next one on; 0, the default:
 /// none. With n nodes and m obstacles, removed ones included, the rotation of obstacle o is node n + m + o: a rotation
 /// vector about the position of its pose, which moves along; in 2D its first entry is the angle, and the second has only
-/// zeros. Wherever there are translations of obstacles, as with `FMC_OBSTACLES`, there are rotations then, after them.
+/// zeros. Wherever there are translations of obstacles, as with `FMC_CSR_OBSTACLES`, there are rotations then, after them.
 ///
 /// It is the second derivative of the energy, and symmetric. The moment M about the position (that of
-/// `fmc_context_obstacle` less position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta. With
+/// `fmc_context_obstacle_resultant` less position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta. With
 /// axisymmetry nothing turns, and there are only zeros. With friction, and where a body meets an obstacle by
 /// the law "fiber", whose lines do not turn along, the tangent is then refused, with `FMC_ERROR_UNSUPPORTED`.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for another number, `FMC_ERROR_BUSY`. Threads: one call
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
 /// at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_obstacle_rotations(context: *mut fmc_context, on: i32) -> fmc_status {
@@ -25,7 +25,7 @@ pub unsafe extern "C" fn fmc_context_set_obstacle_rotations(context: *mut fmc_co
         unsafe {
             write(context, |state| {
                 if on != 0 && on != 1 {
-                    return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("'on' is {on}, not 0 or 1")));
+                    return Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("'on' is {on}, not 0 or 1")));
                 }
                 state.session.set_obstacle_rotations(on == 1);
                 Ok(())

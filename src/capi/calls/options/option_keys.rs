@@ -4,7 +4,7 @@ use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, reference, text};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNKNOWN_OPTION;
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_UNKNOWN_OPTION};
 use crate::capi::structs::option_values::{
     AXISYMMETRIC, CHECK_CELLS, Choice, ESTIMATOR, INDEX_BASE, LAW, MOMENTUM_CORRECTION, PATTERN, SELF_CONTACT, WEIGHTS,
 };
@@ -18,7 +18,7 @@ const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, see
                     memoryless_slip, threads, index_base";
 
 fn unknown_value(key: &str, value: &str, wanted: &str) -> Failure {
-    Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("option '{key}' has no value '{value}': {wanted} is wanted"))
+    Failure::new(FMC_ERROR_BAD_VALUE, format!("option '{key}' has no value '{value}': {wanted} is wanted"))
 }
 
 fn choice(choice: &Choice, value: &str) -> Result<i32, Failure> {
@@ -62,8 +62,6 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
         "axisymmetric" => options.axisymmetric = choice(&AXISYMMETRIC, value)?,
         "check_cells" => options.check_cells = choice(&CHECK_CELLS, value)?,
         "index_base" => options.index_base = choice(&INDEX_BASE, value)?,
-        // Lets a host check, in the library that it ships, that a panic is returned as a status.
-        "test_panic" => panic!("asked for by the option 'test_panic'"),
         _ => return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("no option '{key}'; there are {KEYS}"))),
     }
     Ok(())
@@ -72,9 +70,8 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
 /// Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
 /// ("momentum_correction", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
 ///
-/// The key "test_panic" panics inside the library, so that a host can check that a panic is returned as a status.
-///
-/// Errors: `FMC_ERROR_UNKNOWN_OPTION` for an unknown key or value; ranges are checked where the options are used.
+/// Errors: `FMC_ERROR_UNKNOWN_OPTION` for an unknown key, `FMC_ERROR_BAD_VALUE` for an unknown value; ranges are checked
+/// where the options are used.
 /// Threads: any, on different structs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_options_set(

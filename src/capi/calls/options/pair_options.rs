@@ -4,7 +4,9 @@ use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION};
+use crate::capi::boundary::status::fmc_status::{
+    FMC_ERROR_OPTIONS_CONFLICT, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE,
+};
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::option_values::EXCLUDED;
 use crate::capi::structs::options::{fmc_estimator, fmc_law, fmc_options};
@@ -14,11 +16,11 @@ use crate::{EnergyLaw, EnergyProfile, PenetrationLaw};
 
 /// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 /// after they change.
-pub const FMC_LAW_OF_CONTEXT: i32 = -1;
+pub const FMC_PAIR_LAW_OF_CONTEXT: i32 = -1;
 
 /// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
 /// changes.
-pub const FMC_FRICTION_OF_CONTEXT: i32 = -1;
+pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
 
 /// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 /// has without options of its own.
@@ -43,10 +45,10 @@ pub struct fmc_pair_options {
     /// rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Between bodies, and of one with itself,
     /// only with the law "depth" and not positive: -c lets either body in by c before it presses.
     pub gap_offset: f64,
-    /// Coefficient of friction, at least 0, or `FMC_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
+    /// Coefficient of friction, at least 0, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
     /// the context's options.
     pub friction_coefficient: f64,
-    /// A value of `fmc_law`, or `FMC_LAW_OF_CONTEXT`, the default.
+    /// A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
     pub law: i32,
     /// 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
     pub excluded: i32,
@@ -62,8 +64,8 @@ impl Default for fmc_pair_options {
             exponent: 1.0,
             smoothing_length: 0.0,
             gap_offset: 0.0,
-            friction_coefficient: FMC_FRICTION_OF_CONTEXT.into(),
-            law: FMC_LAW_OF_CONTEXT,
+            friction_coefficient: FMC_PAIR_FRICTION_OF_CONTEXT.into(),
+            law: FMC_PAIR_LAW_OF_CONTEXT,
             excluded: 0,
             reserved: [0; 10],
         }
@@ -72,7 +74,7 @@ impl Default for fmc_pair_options {
 
 impl From<PairOptions> for fmc_pair_options {
     fn from(options: PairOptions) -> Self {
-        let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_FRICTION_OF_CONTEXT.into());
+        let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_PAIR_FRICTION_OF_CONTEXT.into());
         let (excluded, gap_offset) = (options.excluded.into(), options.gap_offset);
         let own = Self { excluded, friction_coefficient, gap_offset, ..Self::default() };
         match options.law {
@@ -105,10 +107,10 @@ impl fmc_pair_options {
         }
         if self.reserved != [0; 10] {
             let text = "a reserved field of fmc_pair_options is not zero: an option of a later version of the library";
-            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, text));
         }
         let coefficient = self.friction_coefficient;
-        let friction_coefficient = (coefficient != f64::from(FMC_FRICTION_OF_CONTEXT)).then_some(coefficient);
+        let friction_coefficient = (coefficient != f64::from(FMC_PAIR_FRICTION_OF_CONTEXT)).then_some(coefficient);
         Ok(PairOptions {
             excluded: EXCLUDED.is_on(self.excluded)?,
             law: self.law()?,
@@ -119,7 +121,7 @@ impl fmc_pair_options {
 
     fn law(&self) -> Result<Option<EnergyLaw>, Failure> {
         let &Self { law, stiffness, exponent, smoothing_length, .. } = self;
-        if law == FMC_LAW_OF_CONTEXT {
+        if law == FMC_PAIR_LAW_OF_CONTEXT {
             // Whoever sets one of these means something by it.
             let set = [("stiffness", stiffness != 0.0), ("exponent", exponent != 1.0)];
             let set =
@@ -128,7 +130,7 @@ impl fmc_pair_options {
                 None => Ok(None),
                 Some((key, _)) => {
                     let text = format!("option '{key}' of a pair belongs to a law: set 'law' of the pair, too");
-                    Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text))
+                    Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text))
                 }
             };
         }
@@ -155,13 +157,13 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 /// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
 /// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
 ///
-/// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body` and obstacles as
-/// `fmc_context_obstacle`. For a body with itself these options decide in place of the context's `self_contact` whether
+/// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
+/// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
 /// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
-/// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind or value, an option
-/// that would have no effect, or a reserved field that is not zero; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
+/// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
+/// `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 /// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
 /// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 /// estimator that does not support the law of a pair. Threads: one call at a time on a context.
@@ -190,7 +192,7 @@ pub unsafe extern "C" fn fmc_context_set_pair_options(
 /// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
-/// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+/// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
 /// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_pair_options(
@@ -245,19 +247,21 @@ mod tests {
 
     #[test]
     fn what_has_no_effect_or_no_meaning_is_refused() {
-        for (change, text) in [
-            ((|o| o.stiffness = 1.0) as fn(&mut fmc_pair_options), "'stiffness' of a pair belongs to a law"),
-            (|o| o.exponent = 2.0, "'exponent' of a pair belongs to a law"),
-            (|o| o.smoothing_length = f64::NAN, "'smoothing_length' of a pair belongs to a law"),
-            (|o| (o.law, o.exponent) = (1, 2.0), "'exponent' belongs to the law 'volume'"),
-            (|o| (o.law, o.smoothing_length) = (0, 1.0), "'smoothing_length' belongs to the law 'fiber'"),
-            (|o| (o.law, o.smoothing_length) = (2, 1.0), "'smoothing_length' belongs to the law 'fiber'"),
-            (|o| o.law = 3, "option 'law' has no value 3"),
-            (|o| o.excluded = 2, "option 'excluded' has no value 2"),
-            (|o| o.reserved[9] = 1, "later version"),
+        use fmc_status::FMC_ERROR_BAD_VALUE as VALUE;
+        let (conflict, reserved) = (FMC_ERROR_OPTIONS_CONFLICT, FMC_ERROR_RESERVED_FIELD);
+        for (change, wanted, text) in [
+            ((|o| o.stiffness = 1.0) as fn(&mut fmc_pair_options), conflict, "'stiffness' of a pair belongs to a law"),
+            (|o| o.exponent = 2.0, conflict, "'exponent' of a pair belongs to a law"),
+            (|o| o.smoothing_length = f64::NAN, conflict, "'smoothing_length' of a pair belongs to a law"),
+            (|o| (o.law, o.exponent) = (1, 2.0), conflict, "'exponent' belongs to the law 'volume'"),
+            (|o| (o.law, o.smoothing_length) = (0, 1.0), conflict, "'smoothing_length' belongs to the law 'fiber'"),
+            (|o| (o.law, o.smoothing_length) = (2, 1.0), conflict, "'smoothing_length' belongs to the law 'fiber'"),
+            (|o| o.law = 3, VALUE, "option 'law' has no value 3"),
+            (|o| o.excluded = 2, VALUE, "option 'excluded' has no value 2"),
+            (|o| o.reserved[9] = 1, reserved, "later version"),
         ] {
             let (status, found) = refused(change);
-            assert!(status == FMC_ERROR_UNKNOWN_OPTION && found.contains(text), "{found}");
+            assert!(status == wanted && found.contains(text), "{found}");
         }
         assert_eq!(refused(|o| o.struct_size = 0).0, FMC_ERROR_STRUCT_SIZE);
     }

@@ -19,7 +19,7 @@ use crate::capi::structs::view::fmc_coords;
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; `FMC_ERROR_RANKS_DIFFER` for a node in two
 /// places, `FMC_ERROR_ON_OTHER_RANK`, `FMC_ERROR_COMMUNICATION`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_bring(
+pub unsafe extern "C" fn fmc_context_set_coords(
     context: *mut fmc_context,
     coords: *const fmc_coords,
     renumbered: *mut i32,

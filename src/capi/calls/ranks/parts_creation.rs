@@ -39,11 +39,11 @@ pub struct fmc_mesh_part {
 }
 
 /// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
-/// only those that may be in contact: `fmc_context_bring` takes the coordinates of the own nodes, and after it the other
+/// only those that may be in contact: `fmc_context_set_coords` takes the coordinates of the own nodes, and after it the other
 /// functions of the context are used as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, by all ranks
 /// together, which share the work. Results have the bits of one rank with the whole mesh, for any number of ranks.
 ///
-/// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_bring` is called again after it. A body that may
+/// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_set_coords` is called again after it. A body that may
 /// touch itself, and one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole.
 /// Refused are nodes that hang, another reference, a basis, and another communicator. It begins at the coordinates of the part.
 ///

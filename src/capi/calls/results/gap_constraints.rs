@@ -1,106 +1,91 @@
-//! Weighted gaps as constraints: found first, and copied into the host's arrays then.
+//! Weighted gaps as constraints.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::failure::Failure;
-use crate::capi::boundary::pointer::{Output, check, copy_list, reference};
+use crate::capi::boundary::list::Room;
+use crate::capi::boundary::pointer::{check, copy_list, reference};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::gap_constraint::fmc_gap_constraint;
 use crate::capi::structs::view::fmc_coords;
 
-/// Finds the weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping,
-/// and keeps them in the context until the next call: what an augmented Lagrangian, an interior point method or a
-/// preconditioner asks for. They depend on no law and no estimator. `count` receives the number of rows, `entry_count`
-/// that of the entries of their derivative; both may be NULL.
+/// The weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping:
+/// what an augmented Lagrangian, an interior point method or a preconditioner asks for. They depend on no law and no estimator.
 ///
 /// Both bodies of a pair have rows, ordered by pair, side and node; a host that wants one side only takes the rows of one
-/// body. A body has no gaps over itself. With cells of second order rows are points, columns nodes. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_NOT_POSITIVE` for `reach`; what
-/// was kept then stays. Threads: one call at a time on a context.
+/// body. A body has no gaps over itself. With cells of second order rows are points, columns nodes.
+///
+/// `count` becomes the number of rows; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for, and the
+/// next call at the same coordinates does not search again. What was found stays, for `fmc_context_gap_gradient`.
+///
+/// Errors: as `fmc_context_evaluate`, `FMC_ERROR_NOT_POSITIVE` for `reach`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then.
+/// Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_find_gap_constraints(
+pub unsafe extern "C" fn fmc_context_gap_constraints(
     context: *mut fmc_context,
     coords: *const fmc_coords,
     reach: f64,
-    count: *mut usize,
-    entry_count: *mut usize,
-) -> fmc_status {
-    entry(|| {
-        let rows = Output::optional("count", count)?;
-        let entries = Output::optional("entry_count", entry_count)?;
-        // SAFETY: the host passes a context and a view.
-        let found = unsafe {
-            write(context, |state| {
-                state.gaps = state.session.gap_constraints(reference("coords", coords)?, reach, state.index_base)?;
-                Ok((state.gaps.rows.len(), state.gaps.cols.len()))
-            })
-        }?;
-        // SAFETY: the outputs, where given, may be written.
-        unsafe {
-            rows.write(found.0);
-            entries.write(found.1);
-        }
-        Ok(())
-    })
-}
-
-/// Writes the rows that were found to the host's array, with room for `capacity`.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-/// context, as long as no call changes it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_gap_constraints(
-    context: *const fmc_context,
     rows: *mut fmc_gap_constraint,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
     entry(|| {
-        // SAFETY: the host passes a context, and an array with room for `capacity` rows.
+        let room = Room::new(capacity, count)?;
+        // SAFETY: the host passes a context, a view, and room for `capacity` rows.
         unsafe {
-            let state = read(context)?;
-            room(&state.gaps.rows, capacity, "gap constraints")?;
-            copy_list("rows", &state.gaps.rows, rows)
+            write(context, |state| {
+                let found = state.gap_constraints(reference("coords", coords)?, reach)?;
+                room.write("gap constraints", "rows", &found.rows, rows)
+            })
         }
     })
 }
 
-/// Writes the derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
+/// The derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
 /// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom,
 /// `node * dim + axis`, counted from 0 as in the tangent. Their set is what feels the contact. Pressures p on the rows
 /// act with the nodal forces sum over r of p_r times row r.
 ///
-/// `row_offsets` has room for one number more than there are rows, `cols` and `values` for `capacity` entries.
+/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
+/// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
+/// asked for.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-/// context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+/// several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_gap_gradient(
     context: *const fmc_context,
     row_offsets: *mut i64,
+    offset_capacity: usize,
+    offset_count: *mut usize,
     cols: *mut i64,
     values: *mut f64,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
     entry(|| {
-        // SAFETY: the host passes a context, and arrays of the sizes that it was told.
-        unsafe {
-            let state = read(context)?;
-            room(&state.gaps.cols, capacity, "entries")?;
-            for (name, output) in [("row_offsets", row_offsets), ("cols", cols)] {
-                check(name, output.cast_const())?;
-            }
+        let (offsets, entries) = (Room::new(offset_capacity, offset_count)?, Room::new(capacity, count)?);
+        // SAFETY: the host passes a context.
+        let state = unsafe { read(context) }?;
+        let gaps = state.last_gaps();
+        let (offset_count, entry_count) = (gaps.row_offsets.len(), gaps.cols.len());
+        let has_offsets = offsets.is_asked("row offsets", &[row_offsets.is_null()], offset_count)?;
+        let has_entries = entries.is_asked("entries", &[cols.is_null(), values.is_null()], entry_count)?;
+        if has_entries && entry_count > 0 {
+            check("cols", cols.cast_const())?;
             check("values", values.cast_const())?;
-            copy_list("row_offsets", &state.gaps.row_offsets, row_offsets)?;
-            copy_list("cols", &state.gaps.cols, cols)?;
-            copy_list("values", &state.gaps.values, values)
         }
+        // SAFETY: the host guarantees the room that it says.
+        unsafe {
+            if has_offsets {
+                copy_list("row_offsets", &gaps.row_offsets, row_offsets)?;
+            }
+            if has_entries {
+                copy_list("cols", &gaps.cols, cols)?;
+                copy_list("values", &gaps.values, values)?;
+            }
+            offsets.tell(offset_count);
+            entries.tell(entry_count);
+        }
+        Ok(())
     })
-}
-
-fn room<T>(list: &[T], capacity: usize, what: &str) -> Result<(), Failure> {
-    if capacity < list.len() {
-        let text = format!("there is room for {capacity} {what}, and there are {}", list.len());
-        return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
-    }
-    Ok(())
 }

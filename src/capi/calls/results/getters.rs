@@ -6,7 +6,7 @@ use crate::capi::boundary::pointer::Output;
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_INDEX_OUT_OF_RANGE;
 use crate::capi::context::state::{fmc_context, read};
-use crate::capi::structs::evaluation::{Evaluation, fmc_pair, fmc_resultant};
+use crate::capi::structs::evaluation::{Evaluation, fmc_pair_result, fmc_resultant};
 use std::ffi::c_char;
 
 /// Writes the entry of a list of the last evaluation.
@@ -44,7 +44,7 @@ fn out_of_range(what: &str, index: usize, count: usize) -> Failure {
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_BUSY`. Threads: several at once on one
 /// context, as long as no call changes it.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_body(
+pub unsafe extern "C" fn fmc_context_body_resultant(
     context: *const fmc_context,
     index: usize,
     body: *mut fmc_resultant,
@@ -53,9 +53,9 @@ pub unsafe extern "C" fn fmc_context_body(
     unsafe { hand_out(context, "body", index, body, |evaluation| &evaluation.bodies) }
 }
 
-/// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body`.
+/// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body_resultant`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_obstacle(
+pub unsafe extern "C" fn fmc_context_obstacle_resultant(
     context: *const fmc_context,
     index: usize,
     obstacle: *mut fmc_resultant,
@@ -64,19 +64,19 @@ pub unsafe extern "C" fn fmc_context_obstacle(
     unsafe { hand_out(context, "obstacle", index, obstacle, |evaluation| &evaluation.obstacles) }
 }
 
-/// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body`.
+/// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body_resultant`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_pair(
+pub unsafe extern "C" fn fmc_context_pair_result(
     context: *const fmc_context,
     index: usize,
-    pair: *mut fmc_pair,
+    pair: *mut fmc_pair_result,
 ) -> fmc_status {
     // SAFETY: the host passes a context and an output.
     unsafe { hand_out(context, "pair", index, pair, |evaluation| &evaluation.pairs) }
 }
 
 /// One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
-/// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body`.
+/// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body_resultant`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_warning(
     context: *const fmc_context,

@@ -4,21 +4,26 @@ use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_LENGTH;
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_STRUCT_SIZE;
 use crate::capi::context::state::{fmc_context, write};
+use crate::capi::structs::nodal_lists::fmc_nodal_contact;
 use crate::capi::structs::view::fmc_coords;
 
-/// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches.
-/// Every output may be NULL. All but `normal` and `friction` have one entry per node, `node_count` of them, which is that of
-/// the mesh; those two have `dim` per node, in dense rows.
+/// Asks for nothing: all pointers NULL.
 ///
-/// `pressure` is the mean of the law's over the part of the facets at the node that is in contact, weighted with the
-/// node's shape function, int N p dA / int N dA; with the law "volume" that of the pair. `gap` is minus the penetration,
-/// the mean over the same part, and never positive: distances of what is apart are not measured. `area` (2D: length) is
-/// int N dA, up to the curvature of the surface. `normal` is a unit vector, outwards of the node's body. The nodal force
-/// without its friction is -pressure * area * normal, to rounding. `friction` is the traction of friction on the node's
-/// body, the mean over the same part, and `sliding` the part of the contact at the node that slides, of its area,
-/// between 0 and 1. `status` has values of `fmc_node_status`.
+/// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_nodal_contact_init(nodal: *mut fmc_nodal_contact) -> fmc_status {
+    entry(|| {
+        let output = Output::required("nodal", nodal)?;
+        // SAFETY: the host passes a struct of the header's size, which may be written.
+        unsafe { output.write(fmc_nodal_contact::default()) };
+        Ok(())
+    })
+}
+
+/// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches. `nodal` says
+/// what is asked for, and where it goes. The nodal force without its friction is -pressure * area * normal, to rounding.
 ///
 /// With cells of second order a node has what is at the point of their division that stands for it, with the straight shape
 /// function of that point: shape functions of second order are negative in places, and have no mean at a corner. Forces
@@ -26,46 +31,42 @@ use crate::capi::structs::view::fmc_coords;
 /// faces have no node in their middle, whose points are not told.
 ///
 /// It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
-/// the context. Errors: as `fmc_context_evaluate`; nothing is written then. Threads: one call at a time on a context.
+/// the context. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_STRUCT_SIZE`; nothing is written then. Threads: one call at a
+/// time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_nodal_contact(
     context: *mut fmc_context,
     coords: *const fmc_coords,
-    pressure: *mut f64,
-    gap: *mut f64,
-    area: *mut f64,
-    normal: *mut f64,
-    friction: *mut f64,
-    sliding: *mut f64,
-    status: *mut i32,
-    node_count: usize,
+    nodal: *const fmc_nodal_contact,
 ) -> fmc_status {
     entry(|| {
-        let numbers = [("pressure", pressure), ("gap", gap), ("area", area), ("normal", normal)];
-        for (name, output) in numbers.into_iter().chain([("friction", friction), ("sliding", sliding)]) {
+        // SAFETY: the host passes a struct.
+        let to = *unsafe { reference("nodal", nodal) }?;
+        if to.struct_size != size_of::<fmc_nodal_contact>() {
+            let (found, wanted) = (to.struct_size, size_of::<fmc_nodal_contact>());
+            let text = format!(
+                "fmc_nodal_contact has struct_size {found}, expected {wanted}: call fmc_nodal_contact_init first"
+            );
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
+        }
+        let numbers = [("pressure", to.pressure), ("gap", to.gap), ("area", to.area), ("normal", to.normal)];
+        for (name, output) in numbers.into_iter().chain([("friction", to.friction), ("sliding", to.sliding)]) {
             Output::optional(name, output)?;
         }
-        Output::optional("status", status)?;
+        Output::optional("status", to.status)?;
         // SAFETY: the host passes a context and a view.
         let lists = unsafe {
-            write(context, |state| {
-                let expected = state.session.counts().nodes;
-                if node_count != expected {
-                    let text = format!("the outputs have room for {node_count} nodes, the mesh has {expected}");
-                    return Err(Failure::new(FMC_ERROR_LENGTH, text));
-                }
-                state.session.nodal_contact(reference("coords", coords)?, state.index_base)
-            })
+            write(context, |state| state.session.nodal_contact(reference("coords", coords)?, state.index_base))
         }?;
-        // SAFETY: the outputs, where given, have room for the nodes of the mesh, whose number was checked.
+        // SAFETY: the host guarantees that the outputs, where given, have room for the nodes of the mesh.
         unsafe {
-            copy(&lists.pressure, pressure);
-            copy(&lists.gap, gap);
-            copy(&lists.area, area);
-            copy(&lists.normal, normal);
-            copy(&lists.friction, friction);
-            copy(&lists.sliding, sliding);
-            copy(&lists.status, status);
+            copy(&lists.pressure, to.pressure);
+            copy(&lists.gap, to.gap);
+            copy(&lists.area, to.area);
+            copy(&lists.normal, to.normal);
+            copy(&lists.friction, to.friction);
+            copy(&lists.sliding, to.sliding);
+            copy(&lists.status, to.status);
         }
         Ok(())
     })

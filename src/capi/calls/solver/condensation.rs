@@ -5,7 +5,7 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, check, copy_list, reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_BUSY, FMC_ERROR_FREEDOM_OUT_OF_RANGE,
+    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_BUSY, FMC_ERROR_DOF_OUT_OF_RANGE,
 };
 use crate::sparse::{Compressed, Condensation};
 use std::sync::{Mutex, MutexGuard, TryLockError};
@@ -84,8 +84,8 @@ pub unsafe extern "C" fn fmc_condensation_free(condensation: *mut *mut fmc_conde
 /// equations have to be positive definite: bodies that are held, or are so by what is kept. What depends on the pattern alone is
 /// kept for the next matrix of the same pattern, and factorising that takes less.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_FREEDOM_OUT_OF_RANGE`,
-/// `FMC_ERROR_REPEATED_FREEDOM`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`,
+/// `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
 /// were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the
 /// library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 #[unsafe(no_mangle)]
@@ -199,7 +199,7 @@ pub unsafe extern "C" fn fmc_condensation_expand(
 fn equations(given: &[i64]) -> Result<Vec<usize>, Failure> {
     let number = |&equation: &i64| {
         let text = || format!("'kept' names equation {equation}");
-        usize::try_from(equation).map_err(|_| Failure::new(FMC_ERROR_FREEDOM_OUT_OF_RANGE, text()))
+        usize::try_from(equation).map_err(|_| Failure::new(FMC_ERROR_DOF_OUT_OF_RANGE, text()))
     };
     given.iter().map(number).collect()
 }

@@ -5,7 +5,7 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, check, copy_list, optional, reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_FREEDOM_OUT_OF_RANGE, FMC_ERROR_NOT_POSITIVE, FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNKNOWN_OPTION,
+    FMC_ERROR_BAD_VALUE, FMC_ERROR_DOF_OUT_OF_RANGE, FMC_ERROR_NOT_POSITIVE, FMC_ERROR_STRUCT_SIZE,
 };
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::placement::{Placement, fmc_place};
@@ -26,13 +26,13 @@ pub struct fmc_contact_step_options {
     pub tolerance: f64,
     /// Norm of the residual, a force, at which it has converged too; 0, the default: none. Bodies that are not linear need no
     /// more than a part of what their linearisation leaves.
-    pub goal: f64,
+    pub absolute_tolerance: f64,
     /// Relative residual below which the full tangent is taken, above it the semidefinite one. Default 0.1.
     pub full_below: f64,
     /// Iterations, at most, at least 1. Default 80.
-    pub most_iterations: i32,
+    pub max_iterations: i32,
     /// Trials along a direction, at most, at least 1. Default 12.
-    pub most_trials: i32,
+    pub max_trials: i32,
     /// Largest mean penetration of a node that is wanted, a length; 0, the default: that of the law, as it is. Where the law leaves
     /// more, an augmented Lagrangian takes over, whose pressures at nodes need no penetration: for the laws "depth" and
     /// "fiber", without friction and self-contact.
@@ -40,10 +40,10 @@ pub struct fmc_contact_step_options {
     /// How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
     pub reach: f64,
     /// Updates of these pressures, at most, at least 1. Default 20.
-    pub most_updates: i32,
+    pub max_updates: i32,
     /// 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
     /// energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
-    /// degree of freedom of the list, then one ten times as stiff, and so on. Each may take `most_iterations`. What is reported
+    /// degree of freedom of the list, then one ten times as stiff, and so on. Each may take `max_iterations`. What is reported
     /// is that of the contact as it is. 0, the default: off.
     pub soft_start: i32,
     /// Zero. Room for options of later versions.
@@ -56,13 +56,13 @@ impl Default for fmc_contact_step_options {
         Self {
             struct_size: size_of::<Self>(),
             tolerance: defaults.tolerance,
-            goal: defaults.goal,
+            absolute_tolerance: defaults.goal,
             full_below: defaults.full_below,
-            most_iterations: defaults.most_iterations as i32,
-            most_trials: defaults.most_trials as i32,
+            max_iterations: defaults.most_iterations as i32,
+            max_trials: defaults.most_trials as i32,
             penetration: defaults.penetration,
             reach: defaults.reach,
-            most_updates: defaults.most_updates as i32,
+            max_updates: defaults.most_updates as i32,
             soft_start: defaults.soft_start.into(),
             reserved: [0; 5],
         }
@@ -81,19 +81,19 @@ impl fmc_contact_step_options {
         };
         Ok(ContactStepOptions {
             tolerance: self.tolerance,
-            goal: self.goal,
+            goal: self.absolute_tolerance,
             full_below: self.full_below,
-            most_iterations: count("most_iterations", self.most_iterations)?,
-            most_trials: count("most_trials", self.most_trials)?,
+            most_iterations: count("max_iterations", self.max_iterations)?,
+            most_trials: count("max_trials", self.max_trials)?,
             penetration: self.penetration,
             reach: self.reach,
-            most_updates: count("most_updates", self.most_updates)?,
+            most_updates: count("max_updates", self.max_updates)?,
             soft_start: match self.soft_start {
                 0 => false,
                 1 => true,
                 other => {
                     let text = format!("'soft_start' is {other}, not 0 or 1");
-                    return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, text));
+                    return Err(Failure::new(FMC_ERROR_BAD_VALUE, text));
                 }
             },
         })
@@ -177,8 +177,8 @@ pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact
 /// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
 /// in every iteration: some 500 take tenths of a second.
 ///
-/// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_FREEDOM_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_FREEDOM`,
-/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_UNKNOWN_OPTION` and `FMC_ERROR_STRUCT_SIZE` for the options,
+/// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
+/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE` and `FMC_ERROR_STRUCT_SIZE` for the options,
 /// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
 /// a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
 /// one call at a time on a context.
@@ -248,7 +248,7 @@ pub unsafe extern "C" fn fmc_context_contact_step(
 fn numbers(given: &[i64]) -> Result<Vec<usize>, Failure> {
     let number = |&freedom: &i64| {
         let text = || format!("a list names degree of freedom {freedom}");
-        usize::try_from(freedom).map_err(|_| Failure::new(FMC_ERROR_FREEDOM_OUT_OF_RANGE, text()))
+        usize::try_from(freedom).map_err(|_| Failure::new(FMC_ERROR_DOF_OUT_OF_RANGE, text()))
     };
     given.iter().map(number).collect()
 }

@@ -1,29 +1,28 @@
 //! As little penetration as is wanted, whatever iterates the bodies.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::failure::Failure;
-use crate::capi::boundary::pointer::{Output, copy_list, reference, slice};
+use crate::capi::boundary::list::Room;
+use crate::capi::boundary::pointer::{Output, reference, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::multiplier::{fmc_augmentation, fmc_multiplier};
 use crate::capi::structs::view::fmc_coords;
 
 /// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
-/// (`fmc_context_find_gap_constraints`) at `coords`, up to four times as far where the last update of a series has closed less than it
+/// (`fmc_context_gap_constraints`) at `coords`, up to four times as far where the last update of a series has closed less than it
 /// moved out, and back where it has opened. It is the method of multipliers: by the law's stiffness a shift is a pressure without
 /// penetration.
 ///
-/// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_enough`. The law's stiffness may be any,
+/// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_converged`. The law's stiffness may be any,
 /// but a low one takes more updates. All that is asked of the context afterwards, forces, tangents, steps, is that of the surfaces
 /// moved out, whose penetration is pressure by stiffness; weighted gaps are those of the true ones. What is moved out stays for the
 /// next load step; `fmc_context_set_multipliers` with none moves it back. Of two bodies the one with more nodes near the other has the
 /// multipliers, of equals the first.
 ///
-/// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `enough`: the penetration and the
-/// change that are left alone, a length. `found` receives what there was.
+/// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`: the penetration and
+/// the change that are left alone, a length. `result` receives what there was.
 ///
-/// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `enough` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
+/// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
 /// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
 /// `fmc_context_evaluate`. The multipliers have then stayed. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
@@ -31,15 +30,15 @@ pub unsafe extern "C" fn fmc_context_augment(
     context: *mut fmc_context,
     coords: *const fmc_coords,
     reach: f64,
-    enough: f64,
-    found: *mut fmc_augmentation,
+    tolerance: f64,
+    result: *mut fmc_augmentation,
 ) -> fmc_status {
     entry(|| {
-        let output = Output::required("found", found)?;
+        let output = Output::required("result", result)?;
         // SAFETY: the host passes a context and a view, and an output that may be written.
         unsafe {
             let found = write(context, |state| {
-                state.session.augment(reference("coords", coords)?, reach, enough, state.index_base)
+                state.session.augment(reference("coords", coords)?, reach, tolerance, state.index_base)
             })?;
             output.write(found.into());
         }
@@ -62,7 +61,9 @@ pub unsafe extern "C" fn fmc_context_stiffen(context: *mut fmc_context, factor: 
 }
 
 /// The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
-/// again. `count` becomes their number; `rows`, which may be NULL to ask for that alone, has room for `capacity`.
+/// again.
+///
+/// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 /// context, as long as no call changes it.
@@ -74,27 +75,18 @@ pub unsafe extern "C" fn fmc_context_multipliers(
     count: *mut usize,
 ) -> fmc_status {
     entry(|| {
-        let output = Output::required("count", count)?;
-        // SAFETY: the host passes a context, room for `capacity` structs if there is an array, and for the count.
+        let room = Room::new(capacity, count)?;
+        // SAFETY: the host passes a context, and room for `capacity` structs.
         unsafe {
             let state = read(context)?;
-            let found = state.session.multipliers(state.index_base);
-            if !rows.is_null() {
-                if capacity < found.len() {
-                    let text = format!("there is room for {capacity} multipliers, and there are {}", found.len());
-                    return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
-                }
-                copy_list("rows", &found, rows)?;
-            }
-            output.write(found.len());
+            room.write("multipliers", "rows", &state.session.multipliers(state.index_base), rows)
         }
-        Ok(())
     })
 }
 
 /// Sets the multipliers, `count` structs as `fmc_context_multipliers` writes them; none: surfaces are where they are again.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`, `FMC_ERROR_UNKNOWN_OPTION` for a kind of
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`, `FMC_ERROR_BAD_VALUE` for a kind of
 /// partner that there is not, `FMC_ERROR_NOT_POSITIVE` for a shift or a direction that is none, `FMC_ERROR_UNSUPPORTED` as
 /// `fmc_context_augment`, `FMC_ERROR_BUSY`; what was moved out then stays. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]

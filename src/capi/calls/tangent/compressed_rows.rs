@@ -5,16 +5,16 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, check};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_OPTION,
+    FMC_ERROR_BAD_VALUE, FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_FLAG,
 };
 use crate::capi::context::state::{State, fmc_context, read, write};
 use crate::contact::CompressedRows;
 
 /// Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
-pub const FMC_BLOCKS: u32 = 4;
+pub const FMC_CSR_BLOCKS: u32 = 4;
 
 /// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
-pub const FMC_OBSTACLES: u32 = 8;
+pub const FMC_CSR_OBSTACLES: u32 = 8;
 
 /// Flag of `fmc_context_tangent_csr`: `row_offsets` and `cols` count from 1, as in Fortran.
 pub const FMC_FROM_ONE: u32 = 16;
@@ -30,14 +30,14 @@ struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     fn new(state: &'a State, flags: u32) -> Result<Self, Failure> {
-        if flags & !(FMC_BLOCKS | FMC_OBSTACLES | FMC_FROM_ONE) != 0 {
-            return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}")));
+        if flags & !(FMC_CSR_BLOCKS | FMC_CSR_OBSTACLES | FMC_FROM_ONE) != 0 {
+            return Err(Failure::new(FMC_ERROR_UNKNOWN_FLAG, format!("unknown flag in {flags:#x}")));
         }
         let kept = &state.tangent;
-        let obstacles = if flags & FMC_OBSTACLES != 0 { kept.obstacle_count } else { 0 };
+        let obstacles = if flags & FMC_CSR_OBSTACLES != 0 { kept.obstacle_count } else { 0 };
         Ok(Self {
             dim: kept.dim,
-            per_node: if flags & FMC_BLOCKS != 0 { 1 } else { kept.dim },
+            per_node: if flags & FMC_CSR_BLOCKS != 0 { 1 } else { kept.dim },
             base: if flags & FMC_FROM_ONE != 0 { 1 } else { 0 },
             blocks: kept.rows(kept.node_count + obstacles, state.pattern.as_ref()),
         })
@@ -76,10 +76,10 @@ impl<'a> Rows<'a> {
 }
 
 /// Sizes of the last tangent in compressed rows, for `fmc_context_tangent_csr` with the same flags: rows, those without
-/// entries included, and entries, which are numbers, or blocks with `FMC_BLOCKS`. Either output may be NULL. Before the
+/// entries included, and entries, which are numbers, or blocks with `FMC_CSR_BLOCKS`. Either output may be NULL. Before the
 /// first tangent there are no rows.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_BUSY`. Threads: several
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUSY`. Threads: several
 /// at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tangent_csr_size(
@@ -107,12 +107,12 @@ pub unsafe extern "C" fn fmc_context_tangent_csr_size(
 /// the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns
 /// `cols`, each column once. Rows and columns are degrees of freedom, `node * dim + axis`.
 ///
-/// `flags`: `FMC_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
-/// are nodes; `FMC_OBSTACLES`; `FMC_FROM_ONE`. As elsewhere in the tangent, the option `index_base` has no effect.
+/// `flags`: `FMC_CSR_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
+/// are nodes; `FMC_CSR_OBSTACLES`; `FMC_FROM_ONE`. As elsewhere in the tangent, the option `index_base` has no effect.
 /// `row_offsets` has room for one number more than there are rows, `cols` for `capacity` entries, and `values` for as
-/// many, or, with `FMC_BLOCKS`, `capacity * dim * dim` numbers.
+/// many, or, with `FMC_CSR_BLOCKS`, `capacity * dim * dim` numbers.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for an unknown flag, `FMC_ERROR_BUFFER_TOO_SMALL`,
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`,
 /// `FMC_ERROR_LENGTH` where a number does not fit into 32 bits, `FMC_ERROR_BUSY`. Threads: several at once on one
 /// context, as long as no call changes it.
 #[unsafe(no_mangle)]
@@ -200,7 +200,7 @@ unsafe fn write_rows<Id: TryFrom<usize>>(
 /// is the same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
 /// tangent has its own pattern, which is the default. Values, and the other functions of the tangent, do not change.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_OPTION` for another number, `FMC_ERROR_BUSY`. Threads: one call
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
 /// at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_keep_pattern(context: *mut fmc_context, keep: i32) -> fmc_status {
@@ -216,7 +216,7 @@ pub unsafe extern "C" fn fmc_context_keep_pattern(context: *mut fmc_context, kee
                     state.pattern.get_or_insert_default().add(state.tangent.places.iter().copied());
                     Ok(())
                 }
-                _ => Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("'keep' is {keep}, not 0 or 1"))),
+                _ => Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("'keep' is {keep}, not 0 or 1"))),
             })
         }
     })

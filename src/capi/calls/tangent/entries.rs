@@ -5,7 +5,7 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, check, reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_INDEX_OUT_OF_RANGE, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_OPTION,
+    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_INDEX_OUT_OF_RANGE, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_FLAG,
 };
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::view::fmc_coords;
@@ -13,19 +13,19 @@ use crate::contact::TangentPart;
 
 /// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
 /// far from a solution.
-pub const FMC_SEMIDEFINITE: u32 = 2;
+pub const FMC_TANGENT_SEMIDEFINITE: u32 = 2;
 
 /// Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
-pub const FMC_SYMMETRIC: u32 = 32;
+pub const FMC_TANGENT_SYMMETRIC: u32 = 32;
 
 /// The part that `flags` ask for, which may hold no other than the `known` ones.
 pub(crate) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
     if flags & !known != 0 {
-        return Err(Failure::new(FMC_ERROR_UNKNOWN_OPTION, format!("unknown flag in {flags:#x}")));
+        return Err(Failure::new(FMC_ERROR_UNKNOWN_FLAG, format!("unknown flag in {flags:#x}")));
     }
     Ok(match () {
-        () if flags & FMC_SEMIDEFINITE != 0 => TangentPart::Semidefinite,
-        () if flags & FMC_SYMMETRIC != 0 => TangentPart::Symmetric,
+        () if flags & FMC_TANGENT_SEMIDEFINITE != 0 => TangentPart::Semidefinite,
+        () if flags & FMC_TANGENT_SYMMETRIC != 0 => TangentPart::Symmetric,
         () => TangentPart::Full,
     })
 }
@@ -35,7 +35,7 @@ pub(crate) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
 /// `fmc_context_tangent_entries`.
 ///
 /// Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
-/// place of Cholesky or conjugate gradients, or ask for `FMC_SYMMETRIC`, with which Newton's method takes more
+/// place of Cholesky or conjugate gradients, or ask for `FMC_TANGENT_SYMMETRIC`, with which Newton's method takes more
 /// iterations, and fails sooner at large coefficients of friction. Row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
 /// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
 /// beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
@@ -44,12 +44,12 @@ pub(crate) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
 ///
 /// With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
 /// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
-/// `FMC_SYMMETRIC` or `FMC_SEMIDEFINITE`, which is symmetric too.
+/// `FMC_TANGENT_SYMMETRIC` or `FMC_TANGENT_SEMIDEFINITE`, which is symmetric too.
 ///
 /// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
 /// a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
 /// k * penetration of an iterate exceeds E / 10, and twice that of the last equilibrium, lower the option `stiffness` so that
-/// it does not, raise it at least fourfold in every iteration, and take `FMC_SEMIDEFINITE` until it is k again; else take the
+/// it does not, raise it at least fourfold in every iteration, and take `FMC_TANGENT_SEMIDEFINITE` until it is k again; else take the
 /// full tangent. docs/newton.md has the loop, and the iterations it takes on five problems.
 ///
 /// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
@@ -65,7 +65,7 @@ pub unsafe extern "C" fn fmc_context_tangent(
     entry(|| {
         let entries = Output::optional("entry_count", entry_count)?;
         let parts = Output::optional("rank_one_count", rank_one_count)?;
-        let part = part_of(flags, FMC_SEMIDEFINITE | FMC_SYMMETRIC)?;
+        let part = part_of(flags, FMC_TANGENT_SEMIDEFINITE | FMC_TANGENT_SYMMETRIC)?;
         // SAFETY: the host passes a context and a view.
         let counts = unsafe {
             write(context, |state| {

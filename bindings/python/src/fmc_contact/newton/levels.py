@@ -48,16 +48,16 @@ class Levels:
     def step(self, state: State, moved: np.ndarray) -> np.ndarray | None:
         """Change of all unknowns, (size,), to the equilibrium of the contact with the bodies linearised here and what is prescribed
         moved; ``None`` where there is none, and ``because`` says why."""
-        condensed, goal, found, why = self.condensed, 0.0, None, ""
+        condensed, absolute_tolerance, found, why = self.condensed, 0.0, None, ""
         is_first, self.last = self.last is None, state.matrix
         if not condensed.knows(state.matrix):
             if is_first:
                 condensed.forget()
             else:
-                goal = min(_LEFT_OVER, state.relative) * state.norm
+                absolute_tolerance = min(_LEFT_OVER, state.relative) * state.norm
         try:
             step, found = condensed.step(
-                state.x.ravel(), moved, state.inside, state.matrix, _FINER * self.tolerance, goal if not moved.any() else 0.0
+                state.x.ravel(), moved, state.inside, state.matrix, _FINER * self.tolerance, absolute_tolerance if not moved.any() else 0.0
             )
         except _FAILURES as error:
             why = str(error)

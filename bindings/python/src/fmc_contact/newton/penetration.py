@@ -48,16 +48,16 @@ class Penetration:
         if options["self_contact"]:
             raise ValueError("a penetration asked for with a body in contact with itself is not there")
         self.model, self.wanted, self.reach, self.most = model, wanted, reach, most
-        self.updates, self.found, self.is_enough, self.raising = 0, float("nan"), False, Raising()
+        self.updates, self.found, self.is_converged, self.raising = 0, float("nan"), False, Raising()
 
     def moved_out(self, state: State, tolerance: float) -> State:
         """The state with surfaces moved out by what they penetrate, if the bodies are near an equilibrium and that is too much."""
-        self.is_enough = False
+        self.is_converged = False
         if not state.relative <= max(_NEAR, tolerance):
             return state
         now = self.model.inner.multipliers.augment(self.model.coords(state.x), self.wanted, self.reach)
-        self.found, self.is_enough = now.penetration, now.is_enough
-        if now.is_enough:
+        self.found, self.is_converged = now.penetration, now.is_converged
+        if now.is_converged:
             return state
         if self.updates == self.most:
             left = max(now.penetration, now.change)

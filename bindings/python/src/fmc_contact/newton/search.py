@@ -79,8 +79,8 @@ class Search:
         return state
 
     def is_found(self, state: State, tolerance: float) -> bool:
-        is_enough = self.penetration is None or self.penetration.is_enough
-        return state.relative <= tolerance and not self.softening.is_soft and is_enough
+        is_converged = self.penetration is None or self.penetration.is_converged
+        return state.relative <= tolerance and not self.softening.is_soft and is_converged
 
     def found(self, state: State) -> Equilibrium:
         levels, penetration = self.levels, self.penetration
