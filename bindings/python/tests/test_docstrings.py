@@ -3,7 +3,6 @@
 import dataclasses
 import doctest
 import inspect
-import re
 import sys
 import typing
 
@@ -11,6 +10,7 @@ import fmc_contact
 import pytest
 from fmc_contact import Contact, PartitionedContact, errors
 from fmc_contact.partition import PartitionedFriction
+from numpydoc_sections import named, sections
 
 PARTS = [kind for kind in typing.get_type_hints(Contact).values() if inspect.isclass(kind)] + [PartitionedFriction]
 CLASSES = [one for name in fmc_contact.__all__ if inspect.isclass(one := getattr(fmc_contact, name))] + PARTS
@@ -31,18 +31,6 @@ METHODS = dict(item for kind in DOCUMENTED for item in members(kind))
 CALLABLES = {**FUNCTIONS, **{name: one for name, one in METHODS.items() if not isinstance(one, property)}}
 # They fail for nothing that a caller does.
 NEVER_RAISE = {"has_feature", "Tangent.triplets"}
-
-
-def sections(text):
-    """The sections of a docstring in numpy's form, by heading."""
-    parts = re.split(r"^(\w+)\n-+\n", inspect.cleandoc(text), flags=re.M)
-    return dict(zip(parts[1::2], parts[2::2]))
-
-
-def named(section):
-    """Names at the beginning of the entries of a section."""
-    entries = [line.split(" : ")[0] for line in section.splitlines() if line and not line.startswith(" ")]
-    return {name.strip().lstrip("*") for entry in entries for name in entry.split(",")}
 
 
 @pytest.mark.parametrize("name", CALLABLES)

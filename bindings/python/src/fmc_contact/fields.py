@@ -135,10 +135,11 @@ def nodal_contact(handle: Handle, coords: View, node_count: int, dim: int) -> No
     pressure, gap, area = (np.empty(node_count) for _ in range(3))
     normal, friction = np.empty((node_count, dim)), np.empty((node_count, dim))
     sliding, status = np.empty(node_count), np.empty(node_count, np.int32)
-    lists = {"pressure": pressure, "gap": gap, "area": area, "normal": normal, "friction": friction, "sliding": sliding}
+    lists: dict[str, np.ndarray] = {"pressure": pressure, "gap": gap, "area": area, "normal": normal, "friction": friction}
+    lists.update(sliding=sliding, status=status)
     nodal = fmc_nodal_contact()
     check(library.fmc_nodal_contact_init(byref(nodal)))
-    for name, array in {**lists, "status": status}.items():
+    for name, array in lists.items():
         setattr(nodal, name, array.ctypes.data)
     handle.call(library.fmc_context_nodal_contact, byref(coords.struct), byref(nodal))
     return NodalContact(pressure, gap, area, normal, status != 0, friction, sliding, status == 2, status == 3)

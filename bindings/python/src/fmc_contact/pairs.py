@@ -5,7 +5,7 @@ from __future__ import annotations
 from ctypes import byref
 from typing import Any, Optional, Union
 
-from ._constants import FMC_PAIR_FRICTION_OF_CONTEXT, FMC_LAW, FMC_PAIR_LAW_OF_CONTEXT, FMC_PARTNER
+from ._constants import FMC_LAW, FMC_PAIR_FRICTION_OF_CONTEXT, FMC_PAIR_LAW_OF_CONTEXT, FMC_PARTNER
 from ._core import Core
 from ._library import check, library
 from ._structs import fmc_pair_options

@@ -18,29 +18,51 @@ from .together import together
 
 
 class DolfinxContact(Linearised):
-    """Contact between all bodies of one space or of several, with the obstacles that are added to ``contact``.
+    """Contact between all bodies of one space or of several, and with the obstacles that are added to ``contact``.
 
-    ``spaces``: a space of displacements, Lagrange of order 1 or 2 or another continuous element (Lagrange of higher order on
-    triangles, quadrilaterals and hexahedra, serendipity of second order), or a list of such, each on a mesh of its own.
-    ``stiffness`` and the other keywords are those of ``fmc_contact.Contact``. ``bodies``: a number for every cell of
-    this rank, ghosts included, or a list of such, one for every space; default: bodies are the connected components.
+    On more than one rank the mesh is in parts: each rank has its own cells and, of the others, only those that may be in contact. If that is
+    not possible, every rank has the whole mesh, and ``whole_because`` says why. First-order meshes with the estimator ``"fibers"`` are
+    passed as their boundary, on every rank. The ranks share the work, and each takes the forces on what it owns. Results do not depend on
+    the number of ranks, and errors on one rank are raised on all. All methods are collective, and so is all that evaluates in ``contact``.
 
-    On more than one rank the mesh is **in parts**: each rank has its own cells and, of the others, only those that may be in
-    contact. Where that cannot be, every rank has the whole mesh, and ``whole_because`` says why. ``in_parts=True`` demands it, on
-    one rank too, and ``ValueError`` says why it cannot be; ``in_parts=False``: every rank has the whole.
+    Parameters
+    ----------
+    spaces : FunctionSpace or list of FunctionSpace
+        Displacements, each on a mesh of its own: Lagrange of order 1 or 2 (curved meshes too), or another continuous element, such as
+        Lagrange of higher order on triangles, quadrilaterals and hexahedra, and serendipity of second order.
+    stiffness : float
+        Stiffness of the law: pressure per length for the default law.
+    bodies : array_like of int or list of such, optional
+        Body of every cell of this rank, ghosts included; one array for every space. Default: bodies are the connected components.
+    whole_mesh : bool, optional
+        True: every rank has all nodes and cells. False: the nodes of the boundary only, for first order and the law ``"fiber"``.
+    in_parts : bool, optional
+        True: the mesh is in parts, also on one rank; ``ValueError`` says why it cannot be. False: every rank has the whole mesh.
+    share_work : bool
+        False: every rank has the whole mesh and does all the work, so that ``contact`` may be evaluated on one rank.
+    **options : OtherOptions
+        As for ``fmc_contact.Contact``.
 
-    ``whole_mesh``: whether every rank has all nodes and cells; or, ``False``, for first order, the nodes of the boundary only,
-    with the default law ``"fiber"``: depth is that of cells. Default: parts, or the whole where there is one rank; but for first
-    order with the estimator ``"fibers"`` the boundary, on every rank. Prisms and pyramids, whose faces are of two shapes, are
-    passed as cells, and so are cells of second order, with all their nodes; a mesh of second order may be curved. Where cells
-    are passed, forces have the bits of any other host, and inverted cells are reported.
+    Attributes
+    ----------
+    contact : Contact
+        The contact below, the same on every rank, for its obstacles (``contact.obstacles.add_half_space``, ...), options and so on. If
+        the mesh is in parts it is a ``PartitionedContact``, whose nodes, facets and cells are those gathered.
+    whole_because : str
+        Why every rank has the whole mesh, or its boundary; empty if the mesh is in parts.
 
-    The ranks share the work of the contact, and each takes the forces on what it owns; what is gathered is numbered by input
-    numbers, so that nothing depends on the number of ranks. All methods are collective, and so is all that evaluates in
-    ``contact``; ``share_work=False``: every rank has the whole mesh and does all, and ``contact`` may be evaluated on one. An error
-    on one rank is raised on all.
+    Raises
+    ------
+    LayoutError
+        For a space of another kind.
+    FmcError
+        As ``fmc_contact.Contact`` raises.
 
-    Errors: ``LayoutError`` for a space of another kind; those of ``fmc_contact.errors``.
+    Examples
+    --------
+    >>> contact = DolfinxContact(V, stiffness=1e9)
+    >>> problem = ContactProblem(residual_form, u, bcs, contact)
+    >>> problem.solve()
     """
 
     contact: Contact
@@ -102,10 +124,24 @@ class DolfinxContact(Linearised):
         return self._shows.received_cell_count
 
     def coords(self, *displacements: Any) -> np.ndarray:
-        """Coordinates that the contact is shown, (points, dim), the same on every rank; with the mesh in parts those of the nodes
-        that are gathered there. Where unknowns of a space are not nodes: the unit vectors of the axes, then displacements, of
-        every unknown, (dim + unknowns, dim). One displacement for every space: a function, a PETSc vector, or an array of this
-        rank's unknowns; ghosts are not read."""
+        """Coordinates to pass to ``contact``, the same on every rank.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+
+        Returns
+        -------
+        ndarray, (points, dim)
+            If the mesh is in parts, coordinates of the nodes gathered. If unknowns of a space are no nodes: the unit vectors of the axes,
+            then the displacement of every unknown, (dim + unknowns, dim).
+
+        Raises
+        ------
+        ValueError
+            If there is not one displacement for every space.
+        """
         if len(displacements) != len(self._fields):
             raise ValueError(f"{len(displacements)} displacements for {len(self._fields)} spaces")
         owned = together(
@@ -114,8 +150,18 @@ class DolfinxContact(Linearised):
         return self._shows.coords(owned)
 
     def set_symmetry_blocks(self, *blocks: Any) -> None:
-        """Names the nodes that lie in planes of symmetry, by the blocks of this rank, as ``dolfinx.fem.locate_dofs_geometrical``
-        gives them; one array for every space. See ``Mesh.set_symmetry_nodes``. Collective."""
+        """Names the nodes that lie in planes of symmetry. See ``Mesh.set_symmetry_nodes``.
+
+        Parameters
+        ----------
+        *blocks : array_like of int
+            Blocks of this rank, as ``dolfinx.fem.locate_dofs_geometrical`` returns them; one array for every space.
+
+        Raises
+        ------
+        ValueError
+            If there is not one array for every space.
+        """
         if len(blocks) != len(self._fields):
             raise ValueError(f"blocks of {len(blocks)} spaces, and there are {len(self._fields)}")
         marks = [np.zeros((field.owned, self.dim)) for field in self._fields]
@@ -125,15 +171,45 @@ class DolfinxContact(Linearised):
         self._shows.name(marks)
 
     def evaluate(self, *displacements: Any) -> Result:
-        """All that ``fmc_contact`` says: energy, resultants, warnings; forces on the points of ``coords``. The same on
-        every rank. Errors: those of ``Contact.evaluate``, on all ranks."""
+        """Result of the contact, the same on every rank; forces are those on the points of ``coords``.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+
+        Returns
+        -------
+        Result
+            Energy, forces, resultants, pairs and warnings.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         coords = self.coords(*displacements)
         result = together(self.comm, lambda: self.contact.evaluate(coords))
         return replace(result, forces=self._known(result.forces))
 
     def nodal_contact(self, *displacements: Any) -> NodalContact:
-        """Pressure, gap, area and normal on the points of ``coords``, the same on every rank. Errors: those of
-        ``Contact.evaluate``, on all ranks."""
+        """Pressure, gap, area, normal and friction on the points of ``coords``, the same on every rank.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+
+        Returns
+        -------
+        NodalContact
+            Arrays over the points.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         coords = self.coords(*displacements)
         found = together(self.comm, lambda: self.contact.nodal_contact(coords))
         return replace(found, **{name: self._known(values) for name, values in vars(found).items()})
@@ -143,10 +219,24 @@ class DolfinxContact(Linearised):
         return values if self.whole_because else at_points(values, self._shows.points)
 
     def function(self, values: np.ndarray, name: str = "contact") -> Any:
-        """An array of ``nodal_contact`` as a function for output, zero inside; a list of such for several spaces.
+        """An array of ``nodal_contact`` as a function for output, zero inside. Ghosts are up to date.
 
-        Numbers, (points,), on the scalar space below the displacement's; vectors, (points, dim), on that itself. Ghosts
-        are up to date. Collective.
+        Parameters
+        ----------
+        values : ndarray, (points,) or (points, dim)
+            The array.
+        name : str
+            Name of the function.
+
+        Returns
+        -------
+        Function or list of Function
+            Scalars on the scalar space below that of the displacement, vectors on the space itself; a list for several spaces.
+
+        Raises
+        ------
+        LayoutError
+            If the unknowns of a space are no nodes.
         """
         from dolfinx import fem
 
@@ -169,31 +259,95 @@ class DolfinxContact(Linearised):
         return found[0] if len(found) == 1 else found
 
     def begin_step(self, *displacements: Any) -> None:
-        """Begins a step with friction. See ``FrictionSteps.begin_step``."""
+        """Begins a step with friction. See ``FrictionSteps.begin_step``.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         coords = self.coords(*displacements)
         together(self.comm, lambda: self.contact.friction.begin_step(coords))
 
     def commit_step(self, *displacements: Any) -> None:
-        """Accepts the step with friction that ends here, and begins the next. See ``FrictionSteps.commit_step``."""
+        """Accepts the step with friction, and begins the next one at its end. See ``FrictionSteps.commit_step``.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         coords = self.coords(*displacements)
         together(self.comm, lambda: self.contact.friction.commit_step(coords))
 
     def freeze_friction(self, *displacements: Any) -> None:
-        """Freezes friction as it is at the displacements. See ``FrictionSteps.freeze``."""
+        """Freezes friction as it is at the displacements. See ``FrictionSteps.freeze``.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         coords = self.coords(*displacements)
         together(self.comm, lambda: self.contact.friction.freeze(coords))
 
     def keep_patches(self, *displacements: Any) -> int:
-        """Keeps the directions of the law ``"fiber"``, so that forces are the gradient of one energy: for the start
-        of a load step. See ``Patches.keep``."""
+        """Keeps the patches of the law ``"fiber"``, so that forces are the gradient of one energy. See ``Patches.keep``.
+
+        Call it at the start of a load step.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+
+        Returns
+        -------
+        int
+            Number of directions that are kept; 0 with other laws.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         coords = self.coords(*displacements)
         return together(self.comm, lambda: self.contact.patches.keep(coords))
 
     def add_forces(self, vectors: Any, result: Result, scale: float = 1.0, bcs: Sequence[Any] = ()) -> None:
-        """Adds ``scale`` times the forces of ``evaluate`` to what this rank owns of a PETSc vector or an array, or of a
-        list of them, one for every space. -1 for a residual of internal less external forces.
+        """Adds ``scale`` times the forces of ``evaluate`` to what this rank owns.
 
-        To be called after contributions of ghosts were added up. Unknowns that ``bcs`` hold are left alone.
+        Call it after contributions of ghosts were added up.
+
+        Parameters
+        ----------
+        vectors : PETSc.Vec, ndarray, or list of such
+            One for every space.
+        result : Result
+            As from ``evaluate``.
+        scale : float
+            -1 for a residual of internal minus external forces.
+        bcs : sequence of DirichletBC
+            Unknowns that they hold are left alone.
         """
         targets = list(vectors) if isinstance(vectors, (list, tuple)) else [vectors]
         on_points, points = self._on_points(result.forces)
@@ -206,11 +360,38 @@ class DolfinxContact(Linearised):
             replica.add_rows(target if isinstance(target, np.ndarray) else target.array, mine)
 
     def force(self, *displacements: Any) -> Any:
-        """Contact forces on what this rank owns, (owned unknowns,); a list of such for several spaces."""
+        """Contact forces on what this rank owns.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+
+        Returns
+        -------
+        ndarray, (owned unknowns,), or list of such
+            One for every space.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         return self.on_unknowns(self.evaluate(*displacements).forces)
 
     def on_unknowns(self, forces: np.ndarray) -> Any:
-        """Forces of ``evaluate`` on what this rank owns, (owned unknowns,); a list of such for several spaces."""
+        """Brings the forces of ``evaluate`` to what this rank owns.
+
+        Parameters
+        ----------
+        forces : ndarray, (points, dim)
+            ``Result.forces``.
+
+        Returns
+        -------
+        ndarray, (owned unknowns,), or list of such
+            One for every space.
+        """
         found = [np.zeros(field.owned * self.dim) for field in self._fields]
         on_points, points = self._on_points(forces)
         for (replica, owned), target in zip(points.owned(), found):

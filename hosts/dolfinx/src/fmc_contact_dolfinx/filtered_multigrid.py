@@ -11,20 +11,35 @@ from petsc4py import PETSc
 class FilteredMultigrid:
     """Algebraic multigrid, with the unknowns that feel contact solved directly in between.
 
-    Contact that is much stiffer than the bodies couples unknowns which multigrid does not see as neighbours, and it converges
-    ever more slowly. With B a cycle of multigrid, P the unknowns that feel contact among all, and S = (Pᵀ A P)⁻¹, the
-    preconditioner M has I - M A = (I - B A)(I - P S Pᵀ A)(I - B A): two cycles and one direct solve on the contact. It is
-    symmetric and positive definite where A and B are, so that conjugate gradients take it. Known as AMG with filtering
-    (arXiv 2505.18576).
+    Contact that is much stiffer than the bodies couples unknowns that multigrid does not see as neighbours, so that it converges ever
+    more slowly. With B a cycle of multigrid, P the unknowns that feel contact among all, and S = (Pᵀ A P)⁻¹, the preconditioner M has
+    I - M A = (I - B A)(I - P S Pᵀ A)(I - B A): two cycles and one direct solve on the contact. It is symmetric and positive definite if A
+    and B are, so that conjugate gradients take it. It is known as AMG with filtering (arXiv 2505.18576).
 
-    Levels are found from the bodies without contact: aggregates that reach from one body into the other move as one, and bodies
-    that slide on each other are then badly seen on coarser levels. The matrix of each level follows from the one with contact.
+    Levels are found from the bodies without contact: an aggregate that reaches from one body into the other moves as one, and coarser
+    levels then see sliding badly. The matrix of each level follows from the matrix with contact.
 
-    ``space``: of the displacement, Lagrange of first order, whose rigid body motions multigrid is told. ``touched``: function of
-    the unknowns of this rank that feel contact, as PETSc numbers them over all ranks; asked at every set-up.
-    ``bodies``: function of the matrix without contact, asked at the first set-up; ``None``: levels are found from the one with
-    contact, anew each time. ``cycle``: type of the multigrid, ``"gamg"``, or ``"hypre"``, where PETSc has it, without ``bodies``.
-    ``filtered=False``: multigrid alone.
+    Parameters
+    ----------
+    space : FunctionSpace
+        Space of the displacement, Lagrange of first order, for its rigid body motions.
+    touched : callable
+        Returns the unknowns of this rank that feel contact, as PETSc numbers them over all ranks. Called at every set-up.
+    bodies : callable, optional
+        Returns the matrix without contact. Called at the first set-up. Default: levels are found from the matrix with contact, each time.
+    cycle : str
+        Type of the multigrid: ``"gamg"``, or ``"hypre"`` if PETSc has it, without ``bodies``.
+    filtered : bool
+        False: multigrid alone.
+
+    Raises
+    ------
+    ValueError
+        For ``bodies`` with another multigrid than ``"gamg"``.
+
+    Examples
+    --------
+    >>> FilteredMultigrid(space, lambda: problem.touched, problem.bodies).attach(pc)
     """
 
     def __init__(
@@ -42,12 +57,24 @@ class FilteredMultigrid:
         self._levels: list[Any] = []
 
     def attach(self, pc: Any) -> None:
-        """Makes a PETSc preconditioner this one."""
+        """Makes a PETSc preconditioner this one.
+
+        Parameters
+        ----------
+        pc : PETSc.PC
+            The preconditioner.
+        """
         pc.setType("python")
         pc.setPythonContext(self)
 
     def setUp(self, pc: Any) -> None:
-        """Called by PETSc whenever the matrix has changed."""
+        """Called by PETSc whenever the matrix has changed.
+
+        Parameters
+        ----------
+        pc : PETSc.PC
+            The preconditioner.
+        """
         self._matrix = matrix = pc.getOperators()[1]
         if self._bodies is None:
             self._multigrid = self._made(matrix, self._cycle, "contact_multigrid_")
@@ -104,7 +131,15 @@ class FilteredMultigrid:
         return made
 
     def apply(self, pc: Any, x: Any, y: Any) -> None:
-        """y = M x."""
+        """Applies the preconditioner; called by PETSc.
+
+        Parameters
+        ----------
+        pc : PETSc.PC
+            The preconditioner.
+        x, y : PETSc.Vec
+            Argument and result.
+        """
         self._multigrid.apply(x, y)
         if not self.count:
             return

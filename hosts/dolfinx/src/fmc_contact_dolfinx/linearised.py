@@ -27,9 +27,31 @@ class Linearised:
     _shows: Replicated | InParts
 
     def tangent(self, *displacements: Any, semidefinite: bool = False, symmetric: bool = False) -> Triplets:
-        """Minus the derivative of the forces, the same on every rank: row and column ``node * dim + axis``, nodes of
-        the spaces one after another as they are gathered. UNSYMMETRIC with friction: solve with LU or GMRES, not with
-        Cholesky or conjugate gradients, or ask for ``symmetric``, which takes more iterations."""
+        """Tangent stiffness: minus the derivative of the forces, the same on every rank.
+
+        With friction it is UNSYMMETRIC: solve with LU or GMRES, not with Cholesky or conjugate gradients.
+
+        Parameters
+        ----------
+        *displacements
+            One for every space: a function, a PETSc vector, or an array of this rank's unknowns. Ghosts are not read.
+        semidefinite : bool
+            Whether to leave out terms that can be negative, for use far from a solution.
+        symmetric : bool
+            Whether to return the symmetric part, with which Newton's method takes more iterations under friction.
+
+        Returns
+        -------
+        Triplets
+            Rows, columns and values. Row and column are ``node * dim + axis``, with the nodes of the spaces one after another as gathered.
+
+        Raises
+        ------
+        UnsupportedError
+            For a law or an estimator without a tangent.
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         coords = self.coords(*displacements)  # type: ignore[attr-defined]
 
         def parts() -> Any:
@@ -38,13 +60,31 @@ class Linearised:
         return self._shows.between_points(Triplets(*together(self.comm, parts)))
 
     def unknowns(self) -> np.ndarray:
-        """The unknown, over all ranks, of every row of the last ``tangent``; that of its own space."""
+        """The unknown of every row of the last ``tangent``, over all ranks, in its own space.
+
+        Returns
+        -------
+        ndarray of int
+            Numbers of the unknowns.
+        """
         return self._shows.points.unknowns(self.dim)
 
     def add_tangent(self, matrix: Any, tangent: Triplets, bcs: Sequence[Any] = (), scale: float = 1.0) -> None:
-        """Adds ``tangent`` to what this rank owns of an assembled PETSc matrix, and assembles it again; for several
-        spaces a square list of lists of matrices. Contact couples unknowns that no cell does, so the matrix takes
-        entries at new places. Rows and columns of unknowns that ``bcs`` hold are left alone."""
+        """Adds a tangent to what this rank owns of an assembled PETSc matrix, and assembles it again.
+
+        Contact couples unknowns that no cell couples, so the matrix takes entries at new places.
+
+        Parameters
+        ----------
+        matrix : PETSc.Mat, or list of lists of such
+            A square array of blocks for several spaces.
+        tangent : Triplets
+            As from ``tangent``.
+        bcs : sequence of DirichletBC
+            Rows and columns of unknowns that they hold are left alone.
+        scale : float
+            Factor.
+        """
         from petsc4py import PETSc
 
         blocks = matrix if isinstance(matrix, (list, tuple)) else [[matrix]]
@@ -55,8 +95,20 @@ class Linearised:
                 add_entries(PETSc, block, unknown[rows[here]], unknown[cols[here]], scale * values[here])
 
     def touched(self, tangent: Triplets, bcs: Sequence[Any] = ()) -> np.ndarray:
-        """Unknowns of one space that this rank owns and that feel contact, as PETSc numbers them over all ranks, ascending: the
-        rows of ``tangent`` but for those that ``bcs`` hold. Collective."""
+        """Unknowns of one space that this rank owns and that feel contact.
+
+        Parameters
+        ----------
+        tangent : Triplets
+            As from ``tangent``.
+        bcs : sequence of DirichletBC
+            Unknowns that they hold are left out.
+
+        Returns
+        -------
+        ndarray of int
+            As PETSc numbers them over all ranks, ascending.
+        """
         entries, _, unknown = self._own_entries(tangent, bcs)
         return np.unique(unknown[entries.rows])
 

@@ -16,14 +16,35 @@ from .versions import held_dofs, vector_of
 
 
 def newton(problem: ContactProblem, *, young: float, **options: Any) -> Equilibrium:
-    """Equilibrium at the end of a load step, from the displacement that is there, which receives the solution: one load
-    step a call.
+    """Equilibrium at the end of a load step, by ``fmc_contact.newton``, on one rank.
 
-    ``problem``: its boundary conditions say where prescribed unknowns are at the end of the step; the displacement is
-    that of the step's start, best the last equilibrium, not yet moved by them. ``young`` and ``options`` as for
-    ``fmc_contact.newton``, ``penetration`` among them; so are what is returned, ``x`` being all unknowns, and the errors.
+    The displacement is that of the step's start, best the last equilibrium, not yet moved by the boundary conditions. It receives the
+    solution.
 
-    On one rank; on several ``NotImplementedError``: take ``ContactProblem.solve``.
+    Parameters
+    ----------
+    problem : ContactProblem
+        Its boundary conditions give the prescribed unknowns at the end of the step.
+    young : float
+        Young's modulus of the softest body (pressure).
+    **options
+        As for ``fmc_contact.newton``, including ``penetration``.
+
+    Returns
+    -------
+    Equilibrium
+        As from ``fmc_contact.newton``; ``x`` are all unknowns.
+
+    Raises
+    ------
+    NotImplementedError
+        On several ranks: use ``ContactProblem.solve``.
+    NotConvergedError
+        As ``fmc_contact.newton`` raises.
+
+    Examples
+    --------
+    >>> newton(problem, young=1e9).iterations
     """
     space = problem.u.function_space
     comm = space.mesh.comm

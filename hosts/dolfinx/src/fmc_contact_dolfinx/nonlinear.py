@@ -8,13 +8,30 @@ from .adapter import DolfinxContact
 
 
 def with_contact(kind: type) -> type:
-    """A ``NonlinearProblem`` with contact, from a class with methods ``F`` and ``J``, as dolfinx has until 0.9:
+    """A ``NonlinearProblem`` with contact, from a class with methods ``F`` and ``J``, as dolfinx has until 0.9.
 
-        Problem = with_contact(dolfinx.fem.petsc.NonlinearProblem)
-        problem = Problem(R, u, bcs, contact=contact)
-        NewtonSolver(comm, problem).solve(u)
+    If the class has none because it holds a SNES, use ``attach(problem.solver, contact, bcs)``.
 
-    Where the class has none, because it holds a SNES: ``attach(problem.solver, contact, bcs)``.
+    Parameters
+    ----------
+    kind : type
+        The class.
+
+    Returns
+    -------
+    type
+        A subclass that takes ``contact`` as a keyword.
+
+    Raises
+    ------
+    TypeError
+        If the class has no such methods.
+
+    Examples
+    --------
+    >>> Problem = with_contact(dolfinx.fem.petsc.NonlinearProblem)
+    >>> problem = Problem(R, u, bcs, contact=contact)
+    >>> NewtonSolver(comm, problem).solve(u)
     """
     if not (hasattr(kind, "F") and hasattr(kind, "J")):
         raise TypeError(f"{kind.__name__} has no methods F and J: use attach(problem.solver, contact, bcs)")
@@ -36,8 +53,21 @@ def with_contact(kind: type) -> type:
 
 
 def attach(snes: Any, contact: DolfinxContact, bcs: Any = ()) -> None:
-    """Adds contact to the functions of a SNES that has them already, such as the ``solver`` of the
-    ``NonlinearProblem`` of dolfinx 0.10 and later. The residual is one of internal less external forces."""
+    """Adds contact to the functions of a SNES that has them already, such as ``NonlinearProblem.solver`` of dolfinx 0.10 and later.
+
+    Parameters
+    ----------
+    snes : PETSc.SNES
+        Its residual is one of internal minus external forces.
+    contact : DolfinxContact
+        The contact.
+    bcs : sequence of DirichletBC
+        Unknowns that they hold are left alone.
+
+    Examples
+    --------
+    >>> attach(problem.solver, contact, bcs)
+    """
     vector, (function, arguments, options) = snes.getFunction()
     matrix, preconditioner, (derivative, more, further) = snes.getJacobian()
 

@@ -22,15 +22,33 @@ FAR = 0.1
 
 
 class ContactProblem:
-    """Residual R(u; v) less contact forces, and its derivative, for SNES.
+    """Residual R(u; v) minus contact forces, and its derivative, for SNES.
 
-    ``residual``: the UFL form of internal less external forces. ``u``: the displacement, which holds the start and
-    receives the solution. ``bcs`` as for any nonlinear problem. ``jacobian``: its derivative; default: by UFL.
+    A trial that turns a cell inside out gives an infinite residual, so that a line search draws back.
 
-    ``semidefinite``: whether to leave out of the matrix what contact makes negative; ``None``: far from a solution,
-    where the residual is more than a tenth of the contact forces.
+    Parameters
+    ----------
+    residual : ufl form
+        Internal minus external forces.
+    u : Function
+        Displacement: holds the start, and receives the solution.
+    bcs : sequence of DirichletBC
+        As for any nonlinear problem.
+    contact : DolfinxContact
+        The contact.
+    jacobian : ufl form, optional
+        Derivative of the residual. Default: by UFL.
 
-    A trial that turns a cell inside out is answered by an infinite residual, so that a line search draws back.
+    Attributes
+    ----------
+    semidefinite : bool or None
+        Whether to leave out of the matrix the terms of contact that can be negative. ``None``: while the residual is more than a tenth of
+        the contact forces.
+
+    Examples
+    --------
+    >>> problem = ContactProblem(residual_form, u, bcs, contact)
+    >>> problem.solve()
     """
 
     def __init__(
@@ -55,7 +73,22 @@ class ContactProblem:
         self.u.x.scatter_forward()
 
     def F(self, snes: Any, x: Any, residual: Any) -> None:
-        """Residual at ``x``, for ``SNES.setFunction``."""
+        """Residual, for ``SNES.setFunction``.
+
+        Parameters
+        ----------
+        snes : PETSc.SNES
+            Not used.
+        x : PETSc.Vec
+            Displacement.
+        residual : PETSc.Vec
+            Receives the residual.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         self._take(x)
         with residual.localForm() as local:
             local.set(0.0)
@@ -74,7 +107,22 @@ class ContactProblem:
         self._is_far = residual.norm() > FAR * float((result.forces**2).sum()) ** 0.5
 
     def J(self, snes: Any, x: Any, matrix: Any, preconditioner: Any) -> None:
-        """Derivative at ``x``, for ``SNES.setJacobian``."""
+        """Derivative, for ``SNES.setJacobian``.
+
+        Parameters
+        ----------
+        snes : PETSc.SNES
+            Not used.
+        x : PETSc.Vec
+            Displacement.
+        matrix, preconditioner : PETSc.Mat
+            The second receives the derivative.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises, on all ranks.
+        """
         self._take(x)
         preconditioner.zeroEntries()
         fpetsc.assemble_matrix(preconditioner, self.jacobian, self.bcs)
@@ -92,13 +140,25 @@ class ContactProblem:
         return np.empty(0, np.int64) if self._tangent is None else self.contact.touched(self._tangent, self.bcs)
 
     def bodies(self) -> Any:
-        """A new matrix: the derivative without contact, at the displacement of now. Collective."""
+        """A new matrix: the derivative without contact at the current displacement. Collective.
+
+        Returns
+        -------
+        PETSc.Mat
+            The matrix.
+        """
         matrix = fpetsc.assemble_matrix(self.jacobian, self.bcs)
         matrix.assemble()
         return matrix
 
     def solver(self) -> Any:
-        """A SNES with Newton's method and a direct solver; change it by its methods or by options."""
+        """A SNES with Newton's method and a direct solver. Change it by its methods or by options.
+
+        Returns
+        -------
+        PETSc.SNES
+            The solver.
+        """
         snes = PETSc.SNES().create(self.u.function_space.mesh.comm)
         snes.setFunction(self.F, self.vector)
         snes.setJacobian(self.J, self.matrix)
@@ -114,11 +174,21 @@ class ContactProblem:
         return snes
 
     def iterative_solver(self, rtol: float = 1e-8) -> Any:
-        """A SNES with conjugate gradients for its linear systems, preconditioned by algebraic multigrid with the contact solved
-        directly (``FilteredMultigrid``), on any number of ranks: for problems that are too large for a direct solver.
+        """A SNES with conjugate gradients and algebraic multigrid (``FilteredMultigrid``), for large problems on any number of ranks.
 
-        The matrix has to be symmetric and positive definite: no friction but frozen; near a stable equilibrium it is, and far from
-        one, where of the contact only what is semidefinite is taken."""
+        The contact is solved directly in the preconditioner. The matrix must be symmetric and positive definite: friction only if frozen.
+        Near a stable equilibrium it is; far from one the terms of contact that can be negative are left out.
+
+        Parameters
+        ----------
+        rtol : float
+            Relative tolerance of its linear systems.
+
+        Returns
+        -------
+        PETSc.SNES
+            The solver.
+        """
         snes = self.solver()
         solver = snes.getKSP()
         solver.setType("cg")
@@ -127,13 +197,33 @@ class ContactProblem:
         return snes
 
     def solve(self, snes: Any = None, *, penetration: float | None = None, reach: float = 0.0, max_updates: int = 20) -> int:
-        """Solves from the displacement that is there; returns the number of iterations. Raises ``RuntimeError`` where
-        there is no convergence; the displacement is then the last one tried.
+        """Solves from the current displacement.
 
-        ``penetration``: the largest mean penetration of a node that is wanted, a length; ``None``: what the law leaves. From the
-        equilibrium with the law on, surfaces are moved out by what they penetrate (``Multipliers.augment`` of ``fmc_contact``), at most
-        ``max_updates`` times; they stay so for the next load step. Where an update leaves more than a quarter, the contact's stiffness
-        is raised fourfold, sixteenfold at most, and stays raised. Not with friction, self-contact and a mesh in parts."""
+        With ``penetration``, surfaces are moved out from the equilibrium of the law on (``Multipliers.augment``), and stay so for the next
+        load step. If an update leaves more than a quarter, the stiffness is raised fourfold, sixteenfold at most, and stays raised.
+
+        Parameters
+        ----------
+        snes : PETSc.SNES, optional
+            Default: ``solver()``.
+        penetration : float, optional
+            Penetration tolerance: largest mean penetration of a node (length). Not with friction, self-contact or a mesh in parts.
+            Default: what the law leaves.
+        reach : float
+            As for ``Multipliers.augment``.
+        max_updates : int
+            Number of updates, at most.
+
+        Returns
+        -------
+        int
+            Number of iterations.
+
+        Raises
+        ------
+        RuntimeError
+            If it does not converge. The displacement is then the last one tried.
+        """
         snes = self.solver() if snes is None else snes
         iterations = self._solved(snes)
         if penetration is None:

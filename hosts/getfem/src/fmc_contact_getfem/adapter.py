@@ -16,20 +16,42 @@ from .field import field
 
 
 class GetfemContact:
-    """Contact between all bodies of the displacements ``variables`` of a model, with the obstacles that are added to
-    ``contact``.
+    """Contact between all bodies of the displacements of a model, and with the obstacles that are added to ``contact``.
 
-    ``variables``: the name of a fem variable, or several, each with a mesh of its own or not; with as many components as its mesh
-    has axes, of continuous Lagrange elements of first or second order (``FEM_PK``, ``FEM_QK``, ``FEM_Q2_INCOMPLETE``; of
-    first order also prisms and pyramids), mixed where they fit. ``bodies``: one number for every cell, variable
-    after variable, in the order of the cells' numbers; default: bodies are the connected components. ``stiffness`` and
-    the other keywords are those of ``fmc_contact.Contact``.
+    This object keeps the Python objects of mesh and mesh_fem. They must still exist when it is made: GetFEM finds neither without them.
 
-    The Python objects of mesh and mesh_fem have to be there when this one is made, which keeps them: GetFEM finds neither without.
+    Parameters
+    ----------
+    model : getfem.Model
+        A real model.
+    variables : str or sequence of str
+        Name of a fem variable, or several, on one mesh or more: displacements of continuous Lagrange elements of first or second order
+        (``FEM_PK``, ``FEM_QK``, ``FEM_Q2_INCOMPLETE``; of first order also prisms and pyramids), mixed where they fit.
+    stiffness : float
+        Stiffness of the law: pressure per length for the default law.
+    bodies : array_like of int, (cells,), optional
+        Body of every cell, variable after variable, in the order of the cells' numbers. Default: bodies are the connected components.
+    **options : OtherOptions
+        As for ``fmc_contact.Contact``.
 
-    A displacement ``u`` is the state of the whole model, as ``from_variables`` has it; default: that of now.
+    Attributes
+    ----------
+    contact : Contact
+        The contact below, for its obstacles (``contact.obstacles.add_half_space``, ...), options, pairs and so on.
+    model : getfem.Model
+        The model.
 
-    Errors: ``LayoutError`` for a variable of another kind; those of ``fmc_contact.errors``.
+    Raises
+    ------
+    LayoutError
+        For a variable of another kind.
+    FmcError
+        As ``fmc_contact.Contact`` raises.
+
+    Examples
+    --------
+    >>> contact = GetfemContact(model, "u", stiffness=1e9)
+    >>> newton(contact, young=1e9)
     """
 
     contact: Contact
@@ -82,15 +104,45 @@ class GetfemContact:
         return np.concatenate([one.dofs + self.interval(name)[0] for name, one in self._fields.items()])
 
     def interval(self, variable: str) -> tuple[int, int]:
-        """First unknown of a variable in the state of the model, and how many it has."""
+        """Place of a variable in the state of the model.
+
+        Parameters
+        ----------
+        variable : str
+            Its name.
+
+        Returns
+        -------
+        first : int
+            Its first unknown.
+        count : int
+            How many it has.
+
+        Raises
+        ------
+        LayoutError
+            If it has another number of unknowns than at first.
+        """
         first, count = (int(number) for number in self.model.interval_of_variable(variable))
         if count != self._fields[variable].size:
             raise LayoutError(f"'{variable}' had {self._fields[variable].size} unknowns and has {count} now")
         return first, count
 
     def nodes(self, variable: str, region: int | None = None) -> np.ndarray:
-        """Nodes of the contact that are of a variable, ascending, all or those of a region of its mesh: for
-        ``contact.mesh.set_symmetry_nodes``."""
+        """Nodes of the contact that belong to a variable, ascending: for ``contact.mesh.set_symmetry_nodes``.
+
+        Parameters
+        ----------
+        variable : str
+            Its name.
+        region : int, optional
+            A region of its mesh. Default: all nodes.
+
+        Returns
+        -------
+        ndarray of int
+            Numbers of the nodes.
+        """
         names = self.variables
         first = sum(len(self._fields[name].coords) for name in names[: names.index(variable)])
         one = self._fields[variable]
@@ -100,61 +152,223 @@ class GetfemContact:
         return first + np.flatnonzero(np.isin(one.dofs[:, 0], chosen))
 
     def coords(self, u: np.ndarray | None = None) -> np.ndarray:
-        """Coordinates of the nodes at the state ``u``, (nodes, dim)."""
+        """Coordinates of the nodes of the contact at a state.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+
+        Returns
+        -------
+        ndarray, (nodes, dim)
+            The coordinates.
+
+        Raises
+        ------
+        ValueError
+            If the state has another shape.
+        """
         u = np.asarray(self.model.from_variables() if u is None else u)
         if u.shape != (self.size,):
             raise ValueError(f"the state has shape {u.shape}, ({self.size},) is wanted")
         return self._undeformed + u[self.dofs]
 
     def evaluate(self, u: np.ndarray | None = None) -> Result:
-        """All that ``fmc_contact`` says at a state: energy, resultants, warnings; forces on the nodes of ``coords``. Errors:
-        those of ``Contact.evaluate``."""
+        """Result of the contact at a displacement; forces are those on the nodes of ``coords``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+
+        Returns
+        -------
+        Result
+            Energy, forces, resultants, pairs and warnings.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         return self.contact.evaluate(self.coords(u))
 
     def force(self, u: np.ndarray | None = None) -> np.ndarray:
-        """Contact forces on the unknowns of the model, (size,): to be added to its right-hand side."""
+        """Contact forces on the degrees of freedom: an external load, to be subtracted from a residual.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+
+        Returns
+        -------
+        ndarray, (size,)
+            The forces.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         return self.on_dofs(self.evaluate(u).forces)
 
     def on_dofs(self, forces: np.ndarray) -> np.ndarray:
-        """Forces of ``evaluate`` brought to the unknowns of the model, (size,)."""
+        """Brings the forces of ``evaluate`` to the unknowns of the model.
+
+        Parameters
+        ----------
+        forces : ndarray, (nodes, dim)
+            ``Result.forces``.
+
+        Returns
+        -------
+        ndarray, (size,)
+            The forces.
+        """
         total = np.zeros(self.size)
         total[self.dofs] = forces
         return total
 
     def tangent(self, u: np.ndarray | None = None, semidefinite: bool = False, symmetric: bool = False) -> csr_matrix:
-        """Minus the derivative of ``force``, (size, size): to be added to the tangent matrix. UNSYMMETRIC with friction: solve
-        with LU, or ask for ``symmetric``, which takes more iterations. ``semidefinite`` leaves out what can be negative,
-        for use far from a solution."""
+        """Tangent stiffness: minus the derivative of ``force``, to be added to a stiffness matrix.
+
+        With friction it is UNSYMMETRIC: solve with LU, or ask for ``symmetric``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+        semidefinite : bool
+            Whether to leave out terms that can be negative, for use far from a solution.
+        symmetric : bool
+            Whether to return the symmetric part, with which Newton's method takes more iterations under friction.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix, (size, size)
+            The matrix.
+
+        Raises
+        ------
+        UnsupportedError
+            For a law or an estimator without a tangent.
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         parts = self.contact.tangent_parts(self.coords(u), semidefinite, symmetric=symmetric)
         rows, cols, values = parts.triplets()
         dofs = self.dofs.ravel()
         return csr_matrix((values, (dofs[rows], dofs[cols])), shape=(self.size, self.size))
 
     def nodal_contact(self, u: np.ndarray | None = None) -> NodalContact:
-        """Pressure, gap, area and normal at a state, on the nodes of ``coords``. Errors: those of ``Contact.evaluate``."""
+        """Pressure, gap, area, normal and friction at every node, for output.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+
+        Returns
+        -------
+        NodalContact
+            Arrays over the nodes of ``coords``.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         return self.contact.nodal_contact(self.coords(u))
 
     def on_mesh_fem(self, values: np.ndarray, variable: str) -> np.ndarray:
-        """Values at the nodes of ``coords``, (nodes, ...), in the order of a mesh_fem of one component with the elements of the
-        variable, for ``export_to_vtu``: (nodes of the variable, ...)."""
+        """Values at the nodes of ``coords`` in the order of a scalar mesh_fem, for ``export_to_vtu``.
+
+        Parameters
+        ----------
+        values : array_like, (nodes, ...)
+            An array of ``nodal_contact``.
+        variable : str
+            A variable with the elements of the mesh_fem.
+
+        Returns
+        -------
+        ndarray, (nodes of the variable, ...)
+            The values.
+        """
         one = self._fields[variable]
         found = np.empty((len(one.coords), *np.shape(values)[1:]))
         found[one.dofs[:, 0] // one.coords.shape[1]] = np.asarray(values)[self.nodes(variable)]
         return found
 
     def begin_step(self, u: np.ndarray | None = None) -> None:
-        """Begins a step with friction at ``u``. See ``FrictionSteps.begin_step``."""
+        """Begins a step with friction. See ``FrictionSteps.begin_step``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         self.contact.friction.begin_step(self.coords(u))
 
     def commit_step(self, u: np.ndarray | None = None) -> None:
-        """Accepts the step with friction that ends at ``u``, and begins the next. See ``FrictionSteps.commit_step``."""
+        """Accepts the step with friction, and begins the next one at its end. See ``FrictionSteps.commit_step``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         self.contact.friction.commit_step(self.coords(u))
 
     def freeze_friction(self, u: np.ndarray | None = None) -> None:
-        """Freezes friction as it is at ``u``. See ``FrictionSteps.freeze``."""
+        """Freezes friction as it is at the displacement. See ``FrictionSteps.freeze``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         self.contact.friction.freeze(self.coords(u))
 
     def keep_patches(self, u: np.ndarray | None = None) -> int:
-        """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy: for the
-        start of a load step. See ``Patches.keep``."""
+        """Keeps the patches of the law ``"fiber"``, so that forces are the gradient of one energy. See ``Patches.keep``.
+
+        Call it at the start of a load step.
+
+        Parameters
+        ----------
+        u : ndarray, (size,), optional
+            State of the whole model, as ``from_variables`` returns it. Default: the current state.
+
+        Returns
+        -------
+        int
+            Number of directions that are kept; 0 with other laws.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         return self.contact.patches.keep(self.coords(u))

@@ -14,10 +14,26 @@ from .system import is_linear, residual_and_tangent, to_getfem
 
 
 class Bricks:
-    """Adds contact to the model by ``add_explicit_rhs`` and ``add_explicit_matrix``, for every variable and every pair. One
-    ``model.solve`` of one iteration after ``update`` is then one iteration of Newton's method, whatever else the model has;
-    ``newton_by_bricks`` makes as many as it takes. GetFEM calls nobody back, so a longer ``solve`` is that of contact
-    linearised at the last ``update``.
+    """Contact as bricks of the model, by ``add_explicit_rhs`` and ``add_explicit_matrix`` for every variable and every pair.
+
+    One ``model.solve`` of one iteration after ``update`` is then one iteration of Newton's method, whatever else the model has.
+    ``newton_by_bricks`` makes as many as it takes. GetFEM does not call back, so a longer ``solve`` uses contact linearised at
+    the last ``update``.
+
+    Parameters
+    ----------
+    contact : GetfemContact
+        The contact.
+
+    Attributes
+    ----------
+    force : ndarray, (size,)
+        Contact forces of the last ``update``.
+
+    Examples
+    --------
+    >>> bricks = Bricks(contact)
+    >>> newton_by_bricks(bricks, young=1e9)
     """
 
     def __init__(self, contact: GetfemContact) -> None:
@@ -38,8 +54,23 @@ class Bricks:
         return [int(brick) for brick in (*self._sides.values(), *self._matrices.values())]
 
     def update(self, semidefinite: bool = False) -> Result:
-        """Linearises contact at the state of the model. Errors: those of ``Contact.evaluate``; the bricks are then as they
-        were."""
+        """Linearises the contact at the state of the model.
+
+        Parameters
+        ----------
+        semidefinite : bool
+            Whether to leave out terms of the tangent that can be negative.
+
+        Returns
+        -------
+        Result
+            The contact at this state.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises. The bricks are then as they were.
+        """
         contact, model = self.contact, self.contact.model
         state = model.from_variables()
         result, matrix = contact.evaluate(state), contact.tangent(state, semidefinite)
@@ -56,19 +87,46 @@ class Bricks:
         return result
 
     def residual(self, linear: bool | None = None) -> np.ndarray:
-        """Internal less external forces and those of contact after ``update``, (size,). ``linear``: whether all bricks of the
-        model are; default: that is found out."""
+        """Internal minus external forces, including contact, after ``update``.
+
+        Parameters
+        ----------
+        linear : bool, optional
+            Whether all bricks of the model are linear. Default: that is found out.
+
+        Returns
+        -------
+        ndarray, (size,)
+            The residual.
+        """
         model = self.contact.model
         return residual_and_tangent(model, is_linear(model) if linear is None else linear)[0]
 
     def relative(self, residual: np.ndarray) -> float:
-        """What is left of the balance, by the forces of the bodies or of contact, whichever are larger."""
+        """A residual divided by the forces of the bodies or of the contact, whichever are larger.
+
+        Parameters
+        ----------
+        residual : ndarray, (size,)
+            As from ``residual``.
+
+        Returns
+        -------
+        float
+            The ratio of the norms; 0 without forces.
+        """
         size = max(np.linalg.norm(self.force), np.linalg.norm(residual + self.force))
         return float(np.linalg.norm(residual) / size) if size > 0.0 else 0.0
 
     @contextmanager
     def left_out(self) -> Iterator[None]:
-        """The model without them."""
+        """The model without these bricks, as a context manager.
+
+        Returns
+        -------
+        context manager
+            The bricks are enabled again at its end.
+        """
         self.contact.model.disable_bricks(self.numbers)
         try:
             yield

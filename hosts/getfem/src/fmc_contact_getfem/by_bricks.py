@@ -27,12 +27,38 @@ def newton_by_bricks(
     max_iterations: int = 30,
     solver: tuple[Any, ...] = _WHOLE_STEPS,
 ) -> int:
-    """Brings the model to the equilibrium with contact at the end of a load step; returns the number of iterations, each a
-    ``model.solve`` with the arguments ``solver``. Its state is where the step begins; what the step prescribes is in its
-    data, as in ``newton``, which takes fewer iterations. ``young`` is that of the softest body.
+    """Equilibrium with contact at the end of a load step, by GetFEM's own ``solve``, one iteration at a time.
 
-    Errors: ``NotConvergedError``, also where a cell is inverted; the state is then that of the start. A smaller load step
-    helps."""
+    The state of the model is where the step begins, and the solution at the end. Data of the model prescribe what the step changes, as for
+    ``newton``, which takes fewer iterations.
+
+    Parameters
+    ----------
+    bricks : Bricks
+        The contact.
+    young : float
+        Young's modulus of the softest body (pressure).
+    tolerance : float
+        The residual divided by the forces.
+    max_iterations : int
+        Number of iterations, at most.
+    solver : tuple
+        Arguments of ``model.solve``.
+
+    Returns
+    -------
+    int
+        Number of iterations.
+
+    Raises
+    ------
+    NotConvergedError
+        Also if a cell is inverted. The state is then that of the start. A smaller load step helps.
+
+    Examples
+    --------
+    >>> newton_by_bricks(Bricks(contact), young=1e9)
+    """
     model, inner = bricks.contact.model, bricks.contact.contact
     start, residuals = model.from_variables(), []
     stiffness = k = float(inner.options["stiffness"])

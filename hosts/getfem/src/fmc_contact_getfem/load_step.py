@@ -25,15 +25,40 @@ def newton(
     bricks: Bricks | None = None,
     **options: Any,
 ) -> Equilibrium:
-    """Brings the model to the equilibrium with contact at the end of a load step; its state is where the step begins.
+    """Equilibrium with contact at the end of a load step, by ``fmc_contact.newton``.
 
-    What the step prescribes is in the model's data, which any brick may read: a Dirichlet condition's value, a load.
-    ``young`` and ``options`` are those of ``fmc_contact.newton``. ``held``: unknowns of the state that are not solved for, and
-    ``prescribed``, (size,), what they are at the end of the step, instead of a Dirichlet condition with multipliers: without
-    multipliers the method may be the one in two levels. ``bricks``: those of contact, if the model has them; they are left out
-    on the way and are up to date at the end.
+    The state of the model is where the step begins, and the solution at the end. Data of the model prescribe what the step changes: the value
+    of a Dirichlet condition, a load.
 
-    Errors: those of ``fmc_contact.newton``; the state is then that of the start.
+    Parameters
+    ----------
+    contact : GetfemContact
+        The contact.
+    young : float
+        Young's modulus of the softest body (pressure).
+    held : array_like of int, optional
+        Unknowns of the state that are not solved for, instead of a Dirichlet condition with multipliers. Without multipliers the
+        two-level method may be used.
+    prescribed : array_like, (size,), optional
+        Values of the held unknowns at the end of the step.
+    bricks : Bricks, optional
+        Bricks of this contact, if the model has them. They are left out on the way, and are up to date at the end.
+    **options
+        As for ``fmc_contact.newton``.
+
+    Returns
+    -------
+    Equilibrium
+        As from ``fmc_contact.newton``; ``x`` is the state.
+
+    Raises
+    ------
+    NotConvergedError
+        As ``fmc_contact.newton`` raises. The state is then that of the start.
+
+    Examples
+    --------
+    >>> newton(contact, young=1e9).iterations
     """
     model = contact.model
     start = model.from_variables()

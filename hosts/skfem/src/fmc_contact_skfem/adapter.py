@@ -15,23 +15,43 @@ from .field import Field, field
 
 
 class SkfemContact:
-    """Contact between all bodies of one basis or of several, with the obstacles that are added to ``contact``.
+    """Contact between all bodies of one basis or of several, and with the obstacles that are added to ``contact``.
 
-    ``bases``: a ``Basis`` of ``ElementVector`` of P1, P2, Q1, Q2, serendipity or other continuous elements in 2D or 3D, or
-    of ``ElementWedge1``; or a list of ``(basis, offset)`` where ``offset`` is the place of the basis' first unknown in the
-    vectors of the whole problem. ``size``: length of these vectors; default: as far as the bases reach. ``bodies``: one
-    number for every cell, basis after basis; default: bodies are the connected components. ``stiffness`` and the other
-    keywords are those of ``fmc_contact.Contact``.
+    Meshes need not match. There is no supermesh, no search for pairs, and no side is the master. Nodes of the contact are the vertices of
+    a mesh, then the other places of unknowns. Cells of second order are passed with all their nodes, curved ones (``MeshTri2``, ...) as
+    they are. Other continuous elements (``ElementTriP3``, ``ElementQuadP``, bubbles, ...) are read at the nodes of cells of second order.
 
-    Meshes need not match: there is no supermesh, no search for pairs, and no side is the master.
+    Parameters
+    ----------
+    bases : CellBasis or list of (CellBasis, int)
+        A basis of ``ElementVector`` of continuous elements in 2D or 3D. Or a list of ``(basis, offset)``, where ``offset`` is the place of
+        the basis' first unknown in the vectors of the whole problem.
+    stiffness : float
+        Stiffness of the law: pressure per length for the default law.
+    size : int, optional
+        Length of the vectors of the whole problem. Default: as far as the bases reach.
+    bodies : array_like of int, (cells,), optional
+        Body of every cell, basis after basis. Default: bodies are the connected components.
+    **options : OtherOptions
+        As for ``fmc_contact.Contact``.
 
-    Other continuous elements (``ElementTriP3``, ``ElementTriP4``, ``ElementQuadP``, bubbles, ...) are read at the nodes of cells of
-    second order: see ``other_basis`` and ``nodes``.
+    Attributes
+    ----------
+    contact : Contact
+        The contact below, for its obstacles (``contact.obstacles.add_half_space``, ...), options, pairs and so on.
 
-    Nodes of the contact are the vertices of a mesh, then the other places of unknowns; cells of second order are passed
-    with all their nodes, curved ones (``MeshTri2``, ...) as they are.
+    Raises
+    ------
+    LayoutError
+        For a basis of another kind.
+    FmcError
+        As ``fmc_contact.Contact`` raises.
 
-    Errors: ``LayoutError`` for a basis of another kind; those of ``fmc_contact.errors``.
+    Examples
+    --------
+    >>> contact = SkfemContact(basis, stiffness=1e9)
+    >>> residual = stiffness @ u - load - contact.force(u)
+    >>> matrix = stiffness + contact.tangent(u)
     """
 
     contact: Contact
@@ -76,13 +96,45 @@ class SkfemContact:
         self.contact.mesh.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
 
     def nodes(self, u: np.ndarray) -> np.ndarray:
-        """Where the nodes of the contact are at the displacement ``u``, (nodes, dim): those of ``nodal_contact``."""
+        """Coordinates of the nodes of the contact, which are the nodes of ``nodal_contact``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Returns
+        -------
+        ndarray, (nodes, dim)
+            The coordinates.
+
+        Raises
+        ------
+        ValueError
+            If the displacement has another shape.
+        """
         coords = self.coords(u)
         return self._undeformed + self._matrix @ coords[self._frame :] if self._frame else coords
 
     def coords(self, u: np.ndarray) -> np.ndarray:
-        """Coordinates that the contact is shown at the displacement ``u``, (size,): (nodes, dim). Where a basis is not of
-        nodes, the unit vectors of the axes, then displacements, of every unknown: (dim + unknowns, dim)."""
+        """Coordinates to pass to ``contact`` at a displacement.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Returns
+        -------
+        ndarray, (nodes, dim)
+            The coordinates. If the unknowns of a basis are no nodes: the unit vectors of the axes, then the displacement of every unknown,
+            (dim + unknowns, dim).
+
+        Raises
+        ------
+        ValueError
+            If the displacement has another shape.
+        """
         u = np.asarray(u)
         if u.shape != (self.size,):
             raise ValueError(f"the displacement has shape {u.shape}, ({self.size},) is wanted")
@@ -91,35 +143,124 @@ class SkfemContact:
         return self._undeformed + u.take(self._dofs)
 
     def evaluate(self, u: np.ndarray) -> Result:
-        """All that ``fmc_contact`` says at a displacement: energy, resultants, warnings; forces on the nodes of
-        ``coords``. Errors: those of ``Contact.evaluate``."""
+        """Result of the contact at a displacement; forces are those on the nodes of ``coords``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Returns
+        -------
+        Result
+            Energy, forces, resultants, pairs and warnings.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         return self.contact.evaluate(self.coords(u))
 
     def force(self, u: np.ndarray) -> np.ndarray:
-        """Contact forces on the degrees of freedom, (size,): an external load, to be subtracted from a residual."""
+        """Contact forces on the degrees of freedom: an external load, to be subtracted from a residual.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Returns
+        -------
+        ndarray, (size,)
+            The forces.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         return self.on_dofs(self.evaluate(u).forces)
 
     def on_dofs(self, forces: np.ndarray) -> np.ndarray:
-        """Forces of ``evaluate`` brought to the degrees of freedom, (size,)."""
+        """Brings the forces of ``evaluate`` to the degrees of freedom.
+
+        Parameters
+        ----------
+        forces : ndarray, (nodes, dim)
+            ``Result.forces``.
+
+        Returns
+        -------
+        ndarray, (size,)
+            The forces.
+        """
         total = np.zeros(self.size)
         total[self._dofs.ravel()] = forces[self._frame :].ravel()
         return total
 
     def nodal_contact(self, u: np.ndarray) -> NodalContact:
-        """Pressure, gap, area and normal at a displacement, on the nodes of ``coords``. Errors: those of
-        ``Contact.evaluate``."""
+        """Pressure, gap, area, normal and friction at every node, for output.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Returns
+        -------
+        NodalContact
+            Arrays over the nodes of ``coords``.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         return self.contact.nodal_contact(self.coords(u))
 
     def at_vertices(self, values: np.ndarray) -> list[np.ndarray]:
-        """An array of ``nodal_contact``, (nodes, ...), at the vertices of each basis' mesh, (vertices, ...) for every
-        basis: for ``mesh.save(..., point_data=...)``."""
+        """An array of ``nodal_contact`` at the vertices of each mesh, for ``mesh.save(..., point_data=...)``.
+
+        Parameters
+        ----------
+        values : array_like, (nodes, ...)
+            An array of ``nodal_contact``.
+
+        Returns
+        -------
+        list of ndarray, (vertices, ...)
+            One array for every basis.
+        """
         values = np.asarray(values)
         return [values[vertices].copy() for vertices in self._vertices]
 
     def tangent(self, u: np.ndarray, semidefinite: bool = False, symmetric: bool = False) -> csr_matrix:
-        """Minus the derivative of ``force``, (size, size): to be added to a stiffness matrix. UNSYMMETRIC with friction:
-        solve with LU, or ask for ``symmetric``, which takes more iterations. ``semidefinite`` leaves out what can be
-        negative, for use far from a solution."""
+        """Tangent stiffness: minus the derivative of ``force``, to be added to a stiffness matrix.
+
+        With friction it is UNSYMMETRIC: solve with LU, or ask for ``symmetric``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+        semidefinite : bool
+            Whether to leave out terms that can be negative, for use far from a solution.
+        symmetric : bool
+            Whether to return the symmetric part, with which Newton's method takes more iterations under friction.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix, (size, size)
+            The matrix.
+
+        Raises
+        ------
+        UnsupportedError
+            For a law or an estimator without a tangent.
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         parts = self.contact.tangent_parts(self.coords(u), semidefinite, symmetric=symmetric)
         rows, cols, values = parts.triplets()
         dofs, held = self._dofs.ravel(), self._frame * self.contact.dim
@@ -129,8 +270,29 @@ class SkfemContact:
         return csr_matrix((values, (dofs[rows], dofs[cols])), shape=(self.size, self.size))
 
     def gap_constraints(self, u: np.ndarray, reach: float) -> tuple[GapConstraints, csr_matrix]:
-        """Weighted gaps of the nodes near a partner, and their derivative by the degrees of freedom, (rows, size). See
-        ``Contact.gap_constraints``."""
+        """Weighted gaps of the nodes near a partner, and their derivative. See ``Contact.gap_constraints``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+        reach : float
+            Distance up to which nodes have gaps (length).
+
+        Returns
+        -------
+        gaps : GapConstraints
+            One row for every node and partner.
+        matrix : scipy.sparse.csr_matrix, (rows, size)
+            Derivative of the gaps with respect to the degrees of freedom.
+
+        Raises
+        ------
+        NotPositiveError
+            If the reach is not positive.
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         coords = self.coords(u)
         found = self.contact.gap_constraints(coords, reach)
         rows = csr_matrix((found.data, found.indices, found.indptr), shape=(len(found), coords.size)).tocoo()
@@ -140,18 +302,72 @@ class SkfemContact:
         return found, csr_matrix(entries, (len(found), self.size))
 
     def begin_step(self, u: np.ndarray) -> None:
-        """Begins a step with friction at ``u``. See ``FrictionSteps.begin_step``."""
+        """Begins a step with friction. See ``FrictionSteps.begin_step``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         self.contact.friction.begin_step(self.coords(u))
 
     def commit_step(self, u: np.ndarray) -> None:
-        """Accepts the step with friction that ends at ``u``, and begins the next. See ``FrictionSteps.commit_step``."""
+        """Accepts the step with friction, and begins the next one at its end. See ``FrictionSteps.commit_step``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         self.contact.friction.commit_step(self.coords(u))
 
     def freeze_friction(self, u: np.ndarray) -> None:
-        """Freezes friction as it is at ``u``. See ``FrictionSteps.freeze``."""
+        """Freezes friction as it is at the displacement. See ``FrictionSteps.freeze``.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Raises
+        ------
+        NoStepError
+            If no step has begun.
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         self.contact.friction.freeze(self.coords(u))
 
     def keep_patches(self, u: np.ndarray) -> int:
-        """Keeps the directions of the law ``"fiber"`` found at ``u``, so that forces are the gradient of one energy:
-        for the start of a load step. See ``Patches.keep``."""
+        """Keeps the patches of the law ``"fiber"``, so that forces are the gradient of one energy. See ``Patches.keep``.
+
+        Call it at the start of a load step.
+
+        Parameters
+        ----------
+        u : ndarray, (size,)
+            Displacement: the vector of the whole problem.
+
+        Returns
+        -------
+        int
+            Number of directions that are kept; 0 with other laws.
+
+        Raises
+        ------
+        FmcError
+            As ``Contact.evaluate`` raises.
+        """
         return self.contact.patches.keep(self.coords(u))
