@@ -109,7 +109,7 @@ fn the_options_of_its_pairs_go_with_it() {
     let mut contact = scene.contact(exactly(EnergyLaw::fiber(1.0)));
     let [wall, ..] = obstacles(false);
     let wall = contact.add_obstacle(wall).unwrap();
-    contact.set_pair_options([Rigid(wall), Body(0)], Some(PairOptions::with_law(EnergyLaw::depth(1.0)))).unwrap();
+    contact.set_pair_options([Rigid(wall), Body(0)], Some(PairOptions::with_law(EnergyLaw::fiber(2.0)))).unwrap();
     let by_segments = isotropic(0.3, 500, 2);
     assert!(matches!(contact.set_options(by_segments), Err(Error::OfPair { .. })));
     contact.remove_obstacle(wall).unwrap();
