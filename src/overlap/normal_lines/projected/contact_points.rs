@@ -29,7 +29,7 @@ use crate::sampling::Family;
 
 /// A facet whose projection is a smaller part of it is seen edge-on: its barycentric coordinates are lost in rounding, and
 /// no line of any measure crosses it.
-const EDGE_ON: f64 = 1e-9;
+pub(super) const EDGE_ON: f64 = 1e-9;
 
 /// Facets, edges or curves that a thread takes at once.
 const CHUNK: usize = 32;
@@ -86,14 +86,20 @@ impl<const D: usize> ProjectedPair<'_, D> {
     }
 
     /// The facets as lines of a family see them.
-    pub(crate) fn projection(
+    pub(crate) fn projection(&self, family: &Family<D>, reached: &Reached, plane: Option<&Plane<D>>) -> Projection<D> {
+        self.projection_without(family, reached, plane, |_| EDGE_ON)
+    }
+
+    /// The same without facets of which no larger part than `edge_on` is seen, a function of the area vector.
+    pub(crate) fn projection_without(
         &self,
         family: &Family<D>,
         Reached { facets, rounding, is_upright }: &Reached,
         plane: Option<&Plane<D>>,
+        edge_on: impl Fn(&Vector<D>) -> f64,
     ) -> Projection<D> {
-        let mut seen = self.seen(family, false, &facets[0], plane, *rounding);
-        seen.extend(self.seen(family, true, &facets[1], None, *rounding));
+        let mut seen = self.seen(family, (false, &facets[0]), plane, *rounding, &edge_on);
+        seen.extend(self.seen(family, (true, &facets[1]), None, *rounding, &edge_on));
         Projection::new(seen, *is_upright)
     }
 
@@ -150,10 +156,10 @@ impl<const D: usize> ProjectedPair<'_, D> {
     fn seen(
         &self,
         family: &Family<D>,
-        of_b: bool,
-        facets: &[u32],
+        (of_b, facets): (bool, &[u32]),
         plane: Option<&Plane<D>>,
         rounding: f64,
+        edge_on: impl Fn(&Vector<D>) -> f64,
     ) -> Vec<ProjectedFacet<D>> {
         let side = self.pair.side(of_b);
         let see = |facet: u32| {
@@ -164,7 +170,7 @@ impl<const D: usize> ProjectedPair<'_, D> {
             let slope = area.dot(family.direction());
             let corners = side.corners(facet as usize).map(|x| family.view(&x));
             let seen = ProjectedFacet { of_b, facet, corners, leaves: slope > 0.0 };
-            (seen.projected_area() > EDGE_ON * area.norm()).then_some(seen)
+            (seen.projected_area() > edge_on(&area) * area.norm()).then_some(seen)
         };
         facets.iter().copied().filter_map(see).collect()
     }

@@ -8,7 +8,7 @@
 //! the time. So where nearly all of the boundary looks much the same way, the first direction is its mean normal, and such
 //! facets are seen along this one alone.
 
-use super::contact_points::Rule;
+use super::contact_points::{EDGE_ON, Rule};
 use super::projected_pair::ProjectedPair;
 use crate::Error;
 use crate::geometry::Vector;
@@ -23,6 +23,10 @@ const SMALLEST: f64 = 1e-9;
 
 /// Nearly all of the boundary looks the same way if no more than this part of it looks another.
 const NEARLY_ALL: f64 = 0.1;
+
+/// Of a facet that is seen along the main normal, so large a part at least is seen from the side, or none. Flat faces whose nodes
+/// are off by a millionth of a cell are as many slivers in one place, row behind row, which no line but one in a million meets.
+const FLUSH: f64 = 1e-4;
 
 /// The directions along which a contact is seen, and how much of it along each.
 struct Views<const D: usize> {
@@ -41,6 +45,14 @@ impl<const D: usize> Views<D> {
         let across = [[1.0, 0.0], [0.0, 1.0]].map(|axis| first.across(axis));
         let beside = across.into_iter().take(D - 1).map(|direction| Family::along(direction, 0, 0));
         Self { families: std::iter::once(first).chain(beside).collect(), main: Some(main) }
+    }
+
+    /// Part of a facet with this area vector below which it is not seen along a family.
+    fn edge_on(&self, family: usize, area: &Vector<D>) -> f64 {
+        match &self.main {
+            Some(main) if family > 0 && main.is_alike(area) => FLUSH,
+            _ => EDGE_ON,
+        }
     }
 
     /// For how much of the boundary with this normal a line of a family stands, in parts of what lies across the lines.
@@ -81,7 +93,8 @@ impl<const D: usize> ProjectedPair<'_, D> {
                 // What is shorter is none: facets that coincide but for rounding touch.
                 (length > reached.rounding).then_some(ContactSample { ends, measures, length })
             };
-            let seen = self.projection(family, &reached, plane.as_ref());
+            let edge_on = |area: &Vector<D>| views.edge_on(number, area);
+            let seen = self.projection_without(family, &reached, plane.as_ref(), edge_on);
             if let Some(plane) = &plane {
                 self.points_on_plane(&seen, family, plane, Rule::Middle, |point| samples.extend(sample(point)));
             }
