@@ -26,6 +26,7 @@ pub(crate) use pair::imbalance::Imbalance;
 pub(crate) use pair::obstacle_distance::distance_from_facets;
 pub(crate) use pair::obstacle_region::region as obstacle_region;
 pub use pair::options::{Estimator, FiberOptions, LineWeights, Resolution};
+pub(crate) use pair::overlap::MotionGradient;
 pub use pair::overlap::{Overlap, PoseGradient};
 pub use pair::partner::Partner;
 pub(crate) use pair::second_derivative::SecondDerivative;

@@ -3,6 +3,8 @@
 use crate::depth;
 use crate::scene::table::exactly;
 use crate::scene::{Scene, distance, size_sum};
+use fmc_contact::contact::PairOptions;
+use fmc_contact::overlap::Partner;
 use fmc_contact::{Bodies, CellBlock, CellType, Contact, ContactForces, EnergyLaw, Options, Surface};
 use fmc_shapes::{Diagonals, Mesh, cuboid_tet4, rectangle_quad4, rectangle_tri3};
 
@@ -27,6 +29,33 @@ fn as_two<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
     assert!((one.volume - two.volume).abs() < 1e-12, "{} {}", one.volume, two.volume);
     assert!((one.energy - two.energy).abs() < 1e-12 * two.energy);
     assert!(distance(&one.forces, &two.forces) < 1e-12 * size_sum(&two.forces));
+    // A mean over all of the boundary of the overlap, or of those over what each body has of it.
+    let [of_one, of_two] = [&one, &two].map(|found| found.pairs[0].pressure);
+    assert!(of_two > 0.0 && (of_one / of_two - 1.0).abs() < 0.2, "{of_one} {of_two}");
+}
+
+/// Of a body in two pieces, one of which has facets where another body lies inside the other piece: both press.
+#[test]
+fn a_body_in_two_pieces_presses_with_both() {
+    let large = rectangle_quad4([0.0, 0.0], [3.0, 3.0], [6, 6]);
+    let small = rectangle_quad4([1.5, 1.2], [2.1, 2.1], [3, 4]).rotated(0.1);
+    let probe = rectangle_tri3([1.3, 1.4], [1.7, 1.8], [3, 3], Diagonals::Same).rotated(0.03);
+    // Depths are found while they are apart.
+    let away = small.clone().mapped(|x| x.map(|x| x + 9.0));
+    let coords = Scene::of(&[&probe, &large, &small]).coords;
+    let of = |scene: Scene<2>, apart: [usize; 2]| {
+        let mut contact = scene.contact(depth(7.0));
+        let excluded = PairOptions { excluded: true, ..PairOptions::default() };
+        if apart[0] != apart[1] {
+            contact.set_pair_options(apart.map(Partner::Body), Some(excluded)).expect("two bodies");
+        }
+        contact.evaluate(&coords).expect("valid coordinates")
+    };
+    let three = of(Scene::of(&[&probe, &large, &away]), [1, 2]);
+    let two = of(Scene::new().with(&probe, 0).with(&large, 1).with(&away, 1), [1, 1]);
+    assert!(three.pairs.len() == 2 && three.pairs.iter().all(|pair| pair.energy > 0.0), "{:?}", three.pairs);
+    assert!((two.energy / three.energy - 1.0).abs() < 1e-12, "{} {}", two.energy, three.energy);
+    assert!(distance(&two.forces, &three.forces) < 1e-12 * size_sum(&three.forces));
 }
 
 /// A mesh cut open along an edge line: nodes for which `is_cut` holds are doubled for the cells on the far side of it, which

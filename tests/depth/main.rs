@@ -12,6 +12,7 @@ mod flat;
 mod gap_offset;
 mod itself;
 mod noise;
+mod numbering;
 mod obstacles;
 mod points;
 mod reference;

@@ -4,7 +4,7 @@ use super::energy_law::EnergyLaw;
 use super::momentum_correction::correct;
 use super::penetration_law::PenetrationLaw;
 use crate::geometry::Vector;
-use crate::overlap::{ContactPoints, Imbalance, Overlap, Pair, PointGradient, PoseGradient};
+use crate::overlap::{ContactPoints, Imbalance, MotionGradient, Overlap, Pair, PointGradient};
 
 /// Energy of one pair, its gradient on nodes and pose, and the overlap from which it comes.
 pub(crate) struct PairEnergy<const D: usize> {
@@ -15,7 +15,7 @@ pub(crate) struct PairEnergy<const D: usize> {
     pub(crate) nodes: Vec<u32>,
     pub(crate) gradient: Vec<Vector<D>>,
     pub(crate) of_b: Vec<bool>,
-    pub(crate) pose_gradient: Option<PoseGradient<D>>,
+    pub(crate) pose_gradient: Option<MotionGradient<D>>,
 }
 
 impl<const D: usize> PairEnergy<D> {
@@ -28,7 +28,7 @@ impl<const D: usize> PairEnergy<D> {
             nodes: overlap.nodes.clone(),
             gradient: overlap.gradient.iter().map(|g| g * pressure).collect(),
             of_b: overlap.of_b.clone(),
-            pose_gradient: overlap.pose_gradient.map(|pose| pose.scaled(pressure)),
+            pose_gradient: overlap.pose_gradient.map(|pose| MotionGradient::from(pose).scaled(pressure)),
             overlap,
         }
     }
@@ -53,7 +53,7 @@ impl<const D: usize> PairEnergy<D> {
             nodes: gradient.nodes,
             gradient: gradient.values,
             of_b: gradient.of_b,
-            pose_gradient: gradient.pose,
+            pose_gradient: gradient.pose.map(MotionGradient::from),
             overlap,
         }
     }

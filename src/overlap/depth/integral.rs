@@ -2,7 +2,7 @@
 
 use super::points::PointLists;
 use crate::geometry::Vector;
-use crate::overlap::pair::overlap::{Overlap, PoseGradient};
+use crate::overlap::pair::overlap::{MotionGradient, Overlap};
 use crate::overlap::pair::second_derivative::SecondDerivative;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::sums::block_sum::Block;
@@ -28,7 +28,7 @@ pub(crate) struct DepthIntegral<const D: usize> {
     pub(crate) nodes: Vec<u32>,
     pub(crate) of_b: Vec<bool>,
     pub(crate) gradient: Vec<Vector<D>>,
-    pub(crate) pose_gradient: Option<PoseGradient<D>>,
+    pub(crate) pose_gradient: Option<MotionGradient<D>>,
     /// Its second derivative, as blocks sorted by row and column.
     pub(crate) hessian: Vec<Block<D>>,
     /// What the facets have inside the other side.

@@ -21,14 +21,26 @@ impl<const D: usize> PoseGradient<D> {
     pub(crate) fn in_weighting(self, weighting: Weighting) -> Self {
         if weighting.is_plain() { self } else { Self { rotation: [0.0; 3], ..self } }
     }
+}
 
+/// Derivative with respect to the motion of a rigid partner, of what is not asked for by its scale.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MotionGradient<const D: usize> {
+    pub(crate) position: Vector<D>,
+    /// By a rotation about the origin of space.
+    pub(crate) rotation: [f64; 3],
+}
+
+impl<const D: usize> MotionGradient<D> {
     /// Every derivative times a factor.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
-        Self {
-            position: self.position * factor,
-            rotation: self.rotation.map(|m| m * factor),
-            scale: self.scale * factor,
-        }
+        Self { position: self.position * factor, rotation: self.rotation.map(|m| m * factor) }
+    }
+}
+
+impl<const D: usize> From<PoseGradient<D>> for MotionGradient<D> {
+    fn from(PoseGradient { position, rotation, .. }: PoseGradient<D>) -> Self {
+        Self { position, rotation }
     }
 }
 

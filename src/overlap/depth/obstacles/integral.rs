@@ -5,8 +5,7 @@
 //! ```
 //!
 //! for a body A that moves past an obstacle at rest, φ being its signed distance. What the obstacle feels is the opposite:
-//! nothing changes if both move as one. If both are scaled by s about the position of the obstacle, J grows as s to the
-//! power of D + 1, which tells how it depends on the scale of the obstacle alone.
+//! nothing changes if both move as one.
 //!
 //! With a weight ρ that is linear in space J changes also as both move, by ∫ g ∇ρ·v dx.
 
@@ -23,7 +22,7 @@ use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_distance::ObstacleDistance;
 use crate::overlap::pair::obstacle_region;
-use crate::overlap::pair::overlap::{Overlap, PoseGradient};
+use crate::overlap::pair::overlap::{MotionGradient, Overlap};
 use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
 use crate::overlap::sums::block_sum::symmetric_part;
 
@@ -61,7 +60,7 @@ pub(crate) fn of_obstacle<const D: usize>(
         }
     };
     let overlap = sums.overlap(pair, whole.volume, sums.area);
-    Ok(overlap.map(|overlap| assembled(pair, pose, sums, &whole, overlap)))
+    Ok(overlap.map(|overlap| assembled(pair, sums, &whole, overlap)))
 }
 
 fn in_convex_solid<const D: usize>(
@@ -87,30 +86,23 @@ fn in_convex_solid<const D: usize>(
 
 fn assembled<const D: usize>(
     pair: &Pair<D>,
-    pose: &Pose<D>,
     sums: FacetSums<D>,
     &DepthSum { depth, bare_depth, .. }: &DepthSum,
     overlap: Overlap<D>,
 ) -> DepthIntegral<D> {
     let (nodes, of_b, gradient) = sums.gradient.into_nodes();
-    let center = Vector::from(pose.position);
-    let mut reaction = PoseGradient { position: Vector::zeros(), rotation: [0.0; 3], scale: 0.0 };
-    let mut about_center = 0.0;
+    let mut reaction = MotionGradient { position: Vector::zeros(), rotation: [0.0; 3] };
     for (&node, g) in nodes.iter().zip(&gradient) {
         let x = Vector::from(pair.coords[node as usize]);
         reaction.position -= g;
         reaction.rotation.iter_mut().zip(moment(&x, g)).for_each(|(sum, m)| *sum -= m);
-        about_center += (x - center).dot(g);
     }
-    let mut as_scaled = (D + 1) as f64 * depth;
     if !pair.weighting.is_plain() {
         // The weight is that of the place, which both have left.
-        let outwards = pair.weighting.gradient();
-        reaction.position += outwards * bare_depth;
-        reaction = reaction.in_weighting(pair.weighting);
-        as_scaled += depth - outwards.dot(&center) * bare_depth;
+        reaction.position += pair.weighting.gradient() * bare_depth;
+        // Bodies of revolution do not turn.
+        reaction.rotation = [0.0; 3];
     }
-    reaction.scale = (as_scaled - about_center) / pose.scale;
     DepthIntegral {
         // Where the two only touch, parts of both signs may leave a rounding error below zero; as with the volume.
         value: depth.max(0.0),
