@@ -1,30 +1,33 @@
 //! Energy laws and the forces of all pairs.
 
 mod augmentation;
+mod changes;
 mod contact_step;
 pub mod descent;
 mod evaluation;
 mod explicit;
 mod friction;
+mod history;
 mod interface;
 mod laws;
+mod mesh;
 mod method;
-mod multipliers;
 mod partners;
 mod results;
-mod steps;
 mod tangents;
 mod work;
 
 pub use augmentation::Augmentation;
 pub use contact_step::{CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
-pub(crate) use evaluation::{Earlier, Needed};
+pub use evaluation::Contact;
+pub(crate) use evaluation::{Needed, hash_in_common, needed};
 pub use friction::{Friction, FrictionTotals};
-pub use interface::{Contact, FrictionStep, contact_force, contact_force_step};
+pub use history::Multiplier;
+pub use interface::{FrictionStep, contact_force, contact_force_step};
 pub use laws::{EnergyLaw, EnergyProfile, PenetrationLaw, StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 pub use method::Options;
-pub use multipliers::Multiplier;
 pub use partners::PairOptions;
+pub(crate) use partners::Poses;
 pub use results::{ContactForces, PairForces, Resultant};
 pub use results::{GapConstraints, NodalContact, NodeStatus, PointOfContact, SideOfPoint};
 pub(crate) use tangents::compressed;

@@ -6,10 +6,11 @@
 //!
 //! `mesh_part` (what a rank gives) · `own_mesh` (what it keeps) · `border` (faces between ranks) · `places` (where bodies are,
 //! and where they may be in contact) · `selection` (which cells that takes) · `anchors` (facets from which depths are measured)
-//! · `zone` (the cells gathered) · `partitioned_contact` (all of it) · `slip` (what a restart needs)
+//! · `zone` (the cells gathered) · `carried` (what was begun or kept, for other cells) · `partitioned_contact` (all of it) · `slip` (what a restart needs)
 
 mod anchors;
 mod border;
+mod carried;
 mod mesh_part;
 mod own_mesh;
 mod partitioned_contact;

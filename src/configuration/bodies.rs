@@ -20,7 +20,7 @@ pub(crate) struct Configuration<const D: usize> {
     /// A tree over them.
     bodies: BodyTree<D>,
     /// Which boxes of a larger mesh they are.
-    turn: u64,
+    epoch: u64,
     cell_check: Option<CellCheck<D>>,
     /// Whether no cell is known to be inverted here.
     is_checked: bool,
@@ -37,7 +37,7 @@ impl<const D: usize> Configuration<D> {
             trees: Vec::new(),
             boxes: Vec::new(),
             bodies: BodyTree::default(),
-            turn: 0,
+            epoch: 0,
             cell_check: None,
             is_checked: false,
             is_upright: false,
@@ -56,8 +56,8 @@ impl<const D: usize> Configuration<D> {
         check_cells: bool,
         parallel: bool,
     ) -> Result<bool, Error> {
-        let turn = surface.submesh.as_ref().map_or(0, |submesh| submesh.turn);
-        let is_here = !self.trees.is_empty() && self.turn == turn && same_bits(&self.coords, coords);
+        let epoch = surface.submesh.as_ref().map_or(0, |submesh| submesh.epoch);
+        let is_here = !self.trees.is_empty() && self.epoch == epoch && same_bits(&self.coords, coords);
         self.is_upright = check_cells && surface.cells.is_some();
         if is_here && (self.is_checked || !check_cells) {
             return Ok(false);
@@ -89,7 +89,7 @@ impl<const D: usize> Configuration<D> {
                 tree.update(&surface.facets[range.clone()], of_body, points, parallel);
             }
         }
-        self.turn = turn;
+        self.epoch = epoch;
         self.boxes.clear();
         match &surface.submesh {
             // As far as they were brought here; else they are no smaller than what is there of them.

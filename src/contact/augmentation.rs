@@ -1,11 +1,10 @@
 //! As little penetration as is wanted, whatever iterates the bodies: the method of multipliers.
 
 use crate::Error;
-use crate::contact::evaluation::kernels;
-use crate::contact::interface::Contact;
-use crate::contact::laws::{EnergyLaw, EnergyProfile, PenetrationLaw};
+use crate::contact::changes;
+use crate::contact::evaluation::{Contact, kernels};
+use crate::contact::history::{Multiplier, Multipliers, check_law, sorted};
 use crate::contact::method::Options;
-use crate::contact::multipliers::{Multiplier, Multipliers, sorted};
 use crate::contact::results::GapConstraints;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -52,10 +51,10 @@ impl<const D: usize> Contact<D> {
         let (next, mut found) = self.measured(coords, reach)?;
         found.is_enough = found.penetration.max(found.change) <= enough;
         match found.is_enough {
-            true => self.multipliers.end_series(),
-            false => self.multipliers = next,
+            true => self.history.multipliers.end_series(),
+            false => self.history.multipliers = next,
         }
-        found.count = self.multipliers.list().len();
+        found.count = self.history.multipliers.list().len();
         Ok(found)
     }
 
@@ -73,15 +72,15 @@ impl<const D: usize> Contact<D> {
         self.check_multipliers()?;
         check("reach", reach)?;
         let mut extent = Aabb::empty();
-        self.surface.mesh_points(coords)?.iter().for_each(|x| extent.include(&Vector::from(*x)));
+        self.mesh.surface.mesh_points(coords)?.iter().for_each(|x| extent.include(&Vector::from(*x)));
         let reach = if reach > 0.0 { reach } else { REACH * extent.extent().max() };
-        Ok(self.multipliers.moved_out(&kernels::gap_constraints(self, coords, reach)?))
+        Ok(self.history.multipliers.moved_out(&kernels::gap_constraints(self, coords, reach)?))
     }
 
     /// How far surfaces are moved out, ascending by node and partner: with the coordinates all that a restart needs, or a load step
     /// that is tried again.
     pub fn multipliers(&self) -> Vec<Multiplier<D>> {
-        self.multipliers.list()
+        self.history.multipliers.list()
     }
 
     /// Moves surfaces out as said, `&[]`: back.
@@ -94,12 +93,12 @@ impl<const D: usize> Contact<D> {
         if !multipliers.is_empty() {
             self.check_multipliers()?;
         }
-        let node_count = self.point_weights().point_count();
+        let node_count = self.mesh.surface.point_weights().point_count();
         for (cell, one) in multipliers.iter().enumerate() {
             if one.node as usize >= node_count {
                 return Err(Error::NodeOutOfRange { cell, node: one.node.into(), node_count });
             }
-            self.checked_pair(one.partners)?;
+            self.partners.checked_pair(one.partners, self.mesh.surface.body_count())?;
             let length = Vector::from(one.towards).norm();
             for (name, value) in [("shift", one.shift), ("length of a direction", length)] {
                 if !(value.is_finite() && value > 0.0) {
@@ -107,7 +106,7 @@ impl<const D: usize> Contact<D> {
                 }
             }
         }
-        self.multipliers = multipliers.iter().copied().collect();
+        self.history.multipliers = multipliers.iter().copied().collect();
         Ok(())
     }
 
@@ -121,43 +120,25 @@ impl<const D: usize> Contact<D> {
         if !(factor.is_finite() && factor > 0.0) {
             return Err(Error::NotPositive { name: "factor", value: factor });
         }
-        let options = Options { law: self.options.law.stiffened(factor), ..self.options };
-        let of_pairs = self.pair_table.own_laws().map(|law| law.stiffened(factor));
+        let options = Options { law: self.method.options().law.stiffened(factor), ..*self.method.options() };
+        let of_pairs = self.partners.table.own_laws().map(|law| law.stiffened(factor));
         std::iter::once(options.law).chain(of_pairs).try_for_each(|law| law.check())?;
-        self.pair_table.stiffen(factor)?;
-        self.set_options(options)?;
-        self.multipliers.stiffen(factor);
+        self.partners.table.stiffen(factor)?;
+        changes::options::set(self, options)?;
+        self.history.multipliers.stiffen(factor);
         Ok(())
     }
 
     fn check_multipliers(&self) -> Result<(), Error> {
-        self.surface.refuse_submesh("multipliers of a part of a mesh")?;
-        let is_rubbed = self.has_friction() || self.options.self_contact;
-        let mut laws = std::iter::once(self.options.law).chain(self.pair_table.own_laws());
-        laws.try_for_each(|law| refuse(&law, is_rubbed))
-    }
-
-    /// Refuses options that do not go with multipliers, where there are some.
-    pub(super) fn check_beside_multipliers(&self, law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
-        if self.multipliers.is_empty() { Ok(()) } else { refuse(law, is_rubbed) }
+        self.mesh.surface.refuse_submesh("multipliers of a part of a mesh")?;
+        let options = self.method.options();
+        let is_rubbed = self.partners.has_friction(options) || options.self_contact;
+        self.partners.energy_laws(options).try_for_each(|law| check_law(&law, is_rubbed))
     }
 }
 
 fn check(name: &'static str, value: f64) -> Result<(), Error> {
     if value.is_finite() && value >= 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
-}
-
-/// Refuses what does not go with multipliers: a shift stands for a pressure, whatever the stiffness is raised to, only where pressure is
-/// stiffness times penetration.
-fn refuse(law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
-    let what = match law {
-        _ if is_rubbed => "a penetration asked for with friction or self-contact",
-        EnergyLaw::Fiber(PenetrationLaw { profile: EnergyProfile::Quadratic, .. }) | EnergyLaw::Depth { .. } => {
-            return Ok(());
-        }
-        _ => "a penetration asked for under a law whose pressure is not a stiffness times the penetration",
-    };
-    Err(Error::Unsupported { what })
 }
 
 impl<const D: usize> Multipliers<D> {

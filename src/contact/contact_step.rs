@@ -23,7 +23,7 @@ pub use bodies::CondensedBodies;
 pub use options::{ContactStep, ContactStepOptions, ContactStepState};
 
 use crate::Error;
-use crate::contact::interface::Contact;
+use crate::contact::evaluation::Contact;
 use bodies::Checked;
 use kept::Kept;
 use nalgebra::DVector;
@@ -62,12 +62,12 @@ impl<const D: usize> Contact<D> {
         place: Option<Place<D>>,
     ) -> Result<ContactStep, Error> {
         options.check()?;
-        let expected = self.surface.unknown_count();
+        let expected = self.mesh.surface.unknown_count();
         if coords.len() != expected {
             return Err(Error::Length { array: "coords", expected, found: coords.len() });
         }
         let checked = Checked::new(bodies, expected * D)?;
-        let has_energy = self.frozen.is_some() || !self.has_friction();
+        let has_energy = self.history.frozen.is_some() || !self.partners.has_friction(self.method.options());
         let mut contact = Kept::new(self, coords, bodies, place);
         if options.penetration > 0.0 {
             return augmented::solve(self, &checked, &mut contact, (coords, options));

@@ -1,15 +1,21 @@
 //! From coordinates to results.
 //!
-//! `state` (the bodies at the coordinates, and what is kept of them) · `walk` (which pairs may overlap, and on which threads they
-//! are measured) · `submesh` (of some cells of a larger mesh: where none may be missing) · `kernels` (the evaluations, compiled for
-//! 2D and for 3D) · `obstacle_rotation` (the rotations of obstacles in the tangent)
+//! `parts` (the parts of a contact) · `bring`, `state` (the bodies at the coordinates, and what is remembered of them) · `walk` (which pairs may
+//! overlap, and on which threads they are measured) · `needed`, `gathered` (of some cells of a larger mesh: where none may be
+//! missing) · `sliding` (how a pair slides) · `kernels` (the evaluations, compiled for 2D and for 3D) · `agreed` (what ranks must have
+//! in common)
 
+mod agreed;
+mod bring;
+mod gathered;
 pub(super) mod kernels;
-mod obstacle_rotation;
+mod needed;
+mod parts;
+mod sliding;
 mod state;
-mod submesh;
 mod walk;
 
-pub(super) use state::State;
-pub(super) use submesh::Turns;
-pub(crate) use submesh::{Earlier, Needed};
+pub(crate) use agreed::hash_in_common;
+pub(crate) use needed::{Needed, needed};
+pub use parts::Contact;
+pub(super) use parts::assemble;

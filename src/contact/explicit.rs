@@ -1,9 +1,7 @@
-//! The time step that the contact allows an explicit integration.
-//!
-//! `stable_step` (what hosts ask for) · `mass_scaled` (the tangent by the masses) · `lanczos` (a bound of its largest eigenvalue)
+//! The time step that the contact allows an explicit integration: `mass_scaled` (the tangent by the masses) · `lanczos` (a bound of
+//! its largest eigenvalue)
 
 mod lanczos;
 mod mass_scaled;
-mod stable_step;
 
 pub(super) use mass_scaled::largest_step;

@@ -4,12 +4,13 @@ mod by_options;
 #[cfg(test)]
 mod constant_pressure;
 mod depth_law;
-pub(super) mod energy_law;
+mod energy_law;
 mod fiber_law;
 mod momentum_correction;
 mod pair_energy;
 mod pair_law;
-pub(super) mod penetration_law;
+mod pair_tangent;
+mod penetration_law;
 mod pressure_point;
 mod stiffness;
 mod volume_law;

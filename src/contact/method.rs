@@ -1,5 +1,7 @@
-//! How contact is measured and pressed: `options`
+//! How contact is measured and how it presses: `options` · `chosen` (the law and the estimator that they name)
 
+mod chosen;
 mod options;
 
+pub(super) use chosen::{Method, pair_law};
 pub use options::Options;

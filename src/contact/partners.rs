@@ -1,14 +1,16 @@
 //! What bodies may touch: the obstacles, and the options of single pairs.
 //!
-//! `obstacles` (added, moved, removed) · `rigid` (as estimators take them) · `parallel` (at a gap offset) · `pair_options`,
-//! `pair_table` (pairs that are left out, or follow a law of their own)
+//! `list` (both together) · `obstacles` (added, moved, removed) · `rigid` (as estimators take them) · `parallel` (at a gap offset) ·
+//! `pair_options`, `pair_table` (pairs that are left out, or follow a law of their own)
 
+mod list;
 mod obstacles;
 mod pair_options;
 mod pair_table;
 mod parallel;
 mod rigid;
 
+pub(crate) use list::Partners;
+pub(crate) use obstacles::Poses;
 pub use pair_options::PairOptions;
-pub(super) use pair_table::PairTable;
-pub(super) use rigid::{Placed, Rigid};
+pub(super) use rigid::Placed;

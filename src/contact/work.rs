@@ -1,6 +1,6 @@
-//! Threads and ranks that share the work: `workers` (the threads of a contact) · `sharing` (the ranks)
+//! Who shares the work of a contact: `workers` (its threads) · `sharing` (these, and ranks)
 
 mod sharing;
 mod workers;
 
-pub(super) use workers::Workers;
+pub(super) use sharing::Work;

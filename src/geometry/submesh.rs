@@ -22,7 +22,7 @@ pub(crate) struct Submesh<const D: usize> {
     /// By body: boxes in which none of its cells is missing.
     pub(crate) complete_in: Vec<Vec<Aabb<D>>>,
     /// Counts how often it was brought to coordinates.
-    pub(crate) turn: u64,
+    pub(crate) epoch: u64,
     /// Hash of the coordinates to which it was.
     pub(crate) brought: u64,
     /// How far around the overlap of boxes nothing is missing.
@@ -131,7 +131,7 @@ impl<const D: usize> Surface<D> {
             cut_faces,
             body_boxes: Vec::new(),
             complete_in: Vec::new(),
-            turn: 0,
+            epoch: 0,
             brought: 0,
             reach: 0.0,
             surface_node_counts: surface_node_counts.clone(),

@@ -1,6 +1,7 @@
 //! Contact of a mesh that ranks hold in parts.
 
 use super::anchors::Anchors;
+use super::carried::{self, Earlier};
 use super::mesh_part::MeshPart;
 use super::own_mesh::OwnMesh;
 use super::places::Places;
@@ -8,7 +9,7 @@ use super::selection::{Search, selected};
 use super::zone::Zone;
 use crate::Error;
 use crate::configuration::CellCheck;
-use crate::contact::{Contact, Earlier, Needed, Options};
+use crate::contact::{Contact, Needed, Options, hash_in_common, needed};
 use crate::geometry::aabb::Aabb;
 use crate::ranks::{Communicator, Ranks};
 use std::collections::BTreeMap;
@@ -30,8 +31,8 @@ pub struct PartitionedContact<const D: usize> {
     pub(super) zone: Zone,
     /// Of the nodes gathered.
     coords: Vec<[f64; D]>,
-    turn: u64,
-    /// Own coordinates by turn, as far as something was begun, kept or frozen there; and the last.
+    epoch: u64,
+    /// Own coordinates by epoch, as far as something was begun, kept or frozen there; and the last.
     earlier: BTreeMap<u64, Vec<[f64; D]>>,
     gathering: Option<Gathering<D>>,
     reach: f64,
@@ -88,7 +89,7 @@ impl<const D: usize> PartitionedContact<D> {
         let (zone, surface, _) = Zone::gather(&own, &[], None, &[], &ranks)?;
         let facet_count = ranks.gather_lists(&[own.facet_count()])?.into_iter().flatten().sum();
         let mut contact = ranks.agree(Contact::new(surface, options), 0)?;
-        contact.take_ranks(ranks);
+        contact.work.take_ranks(ranks);
         let mut new = Self {
             anchors: Anchors::new(&own, None),
             has_axis: false,
@@ -96,7 +97,7 @@ impl<const D: usize> PartitionedContact<D> {
             contact,
             zone,
             coords: Vec::new(),
-            turn: 0,
+            epoch: 0,
             earlier: BTreeMap::new(),
             gathering: None,
             reach,
@@ -118,26 +119,27 @@ impl<const D: usize> PartitionedContact<D> {
     /// [`Error::FoldedCell`], naming own nodes and cells; on other ranks [`Error::OnOtherRank`]. [`Error::RanksDiffer`] for a
     /// node that has not the same coordinates on all, [`Error::SignedDistance`], [`Error::Communication`].
     pub fn bring(&mut self, coords: &[[f64; D]]) -> Result<bool, Error> {
-        let given = self.contact.given(&[], "bring");
+        let in_common = hash_in_common(&self.contact, &[], "set_coords");
         let checked = self.check(coords);
-        self.ranks()?.agree(checked, given)?;
+        self.ranks()?.agree(checked, in_common)?;
         let since = self.gathering.as_ref().map(|gathering| &gathering.coords[..]);
         let places = Places::gather(&self.own, coords, since, self.ranks()?)?;
-        let needed = self.contact.needed(&places.boxes, self.reach);
+        let needed = needed(&self.contact, &places.boxes, self.reach);
         let needed = self.ranks()?.agree(needed, 0)?;
-        let turns: Vec<u64> = self.contact.earlier().into_iter().flatten().map(|earlier| earlier.turn).collect();
-        self.earlier.retain(|turn, _| turns.contains(turn));
+        let epochs: Vec<u64> =
+            carried::earlier(&self.contact).into_iter().flatten().map(|earlier| earlier.epoch).collect();
+        self.earlier.retain(|epoch, _| epochs.contains(epoch));
         let is_outgrown = !self.gathering.as_ref().is_some_and(|gathering| gathering.covers(&needed, places.moved));
         if is_outgrown {
             self.gathering = None;
             self.gather(coords, needed)?;
         }
         self.coords = self.zone.coords(coords, self.ranks()?)?;
-        self.turn += 1;
+        self.epoch += 1;
         let moved = if is_outgrown { 0.0 } else { places.moved };
         let complete_in = self.gathering.as_ref().map_or_else(Vec::new, |gathering| gathering.complete_in(moved));
-        self.contact.set_gathered(&self.coords, &places.boxes, complete_in, self.turn, self.reach);
-        self.earlier.insert(self.turn, coords.to_vec());
+        carried::set_gathered(&mut self.contact, &self.coords, &places.boxes, complete_in, (self.epoch, self.reach));
+        self.earlier.insert(self.epoch, coords.to_vec());
         Ok(is_outgrown)
     }
 
@@ -167,7 +169,7 @@ impl<const D: usize> PartitionedContact<D> {
 
     /// Makes a call that cannot be made here, so that the others do not wait: they are told that it failed.
     pub(crate) fn fail_elsewhere(&self) {
-        if let Some(ranks) = self.contact.ranks() {
+        if let Some(ranks) = self.contact.work.ranks() {
             // What it returns is the failure that is known here.
             let _: Result<(), Error> = ranks.agree(Err(Error::Empty), 0);
         }
@@ -237,7 +239,7 @@ impl<const D: usize> PartitionedContact<D> {
     }
 
     fn ranks(&self) -> Result<&Ranks, Error> {
-        self.contact.ranks().ok_or(Error::BadRank { rank: 0, size: 0 })
+        self.contact.work.ranks().ok_or(Error::BadRank { rank: 0, size: 0 })
     }
 
     fn check(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
@@ -263,7 +265,7 @@ impl<const D: usize> PartitionedContact<D> {
         if self.has_axis != self.contact.options().axisymmetric {
             self.find_anchors();
         }
-        let earlier = self.contact.earlier();
+        let earlier = carried::earlier(&self.contact);
         let mut places_then: Vec<Option<Then<D>>> = Vec::with_capacity(earlier.len());
         for earlier in &earlier {
             places_then.push(earlier.as_ref().map(|earlier| self.places_at(earlier)).transpose()?);
@@ -283,17 +285,18 @@ impl<const D: usize> PartitionedContact<D> {
         let marked = self.in_symmetry_plane.is_some().then_some(marked);
         let numbers = self.zone.facet_numbers();
         let facet = |facet: usize| numbers.get(&old.facets[facet]).copied();
-        self.contact.take_cells(surface, started.as_deref(), facet, marked)?;
+        carried::take_cells(&mut self.contact, surface, started.as_deref(), facet, marked)?;
         for (number, then) in places_then.iter().enumerate().skip(1) {
             let (Some(then), Some(earlier)) = (then, &earlier[number]) else { continue };
             let coords = self.zone.coords(&then.coords, self.ranks()?)?;
             let complete_in =
                 then.needed.iter().map(|of_body| of_body.iter().map(|needed| needed.aabb.inflated(margin)).collect());
-            self.contact.set_gathered(&coords, &then.boxes, complete_in.collect(), earlier.turn, self.reach);
-            match number {
-                1 => self.contact.freeze_again(&coords, earlier)?,
-                _ => self.contact.keep_again(&coords, earlier)?,
-            }
+            let at = (earlier.epoch, self.reach);
+            carried::set_gathered(&mut self.contact, &coords, &then.boxes, complete_in.collect(), at);
+            carried::with_poses(&mut self.contact, &earlier.poses, |contact| match number {
+                1 => contact.freeze_friction(&coords),
+                _ => contact.keep_patches(&coords).map(drop),
+            })?;
         }
         self.gathering = Some(Gathering { coords: coords.to_vec(), needed, margin });
         self.gather_count += 1;
@@ -301,10 +304,10 @@ impl<const D: usize> PartitionedContact<D> {
     }
 
     fn places_at(&mut self, earlier: &Earlier<D>) -> Result<Then<D>, Error> {
-        let coords = self.earlier.get(&earlier.turn).ok_or(Error::NoStep)?.clone();
+        let coords = self.earlier.get(&earlier.epoch).ok_or(Error::NoStep)?.clone();
         let boxes = Places::gather(&self.own, &coords, None, self.ranks()?)?.boxes;
         let reach = self.reach;
-        let needed = self.contact.with_poses(&earlier.poses, |contact| contact.needed(&boxes, reach));
+        let needed = carried::with_poses(&mut self.contact, &earlier.poses, |contact| needed(contact, &boxes, reach));
         Ok(Then { coords, needed: self.ranks()?.agree(needed, 0)?, boxes })
     }
 

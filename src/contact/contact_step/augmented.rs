@@ -6,7 +6,7 @@ use super::multipliers::{Multipliers, Update};
 use super::options::{ContactStep, ContactStepOptions, ContactStepState};
 use super::solve;
 use crate::Error;
-use crate::contact::interface::Contact;
+use crate::contact::evaluation::Contact;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use nalgebra::DVector;
@@ -28,11 +28,11 @@ pub(super) fn solve<const D: usize>(
     kept: &mut Kept<D>,
     (coords, options): (&[[f64; D]], &ContactStepOptions),
 ) -> Result<ContactStep, Error> {
-    if contact.has_friction() || contact.options().self_contact {
+    if contact.partners.has_friction(contact.method.options()) || contact.method.options().self_contact {
         return Err(Error::Unsupported { what: "a penetration asked for with friction or self-contact" });
     }
     let what = "a penetration asked for under a law without a stiffness by penetration";
-    let stiffness = contact.law.initial_stiffness().ok_or(Error::Unsupported { what })?;
+    let stiffness = contact.method.law.initial_stiffness().ok_or(Error::Unsupported { what })?;
     let mut found = solve::solve(bodies, kept, DVector::zeros(bodies.count()), options, true, 0.0)?;
     let mut extent = Aabb::empty();
     coords.iter().for_each(|x| extent.include(&Vector::from(*x)));

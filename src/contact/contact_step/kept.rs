@@ -4,8 +4,8 @@ use super::Place;
 use super::bodies::CondensedBodies;
 use super::touching::{Touch, Touching};
 use crate::Error;
+use crate::contact::evaluation::Contact;
 use crate::contact::evaluation::kernels;
-use crate::contact::interface::Contact;
 use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 

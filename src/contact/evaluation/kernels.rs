@@ -1,18 +1,19 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
+use super::parts::Contact;
+use super::sliding::{check_step, sliding};
+use super::walk::{for_each_pair, for_each_pair_within};
 use crate::Error;
 use crate::contact::explicit::largest_step;
 use crate::contact::friction::{SlipFacets, Tractions};
-use crate::contact::interface::Contact;
-use crate::contact::laws::{self, Answer, Asked, EnergyLaw, PairEnergy, PairLaw};
-use crate::contact::method::Options;
+use crate::contact::laws::{Answer, Asked, PairEnergy};
 use crate::contact::results::{
-    ContactForces, GapConstraints, NodalContact, OntoNodes, PointOfContact, points_of_contact,
+    ContactForces, GapConstraints, NodalContact, OntoNodes, PointOfContact, add_rotation, points_of_contact,
 };
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::dimension::{recast, rows};
 use crate::overlap::normal_lines::estimate as normal_lines;
-use crate::overlap::{self, FiberTrace, Overlap, PairEstimator, Partner, Patches, Reach};
+use crate::overlap::{self, FiberTrace, Overlap, Partner, Patches, Reach};
 use std::any::Any;
 
 /// Facets with friction by pair.
@@ -37,12 +38,12 @@ fn on_points<const D: usize, T: OntoNodes>(
     surfaces: Surfaces,
     work: impl FnOnce(&[[f64; D]]) -> Result<T, Error>,
 ) -> Result<T, Error> {
-    let mut points = contact.surface.mesh_points(coords)?;
-    if surfaces == Surfaces::Shifted && !contact.multipliers.is_empty() {
-        contact.multipliers.add_to(points.to_mut());
+    let mut points = contact.mesh.surface.mesh_points(coords)?;
+    if surfaces == Surfaces::Shifted && !contact.history.multipliers.is_empty() {
+        contact.history.multipliers.add_to(points.to_mut());
     }
     let found = work(&points);
-    let Some(division) = contact.surface.division() else { return found };
+    let Some(division) = contact.mesh.surface.division() else { return found };
     Ok(found.map_err(|error| division.told(error))?.onto_nodes(division))
 }
 
@@ -123,14 +124,14 @@ fn measured_pairs<const D: usize>(
     coords: &[[f64; D]],
     asked: &Asked,
 ) -> Result<(Vec<Answer<D>>, Vec<Tractions<D>>), Error> {
-    contact.check_step()?;
-    let found = contact.for_each_pair(coords, |measured| {
-        let slides = if contact.frozen.is_none() { contact.sliding(measured)? } else { None };
+    check_step(contact)?;
+    let found = for_each_pair(contact, coords, |measured| {
+        let slides = if contact.history.frozen.is_none() { sliding(contact, measured)? } else { None };
         let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
-        let asked = Asked { slides: slides_here, energy: wants_energy || asked.turns, ..*asked };
+        let asked = Asked { slides: slides_here, energy: wants_energy || asked.rotations, ..*asked };
         let Some(mut answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
-        if let Some(part) = asked.tangent.filter(|_| asked.turns) {
-            contact.add_rotation(measured, &mut answer, part)?;
+        if let Some(part) = asked.tangent.filter(|_| asked.rotations) {
+            add_rotation(measured, &mut answer, part, contact.partners.obstacles.count())?;
             answer.energy = answer.energy.filter(|_| wants_energy);
         }
         let tractions = slides.map(|sliding| {
@@ -141,7 +142,7 @@ fn measured_pairs<const D: usize>(
     })?;
     let (answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
-    let frozen = contact.frozen_at(coords);
+    let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());
     tractions.extend(frozen.iter().map(|facets| Tractions::new(facets, coords.len(), asked.tangent)));
     Ok((answers, tractions))
 }
@@ -159,8 +160,14 @@ fn forces_of<const D: usize>(
     tractions: &[Tractions<D>],
 ) -> Result<ContactForces<D>, Error> {
     let energies: Vec<_> = energies.collect();
-    let forces = ContactForces::assemble(&contact.surface, contact.obstacles.len(), coords, &energies, tractions)?;
-    Ok(if contact.options.axisymmetric { forces.without_moments() } else { forces })
+    let forces = ContactForces::assemble(
+        &contact.mesh.surface,
+        contact.partners.obstacles.count(),
+        coords,
+        &energies,
+        tractions,
+    )?;
+    Ok(if contact.method.options().axisymmetric { forces.without_moments() } else { forces })
 }
 
 fn tangent_in<const D: usize>(
@@ -168,16 +175,30 @@ fn tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<Tangent<D>, Error> {
-    tangent_with(contact, coords, part, contact.turns_obstacles()?)
+    tangent_with(contact, coords, part, rotates_obstacles(contact)?)
+}
+
+/// Whether the next tangent has the rotations of the obstacles.
+///
+/// # Errors
+/// [`Error::Unsupported`] with friction, whose forces depend on how both sides turned since the step began.
+fn rotates_obstacles<const D: usize>(contact: &Contact<D>) -> Result<bool, Error> {
+    let Contact { method, partners, .. } = contact;
+    let options = method.options();
+    let rotates = method.obstacle_rotations && !options.axisymmetric && partners.obstacles.count() > 0;
+    if rotates && partners.has_friction(options) {
+        return Err(Error::Unsupported { what: "the rotation of obstacles in the tangent with friction" });
+    }
+    Ok(rotates)
 }
 
 fn tangent_with<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
     part: TangentPart,
-    turns: bool,
+    rotations: bool,
 ) -> Result<Tangent<D>, Error> {
-    let asked = Asked { tangent: Some(part), turns, ..Asked::default() };
+    let asked = Asked { tangent: Some(part), rotations, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     tangent_of(answers.into_iter().filter_map(|answer| answer.tangent), tractions)
 }
@@ -194,8 +215,8 @@ fn evaluate_with_tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<(ContactForces<D>, Tangent<D>), Error> {
-    let turns = contact.turns_obstacles()?;
-    let asked = Asked { energy: true, tangent: Some(part), turns, ..Asked::default() };
+    let rotations = rotates_obstacles(contact)?;
+    let asked = Asked { energy: true, tangent: Some(part), rotations, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     let (energies, tangents): (Vec<_>, Vec<_>) =
         answers.into_iter().map(|answer| (answer.energy, answer.tangent)).unzip();
@@ -206,16 +227,20 @@ fn evaluate_with_tangent_in<const D: usize>(
 /// All facets on which friction acts, by pair.
 fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<SlipFacetsByPair<D>, Error> {
     let asked = Asked { slides: true, ..Asked::default() };
-    contact.for_each_pair(coords, |measured| {
-        let Some(sliding) = contact.sliding(measured)? else { return Ok(None) };
+    for_each_pair(contact, coords, |measured| {
+        let Some(sliding) = sliding(contact, measured)? else { return Ok(None) };
         let answer = measured.law.measure(measured, &asked)?;
         Ok(answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)))
     })
 }
 
 fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
+    let expected = contact.mesh.surface.unknown_count();
+    if masses.len() != expected {
+        return Err(Error::Length { array: "masses", expected, found: masses.len() });
+    }
     let tangent = tangent_with(contact, coords, TangentPart::Symmetric, false)?;
-    let on_nodes = match contact.surface.division() {
+    let on_nodes = match contact.mesh.surface.division() {
         Some(division) => tangent.onto_nodes(division),
         None => tangent,
     };
@@ -223,11 +248,11 @@ fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], mas
 }
 
 fn overlaps_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
-    contact.for_each_pair(coords, |measured| measured.law.overlap(measured))
+    for_each_pair(contact, coords, |measured| measured.law.overlap(measured))
 }
 
 fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
-    let traces = contact.for_each_pair(coords, |measured| match measured.law.is_local() {
+    let traces = for_each_pair(contact, coords, |measured| match measured.law.is_local() {
         true => Ok(measured.contact_points(false)?.map(|points| points.trace(measured.pair))),
         false => measured.estimator.trace(measured.pair).map(Some),
     })?;
@@ -235,9 +260,9 @@ fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result
 }
 
 fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
-    contact.check_step()?;
-    let pairs = contact.for_each_pair(coords, |measured| {
-        let sliding = contact.sliding(measured)?;
+    check_step(contact)?;
+    let pairs = for_each_pair(contact, coords, |measured| {
+        let sliding = sliding(contact, measured)?;
         let asked = Asked { energy: true, nodal_sums: true, slides: sliding.is_some(), ..Asked::default() };
         let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
         let friction = sliding.map_or_else(Vec::new, |sliding| {
@@ -252,9 +277,9 @@ fn contact_points_in<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
 ) -> Result<Vec<PointOfContact<D>>, Error> {
-    contact.check_step()?;
-    let points = contact.for_each_pair(coords, |measured| {
-        let sliding = contact.sliding(measured)?;
+    check_step(contact)?;
+    let points = for_each_pair(contact, coords, |measured| {
+        let sliding = sliding(contact, measured)?;
         let asked = Asked { points: true, slides: sliding.is_some(), ..Asked::default() };
         let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
         let friction = sliding.map(|sliding| {
@@ -270,8 +295,11 @@ fn gap_constraints_in<const D: usize>(
     coords: &[[f64; D]],
     reach: f64,
 ) -> Result<GapConstraints<D>, Error> {
-    contact.check_reach(reach)?;
-    let gaps = contact.for_each_pair_within(coords, reach, |measured| {
+    if !(reach.is_finite() && reach > 0.0) {
+        return Err(Error::NotPositive { name: "reach", value: reach });
+    }
+    contact.mesh.check_reach(reach)?;
+    let gaps = for_each_pair_within(contact, coords, reach, |measured| {
         let gaps = overlap::nodal_gaps(measured.pair, reach)?;
         Ok((!gaps.is_empty()).then_some((measured.pair.partners, gaps)))
     })?;
@@ -279,10 +307,10 @@ fn gap_constraints_in<const D: usize>(
 }
 
 fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<PatchesByPair<D>, Error> {
-    if !contact.laws().any(|law| law.is_local()) {
+    if !contact.partners.laws(&contact.method).any(|law| law.is_local()) {
         return Ok(Vec::new());
     }
-    contact.for_each_pair(coords, |measured| {
+    for_each_pair(contact, coords, |measured| {
         if !measured.law.is_local() {
             return Ok(None);
         }
@@ -290,26 +318,4 @@ fn patches_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Resu
         patches.spacing = normal_lines::spacing(measured.estimator, measured.pair, &patches)?;
         Ok(Some((measured.pair.partners, patches)))
     })
-}
-
-/// The estimator that the options name.
-pub(crate) fn estimator<const D: usize>(options: &Options) -> Result<PairEstimator<D>, Error> {
-    fn in_plane(options: &Options) -> PairEstimator<2> {
-        PairEstimator::new(&options.estimator)
-    }
-    fn in_space(options: &Options) -> PairEstimator<3> {
-        PairEstimator::new(&options.estimator)
-    }
-    if D == 2 { recast(in_plane(options)) } else { recast(in_space(options)) }
-}
-
-/// The law as pairs follow it.
-pub(crate) fn pair_law<const D: usize>(law: &EnergyLaw) -> Result<Box<dyn PairLaw<D>>, Error> {
-    fn in_plane(law: &EnergyLaw) -> Box<dyn PairLaw<2>> {
-        laws::pair_law(law)
-    }
-    fn in_space(law: &EnergyLaw) -> Box<dyn PairLaw<3>> {
-        laws::pair_law(law)
-    }
-    if D == 2 { recast(in_plane(law)) } else { recast(in_space(law)) }
 }

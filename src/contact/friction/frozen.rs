@@ -9,12 +9,20 @@ use crate::overlap::Partner;
 pub(crate) struct FrozenFriction<const D: usize> {
     pairs: Vec<SlipFacets<D>>,
     coords: Vec<[f64; D]>,
-    poses: Vec<Option<Pose<D>>>,
+    /// Where the obstacles stood.
+    pub(crate) poses: Vec<Option<Pose<D>>>,
+    /// Which coordinates these are, of a mesh that is given in parts.
+    pub(crate) epoch: u64,
 }
 
 impl<const D: usize> FrozenFriction<D> {
     /// Freezes the facets as they are.
-    pub(crate) fn new(mut pairs: Vec<SlipFacets<D>>, coords: &[[f64; D]], poses: Vec<Option<Pose<D>>>) -> Self {
+    pub(crate) fn new(
+        mut pairs: Vec<SlipFacets<D>>,
+        coords: &[[f64; D]],
+        poses: Vec<Option<Pose<D>>>,
+        epoch: u64,
+    ) -> Self {
         // A frozen limit does not change, nor does the part of the step that counts.
         for SlipFacets { facets, rows, .. } in &mut pairs {
             rows.iter_mut().for_each(|row| row.limit = Vector::zeros());
@@ -23,7 +31,7 @@ impl<const D: usize> FrozenFriction<D> {
                 facet.is_frozen = true;
             });
         }
-        Self { pairs, coords: coords.to_vec(), poses }
+        Self { pairs, coords: coords.to_vec(), poses, epoch }
     }
 
     /// The facets with the slip that displacements since then have added; nothing else of them changes.
@@ -45,11 +53,6 @@ impl<const D: usize> FrozenFriction<D> {
             }
         }
         pairs
-    }
-
-    /// Where the obstacles stood.
-    pub(crate) fn poses(&self) -> &[Option<Pose<D>>] {
-        &self.poses
     }
 
     /// How far a point of an obstacle has moved.

@@ -14,7 +14,7 @@ pub(crate) struct Step<const D: usize> {
     /// Places of the surface's vertices.
     pub(crate) points: Vec<Vector<D>>,
     /// Which coordinates these are, of a mesh that is given in parts.
-    pub(crate) turn: u64,
+    pub(crate) epoch: u64,
     /// Poses of the obstacles; `None` for one that was removed.
     pub(crate) poses: Vec<Option<Pose<D>>>,
     /// Elastic slip of every facet against what it faces.
@@ -29,9 +29,28 @@ impl<const D: usize> Step<D> {
         coords: &[[f64; D]],
         poses: Vec<Option<Pose<D>>>,
         slip: Vec<[f64; D]>,
+        epoch: u64,
     ) -> Self {
-        let turn = surface.submesh.as_ref().map_or(0, |submesh| submesh.turn);
-        Self { coords: coords.to_vec(), points: surface.points(coords), turn, poses, slip, bearings: None }
+        Self { coords: coords.to_vec(), points: surface.points(coords), epoch, poses, slip, bearings: None }
+    }
+
+    /// The same step of other cells of the mesh, whose points were here when it began; `facet` is the new number of a facet, if it is
+    /// still there.
+    pub(crate) fn of_cells(
+        self,
+        surface: &Surface<D>,
+        points: &[[f64; D]],
+        facet: impl Fn(usize) -> Option<usize>,
+    ) -> Self {
+        let mut slip = vec![[0.0; D]; surface.facets.len()];
+        for (old, carried) in self.slip.iter().enumerate() {
+            if let Some(new) = facet(old) {
+                slip[new] = *carried;
+            }
+        }
+        let of = |((partners, of_b, old), bearing)| facet(old).map(|new| ((partners, of_b, new), bearing));
+        let bearings = self.bearings.map(|bearings| bearings.into_iter().filter_map(of).collect());
+        Self { bearings, ..Self::new(surface, points, self.poses, slip, self.epoch) }
     }
 
     /// How a facet bore; `None` where that is not known.

@@ -1,57 +1,15 @@
-//! From coordinates to overlaps.
+//! What hosts call: each function hands on to the part of the contact that it concerns.
 
 use crate::Error;
-use crate::contact::evaluation::kernels::{estimator, pair_law};
-use crate::contact::evaluation::{State, Turns, kernels};
-use crate::contact::friction::{FrozenFriction, Step};
-use crate::contact::laws::PairLaw;
+use crate::contact::changes;
+use crate::contact::evaluation::{Contact, assemble, kernels};
 use crate::contact::method::Options;
-use crate::contact::multipliers::Multipliers;
-use crate::contact::partners::{PairTable, Rigid};
+use crate::contact::partners::PairOptions;
 use crate::contact::results::{ContactForces, GapConstraints, NodalContact, PointOfContact};
 use crate::contact::tangents::{Tangent, TangentPart};
-use crate::contact::work::Workers;
-use crate::depth_field::DepthField;
-use crate::geometry::{Basis, BoundaryFacet, PointWeights, Surface};
-use crate::overlap::{FiberTrace, Overlap, PairEstimator, Partner, Patches};
-use crate::ranks::Ranks;
-use std::sync::{Mutex, OnceLock};
-
-/// Contact between the bodies of one mesh, and with rigid obstacles.
-///
-/// It holds topology, obstacles and options, and keeps search trees and what was found at the last coordinates for the
-/// next evaluation. No result depends on what is kept: two evaluations at the same coordinates give the same bits, and
-/// [`contact_force`](crate::contact_force) gives the same bits as a `Contact` that is kept.
-pub struct Contact<const D: usize> {
-    pub(in crate::contact) surface: Surface<D>,
-    /// By index; `None` where one was removed.
-    pub(in crate::contact) obstacles: Vec<Option<Rigid<D>>>,
-    pub(in crate::contact) options: Options,
-    /// Whether tangents have the rotations of the obstacles.
-    pub(in crate::contact) obstacle_rotations: bool,
-    pub(in crate::contact) workers: Option<Workers>,
-    /// Those that share the work with this one.
-    pub(in crate::contact) ranks: Option<Ranks>,
-    pub(in crate::contact) estimator: PairEstimator<D>,
-    /// Of the pairs that have none of their own.
-    pub(in crate::contact) law: Box<dyn PairLaw<D>>,
-    pub(in crate::contact) pair_table: PairTable<D>,
-    /// Patches of the fiber law that are kept, by pair.
-    pub(in crate::contact) kept: Vec<([Partner; 2], Patches<D>)>,
-    /// When patches were kept and friction was frozen, for meshes that are given in parts.
-    pub(in crate::contact) turns: Turns<D>,
-    /// Where the step began, once one has begun.
-    pub(in crate::contact) step: Option<Step<D>>,
-    /// Facets and pressures at which friction is frozen.
-    pub(in crate::contact) frozen: Option<FrozenFriction<D>>,
-    /// How far surfaces are moved out so that they press without penetration.
-    pub(in crate::contact) multipliers: Multipliers<D>,
-    pub(in crate::contact) state: Mutex<Option<Box<State<D>>>>,
-    /// Whether a node lies in a plane of symmetry; `None` where that was not said.
-    pub(in crate::contact) in_symmetry_plane: Option<Vec<bool>>,
-    /// Depth of the cells, found when it is asked for first.
-    pub(in crate::contact) depth: OnceLock<Option<DepthField<D>>>,
-}
+use crate::geometry::{Basis, BoundaryFacet, Obstacle, PointWeights, Pose, Surface};
+use crate::overlap::{FiberTrace, Overlap, Partner};
+use crate::ranks::{Communicator, RankCounts};
 
 impl<const D: usize> Contact<D> {
     /// Contact between the bodies of `surface`.
@@ -60,28 +18,24 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NotPositive`] for an option out of its range; [`Error::Threads`]; [`Error::Unsupported`] for options
     /// that exclude one another, and for the law `depth` between bodies that are given by facets.
     pub fn new(surface: Surface<D>, options: Options) -> Result<Self, Error> {
-        options.check()?;
-        check_axisymmetry::<D>(&options)?;
-        check_depth(&surface, &options)?;
-        Ok(Self {
-            surface,
-            obstacles: Vec::new(),
-            options,
-            obstacle_rotations: false,
-            workers: Workers::new(options.threads)?,
-            ranks: None,
-            estimator: estimator(&options)?,
-            law: pair_law(&options.law)?,
-            pair_table: PairTable::new(),
-            kept: Vec::new(),
-            turns: Turns::default(),
-            step: None,
-            frozen: None,
-            multipliers: Multipliers::default(),
-            state: Mutex::new(None),
-            in_symmetry_plane: None,
-            depth: OnceLock::new(),
-        })
+        assemble(surface, options)
+    }
+
+    /// The surface.
+    pub fn surface(&self) -> &Surface<D> {
+        &self.mesh.surface
+    }
+
+    /// The boundary facets, in the order in which [`Self::slip`] has them.
+    pub fn boundary_facets(&self) -> Vec<BoundaryFacet> {
+        self.mesh.surface.boundary_facets()
+    }
+
+    /// The points of which [`Self::boundary_facets`], [`Self::contact_points`] and [`Self::gap_constraints`] tell, as
+    /// combinations of nodes: more than the nodes where there are cells of second order, else the nodes themselves. With a
+    /// basis ([`Self::set_basis`]) they are combinations of its unknowns.
+    pub fn point_weights(&self) -> PointWeights {
+        self.mesh.surface.point_weights()
     }
 
     /// Sets the coordinates of all nodes without deformation, from which the law `depth` has its depths; those from which
@@ -91,10 +45,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Unsupported`] for a surface without cells, [`Error::Length`], [`Error::NonFiniteCoordinate`],
     /// [`Error::InvertedCell`], [`Error::ZeroMeasure`]; the old ones then stay.
     pub fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
-        self.surface.refuse_submesh("reference coordinates of a part of a mesh by itself")?;
-        self.surface.set_reference(coords)?;
-        self.depth = OnceLock::new();
-        Ok(())
+        self.mesh.set_reference(coords)
     }
 
     /// Has the nodes of the mesh moved by a host's own unknowns, `None`: by themselves again. Coordinates are then those of the
@@ -106,8 +57,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Length`] for arrays of other lengths than the rows say, [`Error::UnknownOutOfRange`], [`Error::Overflow`] for a
     /// weight that is not finite, [`Error::Unsupported`] for rows that do not begin at 0 or descend; nothing changes then.
     pub fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Error> {
-        self.surface.refuse_submesh("unknowns that move a part of a mesh")?;
-        self.surface.set_basis(basis)
+        self.mesh.set_basis(basis)
     }
 
     /// Names the nodes that lie in planes of symmetry: for the law `depth` a face all of whose nodes are named is no
@@ -120,33 +70,12 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NodeOutOfRange`], naming the index in `nodes` as its cell; [`Error::Unsupported`] for a body that would
     /// have no surface left. What was named before then stays.
     pub fn set_symmetry_nodes(&mut self, nodes: &[u32]) -> Result<(), Error> {
-        self.surface.refuse_submesh("planes of symmetry of a part of a mesh by itself")?;
-        let node_count = self.surface.node_count();
-        let mut marked = vec![false; node_count];
-        for (cell, &node) in nodes.iter().enumerate() {
-            let mark = marked.get_mut(node as usize);
-            *mark.ok_or(Error::NodeOutOfRange { cell, node: node.into(), node_count })? = true;
-        }
-        let mut has_surface = vec![false; self.surface.body_count()];
-        for (body, nodes) in self.surface.faces() {
-            has_surface[body] |= !nodes.iter().all(|&n| marked[n as usize]);
-        }
-        if has_surface.contains(&false) {
-            return Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" });
-        }
-        self.mark_symmetry(marked);
-        Ok(())
+        self.mesh.set_symmetry_nodes(nodes)
     }
 
-    /// The same by node.
-    pub(crate) fn mark_symmetry(&mut self, mut marked: Vec<bool>) {
-        if let Some(division) = self.surface.division() {
-            let map = &division.interpolation;
-            let of_point = |point| map.row(point).all(|(node, _)| marked[node as usize]);
-            marked = (0..map.point_count()).map(of_point).collect();
-        }
-        self.in_symmetry_plane = Some(marked);
-        self.depth = OnceLock::new();
+    /// The options in force.
+    pub fn options(&self) -> &Options {
+        self.method.options()
     }
 
     /// Replaces the options, not those that pairs have of their own ([`Self::set_pair_options`]). Kept patches stay kept with another law, and are released with another estimator.
@@ -155,55 +84,87 @@ impl<const D: usize> Contact<D> {
     /// As [`Self::new`]; [`Error::OfPair`] where the estimator does not support the law of a pair. The old options then
     /// stay in force.
     pub fn set_options(&mut self, options: Options) -> Result<(), Error> {
-        options.check()?;
-        check_axisymmetry::<D>(&options)?;
-        check_depth(&self.surface, &options)?;
-        self.pair_table.check(&options)?;
-        self.check_beside_multipliers(&options.law, options.friction.is_active() || options.self_contact)?;
-        if options.threads != self.options.threads {
-            self.workers = Workers::new(options.threads)?;
-        }
-        if options.estimator != self.options.estimator {
-            self.release_patches();
-            self.estimator = estimator(&options)?;
-        }
-        self.law = pair_law(&options.law)?;
-        if options.axisymmetric != self.options.axisymmetric {
-            self.release_patches();
-            self.depth = OnceLock::new();
-        }
-        let old = std::mem::replace(&mut self.options, options);
-        let bears_as = |options: &Options| {
-            let Options { law, estimator, axisymmetric, friction, .. } = *options;
-            (std::mem::discriminant(&law), estimator, axisymmetric, friction.is_active(), friction.cohesion > 0.0)
-        };
-        if bears_as(&old) != bears_as(&options) {
-            self.forget_bearings();
-        }
-        self.forget_found();
-        Ok(())
+        changes::options::set(self, options)
     }
 
-    /// The options in force.
-    pub fn options(&self) -> &Options {
-        &self.options
+    /// The options of a pair, in either order; `None` where it follows those of the contact.
+    ///
+    /// # Errors
+    /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles.
+    pub fn pair_options(&self, partners: [Partner; 2]) -> Result<Option<PairOptions>, Error> {
+        let pair = self.partners.checked_pair(partners, self.mesh.surface.body_count())?;
+        Ok(self.partners.table.options(&pair))
     }
 
-    /// The surface.
-    pub fn surface(&self) -> &Surface<D> {
-        &self.surface
+    /// Sets the options of a pair, body with body or body with obstacle, in either order; `None`: it follows the options
+    /// of the contact again, as every pair does at first.
+    ///
+    /// For a body with itself they decide in place of `Options::self_contact` whether it is evaluated against itself:
+    /// `excluded` switches that off for this body, and anything else on.
+    ///
+    /// Kept patches stay kept, and patches of a pair that gets a local law later are found at every evaluation, until
+    /// [`Self::keep_patches`] is called again.
+    ///
+    /// # Errors
+    /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles, which do not
+    /// act on one another; [`Error::OfPair`] for a value out of its range, a law that the estimator does not
+    /// support, or a gap offset between bodies that is positive or has another law than `depth`. The old options then stay.
+    pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
+        changes::options::set_pair(self, partners, options)
     }
 
-    /// The boundary facets, in the order in which [`Self::slip`] has them.
-    pub fn boundary_facets(&self) -> Vec<BoundaryFacet> {
-        self.surface.boundary_facets()
+    /// Adds a rigid partner and returns its index: 0, 1, …, also after others were removed.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::BadPose`]; for a polytope those of [`crate::Surface::from_facets`].
+    pub fn add_obstacle(&mut self, obstacle: Obstacle<D>) -> Result<usize, Error> {
+        self.partners.obstacles.add(obstacle)
     }
 
-    /// The points of which [`Self::boundary_facets`], [`Self::contact_points`] and [`Self::gap_constraints`] tell, as
-    /// combinations of nodes: more than the nodes where there are cells of second order, else the nodes themselves. With a
-    /// basis ([`Self::set_basis`]) they are combinations of its unknowns.
-    pub fn point_weights(&self) -> PointWeights {
-        self.surface.point_weights()
+    /// Moves an obstacle.
+    ///
+    /// # Errors
+    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`], [`Error::BadPose`].
+    pub fn set_pose(&mut self, obstacle: usize, pose: Pose<D>) -> Result<(), Error> {
+        changes::options::set_pose(self, obstacle, pose)
+    }
+
+    /// Shape and pose of an obstacle.
+    ///
+    /// # Errors
+    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`].
+    pub fn obstacle(&self, obstacle: usize) -> Result<&Obstacle<D>, Error> {
+        Ok(&self.partners.obstacles.rigid(obstacle)?.obstacle)
+    }
+
+    /// Number of obstacles, with those that were removed: the next one gets this index.
+    pub fn obstacle_count(&self) -> usize {
+        self.partners.obstacles.count()
+    }
+
+    /// Removes an obstacle and the options of its pairs. The others keep their indices; its own is never given again, and
+    /// stands in results with a resultant of zero.
+    ///
+    /// # Errors
+    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`].
+    pub fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Error> {
+        changes::options::remove_obstacle(self, obstacle)
+    }
+
+    /// Whether tangents have the rotations of the obstacles, too; they have not at first. Number `node_count +
+    /// obstacle_count + o` is then the rotation of obstacle o, a rotation vector about the position of its pose, which moves
+    /// along; in 2D its first entry is the angle, and the second has none but zeros. Not with axisymmetry, where nothing turns; with
+    /// friction, and for an obstacle that a body meets by the law `fiber`, the tangent is then refused.
+    ///
+    /// It is the second derivative of the energy, and symmetric. The derivative of the moment about the position,
+    /// M, as the obstacle turns by dθ is −(∂²w/∂θ²) dθ + ½ dθ × M.
+    pub fn set_obstacle_rotations(&mut self, on: bool) {
+        self.method.obstacle_rotations = on;
+    }
+
+    /// Whether they have.
+    pub fn obstacle_rotations(&self) -> bool {
+        self.method.obstacle_rotations
     }
 
     /// Contact forces at `coords`, `[node_count, D]`.
@@ -252,6 +213,23 @@ impl<const D: usize> Contact<D> {
         kernels::evaluate_with_tangent(self, coords, part)
     }
 
+    /// Largest time step of central differences (leapfrog) for the contact alone, 2/√λ, where λ is a bound of the
+    /// largest eigenvalue of M⁻¹K: K is the full tangent at `coords` ([`Self::tangent`]), M are `masses`, one lumped
+    /// mass per node. The step lies up to 3 % below its limit, and 6 % where other eigenvalues are negative and a hundred
+    /// times as large. Obstacles are held; so is a node of infinite mass. Infinite where nothing touches.
+    ///
+    /// A host whose own limit is Δt_host is stable with the step 1/Δt² = 1/Δt_host² + 1/Δt_contact², since the largest
+    /// eigenvalue of a sum of symmetric matrices is at most the sum of the largest. The limit is that of the motion
+    /// linearised at `coords`: contact that begins within a step is not in it, nor is a force that jumps (law `volume`
+    /// with exponent below 2).
+    ///
+    /// # Errors
+    /// As [`Self::tangent`]; [`Error::Length`] for masses of another number than the nodes,
+    /// [`Error::NotPositiveMass`] for a node that feels contact.
+    pub fn stable_step(&self, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
+        kernels::stable_step(self, coords, masses)
+    }
+
     /// Overlaps of all overlapping pairs at `coords`, with their gradients, ordered by pair. With the fiber law they
     /// are measured along its lines.
     ///
@@ -289,9 +267,6 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::NotPositive`] for a reach that is not; else as [`Self::evaluate`].
     pub fn gap_constraints(&self, coords: &[[f64; D]], reach: f64) -> Result<GapConstraints<D>, Error> {
-        if !(reach.is_finite() && reach > 0.0) {
-            return Err(Error::NotPositive { name: "reach", value: reach });
-        }
         kernels::gap_constraints(self, coords, reach)
     }
 
@@ -303,28 +278,92 @@ impl<const D: usize> Contact<D> {
     pub fn trace(&self, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
         kernels::trace(self, coords)
     }
-}
 
-/// Axisymmetry is that of coordinates (r, z).
-fn check_axisymmetry<const D: usize>(options: &Options) -> Result<(), Error> {
-    match D {
-        3 if options.axisymmetric => Err(Error::Unsupported { what: "axisymmetry in 3D: its coordinates are (r, z)" }),
-        _ => Ok(()),
+    /// Begins a step with friction at `coords`, with obstacles where they are: slip is counted from here. The elastic slip
+    /// that was carried so far stays, none at first; [`Self::commit_step`] begins the next step by itself. To try a step
+    /// again nothing has to be undone.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::NonFiniteCoordinate`]; with friction, of which what bears is measured here, as
+    /// [`Self::evaluate`]. Nothing has then changed.
+    pub fn begin_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        changes::friction_steps::begin(self, coords)
     }
-}
 
-/// Refuses at once what no evaluation could measure: depth is that of cells.
-fn check_depth<const D: usize>(surface: &Surface<D>, options: &Options) -> Result<(), Error> {
-    let between_bodies = surface.body_count() > 1 || options.self_contact;
-    if options.law.needs_depth() && between_bodies && surface.cells.is_none() {
-        let what = "the law depth between bodies given by facets, since depth is that of cells: give cells, or set the \
-                    law fiber or volume";
-        return Err(Error::Unsupported { what });
+    /// Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
+    /// Frozen friction is released. On an error nothing has changed.
+    ///
+    /// # Errors
+    /// [`Error::NoStep`]; else as [`Self::evaluate`].
+    pub fn commit_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        changes::friction_steps::commit(self, coords)
     }
-    let is_rubbed = options.friction.is_active() && !options.law.needs_depth() && !options.law.is_fiber();
-    if is_rubbed && between_bodies && surface.cells.is_none() {
-        let what = "friction with the law volume between bodies given by facets: give cells, or set the law fiber";
-        return Err(Error::Unsupported { what });
+
+    /// The elastic slip that was carried into the step, a vector for every facet of the surface, in the order of
+    /// [`Self::boundary_facets`]: that of the facet against what it faces. With the coordinates at which the step began it is all that a restart needs.
+    ///
+    /// # Errors
+    /// [`Error::NoStep`].
+    pub fn slip(&self) -> Result<&[[f64; D]], Error> {
+        self.history.slip()
     }
-    Ok(())
+
+    /// Sets the elastic slip that was carried into the step that has begun, after [`Self::begin_step`] at the coordinates
+    /// of that time.
+    ///
+    /// # Errors
+    /// [`Error::NoStep`], [`Error::Length`], [`Error::NonFiniteSlip`]; the old one then stays.
+    pub fn set_slip(&mut self, slip: &[[f64; D]]) -> Result<(), Error> {
+        self.history.set_slip(slip, self.mesh.surface.facets.len())
+    }
+
+    /// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step ends or
+    /// [`Self::release_friction`]: the forces of friction are then minus the gradient of a convex potential, and their
+    /// tangent is symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the
+    /// solution with the current pressure.
+    ///
+    /// # Errors
+    /// [`Error::NoStep`]; else as [`Self::evaluate`]. What was frozen before then stays.
+    pub fn freeze_friction(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+        changes::friction_steps::freeze(self, coords)
+    }
+
+    /// Takes the pressure of the coordinates at hand again.
+    pub fn release_friction(&mut self) {
+        self.history.release_friction();
+    }
+
+    /// Finds the patches of the fiber law at `coords` and keeps them, that is the directions and the spacing of their
+    /// lines, for all later evaluations, until this is called again or [`Self::release_patches`]. With kept patches the
+    /// forces are the gradient of one energy, as a Newton solver needs. Patches of pairs that do not overlap at
+    /// `coords` are not kept, but found at every evaluation. Returns the number of directions kept; 0 for other laws.
+    ///
+    /// # Errors
+    /// As [`Self::evaluate`]; patches kept before are then still kept.
+    pub fn keep_patches(&mut self, coords: &[[f64; D]]) -> Result<usize, Error> {
+        changes::patches::keep(self, coords)
+    }
+
+    /// Releases kept patches.
+    pub fn release_patches(&mut self) {
+        self.history.release_patches();
+    }
+
+    /// Shares the work of evaluations with other ranks, `None`: no more. From then on every rank makes the same calls with the
+    /// same coordinates, options, obstacles and history, and gets the whole result, with the bits of one rank alone. Threads
+    /// may differ. Pairs with a signed distance function are measured on every rank.
+    ///
+    /// Where an evaluation fails on one rank it fails on all. Where ranks were given different things, all are told.
+    ///
+    /// # Errors
+    /// [`Error::BadRank`]; what was set before then stays.
+    pub fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Error> {
+        self.mesh.surface.refuse_submesh("another communicator for a mesh that is given in parts")?;
+        self.work.set_communicator(communicator)
+    }
+
+    /// What was shared since the communicator was set; zeros without one.
+    pub fn rank_counts(&self) -> RankCounts {
+        self.work.rank_counts()
+    }
 }

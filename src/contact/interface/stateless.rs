@@ -1,7 +1,7 @@
 //! Evaluations in one call, without anything that is kept.
 
-use super::contact::Contact;
 use crate::Error;
+use crate::contact::evaluation::Contact;
 use crate::contact::method::Options;
 use crate::contact::results::ContactForces;
 use crate::geometry::{Bodies, CellBlock, Surface};

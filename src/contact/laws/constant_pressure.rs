@@ -39,7 +39,7 @@ fn a_law_of_its_own_works_with_either_estimator() {
     for (estimator, tolerance) in [(Estimator::Exact, 1e-12), (Estimator::Fibers(FiberOptions::default()), 0.02)] {
         let options = Options { estimator, ..Options::new(EnergyLaw::fiber(1.0)) };
         let mut contact = Contact::new(surface.clone(), options).expect("valid options");
-        contact.law = Box::new(ConstantPressure(30.0));
+        contact.method.law = Box::new(ConstantPressure(30.0));
         let found = contact.evaluate(&coords).expect("valid coordinates");
         assert!((found.energy - 3.0).abs() < 3.0 * tolerance, "{estimator:?}: {}", found.energy);
         assert!((found.bodies[1].force[1] - 30.0).abs() < 30.0 * tolerance, "{estimator:?}: {:?}", found.bodies);

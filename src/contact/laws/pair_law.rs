@@ -52,7 +52,7 @@ pub(crate) struct Asked {
     /// These for friction: also of a law that has one pressure for the whole pair, which then presses everywhere.
     pub(crate) slides: bool,
     /// The rotation of the obstacle in the tangent, which needs the gradient.
-    pub(crate) turns: bool,
+    pub(crate) rotations: bool,
 }
 
 impl Asked {

@@ -1,74 +1,75 @@
 //! The obstacles of a contact: added, moved, asked for, removed.
 
-use super::rigid::Rigid;
-use super::rigid::check_pose;
+use super::rigid::{Rigid, check_pose};
 use crate::Error;
-use crate::contact::interface::Contact;
 use crate::geometry::{Obstacle, Pose};
-use crate::overlap::Partner;
 
-impl<const D: usize> Contact<D> {
-    /// Adds a rigid partner and returns its index: 0, 1, …, also after others were removed.
-    ///
-    /// # Errors
-    /// [`Error::NotPositive`], [`Error::BadPose`]; for a polytope those of [`crate::Surface::from_facets`].
-    pub fn add_obstacle(&mut self, obstacle: Obstacle<D>) -> Result<usize, Error> {
-        let index = self.obstacles.len();
-        self.obstacles.push(Some(Rigid::new(obstacle, index)?));
+/// Where obstacles are, by index; `None` for one that was removed.
+pub(crate) type Poses<const D: usize> = Vec<Option<Pose<D>>>;
+
+/// By index; `None` where one was removed.
+pub(crate) struct Obstacles<const D: usize>(Vec<Option<Rigid<D>>>);
+
+impl<const D: usize> Obstacles<D> {
+    pub(crate) fn new() -> Self {
+        Self(Vec::new())
+    }
+
+    /// Adds one and returns its index.
+    pub(crate) fn add(&mut self, obstacle: Obstacle<D>) -> Result<usize, Error> {
+        let index = self.0.len();
+        self.0.push(Some(Rigid::new(obstacle, index)?));
         Ok(index)
     }
 
-    /// Removes an obstacle and the options of its pairs. The others keep their indices; its own is never given again, and
-    /// stands in results with a resultant of zero.
-    ///
-    /// # Errors
-    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`].
-    pub fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Error> {
+    pub(crate) fn remove(&mut self, obstacle: usize) -> Result<(), Error> {
         self.rigid(obstacle)?;
-        self.obstacles[obstacle] = None;
-        let partner = Partner::Obstacle(obstacle);
-        self.pair_table.forget(partner);
-        self.kept.retain(|(pair, _)| !pair.contains(&partner));
-        self.multipliers.forget(partner);
-        self.forget_found();
+        self.0[obstacle] = None;
         Ok(())
     }
 
-    /// Shape and pose of an obstacle.
-    ///
-    /// # Errors
-    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`].
-    pub fn obstacle(&self, obstacle: usize) -> Result<&Obstacle<D>, Error> {
-        Ok(&self.rigid(obstacle)?.obstacle)
-    }
-
-    /// Moves an obstacle.
-    ///
-    /// # Errors
-    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`], [`Error::BadPose`].
-    pub fn set_pose(&mut self, obstacle: usize, pose: Pose<D>) -> Result<(), Error> {
+    /// Moves one; returns it if it has another scale than before.
+    pub(crate) fn set_pose(&mut self, obstacle: usize, pose: Pose<D>) -> Result<Option<&Rigid<D>>, Error> {
         check_pose(&pose, obstacle)?;
         self.rigid(obstacle)?;
-        if let Some(rigid) = &mut self.obstacles[obstacle] {
-            let is_scaled = rigid.obstacle.pose.scale != pose.scale;
-            rigid.obstacle.pose = pose;
-            if is_scaled {
-                self.pair_table.rescale(obstacle, rigid);
-            }
-        }
-        self.forget_found();
-        Ok(())
+        let Some(rigid) = &mut self.0[obstacle] else { return Ok(None) };
+        let is_scaled = rigid.obstacle.pose.scale != pose.scale;
+        rigid.obstacle.pose = pose;
+        Ok(is_scaled.then_some(rigid))
     }
 
-    /// Number of obstacles, with those that were removed: the next one gets this index.
-    pub fn obstacle_count(&self) -> usize {
-        self.obstacles.len()
+    /// Number of obstacles, with those that were removed.
+    pub(crate) fn count(&self) -> usize {
+        self.0.len()
     }
 
     /// The obstacle, if it is there.
     pub(crate) fn rigid(&self, obstacle: usize) -> Result<&Rigid<D>, Error> {
-        let count = self.obstacles.len();
-        let place = self.obstacles.get(obstacle).ok_or(Error::ObstacleOutOfRange { obstacle, count })?;
+        let count = self.0.len();
+        let place = self.0.get(obstacle).ok_or(Error::ObstacleOutOfRange { obstacle, count })?;
         place.as_ref().ok_or(Error::ObstacleRemoved { obstacle })
+    }
+
+    /// The same of an index that is in range.
+    pub(crate) fn get(&self, obstacle: usize) -> Option<&Rigid<D>> {
+        self.0[obstacle].as_ref()
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Option<&Rigid<D>>> {
+        self.0.iter().map(Option::as_ref)
+    }
+
+    /// Where they are.
+    pub(crate) fn poses(&self) -> Poses<D> {
+        self.iter().map(|rigid| rigid.map(|rigid| rigid.obstacle.pose)).collect()
+    }
+
+    /// Puts them where `poses` says, and into `poses` where they were.
+    pub(crate) fn exchange_poses(&mut self, poses: &mut Poses<D>) {
+        for (rigid, pose) in self.0.iter_mut().zip(poses) {
+            if let (Some(rigid), Some(pose)) = (rigid, pose) {
+                std::mem::swap(&mut rigid.obstacle.pose, pose);
+            }
+        }
     }
 }

@@ -4,10 +4,9 @@ use super::pair_options::PairOptions;
 use super::parallel::Parallel;
 use super::rigid::Rigid;
 use crate::Error;
-use crate::contact::evaluation::kernels::pair_law;
 use crate::contact::friction::Friction;
 use crate::contact::laws::{EnergyLaw, PairLaw};
-use crate::contact::method::Options;
+use crate::contact::method::{Options, pair_law};
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 

@@ -1,22 +1,28 @@
-//! Evaluations that several ranks share.
+//! Threads and ranks that share the work of evaluations.
 
+use super::workers::Workers;
 use crate::Error;
-use crate::contact::interface::Contact;
-use crate::contact::method::Options;
-use crate::ranks::{Communicator, RankCounts, Ranks};
-use std::hash::Hasher;
+use crate::ranks::{Communicator, RankCounts, Ranks, Sharing};
 
-impl<const D: usize> Contact<D> {
-    /// Shares the work of evaluations with other ranks, `None`: no more. From then on every rank makes the same calls with the
-    /// same coordinates, options, obstacles and history, and gets the whole result, with the bits of one rank alone. Threads
-    /// may differ. Pairs with a signed distance function are measured on every rank.
-    ///
-    /// Where an evaluation fails on one rank it fails on all. Where ranks were given different things, all are told.
-    ///
-    /// # Errors
-    /// [`Error::BadRank`]; what was set before then stays.
-    pub fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Error> {
-        self.surface.refuse_submesh("another communicator for a mesh that is given in parts")?;
+/// Those that share the work of one contact. No result depends on them.
+pub(crate) struct Work {
+    workers: Option<Workers>,
+    ranks: Option<Ranks>,
+}
+
+impl Work {
+    /// Threads alone.
+    pub(crate) fn new(threads: usize) -> Result<Self, Error> {
+        Ok(Self { workers: Workers::new(threads)?, ranks: None })
+    }
+
+    /// Another number of threads; the old ones stay on an error.
+    pub(crate) fn set_threads(&mut self, threads: usize) -> Result<(), Error> {
+        self.workers = Workers::new(threads)?;
+        Ok(())
+    }
+
+    pub(crate) fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Error> {
         self.ranks = communicator.map(Ranks::new).transpose()?;
         Ok(())
     }
@@ -26,30 +32,30 @@ impl<const D: usize> Contact<D> {
         self.ranks = Some(ranks);
     }
 
-    /// Those that share the work.
+    /// The ranks that share the work.
     pub(crate) fn ranks(&self) -> Option<&Ranks> {
         self.ranks.as_ref()
     }
 
     /// What was shared since the communicator was set; zeros without one.
-    pub fn rank_counts(&self) -> RankCounts {
+    pub(crate) fn rank_counts(&self) -> RankCounts {
         self.ranks.as_ref().map(Ranks::counts).unwrap_or_default()
     }
 
-    /// Hash of what ranks must have in common, and of what is asked for.
-    pub(crate) fn given(&self, coords: &[[f64; D]], asked: &str) -> u64 {
-        let mut hasher = rustc_hash::FxHasher::default();
-        let mut add = |x: f64| hasher.write_u64(x.to_bits());
-        coords.as_flattened().iter().for_each(|x| add(*x));
-        for rigid in self.obstacles.iter().flatten() {
-            let pose = &rigid.obstacle.pose;
-            pose.position.iter().chain(pose.rotation.as_flattened()).for_each(|x| add(*x));
-            add(pose.scale);
+    /// The threads that share the work, if there are some.
+    pub(crate) fn pool(&self) -> Option<&rayon::ThreadPool> {
+        self.workers.as_ref().and_then(Workers::pool)
+    }
+
+    /// How the work within a pair is shared.
+    pub(crate) fn within_pair(&self, is_marched: bool) -> Sharing<'_> {
+        match &self.ranks {
+            // A function of the host is called on the thread that evaluates, on every rank at all points.
+            _ if is_marched => Sharing::Alone,
+            Some(ranks) => Sharing::Ranks { ranks, pool: self.pool() },
+            // Outside the pool there is none to share the work with.
+            None if self.pool().is_some() => Sharing::Threads,
+            None => Sharing::Alone,
         }
-        let options = Options { threads: 1, ..self.options };
-        hasher.write(format!("{options:?}").as_bytes());
-        hasher.write(asked.as_bytes());
-        hasher.write_usize(self.surface.facet_count());
-        hasher.finish()
     }
 }

@@ -4,6 +4,8 @@
 //! touches: λ = k s is the multiplier of an augmented Lagrangian, and what it adds to the law is a shift of the surface (Powell
 //! 1969, who found the method so). Forces stay those of one energy, with the law's own tangent.
 
+use crate::Error;
+use crate::contact::laws::{EnergyLaw, EnergyProfile, PenetrationLaw};
 use crate::geometry::Vector;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
@@ -22,14 +24,27 @@ pub struct Multiplier<const D: usize> {
 }
 
 /// The node, its body and the partner.
-pub(super) type Row = (u32, [Partner; 2]);
+pub(crate) type Row = (u32, [Partner; 2]);
 
 /// Largest factor of a gap by which a surface is moved out.
 const MOST_PACE: f64 = 4.0;
 
+/// Refuses what does not go with multipliers: a shift stands for a pressure, whatever the stiffness is raised to, only where pressure is
+/// stiffness times penetration.
+pub(crate) fn check_law(law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
+    let what = match law {
+        _ if is_rubbed => "a penetration asked for with friction or self-contact",
+        EnergyLaw::Fiber(PenetrationLaw { profile: EnergyProfile::Quadratic, .. }) | EnergyLaw::Depth { .. } => {
+            return Ok(());
+        }
+        _ => "a penetration asked for under a law whose pressure is not a stiffness times the penetration",
+    };
+    Err(Error::Unsupported { what })
+}
+
 /// Those of all nodes that have any.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Multipliers<const D: usize> {
+pub(crate) struct Multipliers<const D: usize> {
     rows: BTreeMap<Row, (f64, Vector<D>)>,
     /// Shift and mean gap at the last update of the same series.
     past: BTreeMap<Row, (f64, f64)>,
@@ -39,12 +54,17 @@ pub(super) struct Multipliers<const D: usize> {
 }
 
 impl<const D: usize> Multipliers<D> {
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
+    /// Refuses what does not go with them, where there are some.
+    pub(crate) fn check(&self, law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
+        if self.is_empty() { Ok(()) } else { check_law(law, is_rubbed) }
+    }
+
     /// Moves points out.
-    pub(super) fn add_to(&self, points: &mut [[f64; D]]) {
+    pub(crate) fn add_to(&self, points: &mut [[f64; D]]) {
         for ((node, _), (shift, towards)) in &self.rows {
             if let Some(point) = points.get_mut(*node as usize) {
                 (0..D).for_each(|axis| point[axis] += shift * towards[axis]);
@@ -53,13 +73,13 @@ impl<const D: usize> Multipliers<D> {
     }
 
     /// How far a node is moved out against a partner.
-    pub(super) fn shift(&self, node: u32, partners: [Partner; 2]) -> f64 {
+    pub(crate) fn shift(&self, node: u32, partners: [Partner; 2]) -> f64 {
         self.rows.get(&(node, partners)).map_or(0.0, |(shift, _)| *shift)
     }
 
     /// By how much of its gap a surface is moved out: all of it, or more where the last time the gap has changed by less than the
     /// shift, since a part alone of the facets about the node is pressed.
-    pub(super) fn pace(&self, node: u32, partners: [Partner; 2], mean: f64) -> f64 {
+    pub(crate) fn pace(&self, node: u32, partners: [Partner; 2], mean: f64) -> f64 {
         let row = (node, partners);
         let Some((shift, gap)) = self.past.get(&row) else { return 1.0 };
         let (moved, closed) = (self.shift(node, partners) - shift, mean - gap);
@@ -67,34 +87,34 @@ impl<const D: usize> Multipliers<D> {
     }
 
     /// What an update was made of.
-    pub(super) fn remember(&mut self, past: Vec<(Row, (f64, f64))>, sides: BTreeMap<[Partner; 2], bool>) {
+    pub(crate) fn remember(&mut self, past: Vec<(Row, (f64, f64))>, sides: BTreeMap<[Partner; 2], bool>) {
         (self.past, self.sides) = (past.into_iter().collect(), sides);
     }
 
     /// A series of updates has ended.
-    pub(super) fn end_series(&mut self) {
+    pub(crate) fn end_series(&mut self) {
         self.past.clear();
     }
 
     /// Of two bodies, whether the second has them; those that are known.
-    pub(super) fn known_sides(&self) -> BTreeMap<[Partner; 2], bool> {
+    pub(crate) fn known_sides(&self) -> BTreeMap<[Partner; 2], bool> {
         self.sides.clone()
     }
 
     /// The same pressures by a stiffness that is higher by a factor.
-    pub(super) fn stiffen(&mut self, factor: f64) {
+    pub(crate) fn stiffen(&mut self, factor: f64) {
         self.rows.values_mut().for_each(|(shift, _)| *shift /= factor);
         self.end_series();
     }
 
     /// Takes those against a partner out.
-    pub(super) fn forget(&mut self, partner: Partner) {
+    pub(crate) fn forget(&mut self, partner: Partner) {
         self.rows.retain(|(_, partners), _| !partners.contains(&partner));
         self.end_series();
     }
 
     /// In ascending order.
-    pub(super) fn list(&self) -> Vec<Multiplier<D>> {
+    pub(crate) fn list(&self) -> Vec<Multiplier<D>> {
         let one = |(&(node, partners), &(shift, towards)): (&Row, &(f64, Vector<D>))| Multiplier {
             node,
             partners,
@@ -118,6 +138,6 @@ impl<const D: usize> FromIterator<Multiplier<D>> for Multipliers<D> {
     }
 }
 
-pub(super) fn sorted([p, q]: [Partner; 2]) -> [Partner; 2] {
+pub(crate) fn sorted([p, q]: [Partner; 2]) -> [Partner; 2] {
     if p < q { [p, q] } else { [q, p] }
 }

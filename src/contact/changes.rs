@@ -1,0 +1,7 @@
+//! What a change of one part of a contact means for the others.
+//!
+//! `options` (of all pairs and of one, obstacles) · `friction_steps` (steps begun and committed, friction frozen) · `patches` (kept)
+
+pub(super) mod friction_steps;
+pub(super) mod options;
+pub(super) mod patches;

@@ -1,0 +1,81 @@
+//! Other options, and other obstacles.
+
+use crate::Error;
+use crate::contact::evaluation::Contact;
+use crate::contact::friction::Friction;
+use crate::contact::method::{Method, Options};
+use crate::contact::partners::PairOptions;
+use crate::geometry::Pose;
+use crate::overlap::Partner;
+
+/// Replaces the options of all pairs that have none of their own. On an error the old ones stay.
+pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) -> Result<(), Error> {
+    let Contact { mesh, partners, method, work, history, state } = contact;
+    Method::check(&options, &mesh.surface)?;
+    partners.table.check(&options)?;
+    history.multipliers.check(&options.law, options.friction.is_active() || options.self_contact)?;
+    let (new, old) = (method.with(options)?, *method.options());
+    if options.threads != old.threads {
+        work.set_threads(options.threads)?;
+    }
+    *method = new;
+    if options.estimator != old.estimator || options.axisymmetric != old.axisymmetric {
+        history.release_patches();
+    }
+    if options.axisymmetric != old.axisymmetric {
+        mesh.forget_depth();
+    }
+    let bears_as = |options: &Options| {
+        let Options { law, estimator, axisymmetric, friction, .. } = *options;
+        (std::mem::discriminant(&law), estimator, axisymmetric, friction.is_active(), friction.cohesion > 0.0)
+    };
+    if bears_as(&old) != bears_as(&options) {
+        history.forget_bearings();
+    }
+    state.forget_found();
+    Ok(())
+}
+
+/// Sets the options of one pair, `None`: those of the contact. On an error the old ones stay.
+pub(crate) fn set_pair<const D: usize>(
+    contact: &mut Contact<D>,
+    partners: [Partner; 2],
+    options: Option<PairOptions>,
+) -> Result<(), Error> {
+    let pair = contact.partners.checked_pair(partners, contact.mesh.surface.body_count())?;
+    let of_contact = *contact.method.options();
+    let bears_as = |options: Option<PairOptions>| {
+        let PairOptions { excluded, law, friction_coefficient, gap_offset, .. } = options.unwrap_or_default();
+        let law = law.unwrap_or(of_contact.law);
+        let friction = friction_coefficient.map(|coefficient| Friction { coefficient, ..of_contact.friction });
+        let friction = friction.unwrap_or(of_contact.friction).is_active();
+        (options.is_some(), excluded, std::mem::discriminant(&law), friction, gap_offset.to_bits())
+    };
+    let changes = bears_as(options) != bears_as(contact.partners.table.options(&pair));
+    if let Some(PairOptions { law, friction_coefficient, excluded, .. }) = options {
+        let is_rubbed = friction_coefficient.is_some_and(|coefficient| coefficient > 0.0);
+        let is_own = pair[0] == pair[1] && !excluded;
+        contact.history.multipliers.check(&law.unwrap_or(of_contact.law), is_rubbed || is_own)?;
+    }
+    contact.partners.set_pair_options(pair, options, &of_contact)?;
+    if changes {
+        contact.history.forget_bearings();
+    }
+    contact.state.forget_found();
+    Ok(())
+}
+
+/// Takes an obstacle out, and what was said and found of it.
+pub(crate) fn remove_obstacle<const D: usize>(contact: &mut Contact<D>, obstacle: usize) -> Result<(), Error> {
+    contact.partners.remove_obstacle(obstacle)?;
+    contact.history.forget(Partner::Obstacle(obstacle));
+    contact.state.forget_found();
+    Ok(())
+}
+
+/// Moves an obstacle.
+pub(crate) fn set_pose<const D: usize>(contact: &mut Contact<D>, obstacle: usize, pose: Pose<D>) -> Result<(), Error> {
+    contact.partners.set_pose(obstacle, pose)?;
+    contact.state.forget_found();
+    Ok(())
+}

@@ -1,0 +1,38 @@
+//! The parts of a contact.
+
+use super::state::LastState;
+use crate::Error;
+use crate::contact::history::History;
+use crate::contact::mesh::Mesh;
+use crate::contact::method::{Method, Options};
+use crate::contact::partners::Partners;
+use crate::contact::work::Work;
+use crate::geometry::Surface;
+
+/// Contact between the bodies of one mesh, and with rigid obstacles.
+///
+/// It holds topology, obstacles and options, and keeps search trees and what was found at the last coordinates for the
+/// next evaluation. No result depends on what is kept: two evaluations at the same coordinates give the same bits, and
+/// [`contact_force`](crate::contact_force) gives the same bits as a `Contact` that is kept.
+pub struct Contact<const D: usize> {
+    pub(crate) mesh: Mesh<D>,
+    pub(crate) partners: Partners<D>,
+    pub(crate) method: Method<D>,
+    pub(crate) work: Work,
+    pub(crate) history: History<D>,
+    /// Nothing that any result depends on.
+    pub(crate) state: LastState<D>,
+}
+
+/// See [`Contact::new`].
+pub(crate) fn assemble<const D: usize>(surface: Surface<D>, options: Options) -> Result<Contact<D>, Error> {
+    Method::check(&options, &surface)?;
+    Ok(Contact {
+        mesh: Mesh::new(surface),
+        partners: Partners::new(),
+        work: Work::new(options.threads)?,
+        method: Method::new(options)?,
+        history: History::new(),
+        state: LastState::new(),
+    })
+}

@@ -1,0 +1,29 @@
+//! How pairs slide.
+
+use super::parts::Contact;
+use crate::Error;
+use crate::contact::friction::{Sliding, Stick};
+use crate::contact::laws::Measured;
+
+/// Refuses friction before a step has begun.
+pub(crate) fn check_step<const D: usize>(contact: &Contact<D>) -> Result<(), Error> {
+    let has_friction = contact.partners.has_friction(contact.method.options());
+    if has_friction && contact.history.step.is_none() { Err(Error::NoStep) } else { Ok(()) }
+}
+
+/// How a pair slides, `None` for one without friction.
+pub(crate) fn sliding<'a, const D: usize>(
+    contact: &'a Contact<D>,
+    measured: &Measured<D>,
+) -> Result<Option<Sliding<'a, D>>, Error> {
+    let friction = contact.partners.friction_of(&measured.pair.partners, contact.method.options());
+    let Some(step) = contact.history.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
+    let what = "friction with a law that has no stiffness of its own: set the friction's";
+    let stick = match friction.memoryless_slip {
+        Some(slip) => Stick::Memoryless(slip),
+        None => {
+            Stick::Spring(friction.stiffness.or(measured.law.initial_stiffness()).ok_or(Error::Unsupported { what })?)
+        }
+    };
+    Ok(Some(Sliding { friction, stick, step }))
+}

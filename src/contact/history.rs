@@ -1,0 +1,12 @@
+//! What a contact carries from one evaluation to the next, on which results depend.
+//!
+//! `past` (all of it) · `kept_patches` (patches of the fiber law that are held) · `multipliers` (surfaces that are moved out)
+
+mod kept_patches;
+mod multipliers;
+mod past;
+
+pub(super) use kept_patches::KeptPatches;
+pub use multipliers::Multiplier;
+pub(super) use multipliers::{Multipliers, check_law, sorted};
+pub(super) use past::History;

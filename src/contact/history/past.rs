@@ -1,0 +1,97 @@
+//! The steps of a contact, and what is held during one.
+
+use super::kept_patches::KeptPatches;
+use super::multipliers::Multipliers;
+use crate::Error;
+use crate::contact::friction::{FrozenFriction, SlipFacets, Step};
+use crate::contact::partners::Poses;
+use crate::geometry::Surface;
+use crate::overlap::Partner;
+
+/// What was begun, kept and frozen.
+pub(crate) struct History<const D: usize> {
+    /// Where the step began, once one has begun.
+    pub(crate) step: Option<Step<D>>,
+    /// Facets and pressures at which friction is frozen.
+    pub(crate) frozen: Option<FrozenFriction<D>>,
+    pub(crate) patches: KeptPatches<D>,
+    /// How far surfaces are moved out so that they press without penetration.
+    pub(crate) multipliers: Multipliers<D>,
+}
+
+impl<const D: usize> History<D> {
+    pub(crate) fn new() -> Self {
+        Self { step: None, frozen: None, patches: KeptPatches::none(), multipliers: Multipliers::default() }
+    }
+
+    /// Begins a step; frozen friction is released.
+    pub(crate) fn begin(&mut self, step: Step<D>) {
+        (self.step, self.frozen) = (Some(step), None);
+    }
+
+    /// The step that has begun.
+    pub(crate) fn step(&self) -> Result<&Step<D>, Error> {
+        self.step.as_ref().ok_or(Error::NoStep)
+    }
+
+    pub(crate) fn slip(&self) -> Result<&[[f64; D]], Error> {
+        Ok(&self.step()?.slip)
+    }
+
+    /// Sets the elastic slip that was carried into the step, for as many facets; frozen friction, which stands on the old one, is
+    /// released.
+    pub(crate) fn set_slip(&mut self, slip: &[[f64; D]], facet_count: usize) -> Result<(), Error> {
+        if slip.len() != facet_count {
+            return Err(Error::Length { array: "slip", expected: facet_count, found: slip.len() });
+        }
+        if let Some(facet) = slip.iter().position(|vector| !vector.iter().all(|x| x.is_finite())) {
+            return Err(Error::NonFiniteSlip { facet });
+        }
+        let step = self.step.as_mut().ok_or(Error::NoStep)?;
+        step.slip = slip.to_vec();
+        self.frozen = None;
+        Ok(())
+    }
+
+    /// Takes the pressure of the coordinates at hand again.
+    pub(crate) fn release_friction(&mut self) {
+        self.frozen = None;
+    }
+
+    /// Forgets how facets bore when the step began, where other pairs than then have friction, or bear in another way: the
+    /// slip of this step is then counted from its start.
+    pub(crate) fn forget_bearings(&mut self) {
+        if let Some(step) = &mut self.step {
+            step.bearings = None;
+        }
+    }
+
+    /// Releases kept patches.
+    pub(crate) fn release_patches(&mut self) {
+        self.patches = KeptPatches::none();
+    }
+
+    /// Forgets an obstacle that is removed.
+    pub(crate) fn forget(&mut self, partner: Partner) {
+        self.patches.forget(partner);
+        self.multipliers.forget(partner);
+    }
+
+    /// Goes on with other cells of the same mesh, whose points were at `started` when the step began; `facet` is the new number of a
+    /// facet, if it is still there. What was kept and frozen is released.
+    pub(crate) fn take_cells(
+        &mut self,
+        surface: &Surface<D>,
+        started: Option<&[[f64; D]]>,
+        facet: impl Fn(usize) -> Option<usize>,
+    ) {
+        self.release_patches();
+        self.release_friction();
+        self.step = self.step.take().zip(started).map(|(step, points)| step.of_cells(surface, points, facet));
+    }
+
+    /// The frozen friction with bodies and obstacles here.
+    pub(crate) fn frozen_at(&self, coords: &[[f64; D]], poses: &Poses<D>) -> Vec<SlipFacets<D>> {
+        self.frozen.as_ref().map_or_else(Vec::new, |frozen| frozen.at(coords, poses))
+    }
+}

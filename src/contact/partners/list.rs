@@ -1,0 +1,111 @@
+//! The partners of a contact.
+
+use super::obstacles::Obstacles;
+use super::pair_options::PairOptions;
+use super::pair_table::PairTable;
+use super::parallel::Parallel;
+use crate::Error;
+use crate::contact::friction::Friction;
+use crate::contact::laws::{EnergyLaw, PairLaw};
+use crate::contact::method::{Method, Options};
+use crate::geometry::{Pose, Shape};
+use crate::overlap::Partner;
+
+/// Obstacles, and the pairs that have options of their own.
+pub(crate) struct Partners<const D: usize> {
+    pub(crate) obstacles: Obstacles<D>,
+    pub(crate) table: PairTable<D>,
+}
+
+impl<const D: usize> Partners<D> {
+    pub(crate) fn new() -> Self {
+        Self { obstacles: Obstacles::new(), table: PairTable::new() }
+    }
+
+    /// Takes an obstacle out, with the options of its pairs.
+    pub(crate) fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Error> {
+        self.obstacles.remove(obstacle)?;
+        self.table.forget(Partner::Obstacle(obstacle));
+        Ok(())
+    }
+
+    pub(crate) fn set_pose(&mut self, obstacle: usize, pose: Pose<D>) -> Result<(), Error> {
+        if let Some(rescaled) = self.obstacles.set_pose(obstacle, pose)? {
+            self.table.rescale(obstacle, rescaled);
+        }
+        Ok(())
+    }
+
+    /// Sets the options of a pair that was checked.
+    pub(crate) fn set_pair_options(
+        &mut self,
+        pair: [Partner; 2],
+        options: Option<PairOptions>,
+        of_contact: &Options,
+    ) -> Result<(), Error> {
+        let parallel = match (options, pair[1]) {
+            (Some(PairOptions { gap_offset, .. }), Partner::Obstacle(obstacle)) if gap_offset != 0.0 => {
+                Some(Parallel::new(self.obstacles.rigid(obstacle)?, gap_offset))
+            }
+            _ => None,
+        };
+        self.table.set(pair, options, parallel, of_contact)
+    }
+
+    /// The partners in the order in which pairs have them: bodies before obstacles, each by index.
+    pub(crate) fn checked_pair(&self, mut partners: [Partner; 2], body_count: usize) -> Result<[Partner; 2], Error> {
+        for partner in partners {
+            match partner {
+                Partner::Body(body) if body >= body_count => {
+                    return Err(Error::BodyOutOfRange { body, count: body_count });
+                }
+                Partner::Body(_) => {}
+                Partner::Obstacle(obstacle) => drop(self.obstacles.rigid(obstacle)?),
+            }
+        }
+        partners.sort_unstable();
+        match partners {
+            [Partner::Obstacle(_), _] => {
+                Err(Error::Unsupported { what: "a pair of two obstacles: they do not act on one another" })
+            }
+            pair => Ok(pair),
+        }
+    }
+
+    /// The law that a pair follows.
+    pub(crate) fn law_of<'a>(&'a self, pair: &[Partner; 2], method: &'a Method<D>) -> &'a dyn PairLaw<D> {
+        self.table.law(pair).unwrap_or(&*method.law)
+    }
+
+    /// The laws that pairs may follow.
+    pub(crate) fn laws<'a>(&'a self, method: &'a Method<D>) -> impl Iterator<Item = &'a dyn PairLaw<D>> {
+        std::iter::once(&*method.law).chain(self.table.laws())
+    }
+
+    /// What these laws are.
+    pub(crate) fn energy_laws(&self, options: &Options) -> impl Iterator<Item = EnergyLaw> {
+        std::iter::once(options.law).chain(self.table.own_laws())
+    }
+
+    /// The friction of a pair.
+    pub(crate) fn friction_of(&self, pair: &[Partner; 2], options: &Options) -> Friction {
+        self.table.friction(pair, options.friction)
+    }
+
+    /// Whether any pair has friction.
+    pub(crate) fn has_friction(&self, options: &Options) -> bool {
+        options.friction.is_active() || self.table.has_friction()
+    }
+
+    /// Whether the other side of a pair is a signed distance function.
+    pub(crate) fn is_marched(&self, pair: &[Partner; 2]) -> bool {
+        let is_function = |shape: &Shape<D>| matches!(shape, Shape::SignedDistance(_));
+        match (pair[1], self.table.parallel(pair)) {
+            (Partner::Body(_), _) => false,
+            (Partner::Obstacle(_), Some(parallel)) => is_function(&parallel.shape),
+            (Partner::Obstacle(obstacle), None) => {
+                self.obstacles.get(obstacle).is_some_and(|rigid| is_function(rigid.implicit()))
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Errors in the numbering of a host that does not count from 0.
+
+use super::Error;
+
+impl Error {
+    /// The same with its nodes, cells, facets, degrees of freedom and unknowns counted from `base`. Numbers that are reported as
+    /// they were given stay, and so do bodies, obstacles, axes, ranks, and places in arrays.
+    #[must_use]
+    pub fn counted_from(mut self, base: usize) -> Self {
+        // Every variant stands here, so that a new one cannot be forgotten.
+        match &mut self {
+            Error::NodeOutOfRange { cell, node: _, node_count: _ }
+            | Error::InvertedCell { cell }
+            | Error::FoldedCell { cell, at: _, determinant: _ }
+            | Error::ZeroMeasure { cell } => *cell += base,
+            Error::NonFiniteCoordinate { node, axis: _ }
+            | Error::NegativeRadius { node, radius: _ }
+            | Error::NotPositiveMass { node, value: _ } => *node += base,
+            Error::RepeatedNode { cell, node } => {
+                *cell += base;
+                *node += base;
+            }
+            Error::UnknownOutOfRange { row, unknown: _, count: _ } => *row += base,
+            Error::NonConforming { cells } | Error::RepeatedCell { cells } => {
+                cells.iter_mut().for_each(|cell| *cell += base);
+            }
+            Error::OpenSurface { facet, nodes }
+            | Error::NonManifold { facet, nodes }
+            | Error::InconsistentOrientation { facet, nodes } => {
+                *facet += base;
+                nodes.iter_mut().for_each(|node| *node += base);
+            }
+            Error::NonFiniteSlip { facet } => *facet += base,
+            Error::RepeatedFreedom { freedom }
+            | Error::SingularStiffness { freedom }
+            | Error::IndefiniteStiffness { freedom, pivot: _ } => *freedom += base,
+            Error::OfPair { sides: _, cause } => {
+                let own = std::mem::replace(&mut **cause, Error::Empty);
+                **cause = own.counted_from(base);
+            }
+            // As given, or by a matrix's own base.
+            Error::FreedomOutOfRange { freedom: _, count: _ }
+            | Error::NotPositiveDefinite { equation: _ }
+            | Error::Unsymmetric { row: _, column: _ } => {}
+            // Handles, axes, blocks and places in arrays.
+            Error::Length { array: _, expected: _, found: _ }
+            | Error::Dimension { block: _, expected: _, found: _ }
+            | Error::InvertedSurface { body: _ }
+            | Error::BadPose { obstacle: _ }
+            | Error::ObstacleOutOfRange { obstacle: _, count: _ }
+            | Error::ObstacleRemoved { obstacle: _ }
+            | Error::BodyOutOfRange { body: _, count: _ }
+            | Error::NonFiniteStiffness { array: _, entry: _ }
+            | Error::DegenerateHull { point_count: _ }
+            | Error::TooFewHeights { axis: _, count: _ }
+            | Error::NonFiniteHeight { point: _ }
+            | Error::SignedDistance { obstacle: _, point: _ }
+            | Error::UnfinishedLines { obstacle: _, lines: _, steps: _ }
+            | Error::TooManyPieces { sides: _, limit: _ }
+            | Error::BadRank { rank: _, size: _ }
+            | Error::OnOtherRank { rank: _ }
+            | Error::RanksDiffer { rank: _ }
+            | Error::NotGathered { body: _ } => {}
+            // No numbers of anything.
+            Error::Empty
+            | Error::NotPositive { name: _, value: _ }
+            | Error::NotFactorised
+            | Error::Place { code: _ }
+            | Error::NoStep
+            | Error::EmptyCompound
+            | Error::Unsupported { what: _ }
+            | Error::TooManyFibers { needed: _, limit: _ }
+            | Error::Overflow { quantity: _, value: _ }
+            | Error::Communication { code: _ }
+            | Error::Threads { threads: _ } => {}
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_cells_nodes_and_facets_also_of_a_cause() {
+        let error = Error::RepeatedNode { cell: 0, node: 4 };
+        assert_eq!(error.clone().counted_from(1), Error::RepeatedNode { cell: 1, node: 5 });
+        assert_eq!(Error::NonFiniteSlip { facet: 2 }.counted_from(1), Error::NonFiniteSlip { facet: 3 });
+        let of_pair = |cause| Error::OfPair { sides: [("body", 0), ("obstacle", 1)], cause: Box::new(cause) };
+        assert_eq!(of_pair(error).counted_from(1), of_pair(Error::RepeatedNode { cell: 1, node: 5 }));
+        let given = Error::FreedomOutOfRange { freedom: 9, count: 4 };
+        assert_eq!(given.clone().counted_from(1), given);
+    }
+}
