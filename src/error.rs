@@ -1,5 +1,6 @@
 //! What can go wrong, one variant per cause, holding the facts; the sentence lives in `Display`.
 
+mod counted;
 mod text;
 
 /// A place at which the map of a cell of second order is looked at.
@@ -109,6 +110,11 @@ pub enum Error {
         facet: usize,
         /// The nodes of the border edge (2D: the node, twice).
         nodes: [usize; 2],
+    },
+    /// Two cells of one body have the same nodes: one is there twice.
+    RepeatedCell {
+        /// Both cells, ascending, counted over all blocks.
+        cells: [usize; 2],
     },
     /// More than two facets meet at an edge (3D) or node (2D), or more than two cells at a face.
     NonManifold {

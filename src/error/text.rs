@@ -52,6 +52,9 @@ impl fmt::Display for Error {
             Error::OpenSurface { facet, nodes } => {
                 write!(f, "the surface is open: facet {facet} has no neighbour at {}", at(*nodes))
             }
+            Error::RepeatedCell { cells: [one, other] } => {
+                write!(f, "cells {one} and {other} have the same nodes: one of them is there twice")
+            }
             Error::NonManifold { facet, nodes } => {
                 write!(f, "facet or cell {facet} is the third to meet at {}", at(*nodes))
             }

@@ -156,6 +156,7 @@ impl Cells {
         self.neighbours = vec![NO_CELL; self.conn.len()];
         for same in faces.chunk_by(|f, g| f.key == g.key) {
             let nodes = [same[0].key[0] as usize, same[0].key[1] as usize];
+            self.check_repeated(same, ids)?;
             match same {
                 [f, g] if ids.is_none_or(|ids| ids[f.cell as usize] == ids[g.cell as usize]) => {
                     let agree = self.cycle(f) != self.cycle(g);
@@ -199,6 +200,21 @@ impl Cells {
         let body_ids = sorted_ids(&labels);
         self.body = labels.iter().map(|id| body_ids.partition_point(|b| b < id) as u32).collect();
         Ok(body_ids)
+    }
+
+    /// Refuses two cells of one body, among those that share a face, that have all their nodes in common.
+    fn check_repeated(&self, same: &[Face], ids: Option<&[i64]>) -> Result<(), Error> {
+        for (place, f) in same.iter().enumerate() {
+            for g in &same[place + 1..] {
+                let cells = [f.cell as usize, g.cell as usize];
+                let [nodes, others] = cells.map(|cell| self.nodes(cell));
+                let is_one_body = ids.is_none_or(|ids| ids[cells[0]] == ids[cells[1]]);
+                if is_one_body && nodes.len() == others.len() && nodes.iter().all(|node| others.contains(node)) {
+                    return Err(Error::RepeatedCell { cells });
+                }
+            }
+        }
+        Ok(())
     }
 
     fn lone_face(&self, face: &Face, ids: Option<&[i64]>) -> LoneFace {

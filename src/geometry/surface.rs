@@ -57,7 +57,7 @@ impl<const D: usize> Surface<D> {
     ///
     /// # Errors
     /// [`Error::Empty`], [`Error::Dimension`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
-    /// [`Error::NonFiniteCoordinate`], [`Error::NonManifold`] (more than two cells at a face),
+    /// [`Error::NonFiniteCoordinate`], [`Error::RepeatedCell`], [`Error::NonManifold`] (more than two cells at a face),
     /// [`Error::InconsistentOrientation`], [`Error::NonConforming`] (an edge that has a node in its middle in one of two
     /// cells; a node that hangs up to 1 % beside the middle), [`Error::Unsupported`] (nodes that hang beside cells of second
     /// order), [`Error::InvertedCell`], [`Error::ZeroMeasure`].

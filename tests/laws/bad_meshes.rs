@@ -161,6 +161,21 @@ fn more_than_two_at_an_edge() {
 }
 
 #[test]
+fn a_cell_that_is_there_twice() {
+    let twice = |cell_type, coords: &[[f64; 2]], conn: &[u32]| of_cells(coords, cell_type, conn);
+    // By itself, in either direction, and beside another cell.
+    for conn in [&[0, 1, 2, 0, 1, 2][..], &[0, 1, 2, 0, 2, 1], &[0, 1, 2, 2, 0, 1, 0, 2, 3]] {
+        let error = Error::RepeatedCell { cells: [0, 1] };
+        refused(twice(CellType::Tri3, &SQUARE, conn), error, &["cells 0 and 1 have the same nodes"]);
+    }
+    let error = Error::RepeatedCell { cells: [0, 2] };
+    refused(twice(CellType::Tri3, &SQUARE, &[0, 1, 2, 0, 2, 3, 1, 2, 0]), error, &["there twice"]);
+    // As two bodies they are in order.
+    let blocks = [CellBlock { cell_type: CellType::Tri3, conn: &[0, 1, 2, 0, 1, 2] }];
+    assert!(Surface::from_cells(&SQUARE, &blocks, Bodies::Ids(&[0, 1])).is_ok());
+}
+
+#[test]
 fn neighbours_that_disagree_about_the_outside() {
     let mesh = cuboid_surface([0.0; 3], [1.0; 3], [2; 3]);
     let mut facets = mesh.facets();

@@ -10,54 +10,36 @@ use std::ffi::{CString, c_char};
 pub(crate) struct Failure {
     pub(crate) status: fmc_status,
     pub(crate) text: String,
+    /// What the text says, as long as its numbers are counted from 0.
+    error: Option<Error>,
 }
 
 impl Failure {
     pub(crate) fn new(status: fmc_status, text: impl Into<String>) -> Self {
-        Self { status, text: text.into() }
+        Self { status, text: text.into(), error: None }
     }
 
     /// In the numbering of the host, whose first node and first cell is `index_base`.
     pub(crate) fn counted_from(index_base: i32) -> impl Fn(Error) -> Failure {
-        move |error| {
-            let counted = renumbered(error.clone(), index_base as usize);
-            let note = if index_base != 0 && counted != error { ", counted from 1" } else { "" };
-            Failure::new(fmc_status::from(&counted), format!("{counted}{note}"))
+        move |error| Failure::from(error).in_numbers_from(index_base)
+    }
+
+    /// The same, of a failure that may be in that numbering already.
+    pub(crate) fn in_numbers_from(mut self, index_base: i32) -> Self {
+        if let Some(error) = self.error.take() {
+            let counted = error.clone().counted_from(index_base as usize);
+            if counted != error {
+                self.text = format!("{counted}, counted from {index_base}");
+            }
         }
+        self
     }
 }
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Failure::new(fmc_status::from(&error), error.to_string())
+        Self { status: fmc_status::from(&error), text: error.to_string(), error: Some(error) }
     }
-}
-
-/// The error with its nodes, cells and facets counted from `base`; a node out of range is named as given already.
-fn renumbered(mut error: Error, base: usize) -> Error {
-    match &mut error {
-        Error::NodeOutOfRange { cell, .. }
-        | Error::InvertedCell { cell }
-        | Error::FoldedCell { cell, .. }
-        | Error::ZeroMeasure { cell } => *cell += base,
-        Error::NonFiniteCoordinate { node, .. }
-        | Error::NotPositiveMass { node, .. }
-        | Error::NegativeRadius { node, .. } => *node += base,
-        Error::UnknownOutOfRange { row, .. } => *row += base,
-        Error::NonConforming { cells } => cells.iter_mut().for_each(|cell| *cell += base),
-        Error::RepeatedNode { cell, node } => {
-            *cell += base;
-            *node += base;
-        }
-        Error::OpenSurface { facet, nodes }
-        | Error::NonManifold { facet, nodes }
-        | Error::InconsistentOrientation { facet, nodes } => {
-            *facet += base;
-            nodes.iter_mut().for_each(|node| *node += base);
-        }
-        _ => {}
-    }
-    error
 }
 
 thread_local! {
@@ -89,5 +71,7 @@ mod tests {
         assert_eq!(Failure::counted_from(0)(error.clone()).text, "cell or facet 0 names node 4 twice");
         assert_eq!(Failure::counted_from(1)(error).text, "cell or facet 1 names node 5 twice, counted from 1");
         assert_eq!(Failure::counted_from(1)(Error::Empty).text, "there are no cells and no facets");
+        let once = Failure::counted_from(1)(Error::NonFiniteSlip { facet: 2 });
+        assert_eq!(once.in_numbers_from(1).text, "the slip of facet 3 is not finite, counted from 1");
     }
 }

@@ -217,7 +217,7 @@ impl From<&Error> for fmc_status {
             Error::InvertedCell { .. } | Error::FoldedCell { .. } => FMC_ERROR_INVERTED_CELL,
             Error::ZeroMeasure { .. } => FMC_ERROR_ZERO_MEASURE,
             Error::OpenSurface { .. } => FMC_ERROR_OPEN_SURFACE,
-            Error::NonManifold { .. } => FMC_ERROR_NON_MANIFOLD,
+            Error::NonManifold { .. } | Error::RepeatedCell { .. } => FMC_ERROR_NON_MANIFOLD,
             Error::InconsistentOrientation { .. } => FMC_ERROR_INCONSISTENT_ORIENTATION,
             Error::InvertedSurface { .. } => FMC_ERROR_INVERTED_SURFACE,
             Error::Empty => FMC_ERROR_EMPTY,

@@ -157,7 +157,7 @@ pub(crate) unsafe fn read<'a>(context: *const fmc_context) -> Result<RwLockReadG
     }
 }
 
-/// Runs `body` on the state.
+/// Runs `body` on the state; a failure counts nodes, cells and facets as the host does.
 ///
 /// # Safety
 /// The host guarantees a living context that is not freed during the call.
@@ -173,7 +173,7 @@ pub(crate) unsafe fn write<T>(
     };
     state.calls += 1;
     // A panic is caught under the lock, so that the lock is not poisoned.
-    guarded(|| body(&mut state))
+    guarded(|| body(&mut state)).map_err(|failure| failure.in_numbers_from(state.index_base))
 }
 
 /// Replaces the options. They apply from the next evaluation on; results of the last one are kept.

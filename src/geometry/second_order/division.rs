@@ -256,6 +256,7 @@ impl Division {
     pub(crate) fn told(&self, mut error: Error) -> Error {
         match &mut error {
             Error::InvertedCell { cell } | Error::ZeroMeasure { cell } => *cell = self.cell(*cell),
+            Error::RepeatedCell { cells } => *cells = cells.map(|cell| self.cell(cell)),
             Error::NonManifold { facet, .. }
             | Error::InconsistentOrientation { facet, .. }
             | Error::OpenSurface { facet, .. } => *facet = self.cell(*facet),
