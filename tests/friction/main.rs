@@ -9,6 +9,7 @@ mod frozen;
 mod limits;
 mod memoryless;
 mod rings;
+mod side_state;
 mod steps;
 mod touch;
 mod turned;

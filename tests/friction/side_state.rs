@@ -1,0 +1,87 @@
+//! What is carried, released and forgotten beside the forces.
+
+use crate::scene::Scene;
+use crate::{STIFFNESS, begun, in_plane, laws, raised, slid};
+use fmc_contact::contact::{Friction, PairOptions};
+use fmc_contact::overlap::Partner;
+use fmc_contact::{EnergyLaw, Options};
+use fmc_shapes::rectangle_quad4;
+
+/// A facet below two blocks that slide apart carries the mean of both slips, by the areas in contact.
+#[test]
+fn a_facet_that_faces_two_partners_carries_the_mean() {
+    let (widths, slips) = ([0.4, 0.6], [1e-5, -3e-5]);
+    let block = |left: f64, width: f64| rectangle_quad4([left, -1e-3], [left + width, 0.5], [1, 1]);
+    let below = rectangle_quad4([-1.0, -0.5], [1.0, 0.0], [1, 1]);
+    let scene = Scene::of(&[&below, &block(-0.9, widths[0]), &block(0.2, widths[1])]);
+    let mut coords = scene.coords.clone();
+    for (node, x) in coords.iter_mut().enumerate().skip(4) {
+        x[0] += slips[(node - 4) / 4];
+    }
+    for options in laws(5.0) {
+        let carried = |left_out: &[usize]| {
+            let mut contact = scene.contact(options);
+            for &body in left_out {
+                let pair = [Partner::Body(0), Partner::Body(body)];
+                contact.set_pair_options(pair, Some(PairOptions::excluded())).expect("a pair");
+            }
+            contact.begin_step(&scene.coords).expect("valid coordinates");
+            contact.commit_step(&coords).expect("a step");
+            let facets = contact.boundary_facets();
+            let top = facets.iter().position(|facet| facet.nodes.iter().all(|&n| n < 4 && coords[n as usize][1] == 0.0));
+            contact.slip().expect("a step")[top.expect("a facet on top")]
+        };
+        let (both, first, second) = (carried(&[]), carried(&[2]), carried(&[1]));
+        assert!((first[0] + second[0]).abs() > 1e-5, "{options:?}: {first:?} {second:?}");
+        let mean = (widths[0] * first[0] + widths[1] * second[0]) / (widths[0] + widths[1]);
+        assert!((both[0] - mean).abs() < 1e-6 * mean.abs(), "{options:?}: {both:?}, not {mean}");
+    }
+}
+
+/// Frozen friction stands on the slip that was carried: with another one it is released.
+#[test]
+fn another_slip_releases_frozen_friction() {
+    for options in laws(0.4) {
+        let scene = &in_plane(1e-3)[0];
+        let (frozen_at, at) = (slid(scene, 1e-4), slid(scene, 5e-4));
+        let mut contact = begun(scene, options, &scene.coords);
+        contact.freeze_friction(&frozen_at).expect("a step has begun");
+        let frozen = contact.evaluate(&at).expect("forces").forces;
+        let slip = vec![[1e-5, 0.0]; contact.slip().expect("a step").len()];
+        contact.set_slip(&slip).expect("a slip");
+        let released = contact.evaluate(&at).expect("forces").forces;
+        let mut fresh = begun(scene, options, &scene.coords);
+        fresh.set_slip(&slip).expect("a slip");
+        assert_eq!(released, fresh.evaluate(&at).expect("forces").forces);
+        assert_ne!(released, frozen);
+    }
+}
+
+/// Facets bear otherwise under another law: what was measured of them when the step began is forgotten, and slip counts from there.
+#[test]
+fn another_law_forgets_how_facets_bore() {
+    let friction = Friction::coulomb(0.4);
+    let [depth, fiber] = laws(0.4).map(|options| Options { friction, ..options });
+    let scene = &in_plane(1e-3)[0];
+    // The blocks are apart when the step begins.
+    let (start, at) = (raised(scene, 2e-3), slid(scene, 1e-4));
+    for (before, after) in [(depth, fiber), (fiber, depth)] {
+        let forces = |options: Options, then: Options| {
+            let mut contact = begun(scene, options, &start);
+            contact.set_options(then).expect("valid options");
+            contact.evaluate(&at).expect("forces").forces
+        };
+        let smooth = Options { friction: Friction::default(), ..after };
+        assert_eq!(forces(before, after), forces(smooth, after));
+        assert_ne!(forces(before, after), forces(after, after));
+        // A stiffness alone changes nothing of how they bear.
+        let softer = Options {
+            law: match after.law {
+                EnergyLaw::Fiber { .. } => EnergyLaw::fiber(0.5 * STIFFNESS),
+                _ => EnergyLaw::depth(0.5 * STIFFNESS),
+            },
+            ..after
+        };
+        assert_eq!(forces(softer, after), forces(after, after));
+    }
+}
