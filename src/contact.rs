@@ -21,6 +21,7 @@ pub use augmentation::Augmentation;
 pub use contact_step::{CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
 pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};
+pub use explicit::{Accuracy, largest_eigenvalue};
 pub use friction::{Friction, FrictionTotals};
 pub use history::Multiplier;
 pub use interface::{FrictionStep, contact_force, contact_force_step};

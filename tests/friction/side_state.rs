@@ -28,7 +28,8 @@ fn a_facet_that_faces_two_partners_carries_the_mean() {
             contact.begin_step(&scene.coords).expect("valid coordinates");
             contact.commit_step(&coords).expect("a step");
             let facets = contact.boundary_facets();
-            let top = facets.iter().position(|facet| facet.nodes.iter().all(|&n| n < 4 && coords[n as usize][1] == 0.0));
+            let top =
+                facets.iter().position(|facet| facet.nodes.iter().all(|&n| n < 4 && coords[n as usize][1] == 0.0));
             contact.slip().expect("a step")[top.expect("a facet on top")]
         };
         let (both, first, second) = (carried(&[]), carried(&[2]), carried(&[1]));

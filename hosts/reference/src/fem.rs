@@ -27,7 +27,6 @@ mod face_quadrature;
 mod faces;
 mod frequency;
 mod internal;
-mod lanczos;
 mod linear_elastic;
 mod load;
 mod mass;

@@ -5,11 +5,9 @@ use crate::sampling::uniforms;
 /// Margin above the largest eigenvalue, in parts of it, at which the iteration ends.
 const MARGIN: f64 = 0.05;
 
-/// Steps after which it ends in any case; 64 are enough where no eigenvalue is negative.
-const MOST_STEPS: usize = 400;
-
-/// Steps between two looks at the eigenvalues.
-const LOOK: usize = 16;
+/// Steps after which it ends in any case; 64 are enough for a bound where no eigenvalue is negative, 40 to 120 for a residual of a
+/// thousandth.
+const MAX_STEPS: usize = 400;
 
 /// The largest eigenvalue found in k steps falls short by more than the part (REACH / (2k − 1))² of the spread of all
 /// eigenvalues with a probability below 1.648 √n exp(−REACH), n unknowns and a random start (Kuczyński and Woźniakowski,
@@ -22,16 +20,32 @@ const EXHAUSTED: f64 = 1e-12;
 /// Streams 0 and upwards of seed 0 are those of sampling; this one is far from them.
 const STREAM: u64 = 1 << 40;
 
-/// An upper bound of the largest eigenvalue of a symmetric operator on `count` vectors: above it by [`MARGIN`] at most,
-/// or, where others are negative and far larger, by a thousandth of their spread. `apply` must not leave the range of a
-/// double.
+/// When the iteration ends, and what it returns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Accuracy {
+    /// An upper bound, above the eigenvalue by 5 % at most, or, where others are negative and far larger, by a thousandth of their
+    /// spread. It could only be wrong for an operator made for its start vector.
+    Bound,
+    /// The largest Ritz value θ and its residual r, once r is this part of θ: there is an eigenvalue within r of θ, since
+    /// |A y − θ y| ≤ r |y| for the Ritz vector y. Sharper than a bound, and too low if the start vector has next to no part of the
+    /// largest eigenvector.
+    Residual(f64),
+}
+
+/// The largest eigenvalue of a symmetric operator, from above. `start` is a random vector, `apply` the operator.
 ///
-/// The start is random and always the same; the bound could only be wrong for an operator made for it, see [`REACH`].
-pub(crate) fn bound<const D: usize>(count: usize, apply: impl Fn(&[[f64; D]]) -> Vec<[f64; D]>) -> f64 {
-    let mut q = start::<D>(count);
-    let mut previous = vec![[0.0; D]; count];
+/// `None` where the operator leaves the range of a double, or the residual stays larger than asked for in 400 steps.
+pub fn largest_eigenvalue<const D: usize>(
+    start: Vec<[f64; D]>,
+    accuracy: Accuracy,
+    mut apply: impl FnMut(&[[f64; D]]) -> Vec<[f64; D]>,
+) -> Option<f64> {
+    let (mut q, mut previous) = (start, Vec::new());
+    let norm = dot(&q, &q).sqrt();
+    q.as_flattened_mut().iter_mut().for_each(|q| *q /= norm);
+    previous.resize(q.len(), [0.0; D]);
     let (mut alphas, mut betas) = (Vec::new(), Vec::<f64>::new());
-    for step in 1..=MOST_STEPS {
+    for step in 1..=MAX_STEPS {
         let mut w = apply(&q);
         let alpha = dot(&q, &w);
         let beta = betas.last().copied().unwrap_or(0.0);
@@ -39,23 +53,37 @@ pub(crate) fn bound<const D: usize>(count: usize, apply: impl Fn(&[[f64; D]]) ->
         add(&mut w, -beta, &previous);
         alphas.push(alpha);
         let beta = dot(&w, &w).sqrt();
-        let largest = alphas.iter().chain(&betas).fold(0.0f64, |m, x| m.max(x.abs()));
-        if beta <= EXHAUSTED * largest {
-            break;
+        if !(alpha.is_finite() && beta.is_finite()) {
+            return None;
         }
-        if step % LOOK == 0 {
-            let [lowest, highest] = ends(&alphas, &betas);
-            let shortfall = (REACH / (2 * step - 1) as f64).powi(2) * (highest - lowest);
-            if shortfall <= MARGIN * highest || step == MOST_STEPS {
-                return highest + shortfall;
+        let largest = alphas.iter().chain(&betas).fold(0.0f64, |m, x| m.max(x.abs()));
+        let is_exhausted = beta <= EXHAUSTED * largest;
+        match accuracy {
+            Accuracy::Bound if is_exhausted => {
+                let [lowest, highest] = ends(&alphas, &betas);
+                return Some(highest + MARGIN * highest.max(0.0) + EXHAUSTED * (highest - lowest));
             }
+            Accuracy::Bound if step % 16 == 0 => {
+                let [lowest, highest] = ends(&alphas, &betas);
+                let shortfall = (REACH / (2 * step - 1) as f64).powi(2) * (highest - lowest);
+                if shortfall <= MARGIN * highest || step == MAX_STEPS {
+                    return Some(highest + shortfall);
+                }
+            }
+            Accuracy::Residual(part) if step % 8 == 0 || beta == 0.0 || step == q.as_flattened().len() => {
+                let value = largest_of_tridiagonal(&alphas, &betas);
+                let residual = beta * last_of_eigenvector(&alphas, &betas, value);
+                if residual <= part * value.abs() {
+                    return Some(value + residual);
+                }
+            }
+            _ => {}
         }
         betas.push(beta);
         w.as_flattened_mut().iter_mut().for_each(|w| *w /= beta);
         previous = std::mem::replace(&mut q, w);
     }
-    let [lowest, highest] = ends(&alphas, &betas);
-    highest + MARGIN * highest.max(0.0) + EXHAUSTED * (highest - lowest)
+    None
 }
 
 /// Least and largest eigenvalue of the tridiagonal matrix.
@@ -64,13 +92,10 @@ fn ends(alphas: &[f64], betas: &[f64]) -> [f64; 2] {
     [-largest_of_tridiagonal(&negative, betas), largest_of_tridiagonal(alphas, betas)]
 }
 
-/// A unit vector of random direction: sums of uniform numbers are close enough to normal ones.
-fn start<const D: usize>(count: usize) -> Vec<[f64; D]> {
+/// A vector of random direction, always the same: sums of uniform numbers are close enough to normal ones.
+pub(crate) fn random_start<const D: usize>(count: usize) -> Vec<[f64; D]> {
     let centred = |index: usize| uniforms::<8>(0, STREAM, index as u64).iter().sum::<f64>() - 4.0;
-    let mut q: Vec<[f64; D]> = (0..count).map(|node| std::array::from_fn(|axis| centred(node * D + axis))).collect();
-    let norm = dot(&q, &q).sqrt();
-    q.as_flattened_mut().iter_mut().for_each(|q| *q /= norm);
-    q
+    (0..count).map(|node| std::array::from_fn(|axis| centred(node * D + axis))).collect()
 }
 
 /// Largest eigenvalue, from above, by bisection.
@@ -96,6 +121,29 @@ fn largest_of_tridiagonal(alphas: &[f64], betas: &[f64]) -> f64 {
     high
 }
 
+/// Last component, in size, of the unit eigenvector of the largest eigenvalue: inverse iteration just above it, where all pivots are
+/// negative.
+fn last_of_eigenvector(alphas: &[f64], betas: &[f64], eigenvalue: f64) -> f64 {
+    let shift = eigenvalue + 1e-12 * eigenvalue.abs();
+    let (mut pivots, mut pivot) = (Vec::with_capacity(alphas.len()), f64::NEG_INFINITY);
+    for (row, alpha) in alphas.iter().enumerate() {
+        let coupling = if row > 0 { betas[row - 1] * betas[row - 1] / pivot } else { 0.0 };
+        pivot = alpha - shift - coupling;
+        pivots.push(pivot);
+    }
+    let mut s = vec![1.0; alphas.len()];
+    for _ in 0..3 {
+        (1..s.len()).for_each(|row| s[row] -= betas[row - 1] / pivots[row - 1] * s[row - 1]);
+        for row in (0..s.len()).rev() {
+            let next = if row + 1 < s.len() { betas[row] * s[row + 1] } else { 0.0 };
+            s[row] = (s[row] - next) / pivots[row];
+        }
+        let norm = s.iter().map(|s| s * s).sum::<f64>().sqrt();
+        s.iter_mut().for_each(|s| *s /= norm);
+    }
+    s.last().map_or(0.0, |s| s.abs())
+}
+
 fn dot<const D: usize>(a: &[[f64; D]], b: &[[f64; D]]) -> f64 {
     a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
 }
@@ -109,6 +157,10 @@ fn add<const D: usize>(a: &mut [[f64; D]], factor: f64, b: &[[f64; D]]) {
 mod tests {
     use super::*;
 
+    fn bound<const D: usize>(count: usize, apply: impl Fn(&[[f64; D]]) -> Vec<[f64; D]>) -> f64 {
+        largest_eigenvalue(random_start(count), Accuracy::Bound, apply).expect("a finite operator")
+    }
+
     /// Second differences on n points: eigenvalues 2 − 2 cos(kπ/(n + 1)), within [0, 4].
     #[test]
     fn second_differences() {
@@ -121,6 +173,11 @@ mod tests {
                 };
                 let cosine = (std::f64::consts::PI / (n + 1) as f64).cos();
                 let (largest, spread) = (sign * 2.0 + 2.0 * cosine, 4.0 * cosine);
+                let sharp = largest_eigenvalue(random_start(n), Accuracy::Residual(1e-3), apply);
+                if let Some(sharp) = sharp.filter(|_| sign > 0.0) {
+                    assert!(sharp >= largest * (1.0 - 1e-9) && sharp <= largest * (1.0 + 1.1e-3), "{n}: {sharp}");
+                }
+                assert!(sharp.is_some() || sign < 0.0);
                 let found = bound(n, apply);
                 // What is not positive is found to rounding, or to a thousandth of the spread.
                 let margin = f64::max(0.0501 * largest, 2e-3 * spread);

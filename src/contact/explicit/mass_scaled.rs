@@ -1,6 +1,6 @@
 //! How stiff a contact is against masses: M^(−1/2) K M^(−1/2), whose largest eigenvalue is the squared frequency.
 
-use super::lanczos::bound;
+use super::lanczos::{Accuracy, largest_eigenvalue, random_start};
 use crate::Error;
 use crate::contact::tangents::{RankOne, Tangent};
 use crate::overlap::Block;
@@ -47,7 +47,8 @@ pub(crate) fn largest_step<const D: usize>(tangent: &Tangent<D>, masses: &[f64])
     // With a largest entry of 1 nothing overflows on the way to the eigenvalue.
     scaled.blocks.iter_mut().flat_map(|block| block.value.as_flattened_mut()).for_each(|value| *value /= size);
     scaled.rank_one.iter_mut().for_each(|part| part.factor /= size);
-    let eigenvalue = bound(nodes.len(), |x: &[[f64; D]]| scaled.product(x));
+    let eigenvalue = largest_eigenvalue(random_start::<D>(nodes.len()), Accuracy::Bound, |x| scaled.product(x));
+    let eigenvalue = eigenvalue.ok_or(Error::Overflow { quantity: "contact stiffness per mass", value: f64::NAN })?;
     Ok(if eigenvalue > 0.0 { 2.0 / (size.sqrt() * eigenvalue.sqrt()) } else { f64::INFINITY })
 }
 
