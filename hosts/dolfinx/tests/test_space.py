@@ -181,3 +181,12 @@ def test_nodal_pressure_as_a_function(kind, order):
             block = np.flatnonzero(np.abs(at_blocks - x).max(axis=1) < 1e-9)
             assert normal.x.array.reshape(-1, dim)[block[0]] == pytest.approx(n)
     assert shown >= 2 and np.count_nonzero(pressure.x.array) == shown
+
+
+def test_numbers_are_not_cut_from_fractions():
+    V = space("quad")
+    count = V.mesh.topology.index_map(2).size_local + V.mesh.topology.index_map(2).num_ghosts
+    with pytest.raises(TypeError, match="bodies has dtype float64, expected integers"):
+        DolfinxContact(V, stiffness=1e3, bodies=np.full(count, 0.5))
+    with pytest.raises(TypeError, match="blocks has dtype float64, expected integers"):
+        DolfinxContact(V, stiffness=1e3).set_symmetry_blocks([0.5])

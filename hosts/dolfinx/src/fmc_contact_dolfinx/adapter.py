@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from fmc_contact import Contact, NodalContact, Result
+from fmc_contact._arrays import numbers
 
 from .in_parts import InParts, whole_because
 from .linearised import Linearised
@@ -90,8 +91,8 @@ class DolfinxContact(Linearised):
             raise ValueError(f"bodies has {len(given)} entries, one for each of the {len(listed)} spaces is wanted")
         self.comm = _comm(listed[0])
         self._fields = fields = together(self.comm, lambda: [Displacement(space) for space in listed])
-        numbers = [None if one is None else np.asarray(one, np.int64) for one in given]
-        self.whole_because = whole_because(fields, numbers, whole_mesh, share_work)
+        ids = together(self.comm, lambda: [None if one is None else numbers(one, "bodies") for one in given])
+        self.whole_because = whole_because(fields, ids, whole_mesh, share_work)
         has_boundary = all(field.order == 1 and not field.has_faces_of_two_shapes for field in fields)
         if in_parts is None and not self.whole_because:
             if options.get("estimator") == "fibers" and has_boundary:
@@ -102,7 +103,7 @@ class DolfinxContact(Linearised):
             self.whole_because = "in_parts=False was asked for"
         if in_parts and self.whole_because:
             raise ValueError(f"the mesh cannot be in parts: {self.whole_because}")
-        self._shows = self._shown(numbers, whole_mesh, has_boundary, {"stiffness": stiffness, **options})
+        self._shows = self._shown(ids, whole_mesh, has_boundary, {"stiffness": stiffness, **options})
         self.contact = self._shows.contact
         if self.whole_because and share_work and self.comm.size > 1:
             # Its messages are kept apart from the host's.
@@ -165,8 +166,7 @@ class DolfinxContact(Linearised):
         if len(blocks) != len(self._fields):
             raise ValueError(f"blocks of {len(blocks)} spaces, and there are {len(self._fields)}")
         marks = [np.zeros((field.owned, self.dim)) for field in self._fields]
-        for mark, named in zip(marks, blocks):
-            named = np.asarray(named, np.int64)
+        for mark, named in zip(marks, together(self.comm, lambda: [numbers(one, "blocks") for one in blocks])):
             mark[named[named < len(mark)]] = 1.0
         self._shows.name(marks)
 

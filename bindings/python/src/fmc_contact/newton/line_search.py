@@ -55,8 +55,3 @@ def least_residual(model: Model, state: State, step: np.ndarray) -> State:
             return reached
         reached = model.at(state.x + (0.5**halving * step).reshape(state.x.shape))
     return reached if reached.relative < state.relative else whole
-
-
-def whole(model: Model, state: State, step: np.ndarray) -> State:
-    """The state after all of it."""
-    return model.at(state.x + step.reshape(state.x.shape))
