@@ -1,7 +1,7 @@
 //! Crossings of lines with a signed distance function, all lines in step.
 
-use super::obstacle::SignedDistance;
-use super::{Pose, Vector, chord::Hit};
+use super::shapes::Hit;
+use super::{Pose, SignedDistance, Vector};
 
 /// Largest number of rounds; a round costs one batch. Sphere tracing needs some tens, an interval's bracketing as many;
 /// a line that runs along the boundary needs its length by the resolution, and is refused where it needs more.

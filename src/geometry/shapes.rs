@@ -1,11 +1,18 @@
 //! Shapes that are built by parry (feature `shapes`): convex hulls become facets, compounds signed distances.
 
+mod chord;
 #[cfg(feature = "shapes")]
 mod compound;
 #[cfg(feature = "shapes")]
 mod convex_hull;
+mod height_field;
 #[cfg(feature = "shapes")]
 mod nearest;
+mod shape;
+
+pub(crate) use chord::{Hit, chord};
+pub use height_field::HeightField;
+pub use shape::{Obstacle, Shape, SignedDistance};
 
 #[cfg(feature = "shapes")]
 pub(crate) use {compound::compound, convex_hull::convex_hull};
@@ -22,7 +29,7 @@ pub(crate) struct Part<'a, const D: usize> {
 mod without {
     use super::Part;
     use crate::Error;
-    use crate::geometry::{Shape, height_field::Faceted};
+    use crate::geometry::{Shape, shapes::height_field::Faceted};
 
     const WHAT: Error =
         Error::Unsupported { what: "convex hulls and compounds: this library is built without 'shapes'" };

@@ -1,6 +1,6 @@
 //! Rigid partners: a shape, or a signed distance function, with a pose.
 
-use super::{HeightField, Pose, Vector};
+use crate::geometry::{HeightField, Pose, Vector};
 use std::sync::Arc;
 
 /// A body given by its signed distance: negative inside, positive outside, in a frame of its own.
@@ -70,7 +70,7 @@ pub enum Shape<const D: usize> {
         half_height: f64,
     },
     /// Closed polygon (2D) or closed triangle mesh (3D), facets oriented outwards as in
-    /// [`super::Surface::from_facets`].
+    /// [`crate::Surface::from_facets`].
     Polytope {
         /// Corners.
         points: Vec<[f64; D]>,

@@ -1,6 +1,6 @@
 //! The chord of a line in a convex rigid shape, in closed form.
 
-use super::{Shape, Vector};
+use crate::geometry::{Shape, Vector};
 
 /// Where a line passes a boundary: `t` along it (infinite where it never does) and the unit outward normal.
 #[derive(Clone, Copy, Debug)]
