@@ -31,8 +31,8 @@ mod capi;
 pub use contact::{Contact, ContactForces, EnergyLaw, EnergyProfile, Options, PenetrationLaw, contact_force};
 pub use error::{Error, MapPoint};
 pub use geometry::{
-    Basis, Bodies, BoundaryFacet, CellBlock, CellType, FacetBlock, FacetType, HeightField, Obstacle, PointWeights,
-    Pose, Shape, SignedDistance, Surface,
+    Basis, Bodies, BoundaryFacet, CellBlock, CellType, FacetBlock, FacetType, HeightField, Measures, Obstacle,
+    PointWeights, Pose, Shape, ShapeKind, SignedDistance, Surface,
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
 pub use partition::{CarriedSlip, MeshPart, PartitionCounts, PartitionedContact};

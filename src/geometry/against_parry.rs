@@ -1,8 +1,10 @@
 //! Chords and distances of the convex shapes against parry's ray and point queries, in 3D.
 
-use super::{Shape, Vector, chord, distance_bound, signed_distance};
+use super::shapes::{ConvexShape, convex};
+use super::{Shape, Vector};
 use parry3d_f64::query::{PointQuery, Ray, RayCast};
 use parry3d_f64::shape::{Ball, Capsule, Cone, Cuboid, Cylinder, HalfSpace};
+use std::sync::Arc;
 
 trait Both: PointQuery + RayCast {}
 impl<S: PointQuery + RayCast> Both for S {}
@@ -10,18 +12,21 @@ impl<S: PointQuery + RayCast> Both for S {}
 const RADIUS: f64 = 0.7;
 const HALF: f64 = 0.6;
 
-/// A shape, the same in parry, and how far apart their ends of chords may be: parry finds those of cylinders and cones
-/// by iteration.
-fn shapes() -> [(Shape<3>, Box<dyn Both>, f64); 6] {
+/// A shape, what is known of it, the same in parry, and how far apart their ends of chords may be: parry finds those of
+/// cylinders and cones by iteration.
+type Compared = (Shape<3>, Arc<dyn ConvexShape<3>>, Box<dyn Both>, f64);
+
+fn shapes() -> Vec<Compared> {
     let (radius, half_height) = (RADIUS, HALF);
-    [
+    let shapes: [(Shape<3>, Box<dyn Both>, f64); 6] = [
         (Shape::HalfSpace, Box::new(HalfSpace::new([0.0, 1.0, 0.0].into())), 1e-13),
         (Shape::Ball { radius }, Box::new(Ball::new(RADIUS)), 1e-13),
         (Shape::Cuboid { half_extents: [0.5, 0.7, 0.6] }, Box::new(Cuboid::new([0.5, 0.6, 0.7].into())), 1e-13),
         (Shape::Capsule { radius, half_height }, Box::new(Capsule::new_y(HALF, RADIUS)), 1e-13),
         (Shape::Cylinder { radius, half_height }, Box::new(Cylinder::new(HALF, RADIUS)), 1e-6),
         (Shape::Cone { radius, half_height }, Box::new(Cone::new(HALF, RADIUS)), 1e-6),
-    ]
+    ];
+    shapes.into_iter().map(|(shape, other, tolerance)| (shape.clone(), convex(&shape), other, tolerance)).collect()
 }
 
 /// parry's axis of revolution is y.
@@ -39,15 +44,15 @@ fn scattered() -> impl Iterator<Item = (Vector<3>, Vector<3>)> {
 
 #[test]
 fn first_ends_of_chords_are_parrys_hits() {
-    for (shape, other, tolerance) in shapes() {
+    for (shape, convex, other, tolerance) in shapes() {
         let mut hits = 0;
         for (x, d) in scattered() {
             // From far outside, where the half-space is not met from within.
             let origin = x - d * 10.0;
-            if distance_bound(&shape, &origin) <= 0.0 {
+            if convex.distance_bound(&origin) <= 0.0 {
                 continue;
             }
-            let found = chord(&shape, &origin, &d).filter(|[enter, _]| enter.t > 0.0 && enter.t.is_finite());
+            let found = convex.chord(&origin, &d).filter(|[enter, _]| enter.t > 0.0 && enter.t.is_finite());
             let ray = Ray::new(theirs(&origin), theirs(&d));
             let expected = other.cast_local_ray_and_get_normal(&ray, 1e3, true);
             // A chord that is shorter than the tolerance may be missed.
@@ -73,10 +78,10 @@ fn first_ends_of_chords_are_parrys_hits() {
 
 #[test]
 fn bounds_have_the_sign_of_parrys_distance_and_are_no_larger() {
-    for (shape, other, _) in shapes() {
+    for (shape, convex, other, _) in shapes() {
         let mut inside = 0;
         for (x, _) in scattered() {
-            let bound = distance_bound(&shape, &x);
+            let bound = convex.distance_bound(&x);
             let nearest = other.project_local_point(theirs(&x), false);
             let away = (nearest.point - theirs(&x)).length();
             let distance = if nearest.is_inside { -away } else { away };
@@ -92,10 +97,10 @@ fn bounds_have_the_sign_of_parrys_distance_and_are_no_larger() {
 
 #[test]
 fn signed_distances_are_parrys() {
-    for (shape, other, _) in shapes() {
+    for (shape, convex, other, _) in shapes() {
         for (x, _) in scattered() {
             let x = x * 1.5;
-            let (phi, gradient) = signed_distance(&shape, &x).expect("a shape of closed form");
+            let (phi, gradient) = convex.signed_distance(&x);
             let nearest = other.project_local_point(theirs(&x), false);
             let away = (nearest.point - theirs(&x)).length();
             let distance = if nearest.is_inside { -away } else { away };

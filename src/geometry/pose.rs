@@ -1,6 +1,7 @@
 //! Where a rigid shape stands.
 
 use super::{Vector, facet::determinant};
+use crate::Error;
 use nalgebra::SMatrix;
 
 /// Position, rotation and scale: `x = position + scale · rotation · X` for a point `X` of the shape.
@@ -61,8 +62,13 @@ impl<const D: usize> Pose<D> {
         self.unrotate(&(x - Vector::from(self.position))) / self.scale
     }
 
+    /// Checks the pose of an obstacle.
+    pub(crate) fn check(&self, obstacle: usize) -> Result<(), Error> {
+        if self.is_proper() { Ok(()) } else { Err(Error::BadPose { obstacle }) }
+    }
+
     /// Whether it is a finite position, a proper rotation and a positive, finite scale.
-    pub(crate) fn is_proper(&self) -> bool {
+    fn is_proper(&self) -> bool {
         let r = self.matrix();
         let deviation = (r * r.transpose() - SMatrix::identity()).amax();
         let rows = std::array::from_fn::<Vector<D>, D, _>(|i| Vector::from(self.rotation[i]));

@@ -1,6 +1,7 @@
 //! What a case must fulfil beyond the types of its values.
 
 use super::{Case, Key, LawName, Load, Obstacle, Place, Support};
+use fmc_contact::Shape;
 
 mod contact;
 mod mesh;
@@ -151,16 +152,29 @@ impl Check<'_> {
             self.maybe_positive(&key.then("radius"), *radius);
             self.maybe_positive(&key.then("half_height"), *half_height);
             half_extents.iter().flatten().for_each(|&extent| self.positive(&key.then("half_extents"), extent));
-            let given = [radius.is_some(), half_height.is_some(), half_extents.is_some(), points.is_some()];
             if points.as_ref().is_some_and(|points| points.len() < 3) || points.is_some() && self.case.dimension != 2 {
                 self.flaw(&key.then("points"), "it must have three corners or more, and be in 2D".into());
             }
-            let names = ["radius", "half_height", "half_extents", "points"];
-            for ((name, needed), given) in names.into_iter().zip(shape.measures()).zip(given) {
-                match (needed, given) {
-                    (true, false) => self.flaw(&key, format!("this shape needs {name}")),
-                    (false, true) => self.flaw(&key.then(name), "this shape has no such measure".into()),
-                    _ => {}
+            let mut measured = obstacle.measured();
+            let read = match self.case.dimension {
+                2 => Shape::<2>::read(shape.0, &mut measured).map(drop),
+                _ => Shape::<3>::read(shape.0, &mut measured).map(drop),
+            };
+            if let Err(what) = read {
+                self.flaw(&key.then("shape"), format!("it needs {what}, which no case has"));
+            }
+            for (name, _) in measured.needed.iter().filter(|(_, is_there)| !is_there) {
+                self.flaw(&key, format!("this shape needs {name}"));
+            }
+            let given = [
+                ("radius", radius.is_some()),
+                ("half_height", half_height.is_some()),
+                ("half_extents", half_extents.is_some()),
+                ("points", points.is_some()),
+            ];
+            for (name, _) in given.into_iter().filter(|given| given.1) {
+                if !measured.needed.iter().any(|(needed, _)| *needed == name) {
+                    self.flaw(&key.then(name), "this shape has no such measure".into());
                 }
             }
         }

@@ -1,8 +1,9 @@
 //! Rigid partners.
 
-use fmc_contact::{Pose, Shape};
+use fmc_contact::{HeightField, Measures, Pose, Shape, ShapeKind, SignedDistance};
 use fmc_shapes::rotation_onto;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// `[[obstacles]]`: a rigid shape of fmc-contact and where it stands.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -32,60 +33,45 @@ pub struct Obstacle {
     pub points: Option<Vec<[f64; 2]>>,
 }
 
-/// Names of shapes.
+/// Name of a shape of fmc-contact, or `polygon`: a polytope in 2D, from its corners alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ShapeName {
-    /// Everything below the plane through the position.
-    HalfSpace,
-    /// `radius`.
-    Ball,
-    /// `half_extents`.
-    Cuboid,
-    /// `radius`, `half_height`.
-    Cylinder,
-    /// `radius`, `half_height`; its apex is ahead.
-    Cone,
-    /// `radius`, `half_height`.
-    Capsule,
-    /// `points`; in 2D.
-    Polygon,
+#[serde(try_from = "String", into = "String")]
+pub struct ShapeName(pub ShapeKind);
+
+impl TryFrom<String> for ShapeName {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        let kind = match name.as_str() {
+            "polygon" => Some(ShapeKind::POLYTOPE),
+            name => ShapeKind::named(name).filter(|kind| *kind != ShapeKind::POLYTOPE),
+        };
+        kind.map(Self).ok_or_else(|| format!("there is no shape '{name}'"))
+    }
 }
 
-impl ShapeName {
-    /// Whether it is measured by a radius, a half height, half extents and points.
-    pub fn measures(self) -> [bool; 4] {
-        match self {
-            ShapeName::HalfSpace => [false; 4],
-            ShapeName::Ball => [true, false, false, false],
-            ShapeName::Cuboid => [false, false, true, false],
-            ShapeName::Cylinder | ShapeName::Cone | ShapeName::Capsule => [true, true, false, false],
-            ShapeName::Polygon => [false, false, false, true],
-        }
+impl From<ShapeName> for String {
+    fn from(name: ShapeName) -> String {
+        if name.0 == ShapeKind::POLYTOPE { "polygon".into() } else { name.0.name() }
     }
+}
+
+/// The measures of an obstacle, as its shape asks for them.
+pub(super) struct Measured<'a> {
+    obstacle: &'a Obstacle,
+    /// Those that the shape has, and whether they are there.
+    pub(super) needed: Vec<(&'static str, bool)>,
 }
 
 impl Obstacle {
     /// The obstacle for the contact module; `None` if it lacks a measure or has lists of another length.
     pub fn build<const D: usize>(&self) -> Option<fmc_contact::Obstacle<D>> {
+        let mut measured = self.measured();
+        let shape = Shape::read(self.shape.0, &mut measured).ok()?;
+        if measured.needed.iter().any(|(_, is_there)| !is_there) {
+            return None;
+        }
         let vector = |list: &Vec<f64>| <[f64; D]>::try_from(&list[..]).ok();
-        let (radius, half_height) = (self.radius, self.half_height);
-        let shape = match self.shape {
-            ShapeName::HalfSpace => Shape::HalfSpace,
-            ShapeName::Ball => Shape::Ball { radius: radius? },
-            ShapeName::Cuboid => Shape::Cuboid { half_extents: vector(self.half_extents.as_ref()?)? },
-            ShapeName::Cylinder => Shape::Cylinder { radius: radius?, half_height: half_height? },
-            ShapeName::Cone => Shape::Cone { radius: radius?, half_height: half_height? },
-            ShapeName::Polygon => {
-                let points = self.points.as_ref()?;
-                let count = points.len() as u32;
-                Shape::Polytope {
-                    points: points.iter().map(|x| vector(&x.to_vec())).collect::<Option<_>>()?,
-                    facets: (0..count).map(|k| std::array::from_fn(|end| (k + end as u32) % count)).collect(),
-                }
-            }
-            ShapeName::Capsule => Shape::Capsule { radius: radius?, half_height: half_height? },
-        };
         let mut pose = Pose::at(self.position.as_ref().map_or(Some([0.0; D]), vector)?);
         if let Some(axis) = &self.axis {
             let axis = vector(axis)?;
@@ -93,5 +79,60 @@ impl Obstacle {
             pose.rotation = rotation_onto(axis.map(|x| x / length));
         }
         Some(fmc_contact::Obstacle { shape, pose })
+    }
+
+    /// For its shape to read.
+    pub(super) fn measured(&self) -> Measured<'_> {
+        Measured { obstacle: self, needed: Vec::new() }
+    }
+}
+
+impl Measured<'_> {
+    /// Notes a measure, and returns it, or something in its place.
+    fn of<T>(&mut self, name: &'static str, value: Option<T>, absent: T) -> Result<T, &'static str> {
+        self.needed.push((name, value.is_some()));
+        Ok(value.unwrap_or(absent))
+    }
+}
+
+impl<const D: usize> Measures<D> for Measured<'_> {
+    /// What no case has.
+    type Error = &'static str;
+
+    fn radius(&mut self) -> Result<f64, &'static str> {
+        self.of("radius", self.obstacle.radius, 1.0)
+    }
+
+    fn half_height(&mut self) -> Result<f64, &'static str> {
+        self.of("half_height", self.obstacle.half_height, 1.0)
+    }
+
+    fn half_extents(&mut self) -> Result<[f64; D], &'static str> {
+        let half_extents = self.obstacle.half_extents.as_ref();
+        self.of("half_extents", half_extents.and_then(|list| <[f64; D]>::try_from(&list[..]).ok()), [1.0; D])
+    }
+
+    fn points(&mut self) -> Result<Vec<[f64; D]>, &'static str> {
+        let vector = |x: &[f64; 2]| <[f64; D]>::try_from(&x[..]).ok();
+        let points = self.obstacle.points.as_ref();
+        self.of("points", points.and_then(|points| points.iter().map(vector).collect()), Vec::new())
+    }
+
+    /// The edges of a polygon, each from its corner to the next.
+    fn facets(&mut self) -> Result<Vec<[u32; D]>, &'static str> {
+        let count = self.obstacle.points.as_ref().map_or(0, Vec::len) as u32;
+        Ok((0..count).map(|k| std::array::from_fn(|end| (k + end as u32) % count)).collect())
+    }
+
+    fn height_field(&mut self) -> Result<HeightField, &'static str> {
+        Err("heights")
+    }
+
+    fn parts(&mut self) -> Result<Vec<fmc_contact::Obstacle<D>>, &'static str> {
+        Err("parts")
+    }
+
+    fn signed_distance(&mut self) -> Result<Arc<dyn SignedDistance<D>>, &'static str> {
+        Err("a function")
     }
 }

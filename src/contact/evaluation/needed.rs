@@ -3,9 +3,10 @@
 use super::parts::Contact;
 use crate::Error;
 use crate::configuration::BodyTree;
+use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::plane::Plane;
-use crate::geometry::{Shape, Vector};
+use crate::geometry::shapes::{Faces, ImplicitShape};
 use crate::overlap::{ImplicitSide, Partner, obstacle_region};
 
 /// Where nothing of a body may be missing.
@@ -63,27 +64,31 @@ fn needed_below<const D: usize>(
     let parallel = partners.table.parallel(&pair);
     let own = &rigid.obstacle.pose;
     let (shape, mut pose) = match parallel {
-        Some(parallel) => (&parallel.shape, parallel.pose(own)),
-        None => (rigid.implicit(), *own),
+        Some(parallel) => (Some(&parallel.shape), parallel.pose(own)),
+        None => (rigid.solid().implicit(), *own),
     };
     let has_depth =
         partners.law_of(&pair, method).needs_depth() || partners.friction_of(&pair, method.options()).is_active();
-    let within = match (shape, parallel.is_none().then(|| rigid.facets()).flatten()) {
+    let faces = if parallel.is_none() { rigid.solid().faces() } else { None };
+    let is_half_space = shape.is_some_and(ImplicitShape::is_half_space);
+    let within = match (shape, faces) {
         // The depth below their faces is summed along lines that run through all of the body.
         (_, Some(_)) if has_depth => Some(*aabb),
-        (_, Some((_, points))) => {
+        (_, Some(Faces { points, .. })) => {
             let placed: Vec<Vector<D>> = points.iter().map(|x| own.place(x)).collect();
             Some(Aabb::of(&placed).inflated(reach).intersection(aabb)).filter(|within| !within.is_empty())
         }
-        (Shape::HalfSpace, None) => {
+        (Some(shape), None) if is_half_space => {
             let Plane { normal, point } = Plane::of(&pose);
             pose.position = (point + normal * (reach + aabb.rounding())).into();
             obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose }, aabb)?
         }
+        (Some(shape), None) if reach <= 0.0 => {
+            obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose }, aabb)?
+        }
         // How far it reaches is not known.
-        _ if reach > 0.0 => Some(*aabb),
-        _ => obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose }, aabb)?,
+        (_, None) => Some(*aabb),
     };
-    let apex = (!matches!(shape, Shape::HalfSpace)).then(|| aabb.center());
+    let apex = (!is_half_space).then(|| aabb.center());
     Ok(within.map(|aabb| Needed { aabb, apex }))
 }

@@ -102,13 +102,14 @@ fn with_pair<const D: usize, T>(
             Counterpart::Itself
         }
         (Partner::Body(second), _) => Counterpart::Facets(configuration.body(&mesh.surface, second)),
-        (Partner::Obstacle(obstacle), Some(rigid)) => match (&parallel, &placed[obstacle]) {
-            (Some((shape, pose)), _) => Counterpart::Implicit(ImplicitSide { obstacle, shape, pose }),
-            (None, Some(placed)) => Counterpart::Facets(rigid.side(placed)),
-            (None, None) => {
-                let (shape, pose) = (rigid.implicit(), &rigid.obstacle.pose);
-                Counterpart::Implicit(ImplicitSide { obstacle, shape, pose })
+        (Partner::Obstacle(obstacle), Some(rigid)) => match (&parallel, &placed[obstacle], rigid.solid().implicit()) {
+            (Some((shape, pose)), ..) => Counterpart::Implicit(ImplicitSide { obstacle, shape, pose }),
+            (None, Some(placed), _) => Counterpart::Facets(rigid.side(placed)),
+            (None, None, Some(shape)) => {
+                Counterpart::Implicit(ImplicitSide { obstacle, shape, pose: &rigid.obstacle.pose })
             }
+            // What has facets alone is placed before pairs are.
+            (None, None, None) => return Ok(None),
         },
         (Partner::Obstacle(_), None) => return Ok(None),
     };

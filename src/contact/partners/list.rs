@@ -8,7 +8,8 @@ use crate::Error;
 use crate::contact::friction::Friction;
 use crate::contact::laws::{EnergyLaw, PairLaw};
 use crate::contact::method::{Method, Options};
-use crate::geometry::{Pose, Shape};
+use crate::geometry::Pose;
+use crate::geometry::shapes::ImplicitShape;
 use crate::overlap::Partner;
 
 /// Obstacles, and the pairs that have options of their own.
@@ -99,13 +100,13 @@ impl<const D: usize> Partners<D> {
 
     /// Whether the other side of a pair is a signed distance function.
     pub(crate) fn is_marched(&self, pair: &[Partner; 2]) -> bool {
-        let is_function = |shape: &Shape<D>| matches!(shape, Shape::SignedDistance(_));
-        match (pair[1], self.table.parallel(pair)) {
-            (Partner::Body(_), _) => false,
-            (Partner::Obstacle(_), Some(parallel)) => is_function(&parallel.shape),
+        let shape = match (pair[1], self.table.parallel(pair)) {
+            (Partner::Body(_), _) => None,
+            (Partner::Obstacle(_), Some(parallel)) => Some(&parallel.shape),
             (Partner::Obstacle(obstacle), None) => {
-                self.obstacles.get(obstacle).is_some_and(|rigid| is_function(rigid.implicit()))
+                self.obstacles.get(obstacle).and_then(|rigid| rigid.solid().implicit())
             }
-        }
+        };
+        shape.is_some_and(ImplicitShape::is_function)
     }
 }

@@ -1,6 +1,6 @@
 //! The obstacles of a contact: added, moved, asked for, removed.
 
-use super::rigid::{Rigid, check_pose};
+use super::rigid::Rigid;
 use crate::Error;
 use crate::geometry::{Obstacle, Pose};
 
@@ -30,7 +30,7 @@ impl<const D: usize> Obstacles<D> {
 
     /// Moves one; returns it if it has another scale than before.
     pub(crate) fn set_pose(&mut self, obstacle: usize, pose: Pose<D>) -> Result<Option<&Rigid<D>>, Error> {
-        check_pose(&pose, obstacle)?;
+        pose.check(obstacle)?;
         self.rigid(obstacle)?;
         let Some(rigid) = &mut self.0[obstacle] else { return Ok(None) };
         let is_scaled = rigid.obstacle.pose.scale != pose.scale;

@@ -1,6 +1,6 @@
-//! The chord of a line in a convex rigid shape, in closed form.
+//! The chord of a line in a convex shape, and the parts of which it is made.
 
-use crate::geometry::{Shape, Vector};
+use crate::geometry::Vector;
 
 /// Where a line passes a boundary: `t` along it (infinite where it never does) and the unit outward normal.
 #[derive(Clone, Copy, Debug)]
@@ -15,49 +15,15 @@ const PARALLEL: f64 = 1e-290;
 /// The part of a line from `enter` to `leave`; empty chords are `None`.
 pub(crate) type Chord<const D: usize> = Option<[Hit<D>; 2]>;
 
-/// The part of the line `o + t d` inside a shape in its own frame; `d` has unit length.
-///
-/// What is made of facets, and what has a signed distance only, has no chord here: it is met as a surface or by
-/// marching.
-pub(crate) fn chord<const D: usize>(shape: &Shape<D>, o: &Vector<D>, d: &Vector<D>) -> Chord<D> {
-    match *shape {
-        Shape::HalfSpace => slab(o, d, D - 1, f64::NEG_INFINITY, 0.0),
-        Shape::Ball { radius } => quadric(o, d, 1.0, radius),
-        Shape::Cuboid { half_extents } => {
-            (0..D).map(|i| slab(o, d, i, -half_extents[i], half_extents[i])).reduce(common).flatten()
-        }
-        Shape::Cylinder { radius, half_height } => {
-            common(quadric(o, d, 0.0, radius), slab(o, d, D - 1, -half_height, half_height))
-        }
-        Shape::Cone { radius, half_height } => {
-            common(cone(o, d, radius, half_height), slab(o, d, D - 1, -half_height, half_height))
-        }
-        Shape::Capsule { radius, half_height } => {
-            let mut up = Vector::zeros();
-            up[D - 1] = half_height;
-            let side = common(quadric(o, d, 0.0, radius), slab(o, d, D - 1, -half_height, half_height));
-            [side, quadric(&(o - up), d, 1.0, radius), quadric(&(o + up), d, 1.0, radius)]
-                .into_iter()
-                .reduce(hull)
-                .flatten()
-        }
-        Shape::Polytope { .. }
-        | Shape::ConvexHull { .. }
-        | Shape::HeightField(_)
-        | Shape::Compound { .. }
-        | Shape::SignedDistance(_) => None,
-    }
-}
-
 /// The part inside both; empty where they only touch.
-fn common<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
+pub(super) fn common<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
     let ([p, q], [r, s]) = (a?, b?);
     let (enter, leave) = (if p.t >= r.t { p } else { r }, if q.t <= s.t { q } else { s });
     (enter.t < leave.t).then_some([enter, leave])
 }
 
 /// The part inside one or the other, for parts of one convex shape.
-fn hull<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
+pub(super) fn hull<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
     match (a, b) {
         (Some([p, q]), Some([r, s])) => Some([if p.t <= r.t { p } else { r }, if q.t >= s.t { q } else { s }]),
         (one, other) => one.or(other),
@@ -65,7 +31,7 @@ fn hull<const D: usize>(a: Chord<D>, b: Chord<D>) -> Chord<D> {
 }
 
 /// low ≤ x[axis] ≤ high.
-fn slab<const D: usize>(o: &Vector<D>, d: &Vector<D>, axis: usize, low: f64, high: f64) -> Chord<D> {
+pub(super) fn slab<const D: usize>(o: &Vector<D>, d: &Vector<D>, axis: usize, low: f64, high: f64) -> Chord<D> {
     let slope = d[axis];
     if slope.abs() <= PARALLEL {
         let is_inside = low <= o[axis] && o[axis] <= high;
@@ -79,12 +45,12 @@ fn slab<const D: usize>(o: &Vector<D>, d: &Vector<D>, axis: usize, low: f64, hig
 }
 
 /// An end that is never reached.
-fn everywhere<const D: usize>(t: f64) -> Hit<D> {
+pub(super) fn everywhere<const D: usize>(t: f64) -> Hit<D> {
     Hit { t, normal: Vector::zeros() }
 }
 
 /// |radial part|² + (axial · last)² ≤ radius²: a ball (axial 1) or an endless cylinder (axial 0).
-fn quadric<const D: usize>(o: &Vector<D>, d: &Vector<D>, axial: f64, radius: f64) -> Chord<D> {
+pub(super) fn quadric<const D: usize>(o: &Vector<D>, d: &Vector<D>, axial: f64, radius: f64) -> Chord<D> {
     let reduced = |mut x: Vector<D>| {
         x[D - 1] *= axial;
         x
@@ -105,44 +71,10 @@ fn quadric<const D: usize>(o: &Vector<D>, d: &Vector<D>, axial: f64, radius: f64
     })
 }
 
-/// The lower nappe of the endless cone with its apex at `half_height` and the given radius at `−half_height`.
-fn cone<const D: usize>(o: &Vector<D>, d: &Vector<D>, radius: f64, half_height: f64) -> Chord<D> {
-    // f(x) = |radial|² − k² (h − z)² ≤ 0, on the line A t² + 2 B t + C.
-    let k2 = (radius / (2.0 * half_height)).powi(2);
-    let (mut or, mut dr) = (*o, *d);
-    (or[D - 1], dr[D - 1]) = (0.0, 0.0);
-    let (depth, dz) = (half_height - o[D - 1], d[D - 1]);
-    let mut a = dr.norm_squared() - k2 * dz * dz;
-    let b = or.dot(&dr) + k2 * depth * dz;
-    let c = or.norm_squared() - k2 * depth * depth;
-    if a.abs() < 1e-14 * (1.0 + k2) {
-        // Parallel to a generator: a line turned by less than rounding meets the same points.
-        a = 1e-14 * (1.0 + k2);
-    }
-    let discriminant = b * b - a * c;
-    if discriminant < 0.0 && a > 0.0 {
-        return None;
-    }
-    let q = -(b + b.signum() * discriminant.max(0.0).sqrt());
-    let roots = if q == 0.0 { [0.0, 0.0] } else { [q / a, c / q] };
-    let at = |t: f64| {
-        let x = o + d * t;
-        let mut normal = x;
-        normal[D - 1] = k2 * (half_height - x[D - 1]);
-        Hit { t, normal: normal.try_normalize(0.0).unwrap_or_else(Vector::zeros) }
-    };
-    let (first, last) = (roots[0].min(roots[1]), roots[0].max(roots[1]));
-    match a {
-        a if a > 0.0 => Some([at(first), at(last)]),
-        // Steeper than the cone: it runs in one nappe up to one root and in the other from the other root on.
-        _ if dz > 0.0 => Some([everywhere(f64::NEG_INFINITY), at(first)]),
-        _ => Some([at(last), everywhere(f64::INFINITY)]),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::geometry::shapes::convex_shape::tests::convex;
+    use crate::geometry::{Shape, Vector};
 
     /// Membership written down independently of the chords.
     fn inside(shape: &Shape<3>, x: &Vector<3>) -> bool {
@@ -170,6 +102,7 @@ mod tests {
         ];
         let mut hits = 0;
         for shape in &shapes {
+            let convex = convex(shape);
             for n in 0..400 {
                 let f = |k: f64| ((n as f64 + 1.0) * k).sin();
                 let o = Vector::<3>::new(f(1.3), f(2.7), f(3.9));
@@ -179,7 +112,7 @@ mod tests {
                     d = [Vector::x(), Vector::y(), Vector::z(), Vector::<3>::new(1.0, 0.0, 1.2)][n / 10 % 4];
                 }
                 let d = d.normalize();
-                let chord = chord(shape, &o, &d);
+                let chord = convex.chord(&o, &d);
                 for step in -400..400 {
                     let t = step as f64 * 0.0101;
                     let expected = inside(shape, &(o + d * t));

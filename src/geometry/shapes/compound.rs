@@ -1,9 +1,12 @@
 //! A union of shapes as a signed distance.
 
-use super::Part;
-use super::nearest::{Nearest, nearest};
+use super::implicit_shape::ImplicitShape;
+use super::nearest::{Nearest, of_faces};
+use super::obstacle::Obstacle;
+use super::signed_distance::SignedDistance;
+use super::solid::Solid;
 use crate::Error;
-use crate::geometry::{Pose, Shape, SignedDistance, Vector};
+use crate::geometry::{Pose, Vector};
 use std::sync::Arc;
 
 /// Up to this part of its least extent from a boundary, the gradient of a part is found by differences of its distance:
@@ -18,64 +21,65 @@ struct Compound<const D: usize> {
 
 /// How the distance from a part is found.
 enum Distance<const D: usize> {
-    HalfSpace,
-    Ball { radius: f64 },
-    Nearest { nearest: Nearest<D>, beside: f64 },
-    Function(Arc<dyn SignedDistance<D>>),
+    Own(ImplicitShape<D>),
+    Nearest(Nearest<D>),
 }
 
-/// The shape that stands for a compound. Its distance is the least of those from its parts, which is never more than
-/// the true one and no steeper, as [`SignedDistance`] asks for.
-pub(crate) fn compound<const D: usize>(parts: Vec<Part<D>>) -> Result<Shape<D>, Error> {
-    if parts.is_empty() {
+/// The solid that stands for a compound. Its distance is the least of those from its parts, which is never more than
+/// the true one and no steeper, as [`SignedDistance`] asks for. What holds for an obstacle holds for a part; errors name
+/// the obstacle.
+pub(super) fn solid<const D: usize>(parts: &[Obstacle<D>], obstacle: usize) -> Result<Solid<D>, Error> {
+    let checked = |part: &Obstacle<D>| Ok((part.solid(obstacle)?, part.pose));
+    let solids = parts.iter().map(checked).collect::<Result<Vec<_>, Error>>()?;
+    if solids.is_empty() {
         return Err(Error::EmptyCompound);
     }
-    let distance = |part: Part<D>| {
-        let distance = match part.shape {
-            Shape::HalfSpace => Distance::HalfSpace,
-            &Shape::Ball { radius } => Distance::Ball { radius },
-            Shape::SignedDistance(function) => Distance::Function(function.clone()),
-            _ => {
-                let what = "this shape as a part of a compound";
-                let (nearest, least) = nearest(&part).ok_or(Error::Unsupported { what })?;
-                Distance::Nearest { nearest, beside: BESIDE * least }
-            }
-        };
-        Ok((distance, part.pose))
-    };
-    let parts = parts.into_iter().map(distance).collect::<Result<_, _>>()?;
-    Ok(Shape::SignedDistance(Arc::new(Compound { parts })))
+    let parts = solids.iter().map(|(solid, pose)| Ok((Distance::new(solid)?, *pose))).collect::<Result<_, Error>>()?;
+    Ok(Solid::function(Arc::new(Compound { parts })))
 }
 
 impl<const D: usize> Distance<D> {
+    fn new(solid: &Solid<D>) -> Result<Self, Error> {
+        let nearest = match solid.implicit() {
+            Some(ImplicitShape::Convex(shape)) => shape.nearest(),
+            _ => None,
+        };
+        Ok(match (nearest, solid) {
+            (Some(nearest), _) => Distance::Nearest(nearest),
+            (None, Solid::Implicit { shape, faces: None }) => Distance::Own(shape.clone()),
+            (None, Solid::Implicit { faces: Some(faces), .. } | Solid::Faceted(faces)) => {
+                let what = "this shape as a part of a compound";
+                Distance::Nearest(of_faces(faces).ok_or(Error::Unsupported { what })?)
+            }
+        })
+    }
+
     /// Distance and gradient in the part's own frame.
     fn at(&self, x: &Vector<D>) -> Result<(f64, Vector<D>), ()> {
         Ok(match self {
-            Distance::HalfSpace => (x[D - 1], last_axis()),
-            Distance::Ball { radius } => (x.norm() - radius, x.try_normalize(0.0).unwrap_or_else(last_axis)),
-            Distance::Nearest { nearest, beside } => {
+            Distance::Own(shape) => {
+                let (mut phi, mut gradient) = ([f64::NAN], [[f64::NAN; D]]);
+                shape.evaluate(&[(*x).into()], &mut phi, &mut gradient).map_err(|_| ())?;
+                (phi[0], gradient[0].into())
+            }
+            Distance::Nearest(Nearest { point, least }) => {
                 let distance = |x: Vector<D>| {
-                    let (inside, nearest) = nearest(&x.into());
+                    let (inside, nearest) = point(&x.into());
                     let away = x - Vector::from(nearest);
                     if inside { (-away.norm(), -away) } else { (away.norm(), away) }
                 };
-                let (phi, away) = distance(*x);
-                if phi.abs() > *beside {
+                let (beside, (phi, away)) = (BESIDE * least, distance(*x));
+                if phi.abs() > beside {
                     (phi, away / phi.abs())
                 } else {
                     let mut step = Vector::<D>::zeros();
                     let gradient = Vector::from_fn(|axis, _| {
                         step.fill(0.0);
-                        step[axis] = *beside;
+                        step[axis] = beside;
                         distance(x + step).0 - distance(x - step).0
                     });
                     (phi, gradient)
                 }
-            }
-            Distance::Function(function) => {
-                let (mut phi, mut gradient) = ([f64::NAN], [[f64::NAN; D]]);
-                function.evaluate(&[(*x).into()], &mut phi, &mut gradient).map_err(|_| ())?;
-                (phi[0], gradient[0].into())
             }
         })
     }
@@ -99,10 +103,4 @@ impl<const D: usize> SignedDistance<D> for Compound<D> {
         }
         Ok(())
     }
-}
-
-fn last_axis<const D: usize>() -> Vector<D> {
-    let mut up = Vector::zeros();
-    up[D - 1] = 1.0;
-    up
 }

@@ -1,17 +1,23 @@
 //! Facets of the convex hull of points.
 
+use super::solid::{Faceted, Solid};
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
-use super::height_field::Faceted;
 
 /// What counts as flat, and as beside a facet, in parts of the points' extent: parry's hull takes what is nearer to a
 /// facet than 1e-14 for a part of it, and a hull so thin would be noise.
 const FLAT: f64 = 1e-12;
 
+/// The hull as a closed surface.
+pub(super) fn solid<const D: usize>(points: &[[f64; D]]) -> Result<Solid<D>, Error> {
+    let (corners, facets) = convex_hull(points)?;
+    Solid::faceted(&corners, &facets)
+}
+
 /// Corners and facets of the hull, checked: no point lies outside by more than rounding.
-pub(crate) fn convex_hull<const D: usize>(points: &[[f64; D]]) -> Result<Faceted<D>, Error> {
+fn convex_hull<const D: usize>(points: &[[f64; D]]) -> Result<Faceted<D>, Error> {
     for (node, point) in points.iter().enumerate() {
         if let Some(axis) = point.iter().position(|x| !x.is_finite()) {
             return Err(Error::NonFiniteCoordinate { node, axis });

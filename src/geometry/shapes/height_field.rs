@@ -1,5 +1,6 @@
 //! The solid below a height field, as a closed surface.
 
+use super::solid::{Faceted, Solid, positive};
 use crate::Error;
 
 /// Heights over a rectangular grid (2D: over a segment), and the solid below them.
@@ -19,12 +20,15 @@ pub struct HeightField {
     pub thickness: f64,
 }
 
-/// Corners of a closed surface and its facets.
-pub(crate) type Faceted<const D: usize> = (Vec<[f64; D]>, Vec<[u32; D]>);
-
 impl HeightField {
-    /// The surface of the solid: the heights in their order, then the corners of the bottom.
-    pub(crate) fn solid<const D: usize>(&self) -> Result<Faceted<D>, Error> {
+    /// The solid as a closed surface.
+    pub(super) fn solid<const D: usize>(&self) -> Result<Solid<D>, Error> {
+        let (points, facets) = self.surface()?;
+        Solid::faceted(&points, &facets)
+    }
+
+    /// Its corners, the heights in their order, then those of the bottom, and its facets.
+    fn surface<const D: usize>(&self) -> Result<Faceted<D>, Error> {
         let lowest = self.check(D - 1)?;
         let at = |point: [usize; 2], height: f64| -> [f64; D] {
             let mut x = [height; D];
@@ -89,9 +93,7 @@ impl HeightField {
         let count = self.counts.iter().try_fold(1usize, |all, &count| all.checked_mul(count)).unwrap_or(usize::MAX);
         length("heights", self.heights.len(), count)?;
         for (name, value) in self.lengths.iter().map(|&l| ("length", l)).chain([("thickness", self.thickness)]) {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Error::NotPositive { name, value });
-            }
+            positive(name, value)?;
         }
         match self.heights.iter().position(|height| !height.is_finite()) {
             Some(point) => Err(Error::NonFiniteHeight { point }),

@@ -2,7 +2,6 @@
 
 use super::layout::FiberPair;
 use crate::Error;
-use crate::geometry::Shape;
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::imbalance::Imbalance;
 use crate::overlap::pair::options::{Estimator, FiberOptions};
@@ -59,7 +58,7 @@ impl<const D: usize> PairEstimator<D> {
         match (self, &pair.counterpart) {
             (Self::Exact, _) => None,
             (Self::Lines(lines), _) => Some(lines),
-            (Self::Auto(lines), Counterpart::Implicit(side)) if !matches!(side.shape, Shape::HalfSpace) => Some(lines),
+            (Self::Auto(lines), Counterpart::Implicit(side)) if !side.shape.is_half_space() => Some(lines),
             (Self::Auto(_), _) => None,
         }
     }

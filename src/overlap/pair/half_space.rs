@@ -1,8 +1,7 @@
 //! The second side of a pair as a plane.
 
-use super::sides::{Counterpart, ImplicitSide, Pair};
+use super::sides::{Counterpart, Pair};
 use crate::Error;
-use crate::geometry::Shape;
 use crate::geometry::plane::Plane;
 
 impl<const D: usize> Pair<'_, D> {
@@ -13,10 +12,9 @@ impl<const D: usize> Pair<'_, D> {
     pub(crate) fn plane(&self) -> Result<Option<Plane<D>>, Error> {
         match &self.counterpart {
             Counterpart::Itself | Counterpart::Facets(_) => Ok(None),
-            Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => Ok(Some(Plane::of(pose))),
-            Counterpart::Implicit(_) => {
+            Counterpart::Implicit(side) => {
                 let what = "the exact overlap with a curved or signed-distance obstacle; use fibers, or give it as a polygon or triangle mesh";
-                Err(Error::Unsupported { what })
+                side.plane().map(Some).ok_or(Error::Unsupported { what })
             }
         }
     }

@@ -7,8 +7,9 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
 use crate::geometry::nearest_on_facet::nearest;
+use crate::geometry::shapes::{ConvexShape, HalfSpace, ImplicitShape};
 use crate::geometry::tree::Tree;
-use crate::geometry::{Pose, Shape, SignedDistance, Vector, signed_distance};
+use crate::geometry::{Pose, SignedDistance, Vector};
 use std::cell::Cell;
 
 /// A value that is larger than the distance from a point where it is known allows by more than this part of it is no
@@ -22,7 +23,7 @@ pub(crate) struct ObstacleDistance<'a, const D: usize> {
 }
 
 enum Source<'a, const D: usize> {
-    Shape(&'a Shape<D>),
+    Convex(&'a dyn ConvexShape<D>),
     Function { function: &'a dyn SignedDistance<D>, obstacle: usize },
     Facets { side: &'a FacetSide<'a, D>, tree: Tree<D> },
 }
@@ -42,11 +43,13 @@ impl<'a, const D: usize> ObstacleDistance<'a, D> {
                 let boxes: Vec<Aabb<D>> = (0..side.facets.len()).map(|facet| side.facet_box(facet)).collect();
                 Source::Facets { side, tree: Tree::new(&boxes) }
             }
-            Counterpart::Implicit(ImplicitSide { shape: Shape::SignedDistance(function), obstacle, .. }) => {
+            Counterpart::Implicit(ImplicitSide { shape: ImplicitShape::Function(function), obstacle, .. }) => {
                 Source::Function { function: function.as_ref(), obstacle: *obstacle }
             }
-            Counterpart::Implicit(ImplicitSide { shape, .. }) => Source::Shape(shape),
-            Counterpart::Itself => Source::Shape(&Shape::HalfSpace),
+            Counterpart::Implicit(ImplicitSide { shape: ImplicitShape::Convex(shape), .. }) => {
+                Source::Convex(shape.as_ref())
+            }
+            Counterpart::Itself => Source::Convex(&HalfSpace),
         };
         let pose = if let Counterpart::Implicit(side) = counterpart { side.pose } else { pose };
         Self { source, pose }
@@ -62,11 +65,10 @@ impl<'a, const D: usize> ObstacleDistance<'a, D> {
             gradient: self.pose.rotate(gradient),
         };
         match &self.source {
-            Source::Shape(shape) => Ok(points
+            Source::Convex(shape) => Ok(points
                 .iter()
                 .map(|x| {
-                    let (phi, gradient) =
-                        signed_distance(shape, &self.pose.unplace(x)).unwrap_or((f64::INFINITY, Vector::zeros()));
+                    let (phi, gradient) = shape.signed_distance(&self.pose.unplace(x));
                     in_space(phi, &gradient)
                 })
                 .collect()),

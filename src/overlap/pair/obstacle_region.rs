@@ -4,7 +4,8 @@ use super::sides::ImplicitSide;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::plane::Plane;
-use crate::geometry::{Pose, Shape, SignedDistance, Vector, distance_bound};
+use crate::geometry::shapes::{Extent, ImplicitShape};
+use crate::geometry::{Pose, SignedDistance, Vector};
 
 /// Rounds in which the box around a signed distance function is cut in two along every axis.
 const ROUNDS_OF_FUNCTION: usize = 5;
@@ -15,27 +16,16 @@ const ROUNDS_OF_SHAPE: usize = 4;
 
 /// A box, within `within`, around the obstacle; `None` if it does not reach there.
 pub(crate) fn region<const D: usize>(side: &ImplicitSide<D>, within: &Aabb<D>) -> Result<Option<Aabb<D>>, Error> {
-    let mut half = Vector::<D>::zeros();
-    match *side.shape {
-        Shape::HalfSpace => return Ok(below_plane(side.pose, within)),
-        Shape::SignedDistance(ref function) => {
+    let shape = match side.shape {
+        ImplicitShape::Convex(shape) => shape,
+        ImplicitShape::Function(function) => {
             return reached(within, side, ROUNDS_OF_FUNCTION, |x| evaluated(function.as_ref(), side, x));
         }
-        Shape::Ball { radius } => half.fill(radius),
-        Shape::Cuboid { half_extents } => half = half_extents.into(),
-        Shape::Cylinder { radius, half_height } | Shape::Cone { radius, half_height } => {
-            half.fill(radius);
-            half[D - 1] = half_height;
-        }
-        Shape::Capsule { radius, half_height } => {
-            half.fill(radius);
-            half[D - 1] = half_height + radius;
-        }
-        // Obstacles with facets come as such, and compounds as signed distances.
-        Shape::Polytope { .. } | Shape::ConvexHull { .. } | Shape::HeightField(_) | Shape::Compound { .. } => {
-            return Ok(None);
-        }
-    }
+    };
+    let half = match shape.extent() {
+        Extent::HalfSpace => return Ok(below_plane(side.pose, within)),
+        Extent::Bounded { half, .. } => half,
+    };
     let mut reach = Vector::<D>::zeros();
     for axis in 0..D {
         let mut unit = Vector::<D>::zeros();
@@ -47,7 +37,7 @@ pub(crate) fn region<const D: usize>(side: &ImplicitSide<D>, within: &Aabb<D>) -
     if found.is_empty() {
         return Ok(None);
     }
-    reached(&found, side, ROUNDS_OF_SHAPE, |x| Ok(x.iter().map(|x| distance_bound(side.shape, &(*x).into())).collect()))
+    reached(&found, side, ROUNDS_OF_SHAPE, |x| Ok(x.iter().map(|x| shape.distance_bound(&(*x).into())).collect()))
 }
 
 /// Part of a box below the plane of a half-space: for every axis, as far as the plane cuts the box's edges.

@@ -7,7 +7,9 @@ use crate::configuration::FacetSide;
 use crate::depth_field::DepthField;
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
-use crate::geometry::{Pose, Shape, Surface, Vector, Weighting};
+use crate::geometry::plane::Plane;
+use crate::geometry::shapes::ImplicitShape;
+use crate::geometry::{Pose, Surface, Vector, Weighting};
 use crate::ranks::{Packed, Sharing};
 use std::sync::OnceLock;
 
@@ -15,7 +17,7 @@ use std::sync::OnceLock;
 #[derive(Clone, Copy)]
 pub(crate) struct ImplicitSide<'a, const D: usize> {
     pub(crate) obstacle: usize,
-    pub(crate) shape: &'a Shape<D>,
+    pub(crate) shape: &'a ImplicitShape<D>,
     pub(crate) pose: &'a Pose<D>,
 }
 
@@ -31,16 +33,16 @@ pub(crate) enum Counterpart<'a, const D: usize> {
 }
 
 impl<const D: usize> ImplicitSide<'_, D> {
-    /// Whether its crossings are marched, through a function that belongs to the host.
-    pub(crate) fn is_marched(&self) -> bool {
-        matches!(self.shape, Shape::SignedDistance(_))
+    /// The plane that bounds it, if it is a half-space.
+    pub(crate) fn plane(&self) -> Option<Plane<D>> {
+        self.shape.is_half_space().then(|| Plane::of(self.pose))
     }
 }
 
 impl<const D: usize> Counterpart<'_, D> {
-    /// Whether it is a signed distance function.
+    /// Whether its crossings are marched, through a function that may belong to the host.
     pub(crate) fn is_marched(&self) -> bool {
-        matches!(self, Counterpart::Implicit(side) if side.is_marched())
+        matches!(self, Counterpart::Implicit(side) if side.shape.is_function())
     }
 
     /// Whether it is a rigid shape without facets.

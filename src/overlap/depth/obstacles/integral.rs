@@ -15,15 +15,14 @@ use super::convex_volume::DepthSum;
 use super::quadrature::{over_facets, over_volume};
 use crate::Error;
 use crate::geometry::convex_piece::Piece;
-use crate::geometry::plane::Plane;
-use crate::geometry::{Pose, Shape, Vector, moment};
+use crate::geometry::{Pose, Vector, moment};
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::obstacle_distance::ObstacleDistance;
 use crate::overlap::pair::obstacle_region;
 use crate::overlap::pair::overlap::{MotionGradient, Overlap};
-use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Pair};
+use crate::overlap::pair::sides::{Counterpart, Pair};
 use crate::overlap::sums::block_sum::symmetric_part;
 
 /// Facets that a thread takes at once.
@@ -36,11 +35,9 @@ pub(crate) fn of_obstacle<const D: usize>(
     request: &DepthRequest,
 ) -> Result<Option<DepthIntegral<D>>, Error> {
     let solid = match &pair.counterpart {
-        Counterpart::Implicit(ImplicitSide { shape: Shape::HalfSpace, pose, .. }) => {
-            Some(ConvexSolid::below(&Plane::of(pose)))
-        }
+        Counterpart::Implicit(side) => side.plane().map(|plane| ConvexSolid::below(&plane)),
         Counterpart::Facets(side) => ConvexSolid::within(side),
-        _ => None,
+        Counterpart::Itself => None,
     };
     let within = match &pair.counterpart {
         Counterpart::Implicit(side) => obstacle_region::region(side, &pair.a.aabb)?,

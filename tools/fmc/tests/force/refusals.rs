@@ -153,7 +153,7 @@ fn usage_that_makes_no_sense() {
         ("--stiffness 1 --translate 1=0", &["2 or 3 numbers"]),
         ("--stiffness 1 --translate 1=0,0,1", &["without a z"]),
         ("--stiffness 1 --rotate 1=0,0,1,30", &["the angle only"]),
-        ("--stiffness 1 --obstacle wedge", &["'wedge' is not half-space"]),
+        ("--stiffness 1 --obstacle wedge", &["'wedge' is not one of half-space"]),
         ("--stiffness 1 --obstacle ball", &["ball needs radius"]),
         ("--stiffness 1 --json Cargo.toml/x.json", &["Cargo.toml/x.json cannot be written"]),
     ] {
