@@ -298,31 +298,35 @@ typedef enum {
   FMC_PARTNER_OBSTACLE = 1,
 } fmc_partner;
 
-// Shape of an obstacle, and of a part of a compound.
+// Kinds of shapes, each with the measures that it has. The axis of revolution is the last one: y in 2D, z in 3D.
 typedef enum {
-  // As `fmc_context_add_half_space`.
+  // All points whose last coordinate is at most 0; the outward normal is the last axis. No measures.
   FMC_SHAPE_HALF_SPACE = 0,
-  // As `fmc_context_add_ball`: `radius`.
+  // A ball (2D: a disc) about the origin: `radius`.
   FMC_SHAPE_BALL = 1,
-  // As `fmc_context_add_cuboid`: `half_extents`.
+  // A box about the origin: `half_extents`, halves of its sides.
   FMC_SHAPE_CUBOID = 2,
-  // As `fmc_context_add_cylinder`: `radius`, `half_height`.
+  // A cylinder (2D: a rectangle) about the last axis, centred: `radius`, `half_height`.
   FMC_SHAPE_CYLINDER = 3,
-  // As `fmc_context_add_cone`: `radius`, `half_height`.
+  // A cone (2D: an isosceles triangle) about the last axis, its apex at +half_height and its base at -half_height:
+  // `radius` of the base, `half_height`.
   FMC_SHAPE_CONE = 4,
-  // As `fmc_context_add_capsule`: `radius`, `half_height`.
+  // A capsule (2D: a stadium), all points within `radius` of the segment from -half_height to +half_height on the last
+  // axis: `radius`, `half_height`.
   FMC_SHAPE_CAPSULE = 5,
-  // As `fmc_context_add_polytope`: `points`, `facets`, `facet_count`.
+  // A closed polygon (2D) or triangle mesh (3D): `points`, its corners, and `facets`, as numbers of corners. In 2D the
+  // body lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside.
   FMC_SHAPE_POLYTOPE = 6,
-  // As `fmc_context_add_convex_hull`: `points`.
+  // The convex hull of `points`; those inside have no effect. It becomes a polytope.
   FMC_SHAPE_CONVEX_HULL = 7,
-  // As `fmc_context_add_height_field`; of obstacles, not of parts, as the next two.
+  // The solid below a height field: `heights` over a grid with `counts` points along its axes and `lengths`, and
+  // `thickness`. It becomes a polytope.
   FMC_SHAPE_HEIGHT_FIELD = 8,
-  // As `fmc_context_add_compound`.
+  // The union of other shapes: `parts`, which may overlap.
   FMC_SHAPE_COMPOUND = 9,
-  // As `fmc_context_add_signed_distance`.
+  // A body given by a function: `signed_distance`.
   FMC_SHAPE_SIGNED_DISTANCE = 10,
-} fmc_shape;
+} fmc_shape_kind;
 
 // Kind of a warning.
 typedef enum {
@@ -876,7 +880,7 @@ typedef struct {
   // counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
   // shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
   // they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
-  // rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Between bodies, and of one with itself,
+  // rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
   // only with the law "depth" and not positive: -c lets either body in by c before it presses.
   double gap_offset;
   // Coefficient of friction, at least 0, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
@@ -1053,36 +1057,65 @@ typedef struct {
   double scale;
 } fmc_pose;
 
-// A part of a compound. Initialise it by `fmc_part_init`, then set the fields that its shape uses.
+// Signed distance of a body in the obstacle's own frame, for `n` points at once.
+//
+// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
+// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
+// unwritten counts as not finite. `user` is the pointer of the same name in the shape.
+//
+// Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
+// for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a
+// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+typedef int32_t (*fmc_signed_distance)(void *user, size_t n, const double *x, double *phi, double *grad);
+
+// A rigid shape in its own frame, as data. `fmc_shape_init` sets all fields; then set those that its kind has, as
+// `fmc_shape_kind` says. Others are not read.
 typedef struct {
-  // A value of `fmc_shape`.
-  int32_t shape;
-  // Number of facets.
-  size_t facet_count;
+  // Set by `fmc_shape_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // A value of `fmc_shape_kind`.
+  int32_t kind;
+  // Bytes of a number in `facets`: 4, the default, or 8.
+  int32_t index_size;
   // Radius.
   double radius;
   // Half of the height.
   double half_height;
   // Halves of the sides, of which the first `dim` are read.
   double half_extents[3];
-  // Corners.
-  const fmc_coords *points;
-  // Numbers of corners, (facet_count, dim).
-  const int32_t *facets;
-  // Pose of the part in the frame of the compound.
+  // Points, or corners.
+  fmc_coords points;
+  // Numbers of corners, (facet_count, dim), of `index_size` bytes each, counted from the option `index_base`.
+  const void *facets;
+  // Number of facets.
+  size_t facet_count;
+  // Heights along the last axis, over a grid across it that is centred on the origin. The index along the grid's last
+  // axis runs fastest. In 3D every cell is split along the diagonal from its corner of least x and y.
+  const double *heights;
+  // Numbers of points of the grid along its `dim` - 1 axes, at least 2 each; their product is the number of heights.
+  size_t counts[2];
+  // Lengths of the grid along its `dim` - 1 axes.
+  double lengths[2];
+  // How far below the lowest height the flat bottom of the solid lies; its walls are vertical.
+  double thickness;
+  // `fmc_part`s of a compound, of any kind, which may overlap. Its signed distance is the least of those of its parts: exact
+  // outside, and inside a single part; where parts overlap, the depth of a point is its largest depth in any part.
+  const void *parts;
+  // Number of parts.
+  size_t part_count;
+  // Signed distance of a body. It and `user` must outlive the context, or the obstacle if it is removed before.
+  fmc_signed_distance signed_distance;
+  // Passed to `signed_distance`.
+  void *user;
+} fmc_shape;
+
+// A part of a compound.
+typedef struct {
+  // Its shape.
+  const fmc_shape *shape;
+  // Its pose in the frame of the compound.
   fmc_pose pose;
 } fmc_part;
-
-// Signed distance of a body in the obstacle's own frame, for `n` points at once.
-//
-// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
-// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
-// unwritten counts as not finite. `user` is the pointer given with the callback.
-//
-// Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
-// for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a
-// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
-typedef int32_t (*fmc_signed_distance)(void *user, size_t n, const double *x, double *phi, double *grad);
 
 #ifdef __cplusplus
 extern "C" {
@@ -2043,134 +2076,36 @@ fmc_status fmc_pose_init(fmc_pose *pose);
 // any, on different structs.
 fmc_status fmc_pose_along(int32_t dim, const double *position, const double *axis, fmc_pose *pose);
 
-// Sets a part to a half-space at the origin of the compound, with sizes 0 and pointers NULL.
+// Sets a shape to a kind, a value of `fmc_shape_kind`, with sizes and counts 0 and pointers NULL.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_part_init(fmc_part *part);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number. Threads: any, on different structs.
+fmc_status fmc_shape_init(fmc_shape *shape, int32_t kind);
 
-// Adds a half-space: all points of its frame whose last coordinate is at most 0. `fmc_pose_along` places it by a
-// point and its outward normal.
+// Adds a rigid obstacle of any shape; everything but a signed distance is copied.
 //
 // Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
-// `obstacle`, which may be NULL too, receives the index: 0 for the first obstacle of the context, then 1, 2, ...,
-// also after others were removed.
+// `fmc_pose_along` makes that of a half-space from a point and its outward normal. `obstacle`, which may be NULL too,
+// receives the index: 0 for the first obstacle of the context, then 1, 2, ..., also after others were removed.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_add_half_space(fmc_context *context, const fmc_pose *pose, size_t *obstacle);
-
-// Adds a ball (2D: a disc) about the origin of its frame. Otherwise as `fmc_context_add_half_space`; also
-// `FMC_ERROR_NOT_POSITIVE`.
-fmc_status fmc_context_add_ball(fmc_context *context, double radius, const fmc_pose *pose, size_t *obstacle);
-
-// Adds a box about the origin of its frame; `half_extents` are `dim` halves of its sides. Otherwise as
-// `fmc_context_add_ball`.
-fmc_status fmc_context_add_cuboid(fmc_context *context,
-                                  const double *half_extents,
-                                  const fmc_pose *pose,
-                                  size_t *obstacle);
-
-// Adds a cylinder (2D: a rectangle) about the last axis of its frame, centred. Otherwise as `fmc_context_add_ball`.
-fmc_status fmc_context_add_cylinder(fmc_context *context,
-                                    double radius,
-                                    double half_height,
-                                    const fmc_pose *pose,
-                                    size_t *obstacle);
-
-// Adds a cone (2D: a triangle) about the last axis of its frame: apex at +half_height, base of the given radius at
-// -half_height. Otherwise as `fmc_context_add_ball`.
-fmc_status fmc_context_add_cone(fmc_context *context,
-                                double radius,
-                                double half_height,
-                                const fmc_pose *pose,
-                                size_t *obstacle);
-
-// Adds a capsule (2D: a stadium): all points within `radius` of the segment from -half_height to +half_height on the
-// last axis of its frame. Otherwise as `fmc_context_add_ball`.
-fmc_status fmc_context_add_capsule(fmc_context *context,
-                                   double radius,
-                                   double half_height,
-                                   const fmc_pose *pose,
-                                   size_t *obstacle);
-
-// Adds a closed polygon (2D) or triangle mesh (3D), which is copied.
+// Both estimators support shapes that have facets or become polytopes; half-spaces and boxes too. `fibers`, `auto`, and the
+// law "depth" support all of them.
 //
-// `points` are its corners, in its frame; `facets`, (facet_count, dim), are numbers of corners counted from the option
-// `index_base`: in 2D the body lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside.
-//
-// Errors: those of `fmc_context_add_half_space` and of `fmc_context_new_from_facets`. Threads: one call at a time on a
-// context.
-fmc_status fmc_context_add_polytope(fmc_context *context,
-                                    const fmc_coords *points,
-                                    const int32_t *facets,
-                                    size_t facet_count,
-                                    const fmc_pose *pose,
-                                    size_t *obstacle);
-
-// `fmc_context_add_polytope` with 64-bit numbers.
-fmc_status fmc_context_add_polytope_i64(fmc_context *context,
-                                        const fmc_coords *points,
-                                        const int64_t *facets,
-                                        size_t facet_count,
-                                        const fmc_pose *pose,
-                                        size_t *obstacle);
-
-// Adds the convex hull of points, which are copied; points inside it have no effect. The obstacle is a polytope.
-//
-// Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`,
-// `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "shapes". Threads: one call at a time on a context.
-fmc_status fmc_context_add_convex_hull(fmc_context *context,
-                                       const fmc_coords *points,
-                                       const fmc_pose *pose,
-                                       size_t *obstacle);
-
-// Adds the solid below a height field, which is copied. The obstacle is a polytope.
-//
-// The grid is centred on the origin of its frame, perpendicular to the last axis, along which heights are measured:
-// `counts` are the `dim` - 1 numbers of points along its axes, `lengths` its lengths along them, and `heights` the
-// heights, with the index along the grid's last axis running fastest. In 3D every cell is split along the diagonal
-// from its corner of least x and y. The solid has a flat bottom, `thickness` below the lowest height, and vertical
-// walls.
-//
-// Errors: those of `fmc_context_add_half_space`; `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`,
-// `FMC_ERROR_NOT_POSITIVE`. Threads: one call at a time on a context.
-fmc_status fmc_context_add_height_field(fmc_context *context,
-                                        const size_t *counts,
-                                        const double *lengths,
-                                        const double *heights,
-                                        double thickness,
-                                        const fmc_pose *pose,
-                                        size_t *obstacle);
-
-// Adds a union of shapes, which may overlap; everything is copied. Only the estimator `fibers` supports it.
-//
-// Its signed distance is the least of those of its parts: exact outside, and inside a single part; where parts
-// overlap, the depth of a point is its largest depth in any part.
-//
-// Errors: those of the shapes of its parts; `FMC_ERROR_EMPTY_COMPOUND`; `FMC_ERROR_BAD_VALUE` for a number that
-// is not a value of `fmc_shape`; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "shapes". Threads: one call
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_BAD_VALUE` for a `kind` or an `index_size` that
+// is none, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Of a polytope those of
+// `fmc_context_new_from_facets`; of a convex hull `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`; of a height
+// field `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`; of a compound `FMC_ERROR_EMPTY_COMPOUND` and those of
+// its parts. `FMC_ERROR_UNSUPPORTED` for hulls and compounds if the library lacks the feature "shapes". Threads: one call
 // at a time on a context.
-fmc_status fmc_context_add_compound(fmc_context *context,
-                                    const fmc_part *parts,
-                                    size_t part_count,
+fmc_status fmc_context_add_obstacle(fmc_context *context,
+                                    const fmc_shape *shape,
                                     const fmc_pose *pose,
                                     size_t *obstacle);
 
-// Adds a body given by its signed distance; `user` is passed to the callback, and both must outlive the context, or
-// the obstacle if it is removed before. They are used on the thread that evaluates the context. Only the estimator
-// `fibers` supports it.
-//
-// Errors: those of `fmc_context_add_half_space`. Threads: one call at a time on a context.
-fmc_status fmc_context_add_signed_distance(fmc_context *context,
-                                           fmc_signed_distance callback,
-                                           void *user,
-                                           const fmc_pose *pose,
-                                           size_t *obstacle);
-
-// Shape of an obstacle, a value of `fmc_shape`, and its pose as it stands. Either output may be NULL.
+// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its pose as it stands. Either output may be NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
 // Threads: several at once on one context, as long as no call changes it.
-fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacle, int32_t *shape, fmc_pose *pose);
+fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacle, int32_t *kind, fmc_pose *pose);
 
 // Moves an obstacle. Results of the last evaluation are kept.
 //

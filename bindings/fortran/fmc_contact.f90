@@ -25,8 +25,8 @@ module fmc_contact
   ! Procedures of the type: their names remain the host's.
   private :: from_cells, from_blocks, from_facets, from_facet_blocks, take, free, set_options, set_pair_options, set_reference, &
              set_symmetry_nodes, set_basis, evaluate, tangent, evaluate_tangent, stable_step, body, &
-             obstacle, pair, warning, add_half_space, add_ball, add_cuboid, add_cylinder, add_cone, &
-             add_capsule, add_polytope, add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
+             obstacle, pair, warning, add_obstacle, add_half_space, add_polytope, &
+             add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
              contact_points, gap_constraints, augment, multipliers, set_multipliers, boundary_facets, placed, &
              unplaced, view, onto, checked, copy_text, copied, finished
@@ -40,8 +40,8 @@ module fmc_contact
     procedure :: set_options, set_pair_options, set_reference, set_symmetry_nodes, set_basis
     procedure :: evaluate, tangent, evaluate_tangent, stable_step
     procedure :: body, obstacle, pair, warning
-    procedure :: add_half_space, add_ball, add_cuboid, add_cylinder, add_cone, add_capsule, add_polytope, add_convex_hull
-    procedure :: add_signed_distance, set_pose, remove_obstacle
+    procedure :: add_obstacle, add_half_space, add_polytope, add_convex_hull, add_signed_distance
+    procedure :: set_pose, remove_obstacle
     procedure :: keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip
     procedure :: nodal_contact, contact_points, gap_constraints, boundary_facets
     procedure :: augment, multipliers, set_multipliers
@@ -355,73 +355,49 @@ contains
     type(fmc_pose) :: pose
     call checked(fmc_pose_init(pose))
     status = fmc_pose_along(size(point), point, normal, pose)
-    if (status == FMC_OK) status = fmc_context_add_half_space(self%handle, pose, number)
+    if (status == FMC_OK) status = fmc_context_add_obstacle(self%handle, shape_of(FMC_SHAPE_HALF_SPACE), pose, number)
     call placed(status, number, index, stat)
   end subroutine
 
-  subroutine add_ball(self, radius, pose, index, stat)
-    class(contact), intent(inout) :: self
-    real(c_double), intent(in) :: radius
-    type(fmc_pose), intent(in) :: pose
-    integer, intent(out), optional :: index, stat
-    integer(c_size_t) :: number
-    call placed(fmc_context_add_ball(self%handle, radius, pose, number), number, index, stat)
-  end subroutine
+  ! A shape of a kind FMC_SHAPE_... with its lengths (fmc_shape_init), for add_obstacle and for parts of a compound. Arrays go
+  ! into its components, by c_loc.
+  function shape_of(kind, radius, half_height, half_extents) result(shape)
+    integer(c_int32_t), intent(in) :: kind
+    real(c_double), intent(in), optional :: radius, half_height, half_extents(:)
+    type(fmc_shape) :: shape
+    call checked(fmc_shape_init(shape, kind))
+    if (present(radius)) shape%radius = radius
+    if (present(half_height)) shape%half_height = half_height
+    if (present(half_extents)) shape%half_extents(:size(half_extents)) = half_extents
+  end function
 
-  subroutine add_cuboid(self, half_extents, pose, index, stat)
+  ! Any shape, as shape_of makes it.
+  subroutine add_obstacle(self, shape, pose, index, stat)
     class(contact), intent(inout) :: self
-    real(c_double), intent(in) :: half_extents(:)
+    type(fmc_shape), intent(in) :: shape
     type(fmc_pose), intent(in) :: pose
     integer, intent(out), optional :: index, stat
     integer(c_size_t) :: number
-    if (size(half_extents) /= self%dim) then
-      call unplaced(index, stat)
-      return
-    end if
-    call placed(fmc_context_add_cuboid(self%handle, half_extents, pose, number), number, index, stat)
-  end subroutine
-
-  subroutine add_cylinder(self, radius, half_height, pose, index, stat)
-    class(contact), intent(inout) :: self
-    real(c_double), intent(in) :: radius, half_height
-    type(fmc_pose), intent(in) :: pose
-    integer, intent(out), optional :: index, stat
-    integer(c_size_t) :: number
-    call placed(fmc_context_add_cylinder(self%handle, radius, half_height, pose, number), number, index, stat)
-  end subroutine
-
-  subroutine add_cone(self, radius, half_height, pose, index, stat)
-    class(contact), intent(inout) :: self
-    real(c_double), intent(in) :: radius, half_height
-    type(fmc_pose), intent(in) :: pose
-    integer, intent(out), optional :: index, stat
-    integer(c_size_t) :: number
-    call placed(fmc_context_add_cone(self%handle, radius, half_height, pose, number), number, index, stat)
-  end subroutine
-
-  subroutine add_capsule(self, radius, half_height, pose, index, stat)
-    class(contact), intent(inout) :: self
-    real(c_double), intent(in) :: radius, half_height
-    type(fmc_pose), intent(in) :: pose
-    integer, intent(out), optional :: index, stat
-    integer(c_size_t) :: number
-    call placed(fmc_context_add_capsule(self%handle, radius, half_height, pose, number), number, index, stat)
+    call placed(fmc_context_add_obstacle(self%handle, shape, pose, number), number, index, stat)
   end subroutine
 
   ! points(dim, corners), facets(dim, facets).
   subroutine add_polytope(self, points, facets, pose, index, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: points(:, :)
-    integer(c_int32_t), intent(in), contiguous :: facets(:, :)
+    integer(c_int32_t), intent(in), contiguous, target :: facets(:, :)
     type(fmc_pose), intent(in) :: pose
     integer, intent(out), optional :: index, stat
-    integer(c_size_t) :: number
+    type(fmc_shape) :: shape
     if (size(facets, 1) /= self%dim .or. size(points, 1) /= self%dim) then
       call unplaced(index, stat)
       return
     end if
-    call placed(fmc_context_add_polytope(self%handle, view(points), facets, size(facets, 2, c_size_t), pose, number), &
-                number, index, stat)
+    shape = shape_of(FMC_SHAPE_POLYTOPE)
+    shape%points = view(points)
+    shape%facets = c_loc(facets)
+    shape%facet_count = size(facets, 2, c_size_t)
+    call self%add_obstacle(shape, pose, index, stat)
   end subroutine
 
   ! points(dim, points).
@@ -430,12 +406,14 @@ contains
     real(c_double), intent(in), contiguous, target :: points(:, :)
     type(fmc_pose), intent(in) :: pose
     integer, intent(out), optional :: index, stat
-    integer(c_size_t) :: number
+    type(fmc_shape) :: shape
     if (size(points, 1) /= self%dim) then
       call unplaced(index, stat)
       return
     end if
-    call placed(fmc_context_add_convex_hull(self%handle, view(points), pose, number), number, index, stat)
+    shape = shape_of(FMC_SHAPE_CONVEX_HULL)
+    shape%points = view(points)
+    call self%add_obstacle(shape, pose, index, stat)
   end subroutine
 
   ! A function bind(c) of interface fmc_signed_distance; x is (dim, n) there, and user is handed to it.
@@ -446,12 +424,11 @@ contains
     integer, intent(out), optional :: index
     type(c_ptr), intent(in), optional :: user
     integer, intent(out), optional :: stat
-    type(c_ptr) :: handed
-    integer(c_size_t) :: number
-    handed = c_null_ptr
-    if (present(user)) handed = user
-    call placed(fmc_context_add_signed_distance(self%handle, c_funloc(distance), handed, pose, number), &
-                number, index, stat)
+    type(fmc_shape) :: shape
+    shape = shape_of(FMC_SHAPE_SIGNED_DISTANCE)
+    shape%signed_distance = c_funloc(distance)
+    if (present(user)) shape%user = user
+    call self%add_obstacle(shape, pose, index, stat)
   end subroutine
 
   subroutine set_pose(self, index, pose, stat)

@@ -438,14 +438,28 @@ module fmc_contact_c
     real(c_double) :: scale
   end type
 
-  type, bind(c) :: fmc_part
-    integer(c_int32_t) :: shape
-    integer(c_size_t) :: facet_count
+  type, bind(c) :: fmc_shape
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: kind
+    integer(c_int32_t) :: index_size
     real(c_double) :: radius
     real(c_double) :: half_height
     real(c_double) :: half_extents(3)
-    type(c_ptr) :: points
+    type(fmc_coords) :: points
     type(c_ptr) :: facets
+    integer(c_size_t) :: facet_count
+    type(c_ptr) :: heights
+    integer(c_size_t) :: counts(2)
+    real(c_double) :: lengths(2)
+    real(c_double) :: thickness
+    type(c_ptr) :: parts
+    integer(c_size_t) :: part_count
+    type(c_funptr) :: signed_distance
+    type(c_ptr) :: user
+  end type
+
+  type, bind(c) :: fmc_part
+    type(c_ptr) :: shape
     type(fmc_pose) :: pose
   end type
 
@@ -1182,125 +1196,25 @@ module fmc_contact_c
       type(fmc_pose), intent(inout), optional :: pose
       integer(c_int32_t) :: fmc_pose_along
     end function
-    function fmc_part_init(part) bind(c)
+    function fmc_shape_init(shape, kind) bind(c)
       import
-      type(fmc_part), intent(inout), optional :: part
-      integer(c_int32_t) :: fmc_part_init
+      type(fmc_shape), intent(inout), optional :: shape
+      integer(c_int32_t), value :: kind
+      integer(c_int32_t) :: fmc_shape_init
     end function
-    function fmc_context_add_half_space(context, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_half_space
-    end function
-    function fmc_context_add_ball(context, radius, pose, obstacle) bind(c)
+    function fmc_context_add_obstacle(context, shape, pose, obstacle) bind(c)
       import
       type(c_ptr), value :: context
-      real(c_double), value :: radius
+      type(fmc_shape), intent(in), optional :: shape
       type(fmc_pose), intent(in), optional :: pose
       integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_ball
+      integer(c_int32_t) :: fmc_context_add_obstacle
     end function
-    function fmc_context_add_cuboid(context, half_extents, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      real(c_double), intent(in), optional :: half_extents(*)
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_cuboid
-    end function
-    function fmc_context_add_cylinder(context, radius, half_height, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      real(c_double), value :: radius
-      real(c_double), value :: half_height
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_cylinder
-    end function
-    function fmc_context_add_cone(context, radius, half_height, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      real(c_double), value :: radius
-      real(c_double), value :: half_height
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_cone
-    end function
-    function fmc_context_add_capsule(context, radius, half_height, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      real(c_double), value :: radius
-      real(c_double), value :: half_height
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_capsule
-    end function
-    function fmc_context_add_polytope(context, points, facets, facet_count, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: points
-      integer(c_int32_t), intent(in), optional :: facets(*)
-      integer(c_size_t), value :: facet_count
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_polytope
-    end function
-    function fmc_context_add_polytope_i64(context, points, facets, facet_count, pose, &
-        obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: points
-      integer(c_int64_t), intent(in), optional :: facets(*)
-      integer(c_size_t), value :: facet_count
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_polytope_i64
-    end function
-    function fmc_context_add_convex_hull(context, points, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: points
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_convex_hull
-    end function
-    function fmc_context_add_height_field(context, counts, lengths, heights, thickness, pose, &
-        obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_size_t), intent(in), optional :: counts(*)
-      real(c_double), intent(in), optional :: lengths(*)
-      real(c_double), intent(in), optional :: heights(*)
-      real(c_double), value :: thickness
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_height_field
-    end function
-    function fmc_context_add_compound(context, parts, part_count, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_part), intent(in), optional :: parts(*)
-      integer(c_size_t), value :: part_count
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_compound
-    end function
-    function fmc_context_add_signed_distance(context, callback, user, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(c_funptr), value :: callback
-      type(c_ptr), value :: user
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_signed_distance
-    end function
-    function fmc_context_obstacle_shape(context, obstacle, shape, pose) bind(c)
+    function fmc_context_obstacle_shape(context, obstacle, kind, pose) bind(c)
       import
       type(c_ptr), value :: context
       integer(c_size_t), value :: obstacle
-      integer(c_int32_t), intent(inout), optional :: shape
+      integer(c_int32_t), intent(inout), optional :: kind(*)
       type(fmc_pose), intent(inout), optional :: pose
       integer(c_int32_t) :: fmc_context_obstacle_shape
     end function

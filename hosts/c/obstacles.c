@@ -54,8 +54,12 @@ int main(void) {
     double forces[4][2];
     const fmc_forces f = {forces[0], 4, 2, 1};
     check(fmc_context_new_from_cells(2, &x, &block, 1, NULL, &options, &context));
-    check(way == 0 ? fmc_context_add_ball(context, radius, &pose, NULL)
-                   : fmc_context_add_signed_distance(context, disc, &radius, &pose, NULL));
+    fmc_shape shape;
+    check(fmc_shape_init(&shape, way == 0 ? FMC_SHAPE_BALL : FMC_SHAPE_SIGNED_DISTANCE));
+    shape.radius = radius; /* Read of a ball alone, as the next two are of a signed distance. */
+    shape.signed_distance = disc;
+    shape.user = &radius;
+    check(fmc_context_add_obstacle(context, &shape, &pose, NULL));
     check(fmc_context_evaluate(context, &x, &f, 0, &result));
     check(fmc_context_body_resultant(context, 0, &square));
     check(fmc_context_obstacle_resultant(context, 0, &obstacle));

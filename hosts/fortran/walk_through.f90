@@ -161,6 +161,12 @@ contains
     ! Four triangles of a square, and segments of parabolas, 2/3 of chord times rise.
     call expect("area of a disc", found%volume, 2 + 4*2d0/3*sqrt(2d0)*(1 - sqrt(0.5d0)), 1d-12)
 
+    ! A box below the disc, which reaches as far: a shape as data.
+    call disc%remove_obstacle(1)
+    call disc%add_obstacle(shape_of(FMC_SHAPE_CUBOID, half_extents=[20d0, 20d0]), pose_at([0d0, -10d0]), index)
+    call disc%evaluate(ring, forces, found)
+    call expect("area of a disc in a box", found%volume, 2 + 4*2d0/3*sqrt(2d0)*(1 - sqrt(0.5d0)), 1d-12)
+
     ! Errors: what is wrong is named, and nothing has changed.
     conn(3, 2) = 9
     call squares%from_cells(x, FMC_QUAD4, conn, options, stat=stat)
@@ -168,8 +174,8 @@ contains
     print '(a)', contact_error()
     call squares%evaluate(y, there)
     call expect("forces after an error", maxval(abs(there - kept)), 0d0, 0d0)
-    call squares%add_cuboid([1d0, 1d0, 1d0], pose_at([0d0, 0d0]), stat=stat)
-    call expect("three sides in two dimensions", real(stat, c_double), real(FMC_ERROR_DIMENSION, c_double), 0d0)
+    call squares%add_convex_hull(reshape([1d0, 1d0, 1d0], [3, 1]), pose_at([0d0, 0d0]), stat=stat)
+    call expect("points of three numbers in two dimensions", real(stat, c_double), real(FMC_ERROR_DIMENSION, c_double), 0d0)
   end subroutine
 
   subroutine expect(what, value, expected, error)

@@ -29,7 +29,9 @@ PetscErrorCode touch_create(const Problem *p, Vec like, Touch *t) {
   for (int k = 0; k < p->half_space_count; k++) {
     fmc_pose pose;
     PetscCall(together(fmc_pose_along(2, p->half_spaces[k], p->half_spaces[k] + 2, &pose)));
-    PetscCall(together(fmc_context_add_half_space(t->context, &pose, NULL)));
+    fmc_shape half_space;
+    PetscCall(together(fmc_shape_init(&half_space, FMC_SHAPE_HALF_SPACE)));
+    PetscCall(together(fmc_context_add_obstacle(t->context, &half_space, &pose, NULL)));
   }
   PetscCall(VecScatterCreateToAll(like, &t->scatter, &t->all));
   PetscCall(PetscMalloc2(2 * p->node_count, &t->x, 2 * p->node_count, &t->force));

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <vector>
 
 namespace fmc {
 
@@ -46,12 +47,14 @@ struct PlaceCall {
 
 struct DistanceCall;
 struct LogCall;
+using Distances = std::vector<std::unique_ptr<DistanceCall>>;
 
 // The functions of one context, and what one of them has thrown in the call that is running.
 struct Callbacks {
   std::exception_ptr thrown;
   std::unique_ptr<LogCall> log;
-  std::map<std::size_t, std::unique_ptr<DistanceCall>> distances;
+  // Of every obstacle that has any, those of its shape.
+  std::map<std::size_t, Distances> distances;
 
   void rethrow() {
     if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));

@@ -4,6 +4,7 @@
 
 #include "callbacks.hpp"
 #include "data.hpp"
+#include "shapes.hpp"
 
 #include <memory>
 
@@ -14,7 +15,7 @@ namespace fmc {
 // failure stand; a failure is thrown as `Error`. What a callback throws comes out of the call that called it.
 //
 // Threads: as in C. Const methods at once on one context, as long as no other runs; different contexts at once.
-class Context {
+class Context : public AddsShapes<Context> {
  public:
   // Context from cells, in a block for each type, {{FMC_HEX8, hexes}, {FMC_TET4, tets}}, with 32-bit node numbers. `dim` is 2
   // or 3; `body_ids`, one for every cell over all blocks, may be left out: bodies are what hangs together.
@@ -367,64 +368,24 @@ class Context {
     return options;
   }
 
-  // Rigid obstacles, each with a pose; returned is the index, which an obstacle keeps when others are removed.
-  std::size_t add_half_space(const Pose &pose = {}) { return add(fmc_context_add_half_space, pose); }
-  std::size_t add_ball(double radius, const Pose &pose = {}) { return add(fmc_context_add_ball, pose, radius); }
-  std::size_t add_cylinder(double radius, double half_height, const Pose &pose = {}) {
-    return add(fmc_context_add_cylinder, pose, radius, half_height);
-  }
-  std::size_t add_cone(double radius, double half_height, const Pose &pose = {}) {
-    return add(fmc_context_add_cone, pose, radius, half_height);
-  }
-  std::size_t add_capsule(double radius, double half_height, const Pose &pose = {}) {
-    return add(fmc_context_add_capsule, pose, radius, half_height);
-  }
-  std::size_t add_cuboid(View<const double> half_extents, const Pose &pose = {}) {
-    need(half_extents.size(), axes(), "half_extents");
-    return add(fmc_context_add_cuboid, pose, half_extents.data());
-  }
-  std::size_t add_polytope(Coords points, View<const int32_t> facets, const Pose &pose = {}) {
-    return add_facets(points, facets, pose);
-  }
-  std::size_t add_polytope(Coords points, View<const int64_t> facets, const Pose &pose = {}) {
-    return add_facets(points, facets, pose);
-  }
-  std::size_t add_convex_hull(Coords points, const Pose &pose = {}) {
-    const auto x = points.as_c(dim_);
-    return add(fmc_context_add_convex_hull, pose, &x);
-  }
-  // `counts` and `lengths` of the dim - 1 axes of the grid, whose last one runs fastest in `heights`.
-  std::size_t add_height_field(View<const std::size_t> counts, View<const double> lengths, View<const double> heights,
-                               double thickness, const Pose &pose = {}) {
-    need(counts.size(), axes() - 1, "counts"), need(lengths.size(), axes() - 1, "lengths");
-    std::size_t points = 1;
-    for (const auto count : counts) {
-      if (count != 0 && points > heights.size() / count) points = heights.size() + 1;  // too many, and no overflow
-      else points *= count;
-    }
-    need(heights.size(), points, "heights");
-    return add(fmc_context_add_height_field, pose, counts.data(), lengths.data(), heights.data(), thickness);
-  }
-  std::size_t add_compound(View<const Part> parts, const Pose &pose = {}) {
-    std::vector<fmc_coords> points(parts.size());
-    std::vector<fmc_part> list;
-    for (std::size_t i = 0; i < parts.size(); ++i) list.push_back(parts[i].as_c(dim_, points[i]));
-    return add(fmc_context_add_compound, pose, list.data(), list.size());
-  }
-  // A body given by its signed distance in its own frame; see `SignedDistance`. What it throws comes out of the call that
-  // evaluated it, and nothing else has happened then.
-  std::size_t add_signed_distance(SignedDistance distance, const Pose &pose = {}) {
-    auto next = std::make_unique<detail::DistanceCall>(detail::DistanceCall{std::move(distance), {}, axes(), callbacks_.get()});
-    return add_distance(std::move(next), pose);
-  }
-  // The same for many points at once.
-  std::size_t add_signed_distances(SignedDistances distances, const Pose &pose = {}) {
-    auto next = std::make_unique<detail::DistanceCall>(detail::DistanceCall{{}, std::move(distances), axes(), callbacks_.get()});
-    return add_distance(std::move(next), pose);
+  // Adds a rigid obstacle; `add_ball` and the like make a shape and add it. Returned is the index, which an obstacle keeps when
+  // others are removed.
+  std::size_t add_obstacle(const Shape &shape, const Pose &pose = {}) {
+    detail::ShapeArrays arrays;
+    const fmc_shape &fields = shape.as_c(dim_, arrays, callbacks_.get());
+    // The place for its functions first: once the library has their pointers, nothing may fail.
+    std::map<std::size_t, detail::Distances> place;
+    place.emplace(0, std::move(arrays.distances));
+    std::size_t index = 0;
+    call(fmc_context_add_obstacle(get(), &fields, &pose, &index));
+    auto node = place.extract(place.begin());
+    node.key() = index;
+    callbacks_->distances.insert(std::move(node));
+    return index;
   }
   Obstacle obstacle_shape(std::size_t obstacle) const {
     Obstacle found{};
-    check(fmc_context_obstacle_shape(get(), obstacle, &found.shape, &found.pose));
+    check(fmc_context_obstacle_shape(get(), obstacle, &found.kind, &found.pose));
     return found;
   }
   void set_pose(std::size_t obstacle, const Pose &pose) { call(fmc_context_set_pose(get(), obstacle, &pose)); }
@@ -521,29 +482,6 @@ class Context {
     T one;
     while (more(getter(get(), all.size(), &one))) all.push_back(one);
     return all;
-  }
-  template <class Function, class... Arguments>
-  std::size_t add(Function function, const Pose &pose, Arguments... arguments) {
-    std::size_t index = 0;
-    call(function(get(), arguments..., &pose, &index));
-    return index;
-  }
-  template <class Int>
-  std::size_t add_facets(const Coords &points, View<const Int> facets, const Pose &pose) {
-    const auto x = points.as_c(dim_);
-    const auto count = detail::rows_of(facets, axes(), "facets");
-    return add(detail::Calls<Int>::add_polytope, pose, &x, facets.data(), count);
-  }
-  std::size_t add_distance(std::unique_ptr<detail::DistanceCall> next, const Pose &pose) {
-    // The place for it first: once the library has the pointer, nothing may fail.
-    std::map<std::size_t, std::unique_ptr<detail::DistanceCall>> place;
-    auto *const distance = place.emplace(0, std::move(next)).first->second.get();
-    const auto index =
-        add(fmc_context_add_signed_distance, pose, detail::DistanceCall::run, static_cast<void *>(distance));
-    auto node = place.extract(place.begin());
-    node.key() = index;
-    callbacks_->distances.insert(std::move(node));
-    return index;
   }
 
   int dim_ = 0;

@@ -166,7 +166,6 @@ struct Calls<int32_t> {
   static constexpr auto from_facets = fmc_context_new_from_facets;
   static constexpr auto from_facet_blocks = fmc_context_new_from_facet_blocks;
   static constexpr auto tangent_csr = fmc_context_tangent_csr;
-  static constexpr auto add_polytope = fmc_context_add_polytope;
 };
 template <>
 struct Calls<int64_t> {
@@ -178,65 +177,9 @@ struct Calls<int64_t> {
   static constexpr auto from_facets = fmc_context_new_from_facets_i64;
   static constexpr auto from_facet_blocks = fmc_context_new_from_facet_blocks_i64;
   static constexpr auto tangent_csr = fmc_context_tangent_csr_i64;
-  static constexpr auto add_polytope = fmc_context_add_polytope_i64;
 };
 
 }  // namespace detail
-
-// A part of a compound, made by the functions below, with its pose in the frame of the compound. Points and facets are read
-// when the compound is added.
-class Part {
- public:
-  static Part half_space(const Pose &pose) { return Part(FMC_SHAPE_HALF_SPACE, pose); }
-  static Part ball(double radius, const Pose &pose = {}) { return Part(FMC_SHAPE_BALL, pose, radius); }
-  static Part cylinder(double radius, double half_height, const Pose &pose = {}) {
-    return Part(FMC_SHAPE_CYLINDER, pose, radius, half_height);
-  }
-  static Part cone(double radius, double half_height, const Pose &pose = {}) {
-    return Part(FMC_SHAPE_CONE, pose, radius, half_height);
-  }
-  static Part capsule(double radius, double half_height, const Pose &pose = {}) {
-    return Part(FMC_SHAPE_CAPSULE, pose, radius, half_height);
-  }
-  static Part cuboid(View<const double> half_extents, const Pose &pose = {}) {
-    Part part(FMC_SHAPE_CUBOID, pose);
-    if (half_extents.size() > 3) detail::refuse(FMC_ERROR_LENGTH, "a cuboid has 2 or 3 half extents");
-    for (std::size_t axis = 0; axis < half_extents.size(); ++axis) part.part_.half_extents[axis] = half_extents[axis];
-    return part;
-  }
-  static Part polytope(Coords points, View<const int32_t> facets, const Pose &pose = {}) {
-    Part part(FMC_SHAPE_POLYTOPE, pose);
-    part.points_ = points, part.facets_ = facets;
-    return part;
-  }
-  static Part convex_hull(Coords points, const Pose &pose = {}) {
-    Part part(FMC_SHAPE_CONVEX_HULL, pose);
-    part.points_ = points;
-    return part;
-  }
-
-  // As the C interface takes it; `points` receives the points, and must outlive the result.
-  fmc_part as_c(int dim, fmc_coords &points) const {
-    fmc_part part = part_;
-    points = points_.as_c(dim);
-    part.points = &points;
-    part.facets = facets_.data();
-    part.facet_count = detail::rows_of(facets_, static_cast<std::size_t>(dim), "facets");
-    return part;
-  }
-
- private:
-  Part(fmc_shape shape, const Pose &pose, double radius = 0, double half_height = 0) : part_() {
-    check(fmc_part_init(&part_));
-    part_.shape = shape;
-    part_.pose = pose;
-    part_.radius = radius;
-    part_.half_height = half_height;
-  }
-  fmc_part part_;
-  Coords points_;
-  View<const int32_t> facets_;
-};
 
 // A sparse matrix in compressed rows: the entries of row r are those from row_offsets[r] to row_offsets[r + 1].
 template <class Int>
@@ -284,9 +227,9 @@ struct Warning {
   std::string text;
 };
 
-// Shape, a value of `fmc_shape`, and pose of an obstacle.
+// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its pose.
 struct Obstacle {
-  int32_t shape;
+  int32_t kind;
   Pose pose;
 };
 

@@ -13,7 +13,6 @@ pub(super) mod multiplier;
 pub(super) mod nodal_lists;
 pub(super) mod option_values;
 pub(super) mod options;
-pub(super) mod part;
 pub(super) mod partner;
 pub(super) mod placement;
 pub(super) mod pose;

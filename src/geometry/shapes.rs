@@ -51,9 +51,8 @@ use std::sync::Arc;
 #[cfg(not(feature = "shapes"))]
 use without_parry::{compound, convex_hull};
 
-/// Kinds of shapes, each with the measures that it has. The axis of revolution is the last one: y in 2D, z in 3D.
-///
 /// cbindgen:rename-all=prefix:FMC_SHAPE_
+/// Kinds of shapes, each with the measures that it has. The axis of revolution is the last one: y in 2D, z in 3D.
 #[allow(non_camel_case_types, clippy::upper_case_acronyms)] // The C interface takes its names from here.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,6 +86,7 @@ pub enum ShapeKind {
 }
 
 impl ShapeKind {
+    /// cbindgen:ignore
     /// All of them, by number.
     pub const ALL: [Self; 11] = [
         Self::HALF_SPACE,

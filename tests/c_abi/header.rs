@@ -3,7 +3,7 @@
 use super::program::root;
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 51] = [
+const SOURCES: [&str; 52] = [
     "calls/version",
     "boundary/status",
     "boundary/status_class",
@@ -50,7 +50,8 @@ const SOURCES: [&str; 51] = [
     "structs/multiplier",
     "calls/steps/augmentation",
     "structs/pose",
-    "structs/part",
+    "../geometry/shapes",
+    "structs/shape",
     "calls/obstacles/obstacle",
     "calls/obstacles/obstacle_list",
     "structs/signed_distance",

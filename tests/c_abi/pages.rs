@@ -59,7 +59,7 @@ fn ranks_of_the_guide() {
 fn with_floor(parts: &str) -> String {
     let bring = "fmc_context_set_coords(";
     assert_eq!(parts.matches(bring).count(), 1);
-    parts.replace(bring, &format!("fmc_context_add_half_space(context, &floor, NULL);\n{bring}"))
+    parts.replace(bring, &format!("fmc_context_add_obstacle(context, &half_space, &floor, NULL);\n{bring}"))
 }
 
 #[test]

@@ -336,31 +336,60 @@ static void contexts(void) {
 
   /* Obstacles: none of these may stay behind. */
   fmc_pose pose;
+  fmc_shape shape;
   size_t index = 99;
-  const double half[2] = {1, 0}, none[2] = {0, 0};
+  const double none[2] = {0, 0};
+#define ADD(pose) fmc_context_add_obstacle(context, &shape, pose, &index)
   EXPECT(FMC_ERROR_NULL_POINTER, "'pose'", fmc_pose_init(NULL));
   EXPECT(FMC_ERROR_BAD_POSE, "no direction", fmc_pose_along(2, coords, none, &pose));
   EXPECT(FMC_ERROR_DIMENSION, "dimension is 1", fmc_pose_along(1, coords, coords, &pose));
   EXPECT_OK(fmc_pose_init(&pose));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "'radius' is -2", fmc_context_add_ball(context, -2, &pose, &index));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "is NaN", fmc_context_add_cylinder(context, 1, NAN, &pose, &index));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "is 0", fmc_context_add_cone(context, 1, 0, &pose, &index));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "'radius' is 0", fmc_context_add_capsule(context, 0, 1, &pose, &index));
-  EXPECT(FMC_ERROR_NOT_POSITIVE, "is 0", fmc_context_add_cuboid(context, half, &pose, &index));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'half_extents'", fmc_context_add_cuboid(context, NULL, &pose, &index));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'callback'",
-                    fmc_context_add_signed_distance(context, NULL, NULL, &pose, &index));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'shape'", fmc_shape_init(NULL, FMC_SHAPE_BALL));
+  EXPECT(FMC_ERROR_BAD_VALUE, "11 is not a value of fmc_shape_kind", fmc_shape_init(&shape, 11));
+  EXPECT(FMC_ERROR_BAD_VALUE, "-1 is not a value", fmc_shape_init(&shape, -1));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'shape'", fmc_context_add_obstacle(context, NULL, &pose, &index));
+  memset(&shape, 0, sizeof shape);
+  EXPECT(FMC_ERROR_STRUCT_SIZE, "call fmc_shape_init first", ADD(&pose));
+  EXPECT_OK(fmc_shape_init(&shape, FMC_SHAPE_BALL));
+  shape.radius = -2;
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'radius' is -2", ADD(&pose));
+  shape.kind = 77;
+  EXPECT(FMC_ERROR_BAD_VALUE, "77 is not a value of fmc_shape_kind", ADD(&pose));
+  shape.kind = FMC_SHAPE_CYLINDER, shape.radius = 1, shape.half_height = NAN;
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "is NaN", ADD(&pose));
+  shape.kind = FMC_SHAPE_CONE, shape.half_height = 0;
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "is 0", ADD(&pose));
+  shape.kind = FMC_SHAPE_CAPSULE, shape.radius = 0, shape.half_height = 1;
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "'radius' is 0", ADD(&pose));
+  shape.kind = FMC_SHAPE_CUBOID, shape.half_extents[0] = 1;
+  EXPECT(FMC_ERROR_NOT_POSITIVE, "is 0", ADD(&pose));
+  shape.kind = FMC_SHAPE_SIGNED_DISTANCE;
+  EXPECT(FMC_ERROR_NULL_POINTER, "'signed_distance'", ADD(&pose));
   const int32_t edges[6] = {0, 1, 1, 2, 2, 0};
-  const fmc_coords polygon = {coords, 3, 0, 0};
-  EXPECT(FMC_ERROR_OPEN_SURFACE, "node 0",
-                    fmc_context_add_polytope(context, &polygon, edges, 2, NULL, &index));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'points'",
-                    fmc_context_add_polytope(context, NULL, edges, 3, NULL, &index));
+  EXPECT_OK(fmc_shape_init(&shape, FMC_SHAPE_POLYTOPE));
+  shape.points = (fmc_coords){coords, 3, 0, 0}, shape.facets = edges, shape.facet_count = 2;
+  EXPECT(FMC_ERROR_OPEN_SURFACE, "node 0", ADD(NULL));
+  shape.index_size = 2;
+  EXPECT(FMC_ERROR_BAD_VALUE, "'index_size' is 2", ADD(NULL));
+  const int64_t wide[4] = {0, 1, 1, 9};
+  shape.index_size = 8, shape.facets = wide;
+  EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "", ADD(NULL));
+  shape.points.data = NULL;
+  EXPECT(FMC_ERROR_NULL_POINTER, "'points'", ADD(NULL));
+  EXPECT_OK(fmc_shape_init(&shape, FMC_SHAPE_COMPOUND));
+  EXPECT(FMC_ERROR_EMPTY_COMPOUND, "", ADD(NULL));
+  fmc_part part = {NULL, pose};
+  shape.parts = &part, shape.part_count = 1;
+  EXPECT(FMC_ERROR_NULL_POINTER, "'shape'", ADD(NULL));
+  part.shape = &shape; /* Which is its own part. */
+  EXPECT(FMC_ERROR_UNSUPPORTED, "more than 8 deep", ADD(NULL));
+  EXPECT_OK(fmc_shape_init(&shape, FMC_SHAPE_HALF_SPACE));
   pose.rotation[0] = 2;
-  EXPECT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_half_space(context, &pose, &index));
+  EXPECT(FMC_ERROR_BAD_POSE, "obstacle 0", ADD(&pose));
   EXPECT_OK(fmc_pose_init(&pose));
   pose.scale = 0;
-  EXPECT(FMC_ERROR_BAD_POSE, "obstacle 0", fmc_context_add_ball(context, 1, &pose, &index));
+  shape.kind = FMC_SHAPE_BALL, shape.radius = 1;
+  EXPECT(FMC_ERROR_BAD_POSE, "obstacle 0", ADD(&pose));
   EXPECT_OK(fmc_pose_init(&pose));
   EXPECT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_set_pose(context, 0, &pose));
   EXPECT(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "no obstacle 0", fmc_context_remove_obstacle(context, 0));
@@ -436,7 +465,9 @@ static void contexts(void) {
   mischief m = {0, 0, context, FMC_OK};
   char last_point[32];
   fill();
-  EXPECT_OK(fmc_context_add_signed_distance(context, distance, &m, NULL, &index));
+  EXPECT_OK(fmc_shape_init(&shape, FMC_SHAPE_SIGNED_DISTANCE));
+  shape.signed_distance = distance, shape.user = &m;
+  EXPECT_OK(ADD(NULL));
   EXPECT(FMC_ERROR_UNSUPPORTED, "not supported", EVALUATE(&x, &f));
   o = defaults();
   o.estimator = FMC_ESTIMATOR_FIBERS;
@@ -454,27 +485,29 @@ static void contexts(void) {
   EXPECT_TRUE(m.inner == FMC_ERROR_BUSY);
 
   /* An obstacle that is there, and one that was removed. */
-  int32_t shape = -7;
-  EXPECT_OK(fmc_context_obstacle_shape(context, 0, &shape, &pose));
-  EXPECT_TRUE(shape == FMC_SHAPE_SIGNED_DISTANCE && pose.scale == 1);
+  int32_t kind = -7;
+  EXPECT_OK(fmc_context_obstacle_shape(context, 0, &kind, &pose));
+  EXPECT_TRUE(kind == FMC_SHAPE_SIGNED_DISTANCE && pose.scale == 1);
   EXPECT_OK(fmc_context_remove_obstacle(context, 0));
   m.kind = 1;
   EXPECT_OK(EVALUATE(&x, &f));
   EXPECT_TRUE(result.obstacle_count == 1);
-  shape = -7;
-  EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_obstacle_shape(context, 0, &shape, &pose));
-  EXPECT_TRUE(shape == -7);
+  kind = -7;
+  EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_obstacle_shape(context, 0, &kind, &pose));
+  EXPECT_TRUE(kind == -7);
   EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_remove_obstacle(context, 0));
   EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed", fmc_context_set_pose(context, 0, &pose));
   wanted = own;
   EXPECT(FMC_ERROR_OBSTACLE_REMOVED, "obstacle 0 was removed",
                     PAIR(FMC_PARTNER_BODY, 0, FMC_PARTNER_OBSTACLE, 0));
   pose.position[0] = 3;
-  EXPECT_OK(fmc_context_add_ball(context, 0.5, &pose, &index));
+  EXPECT_OK(fmc_shape_init(&shape, FMC_SHAPE_BALL));
+  shape.radius = 0.5;
+  EXPECT_OK(ADD(&pose));
   EXPECT_TRUE(index == 1);
   memset(&pose, 0, sizeof pose);
-  EXPECT_OK(fmc_context_obstacle_shape(context, 1, &shape, &pose));
-  EXPECT_TRUE(shape == FMC_SHAPE_BALL && pose.position[0] == 3 && pose.rotation[8] == 1 && pose.scale == 1);
+  EXPECT_OK(fmc_context_obstacle_shape(context, 1, &kind, &pose));
+  EXPECT_TRUE(kind == FMC_SHAPE_BALL && pose.position[0] == 3 && pose.rotation[8] == 1 && pose.scale == 1);
   EXPECT_OK(fmc_context_free(&context));
 }
 

@@ -54,6 +54,7 @@ static void make_calls(int round) {
   fmc_options options, without_friction;
   fmc_context *context = NULL, *none = NULL;
   fmc_pose pose;
+  fmc_shape shape;
   size_t ball;
   double forces[8][2], volume;
   OK(fmc_options_init(&options));
@@ -64,7 +65,9 @@ static void make_calls(int round) {
   if (options.law != FMC_LAW_VOLUME) options.friction_coefficient = 0.3;
   OK(fmc_context_new_from_cells(2, &x, &block, 1, NULL, &options, &context));
   OK(fmc_pose_along(2, tip, up, &pose));
-  OK(fmc_context_add_ball(context, 0.45, &pose, &ball));
+  OK(fmc_shape_init(&shape, FMC_SHAPE_BALL));
+  shape.radius = 0.45;
+  OK(fmc_context_add_obstacle(context, &shape, &pose, &ball));
   OK(fmc_contact_force(2, start[0], 8, FMC_QUAD4, conn, 2, NULL, &without_friction, forces[0], &volume));
   for (int repeat = 0; repeat < 2; repeat++) step(context);
   REFUSED(fmc_context_new_from_cells(2, &x, &wrong, 1, NULL, &options, &none));

@@ -45,6 +45,7 @@ static void begin(int of_dim, int32_t law, double aside) {
       coords[node * dim + axis] = corners[node % each][axis] + (node < each ? 0 : axis == dim - 1 ? 0.9 : aside);
   fmc_options options;
   fmc_pose pose;
+  fmc_shape half_space;
   const double point[3] = {0, dim == 2 ? 0.05 : 0, dim == 2 ? 0 : 0.05}, up[3] = {0, dim == 2, dim == 3};
   OK(fmc_options_init(&options));
   options.law = law;
@@ -56,7 +57,8 @@ static void begin(int of_dim, int32_t law, double aside) {
   x.data = coords, x.node_count = nodes, x.node_stride = dim, x.axis_stride = 1;
   OK(fmc_context_new_from_cells(dim, &x, &block, 1, NULL, &options, &context));
   OK(fmc_pose_along(dim, point, up, &pose));
-  OK(fmc_context_add_half_space(context, &pose, NULL));
+  OK(fmc_shape_init(&half_space, FMC_SHAPE_HALF_SPACE));
+  OK(fmc_context_add_obstacle(context, &half_space, &pose, NULL));
 }
 
 /* The entries, as a full matrix with the obstacle's rows. */
@@ -239,9 +241,9 @@ static void refused(void) {
   REFUSED(FMC_ERROR_NULL_POINTER, "'cols'", fmc_context_tangent_csr_i64(context, 0, wide, NULL, values, count));
   int64_t *const odd = (int64_t *)(void *)((char *)wide + 4);
   REFUSED(FMC_ERROR_MISALIGNED_POINTER, "'row_offsets'", fmc_context_tangent_csr_i64(context, 0, odd, wide, values, count));
-  REFUSED(FMC_ERROR_BAD_VALUE, \"'keep' is 2", fmc_context_keep_pattern(context, 2));
+  REFUSED(FMC_ERROR_BAD_VALUE, "'keep' is 2", fmc_context_keep_pattern(context, 2));
   REFUSED(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_keep_pattern(NULL, 1));
-  REFUSED(FMC_ERROR_BAD_VALUE, \"'on' is 2", fmc_context_set_obstacle_rotations(context, 2));
+  REFUSED(FMC_ERROR_BAD_VALUE, "'on' is 2", fmc_context_set_obstacle_rotations(context, 2));
   REFUSED(FMC_ERROR_UNKNOWN_FLAG, "flag in 0x1", fmc_context_tangent(context, &x, FMC_EVALUATE_ADD, &entries, &parts));
   REFUSED(FMC_ERROR_UNKNOWN_FLAG, "flag in 0x4", fmc_context_evaluate_tangent(context, &x, FMC_CSR_BLOCKS, NULL, NULL, &entries, &parts));
   REFUSED(FMC_ERROR_NULL_POINTER, "'coords'", fmc_context_evaluate_tangent(context, NULL, 0, NULL, NULL, &entries, &parts));

@@ -49,25 +49,22 @@ static const char *const SHAPES[] = {"none",    "half-space", "ball", "cuboid", 
 enum { SHAPE_COUNT = sizeof SHAPES / sizeof *SHAPES };
 
 static int add(fmc_context *context, int shape, int *dim, const fmc_pose *pose) {
-  const double half[3] = {0.5, 0.5, 0.5}, heights[9] = {0, 0, 0, 0, 0.1, 0, 0, 0, 0}, lengths[2] = {2, 2};
+  const double heights[9] = {0, 0, 0, 0, 0.1, 0, 0, 0, 0};
   const double square[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const double simplex[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const int32_t sides[8] = {0, 1, 1, 2, 2, 3, 3, 0}, faces[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
-  const size_t counts[2] = {3, 3};
-  const fmc_coords corners = *dim == 2 ? (fmc_coords){square[0], 4, 2, 1} : (fmc_coords){simplex[0], 4, 3, 1};
-  switch (shape) {
-    case 1: return good(fmc_context_add_half_space(context, pose, NULL));
-    case 2: return good(fmc_context_add_ball(context, 0.5, pose, NULL));
-    case 3: return good(fmc_context_add_cuboid(context, half, pose, NULL));
-    case 4: return good(fmc_context_add_cylinder(context, 0.5, 0.5, pose, NULL));
-    case 5: return good(fmc_context_add_cone(context, 0.5, 0.5, pose, NULL));
-    case 6: return good(fmc_context_add_capsule(context, 0.5, 0.5, pose, NULL));
-    case 7: return good(fmc_context_add_polytope(context, &corners, *dim == 2 ? sides : faces, 4, pose, NULL));
-    case 8: return good(fmc_context_add_convex_hull(context, &corners, pose, NULL));
-    case 9: return good(fmc_context_add_height_field(context, counts, lengths, heights, 0.5, pose, NULL));
-    case 10: return good(fmc_context_add_signed_distance(context, ball, dim, pose, NULL));
-    default: return 1;
-  }
+  const int kind = shape < 10 ? shape - 1 : FMC_SHAPE_SIGNED_DISTANCE;
+  fmc_shape data;
+  if (shape == 0) return 1;
+  if (!good(fmc_shape_init(&data, kind))) return 0;
+  data.radius = data.half_height = data.thickness = 0.5;
+  for (int d = 0; d < 3; d++) data.half_extents[d] = 0.5;
+  for (int d = 0; d < 2; d++) data.counts[d] = 3, data.lengths[d] = 2;
+  data.points = *dim == 2 ? (fmc_coords){square[0], 4, 2, 1} : (fmc_coords){simplex[0], 4, 3, 1};
+  data.facets = *dim == 2 ? sides : faces, data.facet_count = 4;
+  data.heights = heights;
+  data.signed_distance = ball, data.user = dim;
+  return good(fmc_context_add_obstacle(context, &data, pose, NULL));
 }
 
 /* Everything that a host calls in one step. */

@@ -357,13 +357,21 @@ void obstacles() {
   EXPECT(close(measured(contact.add_polytope(box, wide, pose)), volume, 1e-3 * volume));
   if (fmc::has_feature("shapes")) {
     EXPECT(close(measured(contact.add_convex_hull(box, pose)), volume, 1e-3 * volume));
-    const std::vector<fmc::Part> parts = {fmc::Part::cuboid({0.2, 0.3, 0.1}), fmc::Part::polytope(box, sides),
-                                          fmc::Part::convex_hull(box), fmc::Part::ball(0.05), fmc::Part::cone(0.01, 0.02),
-                                          fmc::Part::cylinder(0.01, 0.02), fmc::Part::capsule(0.01, 0.02)};
+    const std::vector<fmc::Part> parts = {{fmc::Shape::cuboid({0.2, 0.3, 0.1})}, {fmc::Shape::polytope(box, sides)},
+                                          {fmc::Shape::polytope(box, wide)}, {fmc::Shape::convex_hull(box)},
+                                          {fmc::Shape::ball(0.05)}, {fmc::Shape::cone(0.01, 0.02)},
+                                          {fmc::Shape::cylinder(0.01, 0.02)}, {fmc::Shape::capsule(0.01, 0.02)}};
     EXPECT(close(measured(contact.add_compound(parts, pose)), volume, 1e-3 * volume));
     EXPECT(refused(FMC_ERROR_EMPTY_COMPOUND, "", [&] { contact.add_compound({}); }));
-    const auto below = fmc::Part::half_space(fmc::Pose::along({0, 0, 0.1}, {0, 0, 1}));
+    const fmc::Part below = {fmc::Shape::half_space(), fmc::Pose::along({0, 0, 0.1}, {0, 0, 1})};
     EXPECT(close(measured(contact.add_compound({below}, pose)), 0.1, 1e-3));
+    // A function in a compound in a compound.
+    const auto plane = fmc::Shape::signed_distance([](auto x, auto gradient) {
+      gradient[2] = 1, gradient[0] = gradient[1] = 0;
+      return x[2];
+    });
+    const fmc::Part inner = {fmc::Shape::compound({{plane, fmc::Pose::at({0, 0, 0.1})}})};
+    EXPECT(close(measured(contact.add_obstacle(fmc::Shape::compound({inner}), pose)), 0.1, 1e-3));
   }
   const std::vector<std::size_t> grid = {2, 2};
   EXPECT(close(measured(contact.add_height_field(grid, {0.4, 0.6}, Numbers(4, 0.1), 0.2, pose)), volume, 1e-3 * volume));
@@ -375,7 +383,7 @@ void obstacles() {
   EXPECT(close(measured(contact.add_capsule(0.1, 0.2, pose)), pi * 0.01 * 0.2 + 2 * pi * 0.001 / 3, 1e-4));
   EXPECT(close(measured(contact.add_ball(0.2, pose)), 2 * pi * 0.008 / 3, 1e-4));
   const auto floor = contact.add_half_space(fmc::Pose::along({0.5, 0, 0.1}, {0, 0, 1}));
-  EXPECT(contact.obstacle_shape(floor).shape == FMC_SHAPE_HALF_SPACE && close(contact.evaluate(cube).volume, 0.1, 1e-4));
+  EXPECT(contact.obstacle_shape(floor).kind == FMC_SHAPE_HALF_SPACE && close(contact.evaluate(cube).volume, 0.1, 1e-4));
   contact.set_pose(floor, fmc::Pose::along({0, 0, 0.2}, {0, 0, 1}));
   EXPECT(close(contact.evaluate(cube).volume, 0.2, 1e-4) && contact.obstacles().size() == floor + 1);
   EXPECT(refused(FMC_ERROR_BAD_POSE, "", [] { fmc::Pose::along({0, 0}, {0, 0}); }));

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, Part, Pose
+from fmc_contact import Contact, Part, Pose, Shape
 from fmc_contact.errors import (
     DegenerateHullError,
     EmptyCompoundError,
@@ -232,13 +232,63 @@ def test_hulls_and_flat_height_fields_are_boxes(dim):
 
 
 def test_a_compound_is_the_union_of_its_parts():
-    parts = [Part("ball", (x, 0, 0), radius=0.25) for x in (-0.1, 0.1)]
+    parts = [Part(Shape("ball", radius=0.25), (x, 0, 0)) for x in (-0.1, 0.1)]
     contact = body(3)
     contact.obstacles.add_compound(parts, centre(3, 0.5))
     height = 0.25 - 0.1
     lens = 2 * np.pi * height**2 * (3 * 0.25 - height) / 3
     union = 2 * 4 / 3 * np.pi * 0.25**3 - lens
     assert contact.evaluate(CUBE).volume == pytest.approx(union, rel=0.01)
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_shapes_as_data_are_those_of_the_methods(dim):
+    coords = SQUARE if dim == 2 else CUBE
+    half = np.full(dim, 0.4)
+    corners = np.vstack([np.eye(dim), np.zeros(dim)]) * 0.9
+    facets = np.array([[0, 1], [1, 2], [2, 0]] if dim == 2 else [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]])
+    heights, lengths = np.zeros((3, 4)[: dim - 1]), (2.0,) * (dim - 1)
+    two = [Part(Shape("ball", radius=0.3), centre(dim, 0.1)), Part(Shape("cuboid", half_extents=half))]
+    shapes = [
+        (Shape("ball", radius=0.5), lambda obstacles, pose: obstacles.add_ball(0.5, pose)),
+        (Shape("cuboid", half_extents=half), lambda obstacles, pose: obstacles.add_cuboid(half, pose)),
+        (Shape("cone", radius=0.5, half_height=0.6), lambda obstacles, pose: obstacles.add_cone(0.5, 0.6, pose)),
+        (Shape("polytope", points=corners, facets=facets), lambda obstacles, pose: obstacles.add_polytope(corners, facets, pose)),
+        (
+            Shape("polytope", points=corners, facets=facets.astype(np.int32)),
+            lambda obstacles, pose: obstacles.add_polytope(corners, facets, pose),
+        ),
+        (
+            Shape("height_field", heights=heights, lengths=lengths, thickness=1),
+            lambda obstacles, pose: obstacles.add_height_field(heights, lengths, 1, pose),
+        ),
+        (Shape("compound", parts=two), lambda obstacles, pose: obstacles.add_compound(two, pose)),
+    ]
+    for shape, add in shapes:
+        found = []
+        for way in (lambda obstacles, pose: obstacles.add(shape, pose), add):
+            contact = body(dim)
+            way(contact.obstacles, centre(dim, 0.2))
+            assert contact.obstacles.get(0).shape == shape.kind
+            found.append(contact.evaluate(coords).volume)
+        assert found[0] == found[1] > 0, shape
+
+
+def test_parts_of_a_compound_are_of_any_kind():
+    """A compound within a compound, and a function, which must live as long as the obstacle."""
+
+    def ball():
+        return lambda x: (np.linalg.norm(x, axis=1) - 0.25, x / np.linalg.norm(x, axis=1)[:, None])
+
+    inner = Shape("compound", parts=[Part(Shape("signed_distance", signed_distance=ball()), (-0.1, 0, 0))])
+    outer = Shape("compound", parts=[Part(inner), Part(Shape("ball", radius=0.25), (0.1, 0, 0))])
+    balls = Shape("compound", parts=[Part(Shape("ball", radius=0.25), (x, 0, 0)) for x in (-0.1, 0.1)])
+    volumes = []
+    for shape in (outer, balls):
+        contact = body(3)
+        contact.obstacles.add(shape, centre(3, 0.5))
+        volumes.append(contact.evaluate(CUBE).volume)
+    assert volumes[0] == pytest.approx(volumes[1], rel=1e-9)
 
 
 def test_what_cannot_be_built_says_why():
@@ -252,5 +302,5 @@ def test_what_cannot_be_built_says_why():
     with pytest.raises(EmptyCompoundError):
         contact.obstacles.add_compound([])
     with pytest.raises(ValueError, match="no shape 'torus'"):
-        Part("torus")
+        Shape("torus")
     assert contact.obstacles.count == 0

@@ -28,80 +28,84 @@ pub(super) fn pose(from: &Pose, dim: usize) -> fmc_pose {
     pose
 }
 
+/// A shape with no measures; of a kind that is none, an empty half-space that says so.
+fn empty(kind: i32) -> fmc_shape {
+    let mut shape = std::mem::MaybeUninit::<fmc_shape>::zeroed();
+    // SAFETY: a struct of numbers and pointers, which may be zero, and which the library initialises.
+    unsafe {
+        if checked(fmc_shape_init(shape.as_mut_ptr(), kind)) != OK {
+            assert_eq!(fmc_shape_init(shape.as_mut_ptr(), FMC_SHAPE_HALF_SPACE), OK);
+        }
+        fmc_shape { kind, ..shape.assume_init() }
+    }
+}
+
+fn pose_at_origin() -> fmc_pose {
+    let mut pose = fmc_pose { position: [0.0; 3], rotation: [0.0; 9], scale: 1.0 };
+    // SAFETY: a pose that may be written.
+    assert_eq!(unsafe { fmc_pose_init(&raw mut pose) }, OK);
+    pose
+}
+
 impl Host {
     pub(super) fn add(&mut self, shape: &Shape, place: Option<fmc_pose>, hole: Hole) {
         let (context, mut obstacle) = (self.context, 77usize);
         let place = place.as_ref().map_or(null(), |place| &raw const *place);
         let index = unless(hole, 0, &raw mut obstacle);
-        let base = i64::from(self.options.index_base);
-        // SAFETY: `dim` entries of three are read; arrays are as long as they say.
-        let status = checked(unsafe {
-            match shape {
-                Shape::HalfSpace => fmc_context_add_half_space(context, place, index),
-                Shape::Ball(radius) => fmc_context_add_ball(context, radius.0, place, index),
-                Shape::Cuboid(half) => {
-                    let half = Guarded::new(&half.map(|x| x.0)[..self.mesh.dim]);
-                    fmc_context_add_cuboid(context, unless(hole, 1, half.ptr()), place, index)
-                }
-                Shape::Cylinder(radius, half) => fmc_context_add_cylinder(context, radius.0, half.0, place, index),
-                Shape::Cone(radius, half) => fmc_context_add_cone(context, radius.0, half.0, place, index),
-                Shape::Capsule(radius, half) => fmc_context_add_capsule(context, radius.0, half.0, place, index),
-                Shape::Polytope { corners, facets, is_wide } => {
-                    let dim = self.mesh.dim;
-                    let points: Vec<f64> =
-                        corners.iter().take(dim + 1).flat_map(|x| x[..dim].iter().map(|x| x.0)).collect();
-                    let points = Array::new(&points, dim, Layout::Rows);
-                    let simplex: &[i64] =
-                        if dim == 2 { &[0, 1, 1, 2, 2, 0] } else { &[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3] };
-                    let facets: Vec<i64> = match facets.len() {
-                        0..3 => simplex.iter().map(|node| node + base).collect(),
-                        _ => facets.iter().map(|f| i64::from(f % 8) - 1).collect(),
-                    };
-                    let count = facets.len() / dim;
-                    if *is_wide {
-                        let facets = Guarded::new(&facets[..count * dim]);
-                        fmc_context_add_polytope_i64(context, &points.view, facets.ptr(), count, place, index)
-                    } else {
-                        let facets: Vec<i32> = facets[..count * dim].iter().map(|&f| f as i32).collect();
-                        let facets = Guarded::new(&facets);
-                        fmc_context_add_polytope(context, &points.view, facets.ptr(), count, place, index)
-                    }
-                }
-                Shape::ConvexHull(points) => {
-                    let dim = self.mesh.dim;
-                    let points: Vec<f64> = points.iter().take(12).flat_map(|x| x[..dim].iter().map(|x| x.0)).collect();
-                    let points = Array::new(&points, dim, Layout::Rows);
-                    fmc_context_add_convex_hull(context, &points.view, place, index)
-                }
-                Shape::HeightField { count, heights, thickness } => {
-                    let counts = Guarded::new(&[usize::from(count % 5), 2][..self.mesh.dim - 1]);
-                    let lengths = Guarded::new(&[2.0, 1.0][..self.mesh.dim - 1]);
-                    let heights = heights.map(|x| x.0);
-                    let heights = Guarded::new(&heights[..counts.values().iter().product()]);
-                    let (counts, lengths) = (unless(hole, 1, counts.ptr()), lengths.ptr());
-                    fmc_context_add_height_field(context, counts, lengths, heights.ptr(), thickness.0, place, index)
-                }
-                Shape::Compound(parts) => {
-                    let part = |(shape, size): &(u8, Number)| {
-                        let mut part = std::mem::MaybeUninit::<fmc_part>::zeroed();
-                        assert_eq!(fmc_part_init(part.as_mut_ptr()), OK);
-                        let mut part = part.assume_init();
-                        part.shape = i32::from(shape % 9);
-                        (part.radius, part.half_height, part.half_extents) = (size.0, 0.5, [size.0; 3]);
-                        part
-                    };
-                    let parts = Guarded::new(&parts.iter().take(4).map(part).collect::<Vec<_>>());
-                    fmc_context_add_compound(context, parts.ptr(), parts.values().len(), place, index)
-                }
-                Shape::SignedDistance { radius, fault } => {
-                    let radius = if radius.0.is_finite() { radius.0.abs().min(2.0) } else { 1.0 };
-                    let own = Box::new(Distance { dim: self.mesh.dim, radius, fault: *fault, context });
-                    let user = (&raw const *own).cast_mut().cast();
-                    self.distances.push(own);
-                    fmc_context_add_signed_distance(context, Some(distance), user, place, index)
-                }
-            }
+        let (dim, base) = (self.mesh.dim, i64::from(self.options.index_base));
+        let points: Vec<f64> = shape.corners.iter().take(12).flat_map(|x| x[..dim].iter().map(|x| x.0)).collect();
+        let points = Array::new(&points, dim, Layout::Rows);
+        let simplex: &[i64] = if dim == 2 { &[0, 1, 1, 2, 2, 0] } else { &[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3] };
+        let facets: Vec<i64> = match shape.facets.len() {
+            0..3 => simplex.iter().map(|node| node + base).collect(),
+            _ => shape.facets.iter().map(|f| i64::from(f % 8) - 1).collect(),
+        };
+        let facets = &facets[..facets.len() / dim * dim];
+        let (wide, narrow) = (Guarded::new(facets), facets.iter().map(|&f| f as i32).collect::<Vec<_>>());
+        let narrow = Guarded::new(&narrow);
+        let counts = [usize::from(shape.count % 5), 2];
+        let heights = Guarded::new(&shape.heights.map(|x| x.0)[..counts[..dim - 1].iter().product()]);
+        let radius = shape.radius.0;
+        let own = Box::new(Distance {
+            dim,
+            radius: if radius.is_finite() { radius.abs().min(2.0) } else { 1.0 },
+            fault: shape.fault,
+            context,
         });
+        let kind = i32::from(shape.kind % 16);
+        let part = |(kind, size): &(u8, Number)| {
+            let mut part = empty(i32::from(kind % 16));
+            (part.radius, part.half_height, part.half_extents) = (size.0, 0.5, [size.0; 3]);
+            part
+        };
+        let shapes = Guarded::new(&shape.parts.iter().take(4).map(part).collect::<Vec<_>>());
+        let at_origin = pose_at_origin();
+        let count = shapes.values().len();
+        let parts: Vec<fmc_part> =
+            (0..count).map(|part| fmc_part { shape: shapes.ptr().wrapping_add(part), pose: at_origin }).collect();
+        let parts = Guarded::new(&parts);
+        let data = fmc_shape {
+            index_size: if shape.is_wide { 8 } else { 4 },
+            radius,
+            half_height: shape.half_height.0,
+            half_extents: shape.half_extents.map(|x| x.0),
+            points: points.view,
+            facets: if shape.is_wide { wide.ptr().cast() } else { narrow.ptr().cast() },
+            facet_count: facets.len() / dim,
+            heights: unless(hole, 1, heights.ptr()),
+            counts,
+            lengths: [2.0, 1.0],
+            thickness: shape.thickness.0,
+            parts: parts.ptr().cast(),
+            part_count: count,
+            signed_distance: Some(distance),
+            user: (&raw const *own).cast_mut().cast(),
+            ..empty(kind)
+        };
+        self.distances.push(own);
+        let data = Guarded::new(&[data]);
+        // SAFETY: arrays are as long as they say.
+        let status = checked(unsafe { fmc_context_add_obstacle(context, unless(hole, 2, data.ptr()), place, index) });
         assert!(status == OK || obstacle == 77, "an error writes outputs");
     }
 

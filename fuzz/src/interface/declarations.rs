@@ -509,15 +509,31 @@ pub struct fmc_pose {
 }
 
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_part {
-    pub shape: i32,
-    pub facet_count: usize,
+#[derive(Clone, Copy, Debug, Default)]
+pub struct fmc_shape {
+    pub struct_size: usize,
+    pub kind: i32,
+    pub index_size: i32,
     pub radius: f64,
     pub half_height: f64,
     pub half_extents: [f64; 3],
-    pub points: *const fmc_coords,
-    pub facets: *const i32,
+    pub points: fmc_coords,
+    pub facets: *const c_void,
+    pub facet_count: usize,
+    pub heights: *const f64,
+    pub counts: [usize; 2],
+    pub lengths: [f64; 2],
+    pub thickness: f64,
+    pub parts: *const c_void,
+    pub part_count: usize,
+    pub signed_distance: fmc_signed_distance,
+    pub user: *mut c_void,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_part {
+    pub shape: *const fmc_shape,
     pub pose: fmc_pose,
 }
 
@@ -606,20 +622,9 @@ unsafe extern "C" {
     pub fn fmc_context_set_multipliers(context: *mut fmc_context, rows: *const fmc_multiplier, count: usize) -> fmc_status;
     pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;
     pub fn fmc_pose_along(dim: i32, position: *const f64, axis: *const f64, pose: *mut fmc_pose) -> fmc_status;
-    pub fn fmc_part_init(part: *mut fmc_part) -> fmc_status;
-    pub fn fmc_context_add_half_space(context: *mut fmc_context, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_ball(context: *mut fmc_context, radius: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_cuboid(context: *mut fmc_context, half_extents: *const f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_cylinder(context: *mut fmc_context, radius: f64, half_height: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_cone(context: *mut fmc_context, radius: f64, half_height: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_capsule(context: *mut fmc_context, radius: f64, half_height: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_polytope(context: *mut fmc_context, points: *const fmc_coords, facets: *const i32, facet_count: usize, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_polytope_i64(context: *mut fmc_context, points: *const fmc_coords, facets: *const i64, facet_count: usize, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_convex_hull(context: *mut fmc_context, points: *const fmc_coords, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_height_field(context: *mut fmc_context, counts: *const usize, lengths: *const f64, heights: *const f64, thickness: f64, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_compound(context: *mut fmc_context, parts: *const fmc_part, part_count: usize, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_add_signed_distance(context: *mut fmc_context, callback: fmc_signed_distance, user: *mut c_void, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_obstacle_shape(context: *const fmc_context, obstacle: usize, shape: *mut i32, pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_shape_init(shape: *mut fmc_shape, kind: i32) -> fmc_status;
+    pub fn fmc_context_add_obstacle(context: *mut fmc_context, shape: *const fmc_shape, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_obstacle_shape(context: *const fmc_context, obstacle: usize, kind: *mut i32, pose: *mut fmc_pose) -> fmc_status;
     pub fn fmc_context_set_pose(context: *mut fmc_context, obstacle: usize, pose: *const fmc_pose) -> fmc_status;
     pub fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status;
     pub fn fmc_suggest_stiffness(law: i32, dim: i32, exponent: f64, modulus: f64, cell_size: f64, stiffness: *mut f64) -> fmc_status;

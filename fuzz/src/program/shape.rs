@@ -13,36 +13,26 @@ pub struct Pose {
     pub rotation: Option<[Number; 9]>,
 }
 
-/// An obstacle.
+/// An obstacle: everything that a shape may have, whatever its kind.
 #[derive(Arbitrary, Clone, Debug)]
-pub enum Shape {
-    HalfSpace,
-    Ball(Number),
-    Cuboid([Number; 3]),
-    Cylinder(Number, Number),
-    Cone(Number, Number),
-    Capsule(Number, Number),
+pub struct Shape {
+    /// Its kind by number, which may be none.
+    pub kind: u8,
+    pub radius: Number,
+    pub half_height: Number,
+    pub half_extents: [Number; 3],
+    pub corners: Vec<[Number; 3]>,
     /// A simplex or, where numbers are added, facets of any kind.
-    Polytope {
-        corners: [[Number; 3]; 4],
-        facets: Vec<u8>,
-        is_wide: bool,
-    },
-    /// Points of any kind.
-    ConvexHull(Vec<[Number; 3]>),
+    pub facets: Vec<u8>,
+    pub is_wide: bool,
     /// Heights over a grid of so many points by 2.
-    HeightField {
-        count: u8,
-        heights: [Number; 8],
-        thickness: Number,
-    },
-    /// Parts by number of the shape and size.
-    Compound(Vec<(u8, Number)>),
+    pub count: u8,
+    pub heights: [Number; 8],
+    pub thickness: Number,
+    /// Parts by number of the kind and size.
+    pub parts: Vec<(u8, Number)>,
     /// A ball by its signed distance, and how the callback misbehaves.
-    SignedDistance {
-        radius: Number,
-        fault: Fault,
-    },
+    pub fault: Fault,
 }
 
 /// What a host's callback does wrong.

@@ -18,10 +18,9 @@ use crate::capi::structs::mesh::{fmc_cell_block, fmc_cell_type};
 use crate::capi::structs::multiplier::fmc_multiplier;
 use crate::capi::structs::nodal_lists::NodalLists;
 use crate::capi::structs::options::fmc_options;
-use crate::capi::structs::part::fmc_shape;
 use crate::capi::structs::placement::Placement;
 use crate::capi::structs::pose::fmc_pose;
-use crate::capi::structs::shape::ShapeOf;
+use crate::capi::structs::shape::fmc_shape;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
 use crate::contact::{
     Augmentation, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, NodalContact, PairOptions,
@@ -29,7 +28,8 @@ use crate::contact::{
 };
 use crate::overlap::Partner;
 use crate::{
-    Basis, Bodies, CellBlock, CellType, Communicator, EnergyLaw, Options, PointWeights, RankCounts, contact_force,
+    Basis, Bodies, CellBlock, CellType, Communicator, EnergyLaw, Options, PointWeights, RankCounts, ShapeKind,
+    contact_force,
 };
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -128,8 +128,8 @@ impl Session for Brittle {
         Ok(())
     }
 
-    fn obstacle(&self, _: usize) -> Result<(fmc_shape, fmc_pose), Failure> {
-        Ok((fmc_shape::FMC_SHAPE_HALF_SPACE, fmc_pose::default()))
+    fn obstacle(&self, _: usize) -> Result<(ShapeKind, fmc_pose), Failure> {
+        Ok((ShapeKind::HALF_SPACE, fmc_pose::default()))
     }
 
     fn set_pair_options(&mut self, _: [Partner; 2], _: Option<PairOptions>) -> Result<(), Failure> {
@@ -140,7 +140,7 @@ impl Session for Brittle {
         Ok(PairOptions::default())
     }
 
-    unsafe fn add_obstacle(&mut self, _: ShapeOf, _: fmc_pose, _: i32) -> Result<usize, Failure> {
+    unsafe fn add_obstacle(&mut self, _: &fmc_shape, _: fmc_pose, _: i32) -> Result<usize, Failure> {
         Ok(0)
     }
 

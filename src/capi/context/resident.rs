@@ -11,16 +11,15 @@ use crate::capi::structs::kept_tangent::Kept;
 use crate::capi::structs::mesh::Numbering;
 use crate::capi::structs::multiplier::fmc_multiplier;
 use crate::capi::structs::nodal_lists::NodalLists;
-use crate::capi::structs::part::fmc_shape;
 use crate::capi::structs::placement::Placement;
 use crate::capi::structs::pose::fmc_pose;
-use crate::capi::structs::shape::{ShapeOf, kind_of};
+use crate::capi::structs::shape::fmc_shape;
 use crate::capi::structs::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
 use crate::overlap::Partner;
 use crate::{
     Basis, Communicator, Contact, ContactForces, EnergyLaw, Error, Obstacle, Options, PartitionedContact, PointWeights,
-    Pose, RankCounts, Surface,
+    Pose, RankCounts, ShapeKind, Surface,
 };
 
 /// A contact, and room for coordinates that do not lie in dense rows.
@@ -165,9 +164,9 @@ impl<const D: usize> Session for Resident<D> {
         Ok(self.held.contact_mut().remove_obstacle(obstacle)?)
     }
 
-    fn obstacle(&self, obstacle: usize) -> Result<(fmc_shape, fmc_pose), Failure> {
+    fn obstacle(&self, obstacle: usize) -> Result<(ShapeKind, fmc_pose), Failure> {
         let found = self.held.contact().obstacle(obstacle)?;
-        Ok((kind_of(&found.shape), (&found.pose).into()))
+        Ok((found.shape.kind(), (&found.pose).into()))
     }
 
     fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Failure> {
@@ -180,9 +179,9 @@ impl<const D: usize> Session for Resident<D> {
         Ok(self.held.contact().pair_options(partners)?.unwrap_or(by_default))
     }
 
-    unsafe fn add_obstacle(&mut self, shape: ShapeOf, pose: fmc_pose, index_base: i32) -> Result<usize, Failure> {
+    unsafe fn add_obstacle(&mut self, shape: &fmc_shape, pose: fmc_pose, index_base: i32) -> Result<usize, Failure> {
         // SAFETY: passed on to the caller.
-        let shape = unsafe { shape.in_dimension(index_base) }?;
+        let shape = unsafe { shape.to_shape(index_base) }?;
         let pose: Pose<D> = pose.to_pose();
         self.held.contact_mut().add_obstacle(Obstacle { shape, pose }).map_err(Failure::counted_from(index_base))
     }

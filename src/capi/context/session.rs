@@ -9,14 +9,13 @@ use crate::capi::structs::in_parts::InParts;
 use crate::capi::structs::kept_tangent::Kept;
 use crate::capi::structs::multiplier::fmc_multiplier;
 use crate::capi::structs::nodal_lists::NodalLists;
-use crate::capi::structs::part::fmc_shape;
 use crate::capi::structs::placement::Placement;
 use crate::capi::structs::pose::fmc_pose;
-use crate::capi::structs::shape::ShapeOf;
+use crate::capi::structs::shape::fmc_shape;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
 use crate::contact::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, PairOptions, TangentPart};
 use crate::overlap::Partner;
-use crate::{Basis, Communicator, Options, PointWeights, RankCounts};
+use crate::{Basis, Communicator, Options, PointWeights, RankCounts, ShapeKind};
 
 /// Number of nodes, facets and bodies.
 pub(crate) struct Counts {
@@ -53,7 +52,7 @@ pub(crate) trait Session: Send + Sync {
     fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure>;
 
     /// Shape and pose of an obstacle.
-    fn obstacle(&self, obstacle: usize) -> Result<(fmc_shape, fmc_pose), Failure>;
+    fn obstacle(&self, obstacle: usize) -> Result<(ShapeKind, fmc_pose), Failure>;
 
     /// Sets the options of a pair; `None`: those of the contact.
     fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Failure>;
@@ -65,7 +64,7 @@ pub(crate) trait Session: Send + Sync {
     ///
     /// # Safety
     /// The host guarantees the arrays of the shape.
-    unsafe fn add_obstacle(&mut self, shape: ShapeOf, pose: fmc_pose, index_base: i32) -> Result<usize, Failure>;
+    unsafe fn add_obstacle(&mut self, shape: &fmc_shape, pose: fmc_pose, index_base: i32) -> Result<usize, Failure>;
 
     /// Sets the coordinates without deformation.
     ///

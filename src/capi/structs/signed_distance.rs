@@ -7,7 +7,7 @@ use std::ffi::c_void;
 ///
 /// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
 /// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
-/// unwritten counts as not finite. `user` is the pointer given with the callback.
+/// unwritten counts as not finite. `user` is the pointer of the same name in the shape.
 ///
 /// Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
 /// for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a
@@ -23,7 +23,7 @@ pub(crate) struct Callback {
 }
 
 // SAFETY: the pointer is handed through, never followed, and the function is called by the thread that evaluates the
-// context only; the host promises in `fmc_context_add_signed_distance` that it may be called from whichever that is.
+// context only; the host promises in `fmc_shape` that it may be called from whichever that is.
 unsafe impl Send for Callback {}
 // SAFETY: as above; evaluations of one context exclude one another.
 unsafe impl Sync for Callback {}

@@ -83,9 +83,7 @@ fn needed_below<const D: usize>(
             pose.position = (point + normal * (reach + aabb.rounding())).into();
             obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose }, aabb)?
         }
-        (Some(shape), None) if reach <= 0.0 => {
-            obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose }, aabb)?
-        }
+        (Some(shape), None) if reach <= 0.0 => obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose }, aabb)?,
         // How far it reaches is not known.
         (_, None) => Some(*aabb),
     };

@@ -16,12 +16,14 @@ int main(void) {
   fmc_options options;
   fmc_context *context = NULL, *whole = NULL;
   fmc_pose floor;
+  fmc_shape half_space;
+  fmc_shape_init(&half_space, FMC_SHAPE_HALF_SPACE);
   fmc_options_init(&options);
   fmc_pose_along(3, point, up, &floor);
   options.stiffness = 1e6;
   if (fmc_context_new_from_cells(3, &whole_x, &block, 1, NULL, &options, &whole) != FMC_OK) return puts(fmc_last_error()), 1;
   context = whole;
-  fmc_context_add_half_space(whole, &floor, NULL);
+  fmc_context_add_obstacle(whole, &half_space, &floor, NULL);
   {
 #include "shared.inc"
     if (fmc_context_evaluate(whole, &whole_x, &(fmc_forces){whole_f, 4, 0, 0}, 0, NULL) != FMC_OK) return puts(fmc_last_error()), 1;

@@ -22,11 +22,11 @@ from .gaps import GapConstraints
 from .multipliers import MULTIPLIER, Augmentation
 from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options, OtherOptions
-from .part import Part
 from .partition import CARRIED_SLIP, GatheredCounts, PartitionedContact
 from .points import PointWeights
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
+from .shape import Part, Shape
 from .stateless import contact_force, contact_force_step
 from .stiffness import suggest_stiffness
 from .tangent import RankOne, Tangent
@@ -83,6 +83,7 @@ __all__ = [
     "RankOne",
     "Result",
     "Resultant",
+    "Shape",
     "Tangent",
     "contact_force",
     "contact_force_step",

@@ -229,7 +229,7 @@ FMC_FACET_TYPE: dict[int, str] = {3: "line2", 5: "tri3", 9: "quad4", 21: "line3"
 
 FMC_PARTNER: dict[int, str] = {0: "body", 1: "obstacle"}
 
-FMC_SHAPE: dict[int, str] = {
+FMC_SHAPE_KIND: dict[int, str] = {
     0: "half_space",
     1: "ball",
     2: "cuboid",

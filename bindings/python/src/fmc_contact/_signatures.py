@@ -35,13 +35,12 @@ from ._structs import (
     fmc_options,
     fmc_pair_options,
     fmc_pair_result,
-    fmc_part,
     fmc_place,
     fmc_pose,
     fmc_rank_counts,
     fmc_result,
     fmc_resultant,
-    fmc_signed_distance,
+    fmc_shape,
 )
 
 FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
@@ -298,35 +297,9 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_set_multipliers": (c_int32, [fmc_context, POINTER(fmc_multiplier), c_size_t]),
     "fmc_pose_init": (c_int32, [POINTER(fmc_pose)]),
     "fmc_pose_along": (c_int32, [c_int32, Float64Array, Float64Array, POINTER(fmc_pose)]),
-    "fmc_part_init": (c_int32, [POINTER(fmc_part)]),
-    "fmc_context_add_half_space": (c_int32, [fmc_context, POINTER(fmc_pose), POINTER(c_size_t)]),
-    "fmc_context_add_ball": (c_int32, [fmc_context, c_double, POINTER(fmc_pose), POINTER(c_size_t)]),
-    "fmc_context_add_cuboid": (c_int32, [fmc_context, Float64Array, POINTER(fmc_pose), POINTER(c_size_t)]),
-    "fmc_context_add_cylinder": (c_int32, [fmc_context, c_double, c_double, POINTER(fmc_pose), POINTER(c_size_t)]),
-    "fmc_context_add_cone": (c_int32, [fmc_context, c_double, c_double, POINTER(fmc_pose), POINTER(c_size_t)]),
-    "fmc_context_add_capsule": (c_int32, [fmc_context, c_double, c_double, POINTER(fmc_pose), POINTER(c_size_t)]),
-    "fmc_context_add_polytope": (
-        c_int32,
-        [fmc_context, POINTER(fmc_coords), Int32Array, c_size_t, POINTER(fmc_pose), POINTER(c_size_t)],
-    ),
-    "fmc_context_add_polytope_i64": (
-        c_int32,
-        [fmc_context, POINTER(fmc_coords), Int64Array, c_size_t, POINTER(fmc_pose), POINTER(c_size_t)],
-    ),
-    "fmc_context_add_convex_hull": (c_int32, [fmc_context, POINTER(fmc_coords), POINTER(fmc_pose), POINTER(c_size_t)]),
-    "fmc_context_add_height_field": (
-        c_int32,
-        [fmc_context, POINTER(c_size_t), Float64Array, Float64Array, c_double, POINTER(fmc_pose), POINTER(c_size_t)],
-    ),
-    "fmc_context_add_compound": (
-        c_int32,
-        [fmc_context, POINTER(fmc_part), c_size_t, POINTER(fmc_pose), POINTER(c_size_t)],
-    ),
-    "fmc_context_add_signed_distance": (
-        c_int32,
-        [fmc_context, fmc_signed_distance, c_void_p, POINTER(fmc_pose), POINTER(c_size_t)],
-    ),
-    "fmc_context_obstacle_shape": (c_int32, [fmc_context, c_size_t, POINTER(c_int32), POINTER(fmc_pose)]),
+    "fmc_shape_init": (c_int32, [POINTER(fmc_shape), c_int32]),
+    "fmc_context_add_obstacle": (c_int32, [fmc_context, POINTER(fmc_shape), POINTER(fmc_pose), POINTER(c_size_t)]),
+    "fmc_context_obstacle_shape": (c_int32, [fmc_context, c_size_t, Int32Array, POINTER(fmc_pose)]),
     "fmc_context_set_pose": (c_int32, [fmc_context, c_size_t, POINTER(fmc_pose)]),
     "fmc_context_remove_obstacle": (c_int32, [fmc_context, c_size_t]),
     "fmc_suggest_stiffness": (c_int32, [c_int32, c_int32, c_double, c_double, c_double, POINTER(c_double)]),

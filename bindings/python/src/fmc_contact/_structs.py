@@ -392,14 +392,30 @@ class fmc_pose(Structure):
     ]
 
 
-class fmc_part(Structure):
+class fmc_shape(Structure):
     _fields_ = [
-        ("shape", c_int32),
-        ("facet_count", c_size_t),
+        ("struct_size", c_size_t),
+        ("kind", c_int32),
+        ("index_size", c_int32),
         ("radius", c_double),
         ("half_height", c_double),
         ("half_extents", c_double * 3),
-        ("points", POINTER(fmc_coords)),
+        ("points", fmc_coords),
         ("facets", c_void_p),
+        ("facet_count", c_size_t),
+        ("heights", c_void_p),
+        ("counts", c_size_t * 2),
+        ("lengths", c_double * 2),
+        ("thickness", c_double),
+        ("parts", c_void_p),
+        ("part_count", c_size_t),
+        ("signed_distance", fmc_signed_distance),
+        ("user", c_void_p),
+    ]
+
+
+class fmc_part(Structure):
+    _fields_ = [
+        ("shape", POINTER(fmc_shape)),
         ("pose", fmc_pose),
     ]

@@ -3,29 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from ctypes import addressof, byref, c_double, c_int32, c_size_t
-from typing import Any, Callable, NamedTuple
+from ctypes import byref, c_int32, c_size_t
+from typing import Any, NamedTuple
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import coords_view, floats, indices, shape_error, vector
-from ._constants import FMC_SHAPE
+from ._arrays import vector
 from ._core import Core
 from ._library import library
-from ._structs import fmc_part, fmc_pose, fmc_signed_distance
-from .part import Part
+from ._structs import fmc_pose, fmc_signed_distance
 from .pose import Placement, Pose, placed, pose_struct
-
-SignedDistance = Callable[[np.ndarray], tuple[ArrayLike, ArrayLike]]
-"""From points (n, dim) to distances (n,), negative inside, and their gradients (n, dim), of any length."""
-
-
-def _memory(pointer: Any, *shape: int) -> np.ndarray:
-    """The library's own doubles behind a pointer, valid during the callback only."""
-    memory = (c_double * int(np.prod(shape))).from_address(addressof(pointer.contents))
-    return np.frombuffer(memoryview(memory)).reshape(shape)
-
+from .shape import SHAPES, Part, Shape, SignedDistance
 
 def _index(obstacle: int) -> int:
     if obstacle < 0:
@@ -83,11 +71,39 @@ class Obstacles:
         """
         return self._core.obstacle_count
 
-    def _add(self, function: Callable[..., int], *arguments: Any, pose: Placement) -> int:
-        obstacle = c_size_t()
-        with self._core.handle:
-            self._core.handle.call(function, *arguments, byref(pose_struct(pose, self._core.dim)), byref(obstacle))
-            self._core.obstacle_count = obstacle.value + 1
+    def add(self, shape: Shape, pose: Placement = None) -> int:
+        """Adds an obstacle of any shape. The other methods ``add_`` make the shape and add it.
+
+        Parameters
+        ----------
+        shape : Shape
+            The shape, in its own frame. Arrays are copied.
+        pose : Pose or array_like (dim,), optional
+            Pose, or position alone. Default: the origin.
+
+        Returns
+        -------
+        int
+            Index of the obstacle.
+
+        Raises
+        ------
+        FmcError
+            As the method for this shape raises.
+
+        Examples
+        --------
+        >>> from fmc_contact import Shape
+        >>> contact.obstacles.add(Shape("ball", radius=0.1), (0.5, 1.05))
+        0
+        """
+        core, obstacle, place = self._core, c_size_t(), pose_struct(pose, self._core.dim)
+        kept: list[Any] = []
+        struct = shape._struct(core.dim, core.handle.guarded, kept)
+        with core.handle:
+            core.handle.call(library.fmc_context_add_obstacle, byref(struct), byref(place), byref(obstacle))
+            core.obstacle_count = obstacle.value + 1
+        core.handle.keep(obstacle.value, [one for one in kept if isinstance(one, fmc_signed_distance)])
         return obstacle.value
 
     def add_half_space(self, point: ArrayLike, normal: ArrayLike) -> int:
@@ -116,7 +132,7 @@ class Obstacles:
         0
         """
         at, along = vector(point, self._core.dim, "point"), vector(normal, self._core.dim, "normal")
-        return self._add(library.fmc_context_add_half_space, pose=Pose.along(at, along))
+        return self.add(Shape("half_space"), Pose.along(at, along))
 
     def add_ball(self, radius: float, pose: Placement = None) -> int:
         """Adds a ball (2D: a disc) about the origin of its frame.
@@ -145,7 +161,7 @@ class Obstacles:
         >>> contact.obstacles.add_ball(0.1, (0.5, 1.05))
         0
         """
-        return self._add(library.fmc_context_add_ball, float(radius), pose=pose)
+        return self.add(Shape("ball", radius=radius), pose)
 
     def add_cuboid(self, half_extents: ArrayLike, pose: Placement = None) -> int:
         """Adds a box (2D: a rectangle) about the origin of its frame.
@@ -174,8 +190,7 @@ class Obstacles:
         >>> contact.obstacles.add_cuboid((1, 0.1), (0.5, 1.05))
         0
         """
-        halves = vector(half_extents, self._core.dim, "half_extents")
-        return self._add(library.fmc_context_add_cuboid, halves, pose=pose)
+        return self.add(Shape("cuboid", half_extents=half_extents), pose)
 
     def add_cylinder(self, radius: float, half_height: float, pose: Placement = None) -> int:
         """Adds a cylinder (2D: a rectangle) about the last axis of its frame, centred.
@@ -206,7 +221,7 @@ class Obstacles:
         >>> contact.obstacles.add_cylinder(0.1, 0.5, (0.5, 1.45))
         0
         """
-        return self._add(library.fmc_context_add_cylinder, float(radius), float(half_height), pose=pose)
+        return self.add(Shape("cylinder", radius=radius, half_height=half_height), pose)
 
     def add_cone(self, radius: float, half_height: float, pose: Placement = None) -> int:
         """Adds a cone (2D: a triangle) about the last axis of its frame: apex at ``half_height``, base at ``-half_height``.
@@ -237,7 +252,7 @@ class Obstacles:
         >>> contact.obstacles.add_cone(0.1, 0.5, (0.5, 1.45))
         0
         """
-        return self._add(library.fmc_context_add_cone, float(radius), float(half_height), pose=pose)
+        return self.add(Shape("cone", radius=radius, half_height=half_height), pose)
 
     def add_capsule(self, radius: float, half_height: float, pose: Placement = None) -> int:
         """Adds a capsule (2D: a stadium): all points within ``radius`` of a segment of the last axis.
@@ -268,7 +283,7 @@ class Obstacles:
         >>> contact.obstacles.add_capsule(0.1, 0.5, (0.5, 1.55))
         0
         """
-        return self._add(library.fmc_context_add_capsule, float(radius), float(half_height), pose=pose)
+        return self.add(Shape("capsule", radius=radius, half_height=half_height), pose)
 
     def add_polytope(self, points: ArrayLike, facets: ArrayLike, pose: Placement = None) -> int:
         """Adds a closed polygon (2D) or triangle mesh (3D), which need not be convex. Both arrays are copied.
@@ -300,10 +315,7 @@ class Obstacles:
         >>> contact.obstacles.add_polytope([[0, -1], [1, -1], [0.5, 0.1]], [[0, 1], [1, 2], [2, 0]])
         0
         """
-        corners, conn = coords_view(points, self._core.dim, "points"), indices(facets, "facets", self._core.dim)
-        wide = conn.dtype == np.int64
-        function = library.fmc_context_add_polytope_i64 if wide else library.fmc_context_add_polytope
-        return self._add(function, byref(corners.struct), conn, len(conn), pose=pose)
+        return self.add(Shape("polytope", points=points, facets=facets), pose)
 
     def add_convex_hull(self, points: ArrayLike, pose: Placement = None) -> int:
         """Adds the convex hull of points. Both estimators support it.
@@ -332,8 +344,7 @@ class Obstacles:
         >>> contact.obstacles.add_convex_hull([[0, -1], [1, -1], [0.5, 0.1]])
         0
         """
-        corners = coords_view(points, self._core.dim, "points")
-        return self._add(library.fmc_context_add_convex_hull, byref(corners.struct), pose=pose)
+        return self.add(Shape("convex_hull", points=points), pose)
 
     def add_height_field(self, heights: ArrayLike, lengths: ArrayLike, thickness: float, pose: Placement = None) -> int:
         """Adds the solid below a height field. Both estimators support it.
@@ -370,23 +381,17 @@ class Obstacles:
         >>> contact.obstacles.add_height_field([0.0, 0.05, 0.0], (2,), 1.0, (0.5, 0))
         0
         """
-        values = np.ascontiguousarray(floats(heights, "heights"))
-        if values.ndim != self._core.dim - 1:
-            raise shape_error("heights", values.shape, f"{self._core.dim - 1} axes in {self._core.dim}D")
-        counts = (c_size_t * values.ndim)(*values.shape)
-        sides = vector(lengths, self._core.dim - 1, "lengths")
-        function = library.fmc_context_add_height_field
-        return self._add(function, counts, sides, values.ravel(), float(thickness), pose=pose)
+        return self.add(Shape("height_field", heights=heights, lengths=lengths, thickness=thickness), pose)
 
     def add_compound(self, parts: Sequence[Part], pose: Placement = None) -> int:
-        """Adds a union of shapes, which may overlap. Only the estimator ``"fibers"`` supports it.
+        """Adds a union of shapes of any kind, which may overlap. Only the estimator ``"fibers"`` supports it.
 
         Its signed distance is the least signed distance of its parts.
 
         Parameters
         ----------
         parts : sequence of Part
-            The shapes.
+            The shapes, each with its pose in the frame of the compound.
         pose : Pose or array_like (dim,), optional
             Pose, or position alone. Default: the origin.
 
@@ -406,13 +411,12 @@ class Obstacles:
 
         Examples
         --------
-        >>> from fmc_contact import Part
-        >>> contact.obstacles.add_compound([Part("ball", radius=0.1), Part("ball", (0.3, 0), radius=0.1)])
+        >>> from fmc_contact import Part, Shape
+        >>> ball = Shape("ball", radius=0.1)
+        >>> contact.obstacles.add_compound([Part(ball), Part(ball, (0.3, 0))])
         0
         """
-        kept: list[Any] = []
-        structs = (fmc_part * len(parts))(*(part._struct(self._core.dim, kept) for part in parts))
-        return self._add(library.fmc_context_add_compound, structs, len(parts), pose=pose)
+        return self.add(Shape("compound", parts=parts), pose)
 
     def add_signed_distance(self, function: SignedDistance, pose: Placement = None) -> int:
         """Adds a body given by its signed distance. Only the estimator ``"fibers"`` supports it.
@@ -442,20 +446,7 @@ class Obstacles:
         >>> contact.obstacles.add_signed_distance(plane, (0, 0.01))
         0
         """
-        dim = self._core.dim
-
-        def distances(_user: object, count: int, x: Any, phi: Any, grad: Any) -> None:
-            distance, gradient = function(_memory(x, count, dim).copy())
-            for name, target, found in (
-                ("phi", _memory(phi, count), distance),
-                ("grad", _memory(grad, count, dim), gradient),
-            ):
-                target[...] = floats(found, f"{name}, returned by the signed distance,", target.shape)
-
-        callback = fmc_signed_distance(self._core.handle.guarded(distances))
-        obstacle = self._add(library.fmc_context_add_signed_distance, callback, None, pose=pose)
-        self._core.handle.keep(obstacle, callback)
-        return obstacle
+        return self.add(Shape("signed_distance", signed_distance=function), pose)
 
     def set_pose(self, obstacle: int, pose: Placement) -> None:
         """Moves an obstacle.
@@ -510,7 +501,7 @@ class Obstacles:
         shape, pose = c_int32(), fmc_pose()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_obstacle_shape, _index(obstacle), byref(shape), byref(pose))
-        return Obstacle(FMC_SHAPE[shape.value], placed(pose, self._core.dim))
+        return Obstacle(SHAPES[shape.value], placed(pose, self._core.dim))
 
     def remove(self, obstacle: int) -> None:
         """Removes an obstacle, and the options of its pairs.

@@ -6,7 +6,7 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::pose::fmc_pose;
 
-/// Shape of an obstacle, a value of `fmc_shape`, and its pose as it stands. Either output may be NULL.
+/// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its pose as it stands. Either output may be NULL.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
 /// Threads: several at once on one context, as long as no call changes it.
@@ -14,16 +14,16 @@ use crate::capi::structs::pose::fmc_pose;
 pub unsafe extern "C" fn fmc_context_obstacle_shape(
     context: *const fmc_context,
     obstacle: usize,
-    shape: *mut i32,
+    kind: *mut i32,
     pose: *mut fmc_pose,
 ) -> fmc_status {
     entry(|| {
-        let (shape, pose) = (Output::optional("shape", shape)?, Output::optional("pose", pose)?);
+        let (kind, pose) = (Output::optional("kind", kind)?, Output::optional("pose", pose)?);
         // SAFETY: the host passes a context.
         let found = unsafe { read(context) }?.session.obstacle(obstacle)?;
         // SAFETY: the outputs, where given, may be written.
         unsafe {
-            shape.write(found.0 as i32);
+            kind.write(found.0 as i32);
             pose.write(found.1);
         }
         Ok(())

@@ -42,7 +42,7 @@ pub struct fmc_pair_options {
     /// counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
     /// shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
     /// they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
-    /// rounded, and what holds for `fmc_context_add_signed_distance` holds for it. Between bodies, and of one with itself,
+    /// rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
     /// only with the law "depth" and not positive: -c lets either body in by c before it presses.
     pub gap_offset: f64,
     /// Coefficient of friction, at least 0, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
