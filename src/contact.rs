@@ -1,9 +1,7 @@
 //! Energy laws and the forces of all pairs.
 
-mod augmentation;
 mod changes;
-mod contact_step;
-pub mod descent;
+pub mod equilibrium;
 mod evaluation;
 mod explicit;
 mod friction;
@@ -17,8 +15,7 @@ mod results;
 mod tangents;
 mod work;
 
-pub use augmentation::Augmentation;
-pub use contact_step::{CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
+pub use equilibrium::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
 pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};
 pub use explicit::{Accuracy, largest_eigenvalue};

@@ -32,7 +32,7 @@ const ROOMS: &[&str] = &[
     "overlap/volume",
     "overlap",
     "contact/tangents",
-    "contact/descent",
+    "contact/equilibrium/descent",
     "contact/laws",
     "contact/friction",
     "contact/results",

@@ -3,7 +3,7 @@
 use super::noise::Noise;
 use crate::fem::Constraints;
 use fmc_contact::ContactForces;
-use fmc_contact::contact::descent::Descent;
+use fmc_contact::contact::equilibrium::descent::Descent;
 
 /// Energies of a displacement, and what they miss to balance.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@ use super::balance::Balance;
 use super::equilibrium::Equilibrium;
 use super::iteration::Tangent;
 use fmc_contact::ContactForces;
-use fmc_contact::contact::descent::Descent;
+use fmc_contact::contact::equilibrium::descent::Descent;
 use fmc_contact::sparse::Condensed;
 
 /// Least energy over steps d, with r the residual of the bodies and K their stiffness at u:

@@ -6,7 +6,7 @@ use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Tangent;
 use fmc_contact::ContactForces;
-use fmc_contact::contact::descent::{TangentChoice, shortened};
+use fmc_contact::contact::equilibrium::descent::{TangentChoice, shortened};
 
 /// Iterations of the contact, at most.
 const MOST_ITERATIONS: usize = 80;

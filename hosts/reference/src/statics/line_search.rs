@@ -3,7 +3,7 @@
 use super::balance::Balance;
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
-use fmc_contact::contact::descent::shortened;
+use fmc_contact::contact::equilibrium::descent::shortened;
 
 /// Trials: 2⁻³⁰ of a step is nothing.
 const MOST_TRIALS: usize = 30;
@@ -11,7 +11,7 @@ const MOST_TRIALS: usize = 30;
 impl<const D: usize> Equilibrium<D> {
     /// State after a part of a step that lowers the energy, and the part; the whole step if it does.
     ///
-    /// By the rules of [`fmc_contact::contact::descent`].
+    /// By the rules of [`fmc_contact::contact::equilibrium::descent`].
     pub(super) fn line_search(
         &mut self,
         u: &[[f64; D]],

@@ -6,7 +6,7 @@ use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
 use super::newton_settings::NewtonSettings;
 use super::penetration::Updates;
-use fmc_contact::contact::descent::TangentChoice;
+use fmc_contact::contact::equilibrium::descent::TangentChoice;
 use fmc_contact::{EnergyLaw, EnergyProfile, PenetrationLaw};
 use std::ops::ControlFlow;
 

@@ -10,7 +10,7 @@ use super::options::{ContactStepOptions, ContactStepState};
 use super::reduced::Reduced;
 use super::touching::{ROUNDING, Touching};
 use crate::Error;
-use crate::contact::descent::TangentChoice;
+use crate::contact::equilibrium::descent::TangentChoice;
 use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 

@@ -6,7 +6,7 @@ use super::newton::{Search, direction, newton, wish};
 use super::options::ContactStepOptions;
 use super::touching::{Touch, Touching};
 use crate::Error;
-use crate::contact::descent::TangentChoice;
+use crate::contact::equilibrium::descent::TangentChoice;
 use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 

@@ -4,7 +4,7 @@ use super::bodies::Checked;
 use super::options::ContactStepOptions;
 use super::touching::{ROUNDING, Touch, Touching};
 use crate::Error;
-use crate::contact::descent::{Descent, shortened};
+use crate::contact::equilibrium::descent::{Descent, shortened};
 use nalgebra::DVector;
 
 #[derive(Clone, Debug)]

@@ -1,0 +1,12 @@
+//! Rules by which contact and bodies come into equilibrium, whatever solves the bodies.
+//!
+//! [`descent`] says how far to go along a step, and with which tangent the next one is found. The contact step is Newton's
+//! method with bodies that are linear, condensed on the degrees of freedom on which contact acts. Multipliers move surfaces out until they
+//! press with as little penetration as is wanted.
+
+mod augmentation;
+mod contact_step;
+pub mod descent;
+
+pub use augmentation::Augmentation;
+pub use contact_step::{CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
