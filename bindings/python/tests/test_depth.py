@@ -42,10 +42,10 @@ def test_estimators_have_no_part_in_it(pattern: str) -> None:
 
 def test_a_smoothing_length_belongs_to_the_law_fiber() -> None:
     coords, conn = blocks(2)
-    with pytest.raises(errors.UnknownOptionError, match="'smoothing_length' belongs to the law 'fiber'"):
+    with pytest.raises(errors.OptionsConflictError, match="'smoothing_length' belongs to the law 'fiber'"):
         Contact(coords, conn, "quad", stiffness=K, law="depth", smoothing_length=0.1)
     contact = Contact(coords, conn, "quad", stiffness=K)
-    with pytest.raises(errors.UnknownOptionError, match="'smoothing_length' belongs to the law 'fiber'"):
+    with pytest.raises(errors.OptionsConflictError, match="'smoothing_length' belongs to the law 'fiber'"):
         contact.set_pair(0, 1, law="depth", stiffness=K, smoothing_length=0.1)
 
 
