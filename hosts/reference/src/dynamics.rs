@@ -20,6 +20,7 @@ mod contact_frequency;
 mod error;
 mod evaluation;
 mod fingerprint;
+mod friction;
 mod friction_step;
 mod sample;
 mod setup;

@@ -33,6 +33,7 @@ mod fixed_point;
 mod friction;
 mod iteration;
 mod kept;
+mod kept_equations;
 mod line_search;
 mod linearised;
 mod motion;

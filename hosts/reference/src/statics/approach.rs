@@ -3,6 +3,7 @@
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::motion::Motion;
+use super::noise::Noise;
 
 /// Part of the load on a motion that may be left over: Newton's method does the rest.
 const LEFT_OVER: f64 = 0.1;
@@ -76,7 +77,7 @@ impl<const D: usize> Equilibrium<D> {
         };
         let size = self.size();
         // Work of rounding on all nodes together.
-        let nothing = self.noise().force * (self.equation_count as f64).sqrt();
+        let nothing = Noise::of(&self.problem.model, self.size()).force * (self.equation_count as f64).sqrt();
         let first = slope_at(self, 0.0)?;
         let (mut low, mut low_slope, mut high) = (0.0, first, 1e-6 * size);
         let mut high_slope = slope_at(self, high)?;

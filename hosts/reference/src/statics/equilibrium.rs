@@ -2,8 +2,9 @@
 
 use super::balance::Balance;
 use super::error::StaticsError;
-use super::kept::Kept;
+use super::kept_equations::Kept;
 use super::newton_settings::NewtonSettings;
+use super::noise::Noise;
 use super::problem::Problem;
 use crate::fem::{Constraints, Model};
 use fmc_contact::sparse::{Entries, Factorisation, Lower};
@@ -245,7 +246,7 @@ impl<const D: usize> Equilibrium<D> {
         let dead = self.from.1 + load * (1.0 - self.from.1);
         let external = |node: usize| forces[node].map(|f| dead * f);
         let mut balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
-        balance.noise = self.noise();
+        balance.noise = Noise::of(&self.problem.model, self.size());
         if !balance.energy().is_finite() || !balance.norm.is_finite() {
             return Err(StaticsError::Inverted { load, cell: None });
         }

@@ -1,6 +1,7 @@
 //! Which equations are kept for the contact, and in which order.
 
 use super::equilibrium::Equilibrium;
+use super::kept_equations::{Kept, rounding};
 use fmc_contact::sparse::{Entries, Lower};
 
 /// Equations on which contact acts, at most.
@@ -10,51 +11,10 @@ const MOST_KEPT: usize = 6000;
 /// as a plane of symmetry does below another body, may get some later, or never.
 const IDLE: f64 = 0.05;
 
-/// Part of the largest entry of the contact's stiffness below which another one is rounding.
-const ROUNDING: f64 = 1e-14;
-
-/// Where every equation is among those that are kept.
-#[derive(Default)]
-pub(super) struct Kept {
-    /// Equations, in their order.
-    equations: Vec<usize>,
-    /// Place of every equation in it; `u32::MAX` for those that are not kept.
-    places: Vec<u32>,
-}
-
-impl Kept {
-    fn new(equations: Vec<usize>, count: usize) -> Self {
-        let mut places = vec![u32::MAX; count];
-        equations.iter().enumerate().for_each(|(place, &equation)| places[equation] = place as u32);
-        Self { equations, places }
-    }
-
-    pub(super) fn equations(&self) -> &[usize] {
-        &self.equations
-    }
-
-    /// Place of an equation.
-    pub(super) fn place(&self, equation: usize) -> Option<usize> {
-        self.places.get(equation).copied().filter(|place| *place != u32::MAX).map(|place| place as usize)
-    }
-
-    /// Entries by the places of their equations, without those that are rounding; `None` if one of the others is not kept.
-    pub(super) fn placed(&self, entries: &Entries) -> Option<Entries> {
-        let least = rounding(entries);
-        let entries = entries.iter().filter(|(.., value)| value.abs() > least);
-        entries.map(|&(row, column, value)| Some((self.place(row)?, self.place(column)?, value))).collect()
-    }
-
-    /// Components of a vector on the equations.
-    pub(super) fn of(&self, values: &[f64]) -> Vec<f64> {
-        self.equations.iter().map(|&equation| values[equation]).collect()
-    }
-}
-
 impl<const D: usize> Equilibrium<D> {
     /// Equations that are kept for the contact, of the last factors.
     pub fn kept_count(&self) -> usize {
-        self.kept.equations.len()
+        self.kept.equations().len()
     }
 
     /// Sparse matrices factorised.
@@ -73,17 +33,17 @@ impl<const D: usize> Equilibrium<D> {
     /// the order of how far their nodes are from being free: those that will be so first.
     pub(super) fn condense(&mut self, u: &[[f64; D]], elastic: &Lower, entries: &Entries, forces: &[[f64; D]]) -> bool {
         let mut found = Kept::new(self.by_depth(entries, forces), self.equation_count);
-        if found.equations.len() > MOST_KEPT {
+        if found.equations().len() > MOST_KEPT {
             return false;
         }
         // Factors of linear bodies hold wherever contact acts on what they have kept, and keep more and more as it moves.
         let known = &self.kept;
         if self.is_linear() && self.ground.is_empty() && self.bulk.is_factorised() {
-            if found.equations.iter().all(|equation| known.place(*equation).is_some()) {
+            if found.equations().iter().all(|equation| known.place(*equation).is_some()) {
                 return true;
             }
-            let others = known.equations.iter().filter(|equation| found.place(**equation).is_none());
-            let all: Vec<usize> = others.chain(&found.equations).copied().collect();
+            let others = known.equations().iter().filter(|equation| found.place(**equation).is_none());
+            let all: Vec<usize> = others.chain(found.equations()).copied().collect();
             if all.len() <= MOST_KEPT {
                 found = Kept::new(all, self.equation_count);
             }
@@ -92,10 +52,10 @@ impl<const D: usize> Equilibrium<D> {
         self.ground = if self.free_motions(u).is_empty() { Vec::new() } else { entries.clone() };
         self.kept = found;
         if self.ground.is_empty() {
-            self.bulk.factorise(elastic, &self.kept.equations)
+            self.bulk.factorise(elastic, self.kept.equations())
         } else {
             let whole = elastic.entries().chain(self.ground.iter().copied());
-            self.bulk.factorise(&Lower::new(self.equation_count, whole), &self.kept.equations)
+            self.bulk.factorise(&Lower::new(self.equation_count, whole), self.kept.equations())
         }
     }
 
@@ -136,9 +96,4 @@ impl<const D: usize> Equilibrium<D> {
     fn freedom(&self, equation: usize) -> (usize, usize) {
         (self.freedoms[equation] as usize / D, self.freedoms[equation] as usize % D)
     }
-}
-
-/// Largest of some entries' values that counts for none.
-fn rounding(entries: &Entries) -> f64 {
-    ROUNDING * entries.iter().fold(0.0, |most: f64, (.., value)| most.max(value.abs()))
 }
