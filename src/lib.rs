@@ -6,9 +6,16 @@
 //! the depths below both surfaces, measured exactly on straight cells. Overlaps can also be sampled by lines ("fibers"), as
 //! in Wang, Xu and Xue, "Solving contact problems using Fiber Monte Carlo", from which the module comes.
 //!
-//! The layers of the code, each of which imports only from those after it:
-//! `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · [`overlap`] (volume and contact points, sampled or exact) · `configuration` (the
-//! bodies at given coordinates) · `depth_field` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · [`geometry`] (surfaces, crossings, obstacles) ·
+//! The floors of the code, each of which imports only from those to its right:
+//!
+//! ```text
+//! capi  ->  partition  ->  contact  ->  overlap, sparse  ->  configuration, depth_field, sampling  ->  ranks  ->  geometry  ->  dimension, error
+//! ```
+//!
+//! `capi` (the C interface) · `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · [`overlap`]
+//! (volume and contact points, sampled or exact) · [`sparse`] (matrices of hosts, factorised) · `configuration` (the bodies at
+//! given coordinates) · `depth_field` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · `ranks`
+//! (work that is shared) · [`geometry`] (surfaces, crossings, obstacles) · `dimension` (2D and 3D behind one interface) ·
 //! [`Error`]. `ARCHITECTURE.md` has the drawing, the way of a coordinate and a glossary.
 //!
 //! Same input, same bits, for any number of threads: there is no clock, no global state and no arrival order anywhere.

@@ -59,8 +59,23 @@ const ESTIMATORS: [&[&str]; 2] = [
     &["overlap/lines", "overlap/volume/on_lines", "overlap/normal_lines/sampled"],
 ];
 
+/// The crates of the workspace and the fuzz targets, by the folders of their sources.
+const CRATES: [&str; 7] = [
+    "src",
+    "hosts/reference/src",
+    "crates/shapes/src",
+    "crates/mesh-io/src",
+    "benchmarks/src",
+    "tools/fmc/src",
+    "fuzz/src",
+];
+
+fn at(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
 fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+    at("src")
 }
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
@@ -77,13 +92,13 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// Path of a module within src, without the ending.
-fn module(file: &Path) -> String {
-    let inside = file.strip_prefix(root()).expect("a source").with_extension("");
+/// Path of a module within the sources of its crate, without the ending.
+fn module(root: &Path, file: &Path) -> String {
+    let inside = file.strip_prefix(root).expect("a source").with_extension("");
     inside.to_string_lossy().replace('\\', "/")
 }
 
-/// All modules that a file imports, as paths within src: what stands behind `crate::` and `super::`, also in grouped
+/// All modules that a file imports, as paths within its crate: what stands behind `crate::` and `super::`, also in grouped
 /// imports, as far as it names files.
 fn imported(module: &str, text: &str, modules: &BTreeSet<String>) -> BTreeSet<String> {
     let text: String =
@@ -131,13 +146,13 @@ fn room(module: &str) -> Option<usize> {
     ROOMS.iter().position(|room| room == longest)
 }
 
-/// Imports of every module.
-fn imports() -> BTreeMap<String, BTreeSet<String>> {
-    let files = sources(&root());
-    let modules: BTreeSet<String> = files.iter().map(|file| module(file)).collect();
+/// Imports of every module of a crate.
+fn imports(root: &Path) -> BTreeMap<String, BTreeSet<String>> {
+    let files = sources(root);
+    let modules: BTreeSet<String> = files.iter().map(|file| module(root, file)).collect();
     let of = |file: &PathBuf| {
         let text = fs::read_to_string(file).expect("a source");
-        (module(file), imported(&module(file), &text, &modules))
+        (module(root, file), imported(&module(root, file), &text, &modules))
     };
     files.iter().map(of).collect()
 }
@@ -145,7 +160,7 @@ fn imports() -> BTreeMap<String, BTreeSet<String>> {
 #[test]
 fn imports_point_down_the_rooms() {
     let mut seen = 0;
-    for (module, imported) in imports() {
+    for (module, imported) in imports(&root()) {
         let Some(here) = room(&module) else { continue };
         // The file of a folder holds its explanation and its re-exports.
         let is_folder = root().join(&module).is_dir();
@@ -160,7 +175,7 @@ fn imports_point_down_the_rooms() {
 
 #[test]
 fn the_two_estimators_do_not_know_each_other() {
-    for (module, imported) in imports() {
+    for (module, imported) in imports(&root()) {
         for [this, other] in [ESTIMATORS, [ESTIMATORS[1], ESTIMATORS[0]]] {
             let is_of = |module: &str, rooms: &[&str]| rooms.iter().any(|room| module.starts_with(room));
             if is_of(&module, this) {
@@ -170,14 +185,15 @@ fn the_two_estimators_do_not_know_each_other() {
     }
 }
 
-#[test]
-fn no_imports_run_in_a_circle() {
-    let imports = imports();
-    let is_folder = |module: &str| root().join(module).is_dir();
-    // Folders' own files only pass names on.
+/// The modules of a crate that are in a circle of imports or above one, with what they import of the others.
+fn circle(root: &Path) -> Vec<String> {
+    let imports = imports(root);
+    let is_folder = |module: &str| root.join(module).is_dir();
+    // Folders' own files only pass names on, and so does that of the crate.
+    let only_passes_on = |module: &str| is_folder(module) || module.ends_with("/tests") || module == "lib";
     let mut left: BTreeMap<&String, BTreeSet<&String>> = imports
         .iter()
-        .filter(|(module, _)| !is_folder(module) && !module.ends_with("/tests"))
+        .filter(|(module, _)| !only_passes_on(module))
         .map(|(module, imported)| (module, imported.iter().filter(|other| !is_folder(other)).collect()))
         .collect();
     loop {
@@ -188,37 +204,112 @@ fn no_imports_run_in_a_circle() {
         }
         done.iter().for_each(|module| drop(left.remove(*module)));
     }
-    let circle: Vec<String> = left
-        .iter()
-        .map(|(module, on)| {
-            let on: Vec<&str> = on.iter().filter(|other| left.contains_key(*other)).map(|o| o.as_str()).collect();
-            format!("{module} -> {}", on.join(", "))
-        })
-        .collect();
-    assert!(circle.is_empty(), "imports run in a circle among:\n{}", circle.join("\n"));
+    let of = |(module, on): (&&String, &BTreeSet<&String>)| {
+        let on: Vec<&str> = on.iter().filter(|other| left.contains_key(*other)).map(|o| o.as_str()).collect();
+        format!("{module} -> {}", on.join(", "))
+    };
+    left.iter().map(of).collect()
 }
 
 #[test]
-fn only_the_c_layer_is_unsafe() {
-    for folder in
-        ["src", "hosts/reference/src", "crates/shapes/src", "crates/mesh-io/src", "benchmarks/src", "tools/fmc/src"]
-    {
-        for file in sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)) {
-            let text = fs::read_to_string(&file).expect("a source");
-            let is_unsafe = text.lines().any(|l| {
-                let code = l.split("//").next().unwrap_or("");
-                code.contains("unsafe ") || code.contains("unsafe{")
-            });
-            let in_capi = file.to_string_lossy().contains("src/capi");
-            assert!(!is_unsafe || in_capi, "{} holds unsafe code", file.display());
+fn no_imports_run_in_a_circle() {
+    for folder in CRATES {
+        let circle = circle(&at(folder));
+        assert!(circle.is_empty(), "imports of {folder} run in a circle among:\n{}", circle.join("\n"));
+    }
+}
+
+/// The floors of the module in words, from the top down, as `lib.rs` and `ARCHITECTURE.md` draw them.
+fn drawn(text: &str) -> Vec<Vec<String>> {
+    let line = text.lines().find(|line| line.contains("capi  ->  ")).expect("the drawing of the floors");
+    let line = line.trim_start_matches("//!").trim();
+    line.split("->").map(|floor| floor.split(',').map(|name| name.trim().to_owned()).collect()).collect()
+}
+
+#[test]
+fn the_floors_are_drawn_as_they_are() {
+    let files = ["src/lib.rs", "ARCHITECTURE.md"];
+    let [floors, again] = files.map(|file| drawn(&fs::read_to_string(at(file)).expect("a page")));
+    assert_eq!(floors, again, "{} and {} draw other floors", files[0], files[1]);
+    let floor_of = |module: &str| {
+        let top = module.split('/').next().unwrap_or("");
+        floors.iter().position(|names| names.iter().any(|name| name == top))
+    };
+    for (module, imported) in imports(&root()).iter().filter(|(module, _)| *module != "lib") {
+        let here = floor_of(module).unwrap_or_else(|| panic!("{module} is on no floor of the drawing"));
+        for other in imported {
+            let there = floor_of(other).unwrap_or_else(|| panic!("{other} is on no floor of the drawing"));
+            let is_own = module.split('/').next() == other.split('/').next();
+            assert!(is_own || here < there, "{module} imports from {other}, which the drawing has beside or above it");
         }
+    }
+    for name in floors.iter().flatten() {
+        assert!(root().join(name).with_extension("rs").exists(), "the drawing has {name}, which is not there");
+    }
+}
+
+/// A room without a line of its own would never be looked at.
+#[test]
+fn every_module_is_in_a_room() {
+    for module in imports(&root()).keys().filter(|module| *module != "lib") {
+        assert!(room(module).is_some(), "{module} is in no room");
+    }
+    for room in ROOMS {
+        let is_there = root().join(room).is_dir() || root().join(room).with_extension("rs").exists();
+        assert!(is_there, "the room {room} is not there");
+    }
+}
+
+/// The fuzz targets call the library as C does.
+#[test]
+fn only_the_c_layer_is_unsafe() {
+    for file in CRATES.iter().filter(|folder| **folder != "fuzz/src").flat_map(|folder| sources(&at(folder))) {
+        let text = fs::read_to_string(&file).expect("a source");
+        let is_unsafe = text.lines().any(|l| {
+            let code = l.split("//").next().unwrap_or("");
+            code.contains("unsafe ") || code.contains("unsafe{")
+        });
+        let in_capi = file.starts_with(at("src/capi"));
+        assert!(!is_unsafe || in_capi, "{} holds unsafe code", file.display());
     }
 }
 
 #[test]
 fn files_hold_one_concept() {
-    for file in sources(&root()) {
+    for file in CRATES.iter().flat_map(|folder| sources(&at(folder))) {
         let lines = fs::read_to_string(&file).expect("a source").lines().count();
         assert!(lines <= 400, "{} has {lines} lines: two concepts are inside", file.display());
+    }
+}
+
+/// What does not hold yet says why. `cargo test --test house ignored -- --nocapture` lists it.
+#[test]
+fn what_is_ignored_says_why() {
+    let folders = ["src", "tests", "hosts/reference", "crates", "benchmarks", "tools"];
+    for file in folders.iter().flat_map(|folder| sources(&at(folder))) {
+        let text = fs::read_to_string(&file).expect("a source");
+        let mut lines = text.lines().map(str::trim);
+        while let Some(line) = lines.next() {
+            let Some(rest) = line.strip_prefix("#[ignore") else { continue };
+            let reason = rest.strip_prefix(" = \"").and_then(|rest| rest.strip_suffix("\"]")).unwrap_or("");
+            let name = lines.find_map(|line| line.strip_prefix("fn ")).unwrap_or("");
+            let name = name.split('(').next().unwrap_or("");
+            let file = file.strip_prefix(at("")).unwrap_or(&file).display();
+            println!("{file}: {name}: {reason}");
+            assert!(reason.split(' ').count() >= 5, "{file}: {name} does not say why it is ignored");
+        }
+    }
+}
+
+/// The crates of the workspace, each with a row in the table of `ARCHITECTURE.md`.
+#[test]
+fn every_crate_is_in_the_table() {
+    let [cargo, page] = ["Cargo.toml", "ARCHITECTURE.md"].map(|file| fs::read_to_string(at(file)).expect("a file"));
+    let members = cargo.lines().find(|line| line.starts_with("members = ")).expect("the members");
+    for member in members.split('"').skip(1).step_by(2) {
+        let (row, sources) = if member == "." { ("src/", "src".into()) } else { (member, format!("{member}/src")) };
+        let is_row = |line: &str| line.starts_with('|') && line.contains(&format!("| `{row}` |"));
+        assert!(page.lines().any(is_row), "{member} has no row in the table of crates");
+        assert!(CRATES.contains(&sources.as_str()), "the house test does not look at {member}");
     }
 }

@@ -138,16 +138,16 @@ fn crossings_are_closed_to_rounding() {
     }
 }
 
-/// One that stands nearly still costs more evaluations than there are rounds.
+/// One that hardly changes along a line allows short steps alone, and its crossings are closed to rounding all the same.
 #[test]
-#[ignore = "lines whose crossings are not found in 4000 rounds are dropped without a warning"]
-fn distances_that_stand_still_are_found_or_reported() {
+fn distances_that_stand_still_are_found() {
     let scene = Scene::of(&[&random_polygon(9, 1.0, 0.5, 1)]);
     let pose = Pose::at([0.4, -0.5]);
     let bold = with_differences(|x: &[f64; 2]| length(x) - 0.6);
     let still = with_differences(|x: &[f64; 2]| 1e-5 * (length(x) - 0.6));
     let [bold, still] = [bold, still].map(|shape| against(&scene, &shape, pose, consistent_lines(1e-3, 1)));
-    assert!((still.volume / bold.volume - 1.0).abs() < 1e-3 || !still.warnings.is_empty(), "{}", still.volume);
+    // Some hundred lines, whose ends are rounded to 2⁻⁵³ of coordinates of size 1.
+    assert!((still.volume / bold.volume - 1.0).abs() < 1e-12, "{} for {}", still.volume, bold.volume);
 }
 
 /// Bodies that no closed form describes: two balls melted into one, and a ball with another cut out of it.

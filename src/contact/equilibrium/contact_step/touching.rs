@@ -40,7 +40,8 @@ pub(super) trait Touching {
     /// Number of a degree of freedom of the list among all.
     fn freedom(&self, place: usize) -> usize;
 
-    /// Number of its node.
+    /// Number of its node. What needs sparse factors asks for it.
+    #[cfg_attr(not(feature = "solver"), allow(dead_code))]
     fn node(&self, place: usize) -> usize;
 
     /// Its coordinate at the start.
