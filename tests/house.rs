@@ -251,7 +251,8 @@ fn the_floors_are_drawn_as_they_are() {
 /// A room without a line of its own would never be looked at.
 #[test]
 fn every_module_is_in_a_room() {
-    for module in imports(&root()).keys().filter(|module| *module != "lib") {
+    let is_folder = |module: &str| root().join(module).is_dir();
+    for module in imports(&root()).keys().filter(|module| *module != "lib" && !is_folder(module)) {
         assert!(room(module).is_some(), "{module} is in no room");
     }
     for room in ROOMS {
@@ -277,8 +278,9 @@ fn only_the_c_layer_is_unsafe() {
 #[test]
 fn files_hold_one_concept() {
     for file in CRATES.iter().flat_map(|folder| sources(&at(folder))) {
-        let lines = fs::read_to_string(&file).expect("a source").lines().count();
-        assert!(lines <= 400, "{} has {lines} lines: two concepts are inside", file.display());
+        let text = fs::read_to_string(&file).expect("a source");
+        let (lines, is_generated) = (text.lines().count(), text.contains("\n//! Generated from "));
+        assert!(lines <= 400 || is_generated, "{} has {lines} lines: two concepts are inside", file.display());
     }
 }
 
