@@ -15,6 +15,7 @@ from ._structs import fmc_pose, fmc_signed_distance
 from .pose import Placement, Pose, placed, pose_struct
 from .shape import SHAPES, Part, Shape, SignedDistance
 
+
 def _index(obstacle: int) -> int:
     if obstacle < 0:
         raise IndexError(f"no obstacle {obstacle}")
