@@ -46,7 +46,7 @@ def test_a_smoothing_length_belongs_to_the_law_fiber() -> None:
         Contact(coords, conn, "quad", stiffness=K, law="depth", smoothing_length=0.1)
     contact = Contact(coords, conn, "quad", stiffness=K)
     with pytest.raises(errors.OptionsConflictError, match="'smoothing_length' belongs to the law 'fiber'"):
-        contact.set_pair(0, 1, law="depth", stiffness=K, smoothing_length=0.1)
+        contact.pairs.set(0, 1, law="depth", stiffness=K, smoothing_length=0.1)
 
 
 def test_tangent_is_the_derivative_of_the_force() -> None:
