@@ -42,7 +42,7 @@ pub use geometry::{
     PointWeights, Pose, Shape, ShapeKind, SignedDistance, Surface,
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
-pub use partition::{CarriedSlip, MeshPart, PartitionCounts, PartitionedContact};
+pub use partition::{CarriedSlip, GatheredCounts, MeshPart, PartitionedContact};
 pub use ranks::{AllToAll, Communicator, RankCounts};
 pub use sampling::FiberPattern;
 

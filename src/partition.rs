@@ -20,5 +20,5 @@ mod slip;
 mod zone;
 
 pub use mesh_part::MeshPart;
-pub use partitioned_contact::{PartitionCounts, PartitionedContact};
+pub use partitioned_contact::{GatheredCounts, PartitionedContact};
 pub use slip::CarriedSlip;

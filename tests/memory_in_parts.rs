@@ -38,7 +38,7 @@ fn a_rank_holds_its_part_and_what_is_near() {
         let (part, blocks) = (&given[rank], given[rank].blocks());
         let mut parts = PartitionedContact::new(own, &part.given(&blocks), options, 0.0).unwrap();
         let calls = parts.contact().rank_counts().call_count;
-        parts.bring(&part.coords).unwrap();
+        parts.set_coords(&part.coords).unwrap();
         assert_eq!(parts.contact().rank_counts().call_count - calls, 7, "boxes, coordinates, and whether all are well");
         assert_eq!(parts.contact().evaluate(parts.coords()).unwrap().volume, volume);
         all_here.wait();

@@ -76,8 +76,8 @@ impl<const D: usize> Surface<D> {
     /// [`Error::Unsupported`] where nodes hang.
     pub(crate) fn lone_faces(&self) -> Result<Vec<LoneFace>, Error> {
         let (mut faces, mut seen) = (Vec::new(), BTreeSet::new());
-        for (facet, told) in self.boundary_facets().iter().enumerate() {
-            let (Some(cell), Some(face), Some(cells)) = (told.cell, told.local_face, &self.cells) else {
+        for (facet, source) in self.boundary_facets().iter().enumerate() {
+            let (Some(cell), Some(face), Some(cells)) = (source.cell, source.local_face, &self.cells) else {
                 return Err(HANGING);
             };
             if !seen.insert((cell, face)) {
@@ -109,8 +109,8 @@ impl<const D: usize> Surface<D> {
         }
         let (mut is_cut, mut cut_faces) = (Vec::with_capacity(self.facets.len()), vec![0u8; cells.len()]);
         let mut found = vec![0u8; surface_faces.len()];
-        for (facet, told) in self.boundary_facets().iter().enumerate() {
-            let (Some(cell), Some(face)) = (told.cell, told.local_face) else {
+        for (facet, source) in self.boundary_facets().iter().enumerate() {
+            let (Some(cell), Some(face)) = (source.cell, source.local_face) else {
                 return Err(HANGING);
             };
             let is_surface = surface_faces[cell] >> face & 1 == 1;

@@ -215,7 +215,7 @@ impl<const D: usize> Surface<D> {
         let points = self.mesh_points(coords)?;
         self.check_coords(&points, true)?;
         self.check_curved(&points)?;
-        cells.check_range(0..cells.len(), &points).map_err(|error| self.told(error))?;
+        cells.check_range(0..cells.len(), &points).map_err(|error| self.in_host_numbers(error))?;
         self.reference = points.into_owned();
         Ok(())
     }

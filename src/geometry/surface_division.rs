@@ -20,7 +20,7 @@ impl<const D: usize> Surface<D> {
         let ids = cells.body.iter().map(|&body| self.body_ids()[body as usize]).collect::<Vec<_>>();
         let ids = division.body_ids(Bodies::Ids(&ids))?.unwrap_or_default();
         let surface = Self::of_straight_cells(&points, &blocks, Bodies::Ids(&ids));
-        let mut surface = surface.map_err(|error| division.told(error))?;
+        let mut surface = surface.map_err(|error| division.in_host_numbers(error))?;
         surface.division = Some(division);
         Ok(surface)
     }
@@ -56,8 +56,8 @@ impl<const D: usize> Surface<D> {
     }
 
     /// An error that names cells as given.
-    pub(crate) fn told(&self, error: Error) -> Error {
-        self.division.as_ref().map_or(error.clone(), |division| division.told(error))
+    pub(crate) fn in_host_numbers(&self, error: Error) -> Error {
+        self.division.as_ref().map_or(error.clone(), |division| division.in_host_numbers(error))
     }
 
     /// Has the nodes of the mesh moved by a host's own unknowns, or by themselves again.

@@ -40,7 +40,7 @@ impl<const D: usize> Surface<D> {
         let ids = division.body_ids(bodies)?;
         let bodies = ids.as_deref().map_or(Bodies::Connected, Bodies::Ids);
         let surface = Self::of_straight_facets(&points, &parts, bodies);
-        let mut surface = surface.map_err(|error| division.told(error))?;
+        let mut surface = surface.map_err(|error| division.in_host_numbers(error))?;
         check_unfolded(&points, &parts, &division)?;
         surface.division = Some(division);
         Ok(surface)

@@ -12,13 +12,13 @@ use crate::ranks::Ranks;
 
 /// Own surface facets without deformation, by body of the whole mesh.
 pub(super) struct Anchors<const D: usize> {
-    bodies: Vec<Facets<D>>,
+    bodies: Vec<BodyFacets<D>>,
     /// Whether some facets of the surface are not measured from.
     are_some_left_out: bool,
 }
 
 #[derive(Default)]
-struct Facets<const D: usize> {
+struct BodyFacets<const D: usize> {
     /// Cell of each facet, as given.
     cells: Vec<u32>,
     boxes: Vec<Aabb<D>>,
@@ -36,18 +36,18 @@ struct Ball<const D: usize> {
 impl<const D: usize> Anchors<D> {
     /// Of the own facets, but for those all of whose nodes are marked: they lie in planes of symmetry, or on an axis.
     pub(super) fn new(own: &OwnMesh<D>, is_marked: Option<&dyn Fn(u32) -> bool>) -> Self {
-        let mut bodies: Vec<Facets<D>> = own.body_ids.iter().map(|_| Facets::default()).collect();
+        let mut bodies: Vec<BodyFacets<D>> = own.body_ids.iter().map(|_| BodyFacets::default()).collect();
         for surface in own.surface.iter() {
             let points = surface.points(surface.reference());
-            let told = surface.boundary_facets();
+            let facets = surface.boundary_facets();
             for (body, range) in surface.ranges.iter().enumerate() {
                 let of_body = &mut bodies[own.body_of(surface, body)];
                 let is_marked = |facet: usize| {
-                    let nodes = || told[facet].nodes.iter().filter(|&&node| (node as usize) < own.node_count());
+                    let nodes = || facets[facet].nodes.iter().filter(|&&node| (node as usize) < own.node_count());
                     is_marked.is_some_and(|is_marked| nodes().all(|&node| is_marked(node)))
                 };
                 for facet in range.clone().filter(|&facet| surface.is_surface_facet(facet) && !is_marked(facet)) {
-                    of_body.cells.push(told[facet].cell.unwrap_or(0) as u32);
+                    of_body.cells.push(facets[facet].cell.unwrap_or(0) as u32);
                     of_body.boxes.push(box_of(surface, facet, &points));
                 }
                 of_body.tree = Some(Tree::new(&of_body.boxes));
@@ -80,7 +80,7 @@ impl<const D: usize> Anchors<D> {
         let mut bounds: Vec<f64> = bounds.collect();
         let inner: Vec<usize> = (0..cells.len()).filter(|&cell| bounds[cell].is_infinite()).collect();
         // All ranks have these cells: what is told is only what is nearer than those of them that have facets.
-        let mut gathered: Vec<Facets<D>> = self.bodies.iter().map(|_| Facets::default()).collect();
+        let mut gathered: Vec<BodyFacets<D>> = self.bodies.iter().map(|_| BodyFacets::default()).collect();
         for (_, ball) in cells.iter().zip(&balls).filter(|(cell, _)| has_facet(cell)) {
             gathered[ball.body].boxes.push(ball.aabb);
         }
@@ -108,7 +108,7 @@ impl<const D: usize> Anchors<D> {
     }
 }
 
-impl<const D: usize> Facets<D> {
+impl<const D: usize> BodyFacets<D> {
     /// No more than the distance of the farthest point of the facet whose box is nearest.
     fn bound(&self, x: &Vector<D>) -> f64 {
         let farthest = |aabb: &Aabb<D>| {

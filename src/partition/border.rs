@@ -145,11 +145,11 @@ fn on_surface<const D: usize>(
     surface_faces: &[u8],
 ) -> (Vec<Vec<u32>>, Vec<usize>) {
     let mut nodes = vec![BTreeSet::new(); own.body_ids.len()];
-    for told in surface.boundary_facets() {
-        if let (Some(cell), Some(face)) = (told.cell, told.local_face)
+    for facet in surface.boundary_facets() {
+        if let (Some(cell), Some(face)) = (facet.cell, facet.local_face)
             && surface_faces[cell] >> face & 1 == 1
         {
-            nodes[own.body[cell] as usize].extend(told.nodes);
+            nodes[own.body[cell] as usize].extend(facet.nodes);
         }
     }
     let is_node = |node: &u32| (*node as usize) < own.node_count();

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 
 /// Contact of a mesh that ranks hold in parts: [`Contact`] of the cells that may be in contact, which all ranks have.
 ///
-/// [`Self::bring`] takes the coordinates of the own nodes of every rank. After it [`Self::contact`] is the contact at
+/// [`Self::set_coords`] takes the coordinates of the own nodes of every rank. After it [`Self::contact`] is the contact at
 /// [`Self::coords`], with the bits of a contact of the whole mesh; its nodes have the numbers [`Self::node_numbers`], of which
 /// [`Self::own_nodes`] are this rank's. Its evaluations are made by all ranks together, which share the work. What was begun,
 /// kept or frozen stays when other cells are gathered.
@@ -53,7 +53,7 @@ struct Gathering<const D: usize> {
 
 /// How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct PartitionCounts {
+pub struct GatheredCounts {
     /// Cells that this rank gave.
     pub own_cell_count: usize,
     /// Boundary facets of the whole mesh.
@@ -71,7 +71,7 @@ impl<const D: usize> PartitionedContact<D> {
     /// [`Contact::gap_constraints`] may reach, 0 where they are not asked for. All ranks call it together.
     ///
     /// # Errors
-    /// As [`Surface::from_cells`](crate::Surface::from_cells), [`Contact::new`] and [`Self::bring`]; [`Error::Length`],
+    /// As [`Surface::from_cells`](crate::Surface::from_cells), [`Contact::new`] and [`Self::set_coords`]; [`Error::Length`],
     /// [`Error::BadRank`], [`Error::NotPositive`] for a reach that is negative.
     pub fn new(
         communicator: Box<dyn Communicator>,
@@ -106,7 +106,7 @@ impl<const D: usize> PartitionedContact<D> {
             gather_count: 0,
             facet_count,
         };
-        new.bring(part.coords)?;
+        new.set_coords(part.coords)?;
         Ok(new)
     }
 
@@ -118,7 +118,7 @@ impl<const D: usize> PartitionedContact<D> {
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`],
     /// [`Error::FoldedCell`], naming own nodes and cells; on other ranks [`Error::OnOtherRank`]. [`Error::RanksDiffer`] for a
     /// node that has not the same coordinates on all, [`Error::SignedDistance`], [`Error::Communication`].
-    pub fn bring(&mut self, coords: &[[f64; D]]) -> Result<bool, Error> {
+    pub fn set_coords(&mut self, coords: &[[f64; D]]) -> Result<bool, Error> {
         let in_common = hash_in_common(&self.contact, &[], "set_coords");
         let checked = self.check(coords);
         self.ranks()?.agree(checked, in_common)?;
@@ -196,9 +196,9 @@ impl<const D: usize> PartitionedContact<D> {
     }
 
     /// How much was gathered.
-    pub fn counts(&self) -> PartitionCounts {
+    pub fn counts(&self) -> GatheredCounts {
         let surface = self.contact.surface();
-        PartitionCounts {
+        GatheredCounts {
             own_cell_count: self.own.len(),
             facet_count: self.facet_count,
             gathered_facet_count: (0..surface.facet_count()).filter(|&facet| surface.is_surface_facet(facet)).count(),
@@ -255,7 +255,7 @@ impl<const D: usize> PartitionedContact<D> {
                 .cell_check
                 .get_or_insert_with(|| CellCheck::new(cells, surface.curved()))
                 .check(cells, surface.curved(), &points, false)
-                .map_err(|error| surface.told(error)),
+                .map_err(|error| surface.in_host_numbers(error)),
             _ => Ok(()),
         }
     }

@@ -148,8 +148,8 @@ impl<const D: usize> Gathered<D> {
         surface.make_submesh(&surface_faces, &own.whole)?;
         let cells: Vec<u64> = self.cells.iter().map(|cell| cell.number).collect();
         let mut parts: BTreeMap<(u64, u32), u32> = BTreeMap::new();
-        let names = surface.boundary_facets().into_iter().map(|told| {
-            let (cell, face) = (cells[told.cell.unwrap_or(0)], told.local_face.unwrap_or(0) as u32);
+        let names = surface.boundary_facets().into_iter().map(|facet| {
+            let (cell, face) = (cells[facet.cell.unwrap_or(0)], facet.local_face.unwrap_or(0) as u32);
             let next = parts.entry((cell, face)).or_default();
             *next += 1;
             FacetName { cell, face, part: *next - 1 }

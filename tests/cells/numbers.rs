@@ -65,7 +65,7 @@ fn of_threads_do_not_matter_to_the_last_bit() {
         for options in [exact(), exactly(EnergyLaw::depth(5.0)), exactly(EnergyLaw::fiber(5.0))] {
             let of = |threads: usize| {
                 let contact = scene.contact(Options { threads, ..options });
-                contact.evaluate_with_tangent(&scene.coords, TangentPart::Full).expect("valid coordinates")
+                contact.evaluate_tangent(&scene.coords, TangentPart::Full).expect("valid coordinates")
             };
             let one = of(1);
             assert!([2, 5].map(of).iter().all(|other| *other == one), "{:?}", options.law);

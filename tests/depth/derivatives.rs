@@ -116,7 +116,7 @@ pub(crate) fn tangent_is_the_slope_of_the_force<const D: usize>(contact: &Contac
         let found = error(1e-6).min(error(1e-7));
         assert!(found < 1e-6 * largest, "{found} of {largest}");
     }
-    let both = contact.evaluate_with_tangent(coords, TangentPart::Full).expect("valid coordinates");
+    let both = contact.evaluate_tangent(coords, TangentPart::Full).expect("valid coordinates");
     assert_eq!(both, (contact.evaluate(coords).expect("valid coordinates"), tangent));
 }
 

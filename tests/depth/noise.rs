@@ -66,7 +66,7 @@ fn the_same_bits() {
     let options = depth(1e3);
     let contact = scene.contact(options);
     let both = |contact: &fmc_contact::Contact<3>, coords: &[[f64; 3]]| {
-        contact.evaluate_with_tangent(coords, TangentPart::Full).expect("valid coordinates")
+        contact.evaluate_tangent(coords, TangentPart::Full).expect("valid coordinates")
     };
     let first = both(&contact, &scene.coords);
     let moved: Vec<[f64; 3]> = scene.coords.iter().map(|x| x.map(|x| 1.01 * x)).collect();

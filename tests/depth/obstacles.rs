@@ -199,7 +199,7 @@ pub(crate) fn deviations_of<const D: usize>(
     let (least, largest) = (eigenvalues.min(), eigenvalues.max());
     // It is none where all facets that move outwards rise from the depth.
     assert!(least >= -1e-12 * largest.max(1e-9), "{least:e} and {largest:e}");
-    let both = contact.evaluate_with_tangent(coords, TangentPart::Full).expect("valid coordinates");
+    let both = contact.evaluate_tangent(coords, TangentPart::Full).expect("valid coordinates");
     assert_eq!(both, (contact.evaluate(coords).expect("valid coordinates"), tangent));
     found
 }

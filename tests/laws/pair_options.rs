@@ -149,7 +149,7 @@ fn laws_of_pairs<const D: usize>(bodies: &[Mesh<D>; 3]) {
             (&[2], true, exactly(third)),
         ];
         let found = is_sum(&contact, bodies, &problems);
-        let both = contact.evaluate_with_tangent(&scene.coords, TangentPart::Full).unwrap();
+        let both = contact.evaluate_tangent(&scene.coords, TangentPart::Full).unwrap();
         assert_eq!(both.0, found);
         assert_eq!(both.1, contact.tangent(&scene.coords, TangentPart::Full).unwrap());
         // Local laws have contact points.

@@ -14,7 +14,7 @@ fn check<const D: usize>(scene: &Scene<D>, options: Options) {
         contact
     };
     for part in [TangentPart::Full, TangentPart::Semidefinite] {
-        let (forces, tangent) = contact().evaluate_with_tangent(&scene.coords, part).unwrap();
+        let (forces, tangent) = contact().evaluate_tangent(&scene.coords, part).unwrap();
         assert!(forces.pairs.len() == 3 && !(tangent.blocks.is_empty() && tangent.rank_one.is_empty()), "{options:?}");
         assert_eq!(forces, contact().evaluate(&scene.coords).unwrap(), "{options:?}");
         assert_eq!(tangent, contact().tangent(&scene.coords, part).unwrap(), "{options:?}");
@@ -43,6 +43,6 @@ fn one_call_has_the_bits_of_two() {
 fn what_has_no_tangent_is_refused() {
     let scene = plane_scene(2);
     let refused =
-        scene.contact(crate::scene::isotropic(0.3, 100, 1)).evaluate_with_tangent(&scene.coords, TangentPart::Full);
+        scene.contact(crate::scene::isotropic(0.3, 100, 1)).evaluate_tangent(&scene.coords, TangentPart::Full);
     assert!(matches!(refused, Err(Error::Unsupported { .. })), "{refused:?}");
 }

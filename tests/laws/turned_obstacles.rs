@@ -59,7 +59,7 @@ fn check<const D: usize>(mesh: &Mesh<D>, shapes: [(Shape<D>, Pose<D>); 2], optio
     let (nodes, count) = (coords.len(), coords.len() + 4);
     // All else stays.
     assert!(without.blocks.iter().all(|block| tangent.blocks.contains(block)));
-    let both = contact.evaluate_with_tangent(coords, TangentPart::Full).unwrap();
+    let both = contact.evaluate_tangent(coords, TangentPart::Full).unwrap();
     assert_eq!(both, (contact.evaluate(coords).unwrap(), tangent.clone()));
     let here = all(&contact, coords);
     assert!(here[nodes..].iter().all(|f| norm(&[*f]) > 0.0), "both are met");
@@ -154,7 +154,7 @@ fn not_with_friction_nor_lines_nor_on_rings() {
     let mut by_lines = scene.contact(exactly(EnergyLaw::fiber(1.0)));
     by_lines.add_obstacle(plane()).unwrap();
     by_lines.set_obstacle_rotations(true);
-    let refused = by_lines.evaluate_with_tangent(&scene.coords, TangentPart::Full);
+    let refused = by_lines.evaluate_tangent(&scene.coords, TangentPart::Full);
     assert!(matches!(refused, Err(Error::Unsupported { what }) if what.contains("with the law fiber")));
     let masses = vec![1.0; scene.coords.len()];
     assert!(rubbed.stable_step(&scene.coords, &masses).unwrap() > 0.0);

@@ -73,7 +73,7 @@ fn symmetry_and_an_axis() {
             let part = Part::of(&scene, |cell, _| cell % 3 == rank);
             let mut parts = PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.02).unwrap();
             parts.set_symmetry_nodes(&nodes(&part.coords)).unwrap();
-            parts.bring(&part.coords).unwrap();
+            parts.set_coords(&part.coords).unwrap();
             told(parts.contact(), parts.coords(), parts.node_numbers(), scene.coords.len())
         });
         found.iter().for_each(|found| compare(found, &expected, "symmetry"));

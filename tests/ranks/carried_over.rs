@@ -44,7 +44,7 @@ fn what_was_kept_and_frozen_stays() {
             let mut parts = PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.02).unwrap();
             let mut found = Vec::new();
             for (number, coords) in path.iter().enumerate() {
-                parts.bring(&part.here(coords)).unwrap();
+                parts.set_coords(&part.here(coords)).unwrap();
                 let here = parts.coords().to_vec();
                 do_all(parts.contact_mut(), &here, number);
                 found.push(told(parts.contact(), &here, parts.node_numbers(), coords.len()));
@@ -77,7 +77,7 @@ fn a_restart_on_another_number_of_ranks() {
             let part = Part::of(&scene, |cell, x| stripes(size, 2.0)(cell, x) == rank);
             let mut parts = PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.02).unwrap();
             for (number, &step) in steps.iter().enumerate() {
-                parts.bring(&part.here(&path[step])).unwrap();
+                parts.set_coords(&part.here(&path[step])).unwrap();
                 let here = parts.coords().to_vec();
                 match number {
                     0 => parts.contact_mut().begin_step(&here).unwrap(),
@@ -87,7 +87,7 @@ fn a_restart_on_another_number_of_ranks() {
                     parts.set_slip(slip).unwrap();
                 }
             }
-            parts.bring(&part.here(&path[3])).unwrap();
+            parts.set_coords(&part.here(&path[3])).unwrap();
             let told = told(parts.contact(), parts.coords(), parts.node_numbers(), scene.coords.len());
             (parts.slip().unwrap(), told)
         })

@@ -64,7 +64,7 @@ pub(crate) fn same_in_parts<const D: usize>(
         let mut parts = PartitionedContact::new(own, &part.given(&blocks), options, 0.02).unwrap();
         obstacles.iter().for_each(|obstacle| assert!(parts.contact_mut().add_obstacle(obstacle.clone()).is_ok()));
         along(path, friction, |coords, step| {
-            parts.bring(&part.here(coords)).unwrap();
+            parts.set_coords(&part.here(coords)).unwrap();
             let here = parts.coords().to_vec();
             take(parts.contact_mut(), &here, step);
             if step == Step::Ask {

@@ -55,9 +55,9 @@ fn places_and_calls_that_do_not_fit() {
         let mut moved = part.coords.clone();
         // All nodes that both have, of which rank 1 says that they are elsewhere.
         moved.iter_mut().filter(|x| x[0] == 1.0).for_each(|x| x[1] += 1e-9 * rank as f64);
-        let elsewhere = parts.bring(&moved).unwrap_err();
+        let elsewhere = parts.set_coords(&moved).unwrap_err();
         assert!(matches!(elsewhere, Error::RanksDiffer { .. } | Error::OnOtherRank { .. }), "{elsewhere:?}");
-        parts.bring(&part.coords).unwrap();
+        parts.set_coords(&part.coords).unwrap();
         let here = parts.coords().to_vec();
         let before = parts.contact().evaluate(&here).unwrap();
         // Its own nodes may move a little without being brought, but not to where nothing was gathered.
@@ -66,7 +66,7 @@ fn places_and_calls_that_do_not_fit() {
         let below = Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0, 0.3]) };
         parts.contact_mut().add_obstacle(below).unwrap();
         assert!(matches!(parts.contact().evaluate(&here), Err(Error::NotGathered { body: 0 })));
-        assert!(parts.bring(&part.coords).unwrap());
+        assert!(parts.set_coords(&part.coords).unwrap());
         assert!(parts.contact().evaluate(parts.coords()).unwrap().volume > before.volume);
         let refused = |found: Result<(), Error>| assert!(matches!(found, Err(Error::Unsupported { .. })), "{found:?}");
         let contact: &mut Contact<2> = parts.contact_mut();

@@ -43,7 +43,7 @@ fn everything<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]], mov
     told.push(format!("{:?}", contact.evaluate(here)));
     for part in [TangentPart::Symmetric, TangentPart::Semidefinite] {
         told.push(format!("{:?}", contact.tangent(here, part)));
-        told.push(format!("{:?}", contact.evaluate_with_tangent(here, part)));
+        told.push(format!("{:?}", contact.evaluate_tangent(here, part)));
     }
     told.push(format!("{:?}", contact.overlaps(here)));
     told.push(format!("{:?}", contact.nodal_contact(here)));

@@ -13,7 +13,7 @@ fn counts(cells: usize, size: usize, law: EnergyLaw) -> Vec<RankCounts> {
     on_ranks(size, None, |_, own| {
         let mut contact = scene.contact(Options { law, ..exact() });
         contact.set_communicator(Some(own)).unwrap();
-        contact.evaluate_with_tangent(&scene.coords, TangentPart::Symmetric).unwrap();
+        contact.evaluate_tangent(&scene.coords, TangentPart::Symmetric).unwrap();
         contact.rank_counts()
     })
 }

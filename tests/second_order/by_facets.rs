@@ -50,7 +50,7 @@ fn same<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>, options: Options, seed
     let (cells, facets) = (scene.contact(options), Contact::new(facets, options).expect("options"));
     assert_eq!(cells.surface().facet_count(), facets.surface().facet_count());
     let [of_cells, of_facets] = [&cells, &facets]
-        .map(|contact| contact.evaluate_with_tangent(&coords, TangentPart::Full).expect("valid coordinates"));
+        .map(|contact| contact.evaluate_tangent(&coords, TangentPart::Full).expect("valid coordinates"));
     let what = format!("{:?} {:?}, {:?}", scene.blocks[0].0, options.law, options.estimator);
     let size = norm(&of_cells.0.forces);
     assert!(size > 1e-3, "{what}");

@@ -82,7 +82,7 @@ fn overlaps_tangents_and_time_steps_are_those_of_nodes() {
         (0..3).for_each(|axis| sum[node as usize][axis] -= forces.pairs[0].pressure * gradient[axis]);
     }
     assert!(crate::scene::distance(&sum, &forces.forces) < 1e-12 * crate::scene::norm(&sum));
-    let (both, tangent) = contact.evaluate_with_tangent(&coords, TangentPart::Full).expect("both");
+    let (both, tangent) = contact.evaluate_tangent(&coords, TangentPart::Full).expect("both");
     assert_eq!(both, forces);
     assert!(tangent.blocks.is_sorted_by_key(|block| (block.row, block.col)));
     assert!(tangent.places().all(|(row, col)| (row.max(col) as usize) < coords.len()));

@@ -295,7 +295,7 @@ impl<const D: usize> Session for Resident<D> {
         // SAFETY: passed on to the caller.
         unsafe {
             self.evaluated(coords, forces, add, index_base, |contact, rows| {
-                let (found, tangent) = contact.evaluate_with_tangent(rows, part)?;
+                let (found, tangent) = contact.evaluate_tangent(rows, part)?;
                 Ok((found, Kept::new(&tangent, nodes, obstacles)))
             })
         }

@@ -3,7 +3,7 @@
 use super::view::{check_node_count, fmc_coords};
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNSUPPORTED;
-use crate::{CarriedSlip, PartitionCounts, PartitionedContact};
+use crate::{CarriedSlip, GatheredCounts, PartitionedContact};
 
 /// Elastic slip of a boundary facet, by the numbers of the whole mesh.
 #[repr(C)]
@@ -25,12 +25,12 @@ pub(crate) trait InParts {
     ///
     /// # Safety
     /// The host guarantees the view.
-    unsafe fn bring(&mut self, coords: &fmc_coords, index_base: i32) -> Result<bool, Failure>;
+    unsafe fn set_coords(&mut self, coords: &fmc_coords, index_base: i32) -> Result<bool, Failure>;
 
     /// Tells the other ranks that the call failed here.
     fn fail_elsewhere(&self);
 
-    fn counts(&self) -> PartitionCounts;
+    fn counts(&self) -> GatheredCounts;
     fn coords(&self) -> &[f64];
     fn node_numbers(&self) -> &[u64];
     fn own_nodes(&self) -> &[Option<u32>];
@@ -40,21 +40,21 @@ pub(crate) trait InParts {
 }
 
 impl<const D: usize> InParts for PartitionedContact<D> {
-    unsafe fn bring(&mut self, coords: &fmc_coords, index_base: i32) -> Result<bool, Failure> {
+    unsafe fn set_coords(&mut self, coords: &fmc_coords, index_base: i32) -> Result<bool, Failure> {
         let mut scratch = Vec::new();
         // SAFETY: passed on to the caller.
         let rows = check_node_count(coords.node_count, self.own_node_count())
             .and_then(|()| unsafe { coords.rows("coords", &mut scratch) })
             .inspect_err(|_| InParts::fail_elsewhere(self))?;
         // From here on ranks tell one another.
-        PartitionedContact::bring(self, rows).map_err(Failure::counted_from(index_base))
+        PartitionedContact::set_coords(self, rows).map_err(Failure::counted_from(index_base))
     }
 
     fn fail_elsewhere(&self) {
         PartitionedContact::fail_elsewhere(self);
     }
 
-    fn counts(&self) -> PartitionCounts {
+    fn counts(&self) -> GatheredCounts {
         PartitionedContact::counts(self)
     }
 

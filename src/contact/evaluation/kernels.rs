@@ -44,7 +44,7 @@ fn on_points<const D: usize, T: OntoNodes>(
     }
     let found = work(&points);
     let Some(division) = contact.mesh.surface.division() else { return found };
-    Ok(found.map_err(|error| division.told(error))?.onto_nodes(division))
+    Ok(found.map_err(|error| division.in_host_numbers(error))?.onto_nodes(division))
 }
 
 /// Hands `$public` over to `$work`, at D = 2 or 3.
@@ -100,7 +100,7 @@ evaluate_true = evaluate_in() -> forces, True }
 kernel! { /// Second derivative of the energy.
 tangent = tangent_in(part: TangentPart) -> tangents }
 kernel! { /// Forces and second derivative of the energy.
-evaluate_with_tangent = evaluate_with_tangent_in(part: TangentPart) -> both }
+evaluate_tangent = evaluate_tangent_in(part: TangentPart) -> both }
 kernel! { /// Time step.
 stable_step = stable_step_in(masses: &[f64]) -> numbers }
 kernel! { /// Overlaps of all pairs.
@@ -210,7 +210,7 @@ fn tangent_of<const D: usize>(
     Tangent::sum(of_laws.chain(tractions.into_iter().map(|tractions| tractions.tangent)).collect()).checked()
 }
 
-fn evaluate_with_tangent_in<const D: usize>(
+fn evaluate_tangent_in<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
     part: TangentPart,

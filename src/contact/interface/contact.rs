@@ -205,12 +205,12 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::tangent`].
-    pub fn evaluate_with_tangent(
+    pub fn evaluate_tangent(
         &self,
         coords: &[[f64; D]],
         part: TangentPart,
     ) -> Result<(ContactForces<D>, Tangent<D>), Error> {
-        kernels::evaluate_with_tangent(self, coords, part)
+        kernels::evaluate_tangent(self, coords, part)
     }
 
     /// Largest time step of central differences (leapfrog) for the contact alone, 2/√λ, where λ is a bound of the

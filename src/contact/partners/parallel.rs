@@ -26,7 +26,7 @@ impl<const D: usize> Parallel<D> {
         let shape = in_closed_form.unwrap_or_else(|| {
             let distance: Box<dyn SignedDistance<D>> = match rigid.solid() {
                 Solid::Implicit { shape, .. } => Box::new(shape.clone()),
-                Solid::Faceted(faces) => Box::new(Facets::new(&faces.surface, &faces.points)),
+                Solid::Faceted(faces) => Box::new(ShapeFacets::new(&faces.surface, &faces.points)),
             };
             ImplicitShape::Function(Arc::new(Offset { distance, offset: own }))
         });
@@ -60,7 +60,7 @@ impl<const D: usize> SignedDistance<D> for Offset<D> {
 }
 
 /// The facets of a shape, in its own frame.
-struct Facets<const D: usize> {
+struct ShapeFacets<const D: usize> {
     facets: Vec<[u32; D]>,
     points: Vec<Vector<D>>,
     /// For what lies around a point.
@@ -69,7 +69,7 @@ struct Facets<const D: usize> {
     boxes: Tree<D>,
 }
 
-impl<const D: usize> Facets<D> {
+impl<const D: usize> ShapeFacets<D> {
     fn new(surface: &Surface<D>, points: &[Vector<D>]) -> Self {
         let facets = &surface.facets;
         let box_of = |facet: &[u32; D]| Aabb::of(facet.iter().map(|&vertex| &points[vertex as usize]));
@@ -83,7 +83,7 @@ impl<const D: usize> Facets<D> {
     }
 }
 
-impl<const D: usize> SignedDistance<D> for Facets<D> {
+impl<const D: usize> SignedDistance<D> for ShapeFacets<D> {
     fn evaluate(&self, x: &[[f64; D]], phi: &mut [f64], gradient: &mut [[f64; D]]) -> Result<(), usize> {
         let side = FacetSide {
             facets: &self.facets,

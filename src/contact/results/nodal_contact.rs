@@ -48,9 +48,9 @@ pub struct NodalContact<const D: usize> {
     pub status: Vec<NodeStatus>,
 }
 
-/// Sums at one node.
+/// NodeTotals at one node.
 #[derive(Clone, Copy)]
-struct Sums<const D: usize> {
+struct NodeTotals<const D: usize> {
     force: Vector<D>,
     area: f64,
     pressure: f64,
@@ -68,9 +68,9 @@ struct Sums<const D: usize> {
 pub(crate) type NodalParts<const D: usize> = (PairEnergy<D>, Option<Vec<NodalSum>>, Vec<NodalFriction<D>>);
 
 impl<const D: usize> NodalContact<D> {
-    /// Sums up, in the order of the pairs; pairs whose law does not act at contact points come without sums.
+    /// NodeTotals up, in the order of the pairs; pairs whose law does not act at contact points come without sums.
     pub(crate) fn assemble(node_count: usize, pairs: &[NodalParts<D>]) -> Result<Self, Error> {
-        let mut nodes = vec![Sums::new(); node_count];
+        let mut nodes = vec![NodeTotals::new(); node_count];
         for (energy, sums, friction) in pairs {
             let depth = energy.overlap.volume / energy.overlap.contact_area.max(f64::MIN_POSITIVE);
             for (&node, gradient) in energy.nodes.iter().zip(&energy.gradient) {
@@ -91,7 +91,7 @@ impl<const D: usize> NodalContact<D> {
             }
         }
         let field = Self {
-            pressure: nodes.iter().map(Sums::pressure).collect(),
+            pressure: nodes.iter().map(NodeTotals::pressure).collect(),
             gap: nodes.iter().map(|sum| if sum.area > 0.0 { -sum.penetration / sum.area } else { 0.0 }).collect(),
             area: nodes.iter().map(|sum| quotient(sum.force.norm(), sum.pressure())).collect(),
             normal: nodes
@@ -100,7 +100,7 @@ impl<const D: usize> NodalContact<D> {
                 .collect(),
             friction: nodes.iter().map(|sum| (sum.friction / sum.rubbed.max(f64::MIN_POSITIVE)).into()).collect(),
             sliding: nodes.iter().map(|sum| quotient(sum.sliding, sum.rubbed)).collect(),
-            status: nodes.iter().map(Sums::status).collect(),
+            status: nodes.iter().map(NodeTotals::status).collect(),
         };
         let numbers = (field.pressure.iter().chain(&field.gap).chain(&field.area)).chain(field.friction.as_flattened());
         match numbers.copied().find(|x| !x.is_finite()) {
@@ -110,7 +110,7 @@ impl<const D: usize> NodalContact<D> {
     }
 }
 
-impl<const D: usize> Sums<D> {
+impl<const D: usize> NodeTotals<D> {
     fn new() -> Self {
         let (force, friction) = (Vector::zeros(), Vector::zeros());
         Self {

@@ -60,29 +60,29 @@ fn with_rotation<const D: usize>(
     gradient: &[(u32, [f64; D])],
     number: u32,
 ) -> Tangent<D> {
-    let place = |node: u32| arm(node).map(|arm| turning(&arm));
+    let place = |node: u32| arm(node).map(|arm| cross_matrix(&arm));
     // ∂²w/∂θ∂x, by node.
     let mut rows: BTreeMap<u32, Matrix<D>> = BTreeMap::new();
     for (node, g) in gradient {
-        add(rows.entry(*node).or_insert([[0.0; D]; D]), 1.0, &turning(g));
+        add(rows.entry(*node).or_insert([[0.0; D]; D]), 1.0, &cross_matrix(g));
     }
     for block in &tangent.blocks {
-        if let Some(turning) = place(block.row) {
-            add(rows.entry(block.col).or_insert([[0.0; D]; D]), -1.0, &product(&turning, &block.value));
+        if let Some(cross) = place(block.row) {
+            add(rows.entry(block.col).or_insert([[0.0; D]; D]), -1.0, &product(&cross, &block.value));
         }
     }
     let mut own = [[0.0; D]; D];
     for (&node, row) in &rows {
-        if let Some(turning) = place(node) {
-            let product = product(&turning, &transposed(row));
+        if let Some(cross) = place(node) {
+            let product = product(&cross, &transposed(row));
             add(&mut own, -0.5, &product);
             add(&mut own, -0.5, &transposed(&product));
         }
     }
     for RankOne { nodes, vector, .. } in &mut tangent.rank_one {
         let mut along = [0.0; D];
-        for (turning, g) in nodes.iter().zip(&*vector).filter_map(|(&node, g)| Some((place(node)?, g))) {
-            along.iter_mut().zip(turning).for_each(|(sum, row)| *sum -= (0..D).map(|j| row[j] * g[j]).sum::<f64>());
+        for (cross, g) in nodes.iter().zip(&*vector).filter_map(|(&node, g)| Some((place(node)?, g))) {
+            along.iter_mut().zip(cross).for_each(|(sum, row)| *sum -= (0..D).map(|j| row[j] * g[j]).sum::<f64>());
         }
         nodes.push(number);
         vector.push(along);
@@ -94,7 +94,7 @@ fn with_rotation<const D: usize>(
 }
 
 /// The matrix of x ×; in 2D its first row gives the one component there is.
-fn turning<const D: usize>(x: &[f64; D]) -> Matrix<D> {
+fn cross_matrix<const D: usize>(x: &[f64; D]) -> Matrix<D> {
     let mut matrix = [[0.0; D]; D];
     if D == 2 {
         (matrix[0][0], matrix[0][1]) = (-x[1], x[0]);

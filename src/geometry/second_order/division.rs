@@ -246,14 +246,14 @@ impl Division {
 
     /// The error of an inverted straight part, as one of its whole cell where the map of that folds.
     pub(crate) fn folded<const D: usize>(&self, error: Error, points: &[[f64; D]]) -> Error {
-        let error = self.told(error);
+        let error = self.in_host_numbers(error);
         let Error::InvertedCell { cell } = error else { return error };
         let curved = self.curved.iter().find(|curved| curved.numbers().contains(&cell));
         curved.and_then(|curved| curved.fold(cell - curved.numbers().start, points)).unwrap_or(error)
     }
 
     /// An error with cells as given.
-    pub(crate) fn told(&self, mut error: Error) -> Error {
+    pub(crate) fn in_host_numbers(&self, mut error: Error) -> Error {
         match &mut error {
             Error::InvertedCell { cell } | Error::ZeroMeasure { cell } => *cell = self.cell(*cell),
             Error::RepeatedCell { cells } => *cells = cells.map(|cell| self.cell(cell)),

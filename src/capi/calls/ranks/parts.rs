@@ -33,7 +33,7 @@ pub unsafe extern "C" fn fmc_context_set_coords(
                 let arguments = Output::optional("renumbered", renumbered)
                     .and_then(|output| Ok((output, reference("coords", coords)?)));
                 let (output, coords) = arguments.inspect_err(|_| parts.fail_elsewhere())?;
-                let has_changed = parts.bring(coords, index_base)?;
+                let has_changed = parts.set_coords(coords, index_base)?;
                 if has_changed {
                     state.renumber();
                 }
