@@ -1,15 +1,19 @@
 /*
  * Contact forces and overlap volume for any finite element code.
  *
+ *   fmc_cell_block cells = {FMC_QUAD4, sizeof conn[0], conn, cell_count};
  *   fmc_options options;
  *   fmc_options_init(&options);
  *   options.stiffness = 1e6;
- *   if (fmc_contact_force(2, coords, node_count, FMC_QUAD4, conn, cell_count, NULL, &options, forces, &volume) != FMC_OK)
+ *   if (fmc_contact_force(2, coords, node_count, &cells, 1, NULL, &options, NULL, forces, &volume) != FMC_OK)
  *     fputs(fmc_last_error(), stderr);
  *
  * Conventions. Every function that can fail returns a status, 0 for success; outputs are written only on success, and
  * after an error a context is as it was before the call. Arrays belong to the host and are not kept. Where a length is
- * zero, its pointer is not read. Forces push bodies apart. The library never prints, exits or unwinds. Another thread
+ * zero, its pointer is not read. Lists of nodes, cells, bodies' ids and degrees of freedom, `void *`, have numbers of 4 or 8
+ * bytes, as `index_size` of the mesh's blocks says. The option `index_base`, 0 or 1, is what nodes, cells, facets, degrees of
+ * freedom, rows and columns count from, in all that goes in and comes out, and in messages; bodies, obstacles, pairs and warnings
+ * count from 0. Forces push bodies apart. The library never prints, exits or unwinds. Another thread
  * must not change memory passed to a call while it runs.
  *
  * Generated from the Rust sources; do not edit.
@@ -46,9 +50,6 @@
 
 // Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
 #define FMC_CSR_OBSTACLES 8
-
-// Flag of `fmc_context_tangent_csr`: `row_offsets` and `cols` count from 1, as in Fortran.
-#define FMC_FROM_ONE 16
 
 // Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 // after they change.
@@ -180,6 +181,8 @@ typedef enum {
   FMC_ERROR_UNSYMMETRIC = 56,
   // There are no factors of a matrix: none was given, or the last one had none.
   FMC_ERROR_NOT_FACTORISED = 57,
+  // An `index_size` other than 4 and 8, or two of one call that differ.
+  FMC_ERROR_INDEX_SIZE = 58,
   // An option, a kind or a switch has no such value.
   FMC_ERROR_BAD_VALUE = 59,
   // A bit of `flags` that the function does not have.
@@ -365,7 +368,7 @@ typedef enum {
 typedef enum {
   // In equilibrium.
   FMC_STEP_CONVERGED = 0,
-  // Contact acts on degrees of freedom that are neither on the list nor held: the displacement is what was reached when it
+  // Contact acts on degrees of freedom that are neither on the list nor fixed: the displacement is what was reached when it
   // did, and a longer list is needed.
   FMC_STEP_OUTSIDE = 1,
   // The iterations have run out, or the residual could not be lowered any more, or the penetration; the displacement is what was
@@ -373,11 +376,11 @@ typedef enum {
   FMC_STEP_NOT_CONVERGED = 2,
 } fmc_contact_step_state;
 
-// Factors of the stiffness K of bodies, with the equations that feel contact kept for the end. Opaque.
+// Factors of the stiffness K of bodies, with the equations that feel contact retained for the end. Opaque.
 //
 // For hosts whose solver has no Schur complements: from K, which the host assembles without contact and without what is held, come
-// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is kept that of all.
-// With c the equations that are kept and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
+// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is retained that of all.
+// With c the equations that are retained and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
 //
 // One thread works on it, so the same matrix has the same bits everywhere. Concurrent calls on one return `FMC_ERROR_BUSY`.
 typedef struct fmc_condensation fmc_condensation;
@@ -428,8 +431,8 @@ typedef struct {
   int32_t check_cells;
   // Number of threads, at least 1, the default. The result does not depend on it.
   int32_t threads;
-  // Number of the first node, 0 or 1. Default 0. Read where node numbers are given; messages count nodes, cells
-  // and facets from it.
+  // What nodes, cells, facets, degrees of freedom, rows and columns count from, 0 or 1, in all that goes in and comes out, and in
+  // messages. Default 0. Bodies, obstacles, pairs and warnings count from 0.
   int32_t index_base;
   // 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
   // whole rings: everything counts 2 pi r. Default 0. Not with friction, nor isotropic fibers.
@@ -455,7 +458,9 @@ typedef struct {
   uint64_t reserved[10];
 } fmc_options;
 
-// A step with friction, for `fmc_contact_force_step`. `fmc_friction_step_init` sets what need not be given.
+// A step with friction, for `fmc_contact_force`, which does not write into it. `fmc_friction_step_init` sets what need not be given.
+//
+// The host keeps the slip that is carried into the next step; that of a step which it rejects it does not keep.
 typedef struct {
   // Set by `fmc_friction_step_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
@@ -466,16 +471,31 @@ typedef struct {
   const double *reference;
   // Elastic slip that was carried into the step, (facets, dim); NULL, the default: none.
   const double *slip;
-  // Receives the elastic slip that is carried into the next step, (facets, dim), if the end of this one is accepted;
-  // may be `slip` itself. NULL, the default: not wanted.
+  // Numbers in `slip`: `dim` times the number of facets, or 0.
+  size_t slip_count;
+  // Where the elastic slip goes that is carried into the next step, (facets, dim), if the end of this one is accepted; may be
+  // `slip` itself. NULL, the default: not wanted.
   double *next_slip;
-  // Numbers in either, `dim` times the number of facets.
-  size_t slip_length;
-  // Written as soon as it is known, also where `slip_length` is refused: the number of facets.
-  size_t facet_count;
+  // Numbers for which `next_slip` has room.
+  size_t next_slip_capacity;
+  // Where their number goes, `dim` times the number of facets; NULL, the default: not wanted.
+  size_t *next_slip_count;
   // Zero. Room for later versions.
   uint64_t reserved[8];
 } fmc_friction_step;
+
+// Cells of one type; a mixed mesh has a block for each.
+typedef struct {
+  // A value of `fmc_cell_type`.
+  int32_t cell_type;
+  // Bytes of a node number, 4 or 8, the same in all blocks. All lists of nodes, cells, bodies' ids and degrees of freedom that go
+  // into the context or come out of it have this width.
+  int32_t index_size;
+  // Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
+  const void *conn;
+  // Number of cells; if 0, `conn` may be NULL.
+  size_t cell_count;
+} fmc_cell_block;
 
 // Coordinates of nodes, read during the call and not kept: component `axis` of node `node` is
 // `data[node * node_stride + axis * axis_stride]`, for `node < node_count` and `axis < dim`.
@@ -498,45 +518,17 @@ typedef struct {
   ptrdiff_t axis_stride;
 } fmc_coords;
 
-// Cells of one type; a mixed mesh has a block for each.
-typedef struct {
-  // A value of `fmc_cell_type`.
-  int32_t cell_type;
-  // Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
-  const int32_t *conn;
-  // Number of cells; if 0, `conn` may be NULL.
-  size_t cell_count;
-} fmc_cell_block;
-
-// `fmc_cell_block` with 64-bit node numbers.
-typedef struct {
-  // A value of `fmc_cell_type`.
-  int32_t cell_type;
-  // Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
-  const int64_t *conn;
-  // Number of cells; if 0, `conn` may be NULL.
-  size_t cell_count;
-} fmc_cell_block_i64;
-
 // Facets of one type; a mixed surface has a block for each.
 typedef struct {
   // A value of `fmc_facet_type`.
   int32_t facet_type;
+  // Bytes of a node number, 4 or 8, as in `fmc_cell_block`.
+  int32_t index_size;
   // Node numbers, (facet_count, nodes per facet), counted from the option `index_base`.
-  const int32_t *conn;
+  const void *conn;
   // Number of facets; if 0, `conn` may be NULL.
   size_t facet_count;
 } fmc_facet_block;
-
-// `fmc_facet_block` with 64-bit node numbers.
-typedef struct {
-  // A value of `fmc_facet_type`.
-  int32_t facet_type;
-  // Node numbers, (facet_count, nodes per facet), counted from the option `index_base`.
-  const int64_t *conn;
-  // Number of facets; if 0, `conn` may be NULL.
-  size_t facet_count;
-} fmc_facet_block_i64;
 
 // Receives messages: a level, and a sentence that is valid during the call. `user` is the pointer given with it.
 //
@@ -608,11 +600,12 @@ typedef struct {
   size_t struct_size;
   // Its body, an index for `fmc_context_body_resultant`.
   size_t body;
-  // Its cell, counted from 0 over all blocks; -1 where the context was made from facets.
+  // Its cell, counted from the option `index_base` over all blocks; -1 where the context was made from facets.
   int64_t cell;
-  // Its number among the facets that the context was made from, counted from 0; -1 where it was made from cells.
+  // Its number among the facets that the context was made from, counted from `index_base` over all blocks; -1 where it was made
+  // from cells.
   int64_t input_facet;
-  // Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
+  // Number of its face among those of the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The nodes of face 0, 1, ...
   // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
   // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
   // 124, 234, 304; of cells of second order the same, by their corners.
@@ -627,6 +620,27 @@ typedef struct {
   // Zero.
   uint64_t reserved[4];
 } fmc_boundary_facet;
+
+// A sparse matrix of the host in compressed rows (CSR): the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`,
+// in any order; those at one place add up. Initialise it with `fmc_csr_init`, then set all fields.
+typedef struct {
+  // Set by `fmc_csr_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Number of rows.
+  size_t row_count;
+  // Bytes of an offset and of a column, 4 or 8.
+  int32_t index_size;
+  // What offsets, rows and columns count from, 0 or 1.
+  int32_t index_base;
+  // Where rows begin, and the last one ends: `row_count` + 1 numbers.
+  const void *row_offsets;
+  // Column of every entry.
+  const void *cols;
+  // Value of every entry.
+  const double *values;
+  // Zero. Room for later versions.
+  uint64_t reserved[4];
+} fmc_csr;
 
 // Sends bytes to all ranks, this one too, and receives what they send: rank r sends `counts[r]` bytes, and `received` gets
 // those of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
@@ -682,31 +696,37 @@ typedef struct {
 } fmc_rank_counts;
 
 // The cells of one rank, with their nodes. Every cell of the mesh is given by one rank, and only by that one; nodes between
-// ranks are given by all that have a cell there. A rank may have none.
+// ranks are given by all that have a cell there. A rank may have none. Initialise it with `fmc_mesh_part_init`, then set all fields.
 typedef struct {
-  // sizeof(fmc_mesh_part), set by the host.
+  // Set by `fmc_mesh_part_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
   // Coordinates of the rank's own nodes without deformation.
   fmc_coords coords;
-  // Number of each in the whole mesh, the same on all ranks that have it; not negative. Results are those of one rank alone whose
-  // mesh has its nodes in the order of these numbers; they need not be without gaps.
-  const int64_t *node_numbers;
+  // Bytes of a number in the lists here and in the blocks, 4 or 8, and in all lists of the context; the same on all ranks.
+  int32_t index_size;
+  // Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are those
+  // of one rank alone whose mesh has its nodes in the order of these numbers; they need not be without gaps.
+  const void *node_numbers;
   // Cells, of own nodes counted from the option `index_base`.
   const fmc_cell_block *blocks;
+  // Number of blocks.
   size_t block_count;
-  // Number of each cell in the whole mesh, over all blocks. Results are those of a mesh with its cells in the order of these.
-  const int64_t *cell_numbers;
+  // Number of each cell in the whole mesh, over all blocks, counted from the option `index_base`. Results are those of a mesh with its
+  // cells in the order of these.
+  const void *cell_numbers;
   // Body of each cell, as all ranks name it.
-  const int32_t *body_ids;
+  const void *body_ids;
   // How far `fmc_context_gap_constraints` may reach; 0 where it is not asked for.
   double reach;
+  // Zero. Room for later versions.
+  uint64_t reserved[4];
 } fmc_mesh_part;
 
 // Elastic slip of a boundary facet, by the numbers of the whole mesh.
 typedef struct {
-  // Number of its cell in the whole mesh.
+  // Number of its cell in the whole mesh, counted from the option `index_base`.
   int64_t cell;
-  // Face of that cell, as VTK counts them, from 0.
+  // Face of that cell, as VTK counts them, from 0 whatever the base.
   int32_t face;
   // Which of the facets of that face, from 0.
   int32_t part;
@@ -927,7 +947,7 @@ typedef struct {
   int32_t node_count;
   // Index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
   size_t index;
-  // Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
+  // Cell, counted from the option `index_base` over all blocks; -1 for an obstacle and for a surface without cells.
   int64_t cell;
   // Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`. Where the cell
   // is of second order they are points of its division: row p of `fmc_context_point_weights` takes the force at point p
@@ -1159,91 +1179,48 @@ fmc_status fmc_options_init(fmc_options *options);
 // Threads: any, on different structs.
 fmc_status fmc_options_set(fmc_options *options, const char *key, const char *value);
 
-// Contact forces between the bodies of a mesh of one cell type, in one call.
+// Sets every field to its default.
 //
-// `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `cell_type` is a value of
-// `fmc_cell_type`; `conn`, (cell_count, nodes per cell), are node numbers counted from the option `index_base`;
-// `body_ids`, (cell_count), may be NULL: bodies are the connected components by faces. `options` must have been
-// initialised and have `stiffness` set.
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_friction_step_init(fmc_friction_step *step);
+
+// Contact forces between the bodies of a mesh, in one call.
+//
+// `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `blocks` are the cells, in one block for each
+// type; `body_ids`, one for every cell counted over the blocks, may be NULL: bodies are the connected components by faces.
+// `options` must have been initialised and have `stiffness` set. `step` may be NULL; with friction it says where the step began that
+// ends at `coords`, and receives the elastic slip that is carried into the next.
 //
 // `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be
-// NULL, the overlap volume (2D: area), summed over the pairs. Both are written only on success. The result is that of
-// a context, bit for bit; a context finds the boundary facets once for many evaluations, accepts mixed meshes, strides
-// and obstacles, and reports forces per body, pairs and warnings.
+// NULL, the overlap volume (2D: area), summed over the pairs. All are written only on success. The result is that of
+// a context, bit for bit, and with a step that of a context made at `step->reference` that goes through `fmc_context_begin_step`,
+// `fmc_context_set_slip`, `fmc_context_evaluate` and `fmc_context_commit_step`; a context finds the boundary facets once for many
+// evaluations, accepts strides and obstacles, and reports forces per body, pairs and warnings.
 //
-// Errors: those of `fmc_context_new_from_cells` and `fmc_context_evaluate`; with friction `FMC_ERROR_NO_STEP`, as that takes
-// `fmc_contact_force_step`; the text, with the offending indices, is given by `fmc_last_error`. Threads: any, also at once.
+// Errors: those of `fmc_context_new_from_cells`, of `fmc_context_evaluate`, and with a step of the calls above; with friction and
+// without a step `FMC_ERROR_NO_STEP`; the text, with the offending indices, is given by `fmc_last_error`. Threads: any, also at once.
 fmc_status fmc_contact_force(int32_t dim,
                              const double *coords,
                              size_t node_count,
-                             int32_t cell_type,
-                             const int32_t *conn,
-                             size_t cell_count,
-                             const int32_t *body_ids,
+                             const fmc_cell_block *blocks,
+                             size_t block_count,
+                             const void *body_ids,
                              const fmc_options *options,
+                             const fmc_friction_step *step,
                              double *forces,
                              double *volume);
-
-// `fmc_contact_force` with 64-bit node numbers and body ids.
-fmc_status fmc_contact_force_i64(int32_t dim,
-                                 const double *coords,
-                                 size_t node_count,
-                                 int32_t cell_type,
-                                 const int64_t *conn,
-                                 size_t cell_count,
-                                 const int64_t *body_ids,
-                                 const fmc_options *options,
-                                 double *forces,
-                                 double *volume);
-
-// Sets every field to its default.
-fmc_status fmc_friction_step_init(fmc_friction_step *step);
-
-// `fmc_contact_force` with friction, at the end `coords` of a step: forces, and the elastic slip that is carried into the
-// next. The host keeps that; a step that it rejects it does not keep. The bits are those of a context made at
-// `step->reference` that goes through `fmc_context_begin_step`, `fmc_context_set_slip`, `fmc_context_evaluate` and
-// `fmc_context_commit_step`.
-//
-// Outputs are written only on success, but for `step->facet_count`, from which a host learns the length of its slip.
-//
-// Errors: those of `fmc_contact_force` and of these calls; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, and
-// `FMC_ERROR_LENGTH` for another `slip_length`. Threads: any, also at once.
-fmc_status fmc_contact_force_step(int32_t dim,
-                                  const double *coords,
-                                  size_t node_count,
-                                  int32_t cell_type,
-                                  const int32_t *conn,
-                                  size_t cell_count,
-                                  const int32_t *body_ids,
-                                  const fmc_options *options,
-                                  fmc_friction_step *step,
-                                  double *forces,
-                                  double *volume);
-
-// `fmc_contact_force_step` with 64-bit node numbers and body ids.
-fmc_status fmc_contact_force_step_i64(int32_t dim,
-                                      const double *coords,
-                                      size_t node_count,
-                                      int32_t cell_type,
-                                      const int64_t *conn,
-                                      size_t cell_count,
-                                      const int64_t *body_ids,
-                                      const fmc_options *options,
-                                      fmc_friction_step *step,
-                                      double *forces,
-                                      double *volume);
 
 // Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
 //
 // `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of
-// them. Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, say which
-// body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and
+// them. Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, as wide as node
+// numbers, say which body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and
 // not kept (topology is copied). `options`, with `stiffness` set, must have been initialised.
 //
 // `context` receives the new context, to be freed by `fmc_context_free`.
 //
 // Errors, all with the offending indices in `fmc_last_error`: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`,
-// `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
+// `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_REPEATED_NODE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`,
 // `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_OPTIONS_CONFLICT`,
 // `FMC_ERROR_RESERVED_FIELD`,
@@ -1252,71 +1229,31 @@ fmc_status fmc_context_new_from_cells(int32_t dim,
                                       const fmc_coords *coords,
                                       const fmc_cell_block *blocks,
                                       size_t block_count,
-                                      const int32_t *body_ids,
+                                      const void *body_ids,
                                       const fmc_options *options,
                                       fmc_context **context);
-
-// `fmc_context_new_from_cells` with 64-bit node numbers and body ids.
-fmc_status fmc_context_new_from_cells_i64(int32_t dim,
-                                          const fmc_coords *coords,
-                                          const fmc_cell_block_i64 *blocks,
-                                          size_t block_count,
-                                          const int64_t *body_ids,
-                                          const fmc_options *options,
-                                          fmc_context **context);
-
-// Makes a context from a surface: the boundary facets of closed bodies, edges in 2D and triangles in 3D.
-//
-// `facets`, (facet_count, dim), are node numbers counted from the option `index_base`: in 2D the body lies left of an
-// edge, in 3D a triangle runs counter-clockwise seen from outside. `body_ids`, one for every facet, may be NULL:
-// bodies are the connected components by nodes. Otherwise as `fmc_context_new_from_cells`; also
-// `FMC_ERROR_OPEN_SURFACE`, `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`.
-fmc_status fmc_context_new_from_facets(int32_t dim,
-                                       const fmc_coords *coords,
-                                       const int32_t *facets,
-                                       size_t facet_count,
-                                       const int32_t *body_ids,
-                                       const fmc_options *options,
-                                       fmc_context **context);
-
-// `fmc_context_new_from_facets` with 64-bit node numbers and body ids.
-fmc_status fmc_context_new_from_facets_i64(int32_t dim,
-                                           const fmc_coords *coords,
-                                           const int64_t *facets,
-                                           size_t facet_count,
-                                           const int64_t *body_ids,
-                                           const fmc_options *options,
-                                           fmc_context **context);
 
 // Frees a context and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
 //
 // Errors: none. Threads: no other call on the context may be running or follow.
 fmc_status fmc_context_free(fmc_context **context);
 
-// Makes a context from a surface whose facets are of any type of `fmc_facet_type`, also of second order and mixed, in one
-// block for each type: the boundary facets of closed bodies.
+// Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.
 //
-// Facets of second order are measured as the faces of cells of second order are, and give the same forces. In space
-// a straight edge and one with a node in its middle do not fit. `body_ids`, one for every facet counted over the blocks, may be
-// NULL: bodies are the connected components by nodes. Otherwise as `fmc_context_new_from_facets`; also
-// `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a facet a part of which faces away
-// from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it, along the edge.
-fmc_status fmc_context_new_from_facet_blocks(int32_t dim,
-                                             const fmc_coords *coords,
-                                             const fmc_facet_block *blocks,
-                                             size_t block_count,
-                                             const int32_t *body_ids,
-                                             const fmc_options *options,
-                                             fmc_context **context);
-
-// `fmc_context_new_from_facet_blocks` with 64-bit node numbers and body ids.
-fmc_status fmc_context_new_from_facet_blocks_i64(int32_t dim,
-                                                 const fmc_coords *coords,
-                                                 const fmc_facet_block_i64 *blocks,
-                                                 size_t block_count,
-                                                 const int64_t *body_ids,
-                                                 const fmc_options *options,
-                                                 fmc_context **context);
+// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
+// faces of cells of second order are, and give the same forces. In space a straight edge and one with a node in its middle do not
+// fit. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
+// components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
+// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
+// facet a part of which faces away from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it,
+// along the edge.
+fmc_status fmc_context_new_from_facets(int32_t dim,
+                                       const fmc_coords *coords,
+                                       const fmc_facet_block *blocks,
+                                       size_t block_count,
+                                       const void *body_ids,
+                                       const fmc_options *options,
+                                       fmc_context **context);
 
 // Replaces the options. They apply from the next evaluation on; results of the last one are kept.
 //
@@ -1378,15 +1315,8 @@ fmc_status fmc_context_boundary_facets(const fmc_context *context,
                                        size_t capacity,
                                        size_t *count);
 
-// Sizes of the matrix of `fmc_context_point_weights`: rows, which are points, at least as many as there are nodes, and
-// entries. Either output may be NULL. They change with a basis only.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
-// changes it.
-fmc_status fmc_context_point_weights_size(const fmc_context *context, size_t *point_count, size_t *entry_count);
-
 // The matrix P that takes nodes to points, X = P x, in compressed rows: the entries of point p are those from `row_offsets[p]`
-// to `row_offsets[p + 1]`, counted from 0, `nodes`, counted from the option `index_base`, with their `weights`.
+// to `row_offsets[p + 1]`, `nodes` with their `weights`. Offsets and nodes count from the option `index_base`.
 //
 // Cells of second order are divided into straight ones, whose points are fixed linear combinations of the nodes.
 // `fmc_boundary_facet`, `fmc_contact_side` and `fmc_gap_constraint` tell of points: their numbers, less the option
@@ -1396,38 +1326,43 @@ fmc_status fmc_context_point_weights_size(const fmc_context *context, size_t *po
 // negative. Without cells of second order, and nodes that hang, P is the identity. With a basis (`fmc_context_set_basis`) its
 // columns are unknowns, and rows add up to what those of the basis do.
 //
-// `row_offsets` has room for one number more than `point_capacity`, `nodes` and `weights` for `capacity` entries;
-// `fmc_context_point_weights_size` has both sizes.
+// There are at least as many points as nodes; numbers change with a basis only. `offset_count` becomes the number of offsets, one
+// more than there are points, and `count` that of entries. `row_offsets` has room for `offset_capacity`, `nodes` and `weights` for
+// `capacity`. An array that is NULL with capacity 0 is not written: its number alone is asked for.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
 // several at once on one context, as long as no call changes it.
 fmc_status fmc_context_point_weights(const fmc_context *context,
-                                     int64_t *row_offsets,
-                                     size_t point_capacity,
-                                     int64_t *nodes,
+                                     void *row_offsets,
+                                     size_t offset_capacity,
+                                     size_t *offset_count,
+                                     void *nodes,
                                      double *weights,
-                                     size_t capacity);
+                                     size_t capacity,
+                                     size_t *count);
+
+// Sets all fields to zero and NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_csr_init(fmc_csr *matrix);
 
 // Has the nodes of the mesh moved by unknowns of the host: control points of splines, coefficients of hierarchical shape
-// functions, nodes of another mesh. Node n lies at the sum of weights[k] times the coordinates of unknown unknowns[k], for k
-// from `row_offsets[n]` to `row_offsets[n + 1]`, which count from 0 and are one number more than the nodes of the mesh.
-// `unknowns` and `weights` have `entry_count` entries; unknowns are counted from the option `index_base`.
+// functions, nodes of another mesh. `weights` has a row for every node of the mesh, and a column for every unknown: node n lies at
+// the sum over the entries of its row of the value times the coordinates of the unknown. It counts as it says itself, whatever the
+// context's `index_base`.
 //
 // From then on every `fmc_coords` and `fmc_forces` has `unknown_count` rows, tangents and the columns of gap gradients are
 // those of unknowns, and so are masses and the columns of `fmc_context_point_weights`. The mesh and its coordinates without
 // deformation stay, and so do the nodes of `fmc_context_nodal_contact` and `fmc_context_set_symmetry_nodes`. A pattern that
 // is kept (`fmc_context_keep_pattern`) is released.
-// `row_offsets` NULL: nodes move by themselves again.
+// `weights` NULL: nodes move by themselves again.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for offsets that descend or do not end at `entry_count`,
-// `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite;
-// nothing changes then. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_LENGTH` for another number of rows and
+// for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that does not exist, `FMC_ERROR_OVERFLOW` for a weight that
+// is not finite; nothing changes then. Threads: one call at a time on a context.
 fmc_status fmc_context_set_basis(fmc_context *context,
-                                 size_t unknown_count,
-                                 const int64_t *row_offsets,
-                                 const int64_t *unknowns,
-                                 const double *weights,
-                                 size_t entry_count);
+                                 const fmc_csr *weights,
+                                 size_t unknown_count);
 
 // Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
 // later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
@@ -1500,7 +1435,7 @@ fmc_status fmc_context_set_slip(fmc_context *context, const double *slip, size_t
 fmc_status fmc_context_set_reference(fmc_context *context,
                                      const fmc_coords *coords);
 
-// Names `count` nodes that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
+// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
 // surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are named too.
 // The host holds such nodes in their plane. Replaces what was named before;
 // `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
@@ -1508,7 +1443,7 @@ fmc_status fmc_context_set_reference(fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
 // that would have no surface left; what was named before then stays. Threads: one call at a time on a context.
 fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
-                                          const int64_t *nodes,
+                                          const void *nodes,
                                           size_t count);
 
 // Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
@@ -1517,11 +1452,11 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
 //
 // Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
 // place of Cholesky or conjugate gradients, or ask for `FMC_TANGENT_SYMMETRIC`, with which Newton's method takes more
-// iterations, and fails sooner at large coefficients of friction. Row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
-// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
-// beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
-// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the laws
-// "depth" and "fiber". Both may be NULL.
+// iterations, and fails sooner at large coefficients of friction. Rows and columns are degrees of freedom: axis a of the n-th node is
+// the one number n * dim + a, n and a from 0, counted from the option `index_base`. The translation of obstacle o
+// stands after the nodes, as node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows
+// and columns beyond those of the nodes. `rank_one_count`, which may be NULL, receives the number of terms of rank one, which couple
+// all nodes of a pair: 0 for the laws "depth" and "fiber".
 //
 // With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
 // and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
@@ -1538,20 +1473,22 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
 fmc_status fmc_context_tangent(fmc_context *context,
                                const fmc_coords *coords,
                                uint32_t flags,
-                               size_t *entry_count,
                                size_t *rank_one_count);
 
-// Writes the entries of the tangent to the host's arrays, each with room for `capacity`: entry i is `values[i]` at row
-// `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
+// The entries of the tangent, each with another row or column: entry i is `values[i]` at row `rows[i]` and column `cols[i]`, ordered
+// by row and column of their nodes.
+//
+// `count` becomes their number; the arrays have room for `capacity`. All three NULL with capacity 0: the number alone is asked for.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
-// freedom than 32 bits number, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes
-// it.
+// freedom than the context's numbers have room for, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+// context, as long as no call changes it.
 fmc_status fmc_context_tangent_entries(const fmc_context *context,
-                                       int32_t *rows,
-                                       int32_t *cols,
+                                       void *rows,
+                                       void *cols,
                                        double *values,
-                                       size_t capacity);
+                                       size_t capacity,
+                                       size_t *count);
 
 // Product of the tangent, terms of rank one included, with `x`: `length` numbers, `dim` for every node, then, if
 // `length` includes them, for every obstacle. `y` may be `x`.
@@ -1571,46 +1508,33 @@ fmc_status fmc_context_tangent_rank_one(const fmc_context *context,
                                         double *vector,
                                         size_t length);
 
-// Sizes of the last tangent in compressed rows, for `fmc_context_tangent_csr` with the same flags: rows, those without
-// entries included, and entries, which are numbers, or blocks with `FMC_CSR_BLOCKS`. Either output may be NULL. Before the
-// first tangent there are no rows.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUSY`. Threads: several
-// at once on one context, as long as no call changes it.
-fmc_status fmc_context_tangent_csr_size(const fmc_context *context,
-                                        uint32_t flags,
-                                        size_t *row_count,
-                                        size_t *entry_count);
-
 // The last tangent in compressed rows (CSR), without its terms of rank one, which `fmc_context_tangent_rank_one` gives:
 // the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns
-// `cols`, each column once. Rows and columns are degrees of freedom, `node * dim + axis`.
+// `cols`, each column once. Rows and columns are degrees of freedom as in `fmc_context_tangent`; rows without entries are there too.
+// Offsets and columns count from the option `index_base`. Before the first tangent there are no rows.
 //
 // `flags`: `FMC_CSR_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
-// are nodes; `FMC_CSR_OBSTACLES`; `FMC_FROM_ONE`. As elsewhere in the tangent, the option `index_base` has no effect.
-// `row_offsets` has room for one number more than there are rows, `cols` for `capacity` entries, and `values` for as
-// many, or, with `FMC_CSR_BLOCKS`, `capacity * dim * dim` numbers.
+// are nodes; `FMC_CSR_OBSTACLES`.
+//
+// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries, which are numbers, or
+// blocks. `row_offsets` has room for `offset_capacity`, `cols` for `capacity`, and `values` for as many, or, with `FMC_CSR_BLOCKS`, for
+// `capacity * dim * dim` numbers. An array that is NULL with capacity 0 is not written: its number alone is asked for.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`,
-// `FMC_ERROR_LENGTH` where a number does not fit into 32 bits, `FMC_ERROR_BUSY`. Threads: several at once on one
-// context, as long as no call changes it.
+// `FMC_ERROR_LENGTH` where a number does not fit into the context's numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+// several at once on one context, as long as no call changes it.
 fmc_status fmc_context_tangent_csr(const fmc_context *context,
                                    uint32_t flags,
-                                   int32_t *row_offsets,
-                                   int32_t *cols,
+                                   void *row_offsets,
+                                   size_t offset_capacity,
+                                   size_t *offset_count,
+                                   void *cols,
                                    double *values,
-                                   size_t capacity);
-
-// `fmc_context_tangent_csr` with 64-bit offsets and columns.
-fmc_status fmc_context_tangent_csr_i64(const fmc_context *context,
-                                       uint32_t flags,
-                                       int64_t *row_offsets,
-                                       int64_t *cols,
-                                       double *values,
-                                       size_t capacity);
+                                   size_t capacity,
+                                   size_t *count);
 
 // Keeps the pattern of `fmc_context_tangent_csr`, with `keep` 1: from the last tangent on it only grows, places that
-// have no entry any more hold zeros, and as long as `fmc_context_tangent_csr_size` gives the same numbers, the pattern
+// have no entry any more hold zeros, and as long as it has the same numbers of rows and entries, the pattern
 // is the same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
 // tangent has its own pattern, which is the default. Values, and the other functions of the tangent, do not change.
 //
@@ -1644,7 +1568,6 @@ fmc_status fmc_context_evaluate_tangent(fmc_context *context,
                                         uint32_t flags,
                                         const fmc_forces *forces,
                                         fmc_result *result,
-                                        size_t *entry_count,
                                         size_t *rank_one_count);
 
 // Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q), q
@@ -1687,6 +1610,11 @@ fmc_status fmc_context_set_communicator(fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: any number at once.
 fmc_status fmc_context_rank_counts(const fmc_context *context, fmc_rank_counts *counts);
 
+// Sets a part to one without nodes and cells.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_mesh_part_init(fmc_mesh_part *part);
+
 // Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
 // only those that may be in contact: `fmc_context_set_coords` takes the coordinates of the own nodes, and after it the other
 // functions of the context are used as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, by all ranks
@@ -1704,7 +1632,7 @@ fmc_status fmc_context_new_from_part(int32_t dim,
                                      const fmc_options *options,
                                      fmc_context **context);
 
-// Brings a mesh in parts to coordinates of its nodes: `coords` are those of this rank's own nodes, as many as were given to
+// Sets the coordinates of a mesh in parts: `coords` are those of this rank's own nodes, as many as were given to
 // `fmc_context_new_from_part`. Every rank calls it before it evaluates at these coordinates, after its options and obstacles
 // were set. Then the nodes, facets and cells of the context are those gathered: those that may be in contact, the same on all
 // ranks. `fmc_context_gathered_nodes` tells which and where they are.
@@ -1736,27 +1664,33 @@ fmc_status fmc_context_gathered_counts(const fmc_context *context,
                                        fmc_gathered_counts *counts);
 
 // The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
-// `own_nodes`, which of this rank's own nodes each is, counted from the option `index_base`, or one less than that where it is a
-// node of other ranks alone; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for
-// `capacity` nodes, of which there are as many as `fmc_context_counts` says. Evaluations are at these coordinates; forces, rows
-// and columns are those of these nodes.
+// `own_nodes`, which of this rank's own nodes each is, -1 where it is a node of other ranks alone; both counted from the option
+// `index_base`; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for `capacity` nodes;
+// `count` becomes their number. All three NULL with capacity 0: the number alone is asked for. Evaluations are at these coordinates;
+// forces, rows and columns are those of these nodes.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
 // `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_gathered_nodes(const fmc_context *context,
-                                      int64_t *numbers,
-                                      int32_t *own_nodes,
+                                      void *numbers,
+                                      void *own_nodes,
                                       double *coords,
-                                      size_t capacity);
+                                      size_t capacity,
+                                      size_t *count);
 
-// The numbers in the whole mesh of the cells gathered, ascending, to `numbers`, which has room for `capacity`.
+// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes how many they
+// are; `numbers` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 //
 // Errors: as `fmc_context_gathered_nodes`. Threads: as that.
-fmc_status fmc_context_gathered_cells(const fmc_context *context, int64_t *numbers, size_t capacity);
+fmc_status fmc_context_gathered_cells(const fmc_context *context,
+                                      void *numbers,
+                                      size_t capacity,
+                                      size_t *count);
 
 // The elastic slip that was carried into the step, of all facets of a mesh in parts where it is not zero: the same list on all
-// ranks, ascending by cell, face and part. `count` becomes its length; `carried`, which may be NULL to ask for that alone, has room
-// for `capacity`. With the coordinates and poses at which the step began it is all that a restart needs, on any number of ranks.
+// ranks, ascending by cell, face and part. `count` becomes its length; `carried` has room for `capacity`. NULL with capacity 0: the
+// length alone is asked for. With the coordinates and poses at which the step began it is all that a restart needs, on any number of
+// ranks.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`, `FMC_ERROR_BUSY`. Threads:
 // several at once on one context, as long as no call changes it.
@@ -1778,17 +1712,17 @@ fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 // energy, too (`fmc_context_freeze_friction`); friction with the current pressure has none, the matrix is then unsymmetric, and
 // what is lowered is the residual. With the law "fiber" call `fmc_context_keep_patches` before, for one energy.
 //
-// `freedoms`, the list: `count` degrees of freedom `node * dim + axis`, counted from 0 whatever `index_base`, ascending; best those of
-// the tangent's pattern that may move. `held`: `held_count` others that do not move and on which contact may act, ascending.
-// `stiffness`: S, `count * count` numbers, row by row, symmetric; `residual`: r, internal less external forces at `coords`.
+// `dofs`, the list: `dof_count` degrees of freedom, counted as in `fmc_context_tangent`, ascending; best those of
+// the tangent's pattern that may move. `fixed_dofs`: `fixed_count` others that do not move and on which contact may act, ascending.
+// `stiffness`: S, `dof_count * dof_count` numbers, row by row, symmetric; `residual`: r, internal less external forces at `coords`.
 // `options` may be NULL: the defaults. `place`, which may be NULL, moves the nodes that follow those on the list; where bodies move by more
 // than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
-// `count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
+// `dof_count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 //
 // With `penetration` in the options no node penetrates by more than that on average over its part of the surface, however soft the
 // law is. What balances the bodies at the end is then not the force of the law, but `S d + r`.
 //
-// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
+// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `dof_count` equations are made
 // in every iteration: some 500 take tenths of a second.
 //
 // Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
@@ -1799,10 +1733,10 @@ fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 fmc_status fmc_context_contact_step(fmc_context *context,
                                     const fmc_coords *coords,
                                     const fmc_contact_step_options *options,
-                                    const int64_t *freedoms,
-                                    size_t count,
-                                    const int64_t *held,
-                                    size_t held_count,
+                                    const void *dofs,
+                                    size_t dof_count,
+                                    const void *fixed_dofs,
+                                    size_t fixed_count,
                                     const double *stiffness,
                                     const double *residual,
                                     fmc_place place,
@@ -1820,63 +1754,65 @@ fmc_status fmc_condensation_new(fmc_condensation **condensation);
 // Errors: none. Threads: no other call on it may be running or follow.
 fmc_status fmc_condensation_free(fmc_condensation **condensation);
 
-// Factorises a symmetric matrix of `count` equations in compressed rows, with `kept_count` of them, `kept`, for the end.
+// Factorises a symmetric matrix, with `retained_count` of its equations, `retained`, for the end.
 //
-// `row_offsets`: `count + 1` numbers from 0; `cols` and `values`: column and value of every entry, in any order in a row; those at
-// one place add up. All entries, or none above the diagonal. Equations count from 0; `kept` ascends. The other
-// equations have to be positive definite: bodies that are held, or are so by what is kept. What depends on the pattern alone is
-// kept for the next matrix of the same pattern, and factorising that takes less.
+// `matrix`: all entries, or none above the diagonal. `retained` counts equations as the matrix does, by numbers as wide as its own, and
+// ascends. The other equations have to be positive definite: bodies that are held, or are so by what is retained. What depends on
+// the pattern alone is kept for the next matrix of the same pattern, and factorising that takes less.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`,
-// `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
-// were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the
-// library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_INDEX_SIZE`,
+// `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
+// `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`,
+// after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call
+// at a time on a condensation.
 fmc_status fmc_condensation_factorise(fmc_condensation *condensation,
-                                      size_t count,
-                                      const int64_t *row_offsets,
-                                      const int64_t *cols,
-                                      const double *values,
-                                      const int64_t *kept,
-                                      size_t kept_count);
+                                      const fmc_csr *matrix,
+                                      const void *retained,
+                                      size_t retained_count);
 
-// S of the last matrix, `kept_count * kept_count` numbers row by row: the stiffness for `fmc_context_contact_step`.
+// S of the last matrix, row by row: the stiffness for `fmc_context_contact_step`.
 //
-// `capacity`: numbers that fit into `complement`.
+// `count` becomes the number of numbers, the square of that of retained equations, for which `complement` has room for `capacity`. NULL
+// with capacity 0: the number alone is asked for.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_BUFFER_TOO_SMALL`,
 // `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 fmc_status fmc_condensation_complement(const fmc_condensation *condensation,
                                        double *complement,
-                                       size_t capacity);
+                                       size_t capacity,
+                                       size_t *count);
 
-// What the other equations leave of a right side b on those that are kept: `b_c - K_cr inv(K_rr) b_r`.
+// What the other equations leave of a right side b on those that are retained: `b_c - K_cr inv(K_rr) b_r`.
 //
-// `right`: `count` numbers, as many as there are equations. `condensed` has room for `capacity`, at least as many as are kept.
-// For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal forces.
+// `right`: `right_count` numbers, as many as there are equations. `count` becomes the number of retained equations; `condensed` has
+// room for `capacity`. For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal
+// forces.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_LENGTH`,
 // `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a
 // time on a condensation.
 fmc_status fmc_condensation_condense(const fmc_condensation *condensation,
                                      const double *right,
-                                     size_t count,
+                                     size_t right_count,
                                      double *condensed,
-                                     size_t capacity);
+                                     size_t capacity,
+                                     size_t *count);
 
-// Solution of `K x = b` in the equations that are not kept, with those that are as given: `x_r = inv(K_rr) (b_r - K_rc x_c)`.
+// Solution of `K x = b` in the equations that are not retained, with those that are as they are given: `x_r = inv(K_rr) (b_r - K_rc x_c)`.
 //
-// `right` and `kept` are b and x_c, `count` and `kept_count` numbers, as many as there are equations and as are kept; `solution` has
-// room for `capacity`, at least `count`, and may not overlap them. With the displacement of `fmc_context_contact_step` as x_c it is
-// the change of all displacements.
+// `right` is b, as many numbers as there are equations, and `retained` x_c, as many as are retained. `count` becomes the number of
+// equations; `solution` has room for `capacity`, and may not overlap them. With the displacement of `fmc_context_contact_step` as x_c
+// it is the change of all displacements.
 //
 // Errors: as `fmc_condensation_condense`. Threads: one call at a time on a condensation.
 fmc_status fmc_condensation_expand(const fmc_condensation *condensation,
                                    const double *right,
-                                   size_t count,
-                                   const double *kept,
-                                   size_t kept_count,
+                                   size_t right_count,
+                                   const double *retained,
+                                   size_t retained_count,
                                    double *solution,
-                                   size_t capacity);
+                                   size_t capacity,
+                                   size_t *count);
 
 // Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
 //
@@ -1990,21 +1926,21 @@ fmc_status fmc_context_gap_constraints(fmc_context *context,
                                        size_t *count);
 
 // The derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
-// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom,
-// `node * dim + axis`, counted from 0 as in the tangent. Their set is what feels the contact. Pressures p on the rows
-// act with the nodal forces sum over r of p_r times row r.
+// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
+// `fmc_context_tangent`. Offsets and columns count from the option `index_base`. The set of columns is what feels the contact.
+// Pressures p on the rows act with the nodal forces sum over r of p_r times row r.
 //
 // `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
 // `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
 // asked for.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-// several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
+// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_gap_gradient(const fmc_context *context,
-                                    int64_t *row_offsets,
+                                    void *row_offsets,
                                     size_t offset_capacity,
                                     size_t *offset_count,
-                                    int64_t *cols,
+                                    void *cols,
                                     double *values,
                                     size_t capacity,
                                     size_t *count);

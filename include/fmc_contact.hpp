@@ -23,18 +23,13 @@ inline int abi_version() { return fmc_abi_version(); }
 // Whether the library has a feature, see `fmc_has_feature`.
 inline bool has_feature(const std::string &name) { return fmc_has_feature(name.c_str()) != 0; }
 
-// Contact forces between bodies of one cell type, in one call; the bits are those of a `Context`. `conn` are node numbers,
-// (cells, nodes per cell), of 32 or 64 bits; `body_ids`, one for every cell, may be left out.
-inline ContactForces contact_force(int dim, Coords coords, fmc_cell_type type, View<const int32_t> conn, const Options &options,
-                                   View<const int32_t> body_ids = {});
-inline ContactForces contact_force(int dim, Coords coords, fmc_cell_type type, View<const int64_t> conn, const Options &options,
-                                   View<const int64_t> body_ids = {});
-
-// The same with friction, at the end `coords` of a step.
-inline ContactForces contact_force_step(int dim, Coords coords, fmc_cell_type type, View<const int32_t> conn,
-                                        const Options &options, FrictionStep &step, View<const int32_t> body_ids = {});
-inline ContactForces contact_force_step(int dim, Coords coords, fmc_cell_type type, View<const int64_t> conn,
-                                        const Options &options, FrictionStep &step, View<const int64_t> body_ids = {});
+// Contact forces between bodies, in one call; the bits are those of a `Context`. Cells in a block for each type,
+// {{FMC_HEX8, hexes}, {FMC_TET4, tets}}, with numbers of 32 or 64 bits; `body_ids`, one for every cell, may be left out. With friction,
+// at the end `coords` of a step, which receives the slip that is carried into the next one.
+inline ContactForces contact_force(int dim, Coords coords, View<const Cells<int32_t>> cells, const Options &options,
+                                   View<const int32_t> body_ids = {}, FrictionStep *step = nullptr);
+inline ContactForces contact_force(int dim, Coords coords, View<const Cells<int64_t>> cells, const Options &options,
+                                   View<const int64_t> body_ids = {}, FrictionStep *step = nullptr);
 
 // A stiffness k to begin with, from Young's modulus of the softer body and the size of its cells, see `fmc_suggest_stiffness`; `dim`
 // and `exponent` for the law "volume" alone.
@@ -47,71 +42,52 @@ inline double suggest_stiffness(double modulus, double cell_size, fmc_law law = 
 namespace detail {
 
 template <class Int>
-ContactForces force(int dim, const Coords &coords, fmc_cell_type type, View<const Int> conn, const Options &options,
-                    View<const Int> body_ids, fmc_friction_step *step) {
+ContactForces force(int dim, const Coords &coords, View<const Cells<Int>> cells, const Options &options, View<const Int> body_ids,
+                    FrictionStep *step) {
   const DenseRows x(coords, dim);
-  const auto cells = rows_of(conn, nodes_of(type), "cells");
-  const auto *ids = one_for_each(body_ids, cells, "body_ids");
+  const auto blocks = blocks_of<fmc_cell_block>(cells, nodes_of, "cells");
+  const auto *ids = one_for_each(body_ids, blocks.count, "body_ids");
   ContactForces found;
   found.forces.resize(x.node_count() * static_cast<std::size_t>(dim));
-  auto *f = found.forces.data();
-  check(step == nullptr
-            ? Calls<Int>::force(dim, x.data(), x.node_count(), type, conn.data(), cells, ids, &options, f, &found.volume)
-            : Calls<Int>::force_step(dim, x.data(), x.node_count(), type, conn.data(), cells, ids, &options, step, f,
-                                     &found.volume));
-  return found;
-}
-
-template <class Int>
-ContactForces force_step(int dim, const Coords &coords, fmc_cell_type type, View<const Int> conn, const Options &options,
-                         View<const Int> body_ids, FrictionStep &step) {
-  const auto nodes = coords.as_c(dim).node_count;
-  const DenseRows start(step.start, dim), reference(step.reference, dim);
-  if (start.node_count() != nodes) refuse(FMC_ERROR_LENGTH, "start has another number of nodes than coords");
-  if (reference.node_count() != nodes && reference.node_count() != 0)
+  const auto call = [&](const fmc_friction_step *c) {
+    check(fmc_contact_force(dim, x.data(), x.node_count(), blocks.list.data(), blocks.list.size(), ids, &options, c,
+                            found.forces.data(), &found.volume));
+  };
+  if (step == nullptr) {
+    call(nullptr);
+    return found;
+  }
+  const DenseRows start(step->start, dim), reference(step->reference, dim);
+  if (start.node_count() != x.node_count()) refuse(FMC_ERROR_LENGTH, "start has another number of nodes than coords");
+  if (reference.node_count() != x.node_count() && reference.node_count() != 0)
     refuse(FMC_ERROR_LENGTH, "reference has another number of nodes than coords");
   fmc_friction_step c;
+  std::size_t count = 0;
   check(fmc_friction_step_init(&c));
   c.start = start.data();
   c.reference = reference.node_count() != 0 ? reference.data() : nullptr;
-  // Without slip, the number of facets is asked for: a length that cannot be right is refused, and the right one told.
-  double none = 0;
-  std::vector<double> next(step.slip.size());
-  c.slip = step.slip.empty() ? nullptr : step.slip.data();
-  c.next_slip = next.empty() ? &none : next.data();
-  c.slip_length = next.size();
-  try {
-    auto found = force(dim, coords, type, conn, options, body_ids, &c);
-    step.next_slip = std::move(next);
-    return found;
-  } catch (const Error &error) {
-    if (error.status() != FMC_ERROR_LENGTH || !step.slip.empty() || c.facet_count == 0) throw;
-  }
-  next.resize(c.facet_count * static_cast<std::size_t>(dim));
+  c.slip = step->slip.empty() ? nullptr : step->slip.data();
+  c.slip_count = step->slip.size();
+  c.next_slip_count = &count;
+  // Without slip the number of facets is asked for first.
+  if (step->slip.empty()) call(&c);
+  std::vector<double> next(step->slip.empty() ? count : step->slip.size());
   c.next_slip = next.data();
-  c.slip_length = next.size();
-  auto found = force(dim, coords, type, conn, options, body_ids, &c);
-  step.next_slip = std::move(next);
+  c.next_slip_capacity = next.size();
+  call(&c);
+  step->next_slip = std::move(next);
   return found;
 }
 
 }  // namespace detail
 
-inline ContactForces contact_force(int dim, Coords coords, fmc_cell_type type, View<const int32_t> conn, const Options &options,
-                                   View<const int32_t> body_ids) {
-  return detail::force(dim, coords, type, conn, options, body_ids, nullptr);
+inline ContactForces contact_force(int dim, Coords coords, View<const Cells<int32_t>> cells, const Options &options,
+                                   View<const int32_t> body_ids, FrictionStep *step) {
+  return detail::force(dim, coords, cells, options, body_ids, step);
 }
-inline ContactForces contact_force(int dim, Coords coords, fmc_cell_type type, View<const int64_t> conn, const Options &options,
-                                   View<const int64_t> body_ids) {
-  return detail::force(dim, coords, type, conn, options, body_ids, nullptr);
-}
-inline ContactForces contact_force_step(int dim, Coords coords, fmc_cell_type type, View<const int32_t> conn,
-                                        const Options &options, FrictionStep &step, View<const int32_t> body_ids) {
-  return detail::force_step(dim, coords, type, conn, options, body_ids, step);
-}
-inline ContactForces contact_force_step(int dim, Coords coords, fmc_cell_type type, View<const int64_t> conn,
-                                        const Options &options, FrictionStep &step, View<const int64_t> body_ids) {
-  return detail::force_step(dim, coords, type, conn, options, body_ids, step);
+inline ContactForces contact_force(int dim, Coords coords, View<const Cells<int64_t>> cells, const Options &options,
+                                   View<const int64_t> body_ids, FrictionStep *step) {
+  return detail::force(dim, coords, cells, options, body_ids, step);
 }
 
 }  // namespace fmc

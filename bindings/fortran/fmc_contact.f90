@@ -23,7 +23,7 @@ module fmc_contact
   implicit none
   public
   ! Procedures of the type: their names remain the host's.
-  private :: from_cells, from_blocks, from_facets, from_facet_blocks, take, free, set_options, set_pair_options, set_reference, &
+  private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_reference, &
              set_symmetry_nodes, set_basis, evaluate, tangent, evaluate_tangent, stable_step, body, &
              obstacle, pair, warning, add_obstacle, add_half_space, add_polytope, &
              add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
@@ -36,7 +36,7 @@ module fmc_contact
     type(c_ptr) :: handle = c_null_ptr
     integer :: dim = 0
   contains
-    procedure :: from_cells, from_blocks, from_facets, from_facet_blocks, free
+    procedure :: from_cells, from_blocks, from_facets, free
     procedure :: set_options, set_pair_options, set_reference, set_symmetry_nodes, set_basis
     procedure :: evaluate, tangent, evaluate_tangent, stable_step
     procedure :: body, obstacle, pair, warning
@@ -78,16 +78,18 @@ contains
     integer(c_int32_t), intent(in), contiguous, target :: conn(:, :)
     type(fmc_cell_block) :: block
     block%cell_type = cell_type
+    block%index_size = 4
     block%conn = c_loc(conn)
     block%cell_count = size(conn, 2, c_size_t)
   end function
 
-  ! Facets of one type for from_facet_blocks: conn(nodes of a facet, facets), which must live until that call.
+  ! Facets of one type for from_facets: conn(nodes of a facet, facets), which must live until that call.
   function facets(facet_type, conn) result(block)
     integer(c_int32_t), intent(in) :: facet_type
     integer(c_int32_t), intent(in), contiguous, target :: conn(:, :)
     type(fmc_facet_block) :: block
     block%facet_type = facet_type
+    block%index_size = 4
     block%conn = c_loc(conn)
     block%facet_count = size(conn, 2, c_size_t)
   end function
@@ -120,23 +122,9 @@ contains
     call self%take(made, size(x, 1), status, stat)
   end subroutine
 
-  ! Bodies of closed surfaces: facets(dim, facets), outwards as fmc_context_new_from_facets says.
-  subroutine from_facets(self, x, facets, options, body_ids, stat)
-    class(contact), intent(inout) :: self
-    real(c_double), intent(in), contiguous, target :: x(:, :)
-    integer(c_int32_t), intent(in), contiguous :: facets(:, :)
-    type(fmc_options), intent(in) :: options
-    integer(c_int32_t), intent(in), optional :: body_ids(:)
-    integer, intent(out), optional :: stat
-    type(c_ptr) :: made
-    integer(c_int32_t) :: status
-    made = c_null_ptr
-    status = fmc_context_new_from_facets(size(x, 1), view(x), facets, size(facets, 2, c_size_t), body_ids, options, made)
-    call self%take(made, size(x, 1), status, stat)
-  end subroutine
-
-  ! The same of facets of several types: blocks = [facets(FMC_FACET_TRI6, curved), facets(FMC_FACET_TRI3, flat)].
-  subroutine from_facet_blocks(self, x, blocks, options, body_ids, stat)
+  ! Bodies of closed surfaces, outwards as fmc_context_new_from_facets says:
+  ! blocks = [facets(FMC_FACET_TRI6, curved), facets(FMC_FACET_TRI3, flat)]; body_ids through all of them.
+  subroutine from_facets(self, x, blocks, options, body_ids, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
     type(fmc_facet_block), intent(in) :: blocks(:)
@@ -146,8 +134,7 @@ contains
     type(c_ptr) :: made
     integer(c_int32_t) :: status
     made = c_null_ptr
-    status = fmc_context_new_from_facet_blocks(size(x, 1), view(x), blocks, size(blocks, kind=c_size_t), body_ids, &
-                                               options, made)
+    status = fmc_context_new_from_facets(size(x, 1), view(x), blocks, size(blocks, kind=c_size_t), body_ids, options, made)
     call self%take(made, size(x, 1), status, stat)
   end subroutine
 
@@ -204,17 +191,25 @@ contains
     class(contact), intent(inout) :: self
     integer, intent(in) :: nodes(:)
     integer, intent(out), optional :: stat
-    call checked(fmc_context_set_symmetry_nodes(self%handle, int(nodes, c_int64_t), size(nodes, kind=c_size_t)), stat)
+    call checked(fmc_context_set_symmetry_nodes(self%handle, int(nodes, c_int32_t), size(nodes, kind=c_size_t)), stat)
   end subroutine
 
   ! Nodes as combinations of the host's own unknowns, in compressed rows that count from 1 (fmc_context_set_basis).
   subroutine set_basis(self, unknown_count, row_offsets, unknowns, weights, stat)
     class(contact), intent(inout) :: self
-    integer, intent(in) :: unknown_count, row_offsets(:), unknowns(:)
-    real(c_double), intent(in) :: weights(:)
+    integer, intent(in) :: unknown_count
+    integer, intent(in), contiguous, target :: row_offsets(:), unknowns(:)
+    real(c_double), intent(in), contiguous, target :: weights(:)
     integer, intent(out), optional :: stat
-    call checked(fmc_context_set_basis(self%handle, int(unknown_count, c_size_t), int(row_offsets - 1, c_int64_t), &
-                                       int(unknowns, c_int64_t), weights, size(weights, kind=c_size_t)), stat)
+    type(fmc_csr) :: matrix
+    call checked(fmc_csr_init(matrix))
+    matrix%row_count = size(row_offsets, kind=c_size_t) - 1
+    matrix%index_size = int(storage_size(row_offsets)/8, c_int32_t)
+    matrix%index_base = 1
+    matrix%row_offsets = c_loc(row_offsets)
+    matrix%cols = c_loc(unknowns)
+    matrix%values = c_loc(weights)
+    call checked(fmc_context_set_basis(self%handle, matrix, int(unknown_count, c_size_t)), stat)
   end subroutine
 
   ! Forces at x, into forces(dim, nodes) or, with add, onto what stands there (fmc_context_evaluate).
@@ -238,7 +233,7 @@ contains
   subroutine tangent(self, x, row_offsets, cols, values, flags, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
-    integer(c_int64_t), intent(out), allocatable :: row_offsets(:), cols(:)
+    integer(c_int32_t), intent(out), allocatable :: row_offsets(:), cols(:)
     real(c_double), intent(out), allocatable :: values(:)
     integer(c_int32_t), intent(in), optional :: flags
     integer, intent(out), optional :: stat
@@ -256,7 +251,7 @@ contains
     real(c_double), intent(in), contiguous, target :: x(:, :)
     real(c_double), intent(inout), contiguous, target :: forces(:, :)
     type(fmc_result), intent(out) :: found
-    integer(c_int64_t), intent(out), allocatable :: row_offsets(:), cols(:)
+    integer(c_int32_t), intent(out), allocatable :: row_offsets(:), cols(:)
     real(c_double), intent(out), allocatable :: values(:)
     integer(c_int32_t), intent(in), optional :: flags
     integer, intent(out), optional :: stat
@@ -270,13 +265,14 @@ contains
 
   integer(c_int32_t) function rows_of(self, row_offsets, cols, values) result(status)
     class(contact), intent(in) :: self
-    integer(c_int64_t), intent(out), allocatable :: row_offsets(:), cols(:)
+    integer(c_int32_t), intent(out), allocatable :: row_offsets(:), cols(:)
     real(c_double), intent(out), allocatable :: values(:)
-    integer(c_size_t) :: rows, entries
-    status = fmc_context_tangent_csr_size(self%handle, FMC_FROM_ONE, rows, entries)
+    integer(c_size_t) :: offsets, entries
+    status = fmc_context_tangent_csr(self%handle, 0, offset_capacity=0_c_size_t, offset_count=offsets, &
+                                     capacity=0_c_size_t, count=entries)
     if (status /= FMC_OK) return
-    allocate (row_offsets(rows + 1), cols(entries), values(entries))
-    status = fmc_context_tangent_csr_i64(self%handle, FMC_FROM_ONE, row_offsets, cols, values, entries)
+    allocate (row_offsets(offsets), cols(entries), values(entries))
+    status = fmc_context_tangent_csr(self%handle, 0, row_offsets, offsets, cols=cols, values=values, capacity=entries)
   end function
 
   ! Largest time step that the contact allows an explicit host, with masses(nodes) (fmc_context_stable_step).
@@ -538,7 +534,6 @@ contains
     do k = 1, size(points)
       points(k)%patch = points(k)%patch + 1
       points(k)%sides%index = points(k)%sides%index + 1
-      where (points(k)%sides%cell >= 0) points(k)%sides%cell = points(k)%sides%cell + 1
     end do
     call checked(status, stat)
   end subroutine
@@ -550,7 +545,7 @@ contains
     real(c_double), intent(in), contiguous, target :: x(:, :)
     real(c_double), intent(in) :: reach
     type(fmc_gap_constraint), intent(out), allocatable :: rows(:)
-    integer(c_int64_t), intent(out), allocatable :: row_offsets(:), cols(:)
+    integer(c_int32_t), intent(out), allocatable :: row_offsets(:), cols(:)
     real(c_double), intent(out), allocatable :: values(:)
     integer, intent(out), optional :: stat
     integer(c_size_t) :: count, entries
@@ -558,14 +553,13 @@ contains
     count = 0
     entries = 0
     status = fmc_context_gap_constraints(self%handle, view(x), reach, capacity=0_c_size_t, count=count)
-    if (status == FMC_OK) status = fmc_context_gap_gradient(self%handle, offset_capacity=0_c_size_t, capacity=0_c_size_t, count=entries)
+    if (status == FMC_OK) status = fmc_context_gap_gradient(self%handle, offset_capacity=0_c_size_t, &
+                                                            capacity=0_c_size_t, count=entries)
     allocate (rows(count), row_offsets(count + 1), cols(entries), values(entries))
     if (status == FMC_OK) status = fmc_context_gap_constraints(self%handle, view(x), reach, rows, count)
     if (status == FMC_OK) status = fmc_context_gap_gradient(self%handle, row_offsets, count + 1, cols=cols, values=values, &
                                                             capacity=entries)
     if (status == FMC_OK) then
-      row_offsets = row_offsets + 1
-      cols = cols + 1
       rows%body = rows%body + 1
       rows%partner = rows%partner + 1
     end if
@@ -626,8 +620,6 @@ contains
     allocate (facets(count))
     if (status == FMC_OK) status = fmc_context_boundary_facets(self%handle, facets, count)
     facets%body = facets%body + 1
-    where (facets%cell >= 0) facets%cell = facets%cell + 1
-    where (facets%input_facet >= 0) facets%input_facet = facets%input_facet + 1
     call checked(status, stat)
   end subroutine
 

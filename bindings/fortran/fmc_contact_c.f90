@@ -1,7 +1,8 @@
 ! The C interface of fmc-contact, name by name, as include/fmc_contact.h documents it. Module fmc_contact stands on it.
 !
-! Pointers are optional arguments: one that is left out is NULL. Numbers of nodes count from the option index_base; all
-! other indices count from 0 here. Structs begin as the header says: with their init functions.
+! Pointers are optional arguments: one that is left out is NULL. Lists of nodes, cells and degrees of freedom, type(*), are of 32 or 64
+! bits as the mesh's, and count from the option index_base; bodies, obstacles, pairs and warnings count from 0 here. Structs begin as
+! the header says: with their init functions.
 !
 ! Generated from the header; do not edit.
 module fmc_contact_c
@@ -16,7 +17,6 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_TANGENT_SYMMETRIC = 32
   integer(c_int32_t), parameter :: FMC_CSR_BLOCKS = 4
   integer(c_int32_t), parameter :: FMC_CSR_OBSTACLES = 8
-  integer(c_int32_t), parameter :: FMC_FROM_ONE = 16
   integer(c_int32_t), parameter :: FMC_PAIR_LAW_OF_CONTEXT = -1
   integer(c_int32_t), parameter :: FMC_PAIR_FRICTION_OF_CONTEXT = -1
   integer(c_int32_t), parameter :: FMC_OK = 0
@@ -77,6 +77,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_NOT_POSITIVE_DEFINITE = 55
   integer(c_int32_t), parameter :: FMC_ERROR_UNSYMMETRIC = 56
   integer(c_int32_t), parameter :: FMC_ERROR_NOT_FACTORISED = 57
+  integer(c_int32_t), parameter :: FMC_ERROR_INDEX_SIZE = 58
   integer(c_int32_t), parameter :: FMC_ERROR_BAD_VALUE = 59
   integer(c_int32_t), parameter :: FMC_ERROR_UNKNOWN_FLAG = 60
   integer(c_int32_t), parameter :: FMC_ERROR_OPTIONS_CONFLICT = 61
@@ -171,10 +172,18 @@ module fmc_contact_c
     type(c_ptr) :: start
     type(c_ptr) :: reference
     type(c_ptr) :: slip
+    integer(c_size_t) :: slip_count
     type(c_ptr) :: next_slip
-    integer(c_size_t) :: slip_length
-    integer(c_size_t) :: facet_count
+    integer(c_size_t) :: next_slip_capacity
+    type(c_ptr) :: next_slip_count
     integer(c_int64_t) :: reserved(8)
+  end type
+
+  type, bind(c) :: fmc_cell_block
+    integer(c_int32_t) :: cell_type
+    integer(c_int32_t) :: index_size
+    type(c_ptr) :: conn
+    integer(c_size_t) :: cell_count
   end type
 
   type, bind(c) :: fmc_coords
@@ -184,26 +193,9 @@ module fmc_contact_c
     integer(c_ptrdiff_t) :: axis_stride
   end type
 
-  type, bind(c) :: fmc_cell_block
-    integer(c_int32_t) :: cell_type
-    type(c_ptr) :: conn
-    integer(c_size_t) :: cell_count
-  end type
-
-  type, bind(c) :: fmc_cell_block_i64
-    integer(c_int32_t) :: cell_type
-    type(c_ptr) :: conn
-    integer(c_size_t) :: cell_count
-  end type
-
   type, bind(c) :: fmc_facet_block
     integer(c_int32_t) :: facet_type
-    type(c_ptr) :: conn
-    integer(c_size_t) :: facet_count
-  end type
-
-  type, bind(c) :: fmc_facet_block_i64
-    integer(c_int32_t) :: facet_type
+    integer(c_int32_t) :: index_size
     type(c_ptr) :: conn
     integer(c_size_t) :: facet_count
   end type
@@ -248,6 +240,17 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_csr
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: row_count
+    integer(c_int32_t) :: index_size
+    integer(c_int32_t) :: index_base
+    type(c_ptr) :: row_offsets
+    type(c_ptr) :: cols
+    type(c_ptr) :: values
+    integer(c_int64_t) :: reserved(4)
+  end type
+
   type, bind(c) :: fmc_communicator
     integer(c_size_t) :: struct_size
     integer(c_int32_t) :: rank
@@ -269,12 +272,14 @@ module fmc_contact_c
   type, bind(c) :: fmc_mesh_part
     integer(c_size_t) :: struct_size
     type(fmc_coords) :: coords
+    integer(c_int32_t) :: index_size
     type(c_ptr) :: node_numbers
     type(c_ptr) :: blocks
     integer(c_size_t) :: block_count
     type(c_ptr) :: cell_numbers
     type(c_ptr) :: body_ids
     real(c_double) :: reach
+    integer(c_int64_t) :: reserved(4)
   end type
 
   type, bind(c) :: fmc_carried_slip
@@ -546,72 +551,25 @@ module fmc_contact_c
       character(kind=c_char), intent(in) :: value(*)
       integer(c_int32_t) :: fmc_options_set
     end function
-    function fmc_contact_force(dim, coords, node_count, cell_type, conn, cell_count, body_ids, &
-        options, forces, volume) bind(c)
-      import
-      integer(c_int32_t), value :: dim
-      real(c_double), intent(in), optional :: coords(*)
-      integer(c_size_t), value :: node_count
-      integer(c_int32_t), value :: cell_type
-      integer(c_int32_t), intent(in), optional :: conn(*)
-      integer(c_size_t), value :: cell_count
-      integer(c_int32_t), intent(in), optional :: body_ids(*)
-      type(fmc_options), intent(in), optional :: options
-      real(c_double), intent(inout), optional :: forces(*)
-      real(c_double), intent(inout), optional :: volume
-      integer(c_int32_t) :: fmc_contact_force
-    end function
-    function fmc_contact_force_i64(dim, coords, node_count, cell_type, conn, cell_count, &
-        body_ids, options, forces, volume) bind(c)
-      import
-      integer(c_int32_t), value :: dim
-      real(c_double), intent(in), optional :: coords(*)
-      integer(c_size_t), value :: node_count
-      integer(c_int32_t), value :: cell_type
-      integer(c_int64_t), intent(in), optional :: conn(*)
-      integer(c_size_t), value :: cell_count
-      integer(c_int64_t), intent(in), optional :: body_ids(*)
-      type(fmc_options), intent(in), optional :: options
-      real(c_double), intent(inout), optional :: forces(*)
-      real(c_double), intent(inout), optional :: volume
-      integer(c_int32_t) :: fmc_contact_force_i64
-    end function
     function fmc_friction_step_init(step) bind(c)
       import
       type(fmc_friction_step), intent(inout), optional :: step
       integer(c_int32_t) :: fmc_friction_step_init
     end function
-    function fmc_contact_force_step(dim, coords, node_count, cell_type, conn, cell_count, &
-        body_ids, options, step, forces, volume) bind(c)
+    function fmc_contact_force(dim, coords, node_count, blocks, block_count, body_ids, options, &
+        step, forces, volume) bind(c)
       import
       integer(c_int32_t), value :: dim
       real(c_double), intent(in), optional :: coords(*)
       integer(c_size_t), value :: node_count
-      integer(c_int32_t), value :: cell_type
-      integer(c_int32_t), intent(in), optional :: conn(*)
-      integer(c_size_t), value :: cell_count
-      integer(c_int32_t), intent(in), optional :: body_ids(*)
+      type(fmc_cell_block), intent(in), optional :: blocks(*)
+      integer(c_size_t), value :: block_count
+      type(*), intent(in), optional :: body_ids(*)
       type(fmc_options), intent(in), optional :: options
-      type(fmc_friction_step), intent(inout), optional :: step
+      type(fmc_friction_step), intent(in), optional :: step
       real(c_double), intent(inout), optional :: forces(*)
       real(c_double), intent(inout), optional :: volume
-      integer(c_int32_t) :: fmc_contact_force_step
-    end function
-    function fmc_contact_force_step_i64(dim, coords, node_count, cell_type, conn, cell_count, &
-        body_ids, options, step, forces, volume) bind(c)
-      import
-      integer(c_int32_t), value :: dim
-      real(c_double), intent(in), optional :: coords(*)
-      integer(c_size_t), value :: node_count
-      integer(c_int32_t), value :: cell_type
-      integer(c_int64_t), intent(in), optional :: conn(*)
-      integer(c_size_t), value :: cell_count
-      integer(c_int64_t), intent(in), optional :: body_ids(*)
-      type(fmc_options), intent(in), optional :: options
-      type(fmc_friction_step), intent(inout), optional :: step
-      real(c_double), intent(inout), optional :: forces(*)
-      real(c_double), intent(inout), optional :: volume
-      integer(c_int32_t) :: fmc_contact_force_step_i64
+      integer(c_int32_t) :: fmc_contact_force
     end function
     function fmc_context_new_from_cells(dim, coords, blocks, block_count, body_ids, options, &
         context) bind(c)
@@ -620,75 +578,27 @@ module fmc_contact_c
       type(fmc_coords), intent(in), optional :: coords
       type(fmc_cell_block), intent(in), optional :: blocks(*)
       integer(c_size_t), value :: block_count
-      integer(c_int32_t), intent(in), optional :: body_ids(*)
+      type(*), intent(in), optional :: body_ids(*)
       type(fmc_options), intent(in), optional :: options
       type(c_ptr), intent(inout), optional :: context
       integer(c_int32_t) :: fmc_context_new_from_cells
-    end function
-    function fmc_context_new_from_cells_i64(dim, coords, blocks, block_count, body_ids, options, &
-        context) bind(c)
-      import
-      integer(c_int32_t), value :: dim
-      type(fmc_coords), intent(in), optional :: coords
-      type(fmc_cell_block_i64), intent(in), optional :: blocks(*)
-      integer(c_size_t), value :: block_count
-      integer(c_int64_t), intent(in), optional :: body_ids(*)
-      type(fmc_options), intent(in), optional :: options
-      type(c_ptr), intent(inout), optional :: context
-      integer(c_int32_t) :: fmc_context_new_from_cells_i64
-    end function
-    function fmc_context_new_from_facets(dim, coords, facets, facet_count, body_ids, options, &
-        context) bind(c)
-      import
-      integer(c_int32_t), value :: dim
-      type(fmc_coords), intent(in), optional :: coords
-      integer(c_int32_t), intent(in), optional :: facets(*)
-      integer(c_size_t), value :: facet_count
-      integer(c_int32_t), intent(in), optional :: body_ids(*)
-      type(fmc_options), intent(in), optional :: options
-      type(c_ptr), intent(inout), optional :: context
-      integer(c_int32_t) :: fmc_context_new_from_facets
-    end function
-    function fmc_context_new_from_facets_i64(dim, coords, facets, facet_count, body_ids, options, &
-        context) bind(c)
-      import
-      integer(c_int32_t), value :: dim
-      type(fmc_coords), intent(in), optional :: coords
-      integer(c_int64_t), intent(in), optional :: facets(*)
-      integer(c_size_t), value :: facet_count
-      integer(c_int64_t), intent(in), optional :: body_ids(*)
-      type(fmc_options), intent(in), optional :: options
-      type(c_ptr), intent(inout), optional :: context
-      integer(c_int32_t) :: fmc_context_new_from_facets_i64
     end function
     function fmc_context_free(context) bind(c)
       import
       type(c_ptr), intent(inout), optional :: context
       integer(c_int32_t) :: fmc_context_free
     end function
-    function fmc_context_new_from_facet_blocks(dim, coords, blocks, block_count, body_ids, &
-        options, context) bind(c)
+    function fmc_context_new_from_facets(dim, coords, blocks, block_count, body_ids, options, &
+        context) bind(c)
       import
       integer(c_int32_t), value :: dim
       type(fmc_coords), intent(in), optional :: coords
       type(fmc_facet_block), intent(in), optional :: blocks(*)
       integer(c_size_t), value :: block_count
-      integer(c_int32_t), intent(in), optional :: body_ids(*)
+      type(*), intent(in), optional :: body_ids(*)
       type(fmc_options), intent(in), optional :: options
       type(c_ptr), intent(inout), optional :: context
-      integer(c_int32_t) :: fmc_context_new_from_facet_blocks
-    end function
-    function fmc_context_new_from_facet_blocks_i64(dim, coords, blocks, block_count, body_ids, &
-        options, context) bind(c)
-      import
-      integer(c_int32_t), value :: dim
-      type(fmc_coords), intent(in), optional :: coords
-      type(fmc_facet_block_i64), intent(in), optional :: blocks(*)
-      integer(c_size_t), value :: block_count
-      integer(c_int64_t), intent(in), optional :: body_ids(*)
-      type(fmc_options), intent(in), optional :: options
-      type(c_ptr), intent(inout), optional :: context
-      integer(c_int32_t) :: fmc_context_new_from_facet_blocks_i64
+      integer(c_int32_t) :: fmc_context_new_from_facets
     end function
     function fmc_context_set_options(context, options) bind(c)
       import
@@ -734,33 +644,29 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_boundary_facets
     end function
-    function fmc_context_point_weights_size(context, point_count, entry_count) bind(c)
+    function fmc_context_point_weights(context, row_offsets, offset_capacity, offset_count, &
+        nodes, weights, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
-      integer(c_size_t), intent(inout), optional :: point_count
-      integer(c_size_t), intent(inout), optional :: entry_count
-      integer(c_int32_t) :: fmc_context_point_weights_size
-    end function
-    function fmc_context_point_weights(context, row_offsets, point_capacity, nodes, weights, &
-        capacity) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_int64_t), intent(inout), optional :: row_offsets(*)
-      integer(c_size_t), value :: point_capacity
-      integer(c_int64_t), intent(inout), optional :: nodes(*)
+      type(*), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: offset_capacity
+      integer(c_size_t), intent(inout), optional :: offset_count
+      type(*), intent(inout), optional :: nodes(*)
       real(c_double), intent(inout), optional :: weights(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_point_weights
     end function
-    function fmc_context_set_basis(context, unknown_count, row_offsets, unknowns, weights, &
-        entry_count) bind(c)
+    function fmc_csr_init(matrix) bind(c)
+      import
+      type(fmc_csr), intent(inout), optional :: matrix
+      integer(c_int32_t) :: fmc_csr_init
+    end function
+    function fmc_context_set_basis(context, weights, unknown_count) bind(c)
       import
       type(c_ptr), value :: context
+      type(fmc_csr), intent(in), optional :: weights
       integer(c_size_t), value :: unknown_count
-      integer(c_int64_t), intent(in), optional :: row_offsets(*)
-      integer(c_int64_t), intent(in), optional :: unknowns(*)
-      real(c_double), intent(in), optional :: weights(*)
-      integer(c_size_t), value :: entry_count
       integer(c_int32_t) :: fmc_context_set_basis
     end function
     function fmc_context_keep_patches(context, coords, direction_count) bind(c)
@@ -812,26 +718,26 @@ module fmc_contact_c
     function fmc_context_set_symmetry_nodes(context, nodes, count) bind(c)
       import
       type(c_ptr), value :: context
-      integer(c_int64_t), intent(in), optional :: nodes(*)
+      type(*), intent(in), optional :: nodes(*)
       integer(c_size_t), value :: count
       integer(c_int32_t) :: fmc_context_set_symmetry_nodes
     end function
-    function fmc_context_tangent(context, coords, flags, entry_count, rank_one_count) bind(c)
+    function fmc_context_tangent(context, coords, flags, rank_one_count) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
       integer(c_int32_t), value :: flags
-      integer(c_size_t), intent(inout), optional :: entry_count
       integer(c_size_t), intent(inout), optional :: rank_one_count
       integer(c_int32_t) :: fmc_context_tangent
     end function
-    function fmc_context_tangent_entries(context, rows, cols, values, capacity) bind(c)
+    function fmc_context_tangent_entries(context, rows, cols, values, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
-      integer(c_int32_t), intent(inout), optional :: rows(*)
-      integer(c_int32_t), intent(inout), optional :: cols(*)
+      type(*), intent(inout), optional :: rows(*)
+      type(*), intent(inout), optional :: cols(*)
       real(c_double), intent(inout), optional :: values(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_tangent_entries
     end function
     function fmc_context_tangent_product(context, x, y, length) bind(c)
@@ -851,34 +757,19 @@ module fmc_contact_c
       integer(c_size_t), value :: length
       integer(c_int32_t) :: fmc_context_tangent_rank_one
     end function
-    function fmc_context_tangent_csr_size(context, flags, row_count, entry_count) bind(c)
+    function fmc_context_tangent_csr(context, flags, row_offsets, offset_capacity, offset_count, &
+        cols, values, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
       integer(c_int32_t), value :: flags
-      integer(c_size_t), intent(inout), optional :: row_count
-      integer(c_size_t), intent(inout), optional :: entry_count
-      integer(c_int32_t) :: fmc_context_tangent_csr_size
-    end function
-    function fmc_context_tangent_csr(context, flags, row_offsets, cols, values, capacity) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_int32_t), value :: flags
-      integer(c_int32_t), intent(inout), optional :: row_offsets(*)
-      integer(c_int32_t), intent(inout), optional :: cols(*)
+      type(*), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: offset_capacity
+      integer(c_size_t), intent(inout), optional :: offset_count
+      type(*), intent(inout), optional :: cols(*)
       real(c_double), intent(inout), optional :: values(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_tangent_csr
-    end function
-    function fmc_context_tangent_csr_i64(context, flags, row_offsets, cols, values, &
-        capacity) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_int32_t), value :: flags
-      integer(c_int64_t), intent(inout), optional :: row_offsets(*)
-      integer(c_int64_t), intent(inout), optional :: cols(*)
-      real(c_double), intent(inout), optional :: values(*)
-      integer(c_size_t), value :: capacity
-      integer(c_int32_t) :: fmc_context_tangent_csr_i64
     end function
     function fmc_context_keep_pattern(context, keep) bind(c)
       import
@@ -892,7 +783,7 @@ module fmc_contact_c
       integer(c_int32_t), value :: on
       integer(c_int32_t) :: fmc_context_set_obstacle_rotations
     end function
-    function fmc_context_evaluate_tangent(context, coords, flags, forces, result, entry_count, &
+    function fmc_context_evaluate_tangent(context, coords, flags, forces, result, &
         rank_one_count) bind(c)
       import
       type(c_ptr), value :: context
@@ -900,7 +791,6 @@ module fmc_contact_c
       integer(c_int32_t), value :: flags
       type(fmc_forces), intent(in), optional :: forces
       type(fmc_result), intent(inout), optional :: result
-      integer(c_size_t), intent(inout), optional :: entry_count
       integer(c_size_t), intent(inout), optional :: rank_one_count
       integer(c_int32_t) :: fmc_context_evaluate_tangent
     end function
@@ -929,6 +819,11 @@ module fmc_contact_c
       type(fmc_rank_counts), intent(inout), optional :: counts
       integer(c_int32_t) :: fmc_context_rank_counts
     end function
+    function fmc_mesh_part_init(part) bind(c)
+      import
+      type(fmc_mesh_part), intent(inout), optional :: part
+      integer(c_int32_t) :: fmc_mesh_part_init
+    end function
     function fmc_context_new_from_part(dim, communicator, part, options, context) bind(c)
       import
       integer(c_int32_t), value :: dim
@@ -948,7 +843,7 @@ module fmc_contact_c
     function fmc_context_set_carried_slip(context, carried, count) bind(c)
       import
       type(c_ptr), value :: context
-      type(fmc_carried_slip), intent(in), optional :: carried
+      type(fmc_carried_slip), intent(in), optional :: carried(*)
       integer(c_size_t), value :: count
       integer(c_int32_t) :: fmc_context_set_carried_slip
     end function
@@ -958,26 +853,29 @@ module fmc_contact_c
       type(fmc_gathered_counts), intent(inout), optional :: counts
       integer(c_int32_t) :: fmc_context_gathered_counts
     end function
-    function fmc_context_gathered_nodes(context, numbers, own_nodes, coords, capacity) bind(c)
+    function fmc_context_gathered_nodes(context, numbers, own_nodes, coords, capacity, &
+        count) bind(c)
       import
       type(c_ptr), value :: context
-      integer(c_int64_t), intent(inout), optional :: numbers(*)
-      integer(c_int32_t), intent(inout), optional :: own_nodes(*)
+      type(*), intent(inout), optional :: numbers(*)
+      type(*), intent(inout), optional :: own_nodes(*)
       real(c_double), intent(inout), optional :: coords(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_gathered_nodes
     end function
-    function fmc_context_gathered_cells(context, numbers, capacity) bind(c)
+    function fmc_context_gathered_cells(context, numbers, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
-      integer(c_int64_t), intent(inout), optional :: numbers(*)
+      type(*), intent(inout), optional :: numbers(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_gathered_cells
     end function
     function fmc_context_carried_slip(context, carried, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
-      type(fmc_carried_slip), intent(inout), optional :: carried
+      type(fmc_carried_slip), intent(inout), optional :: carried(*)
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_carried_slip
@@ -987,16 +885,16 @@ module fmc_contact_c
       type(fmc_contact_step_options), intent(inout), optional :: options
       integer(c_int32_t) :: fmc_contact_step_options_init
     end function
-    function fmc_context_contact_step(context, coords, options, freedoms, count, held, &
-        held_count, stiffness, residual, place, user, displacement, result) bind(c)
+    function fmc_context_contact_step(context, coords, options, dofs, dof_count, fixed_dofs, &
+        fixed_count, stiffness, residual, place, user, displacement, result) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
       type(fmc_contact_step_options), intent(in), optional :: options
-      integer(c_int64_t), intent(in), optional :: freedoms(*)
-      integer(c_size_t), value :: count
-      integer(c_int64_t), intent(in), optional :: held(*)
-      integer(c_size_t), value :: held_count
+      type(*), intent(in), optional :: dofs(*)
+      integer(c_size_t), value :: dof_count
+      type(*), intent(in), optional :: fixed_dofs(*)
+      integer(c_size_t), value :: fixed_count
       real(c_double), intent(in), optional :: stiffness(*)
       real(c_double), intent(in), optional :: residual(*)
       type(c_funptr), value :: place
@@ -1015,44 +913,44 @@ module fmc_contact_c
       type(c_ptr), intent(inout), optional :: condensation
       integer(c_int32_t) :: fmc_condensation_free
     end function
-    function fmc_condensation_factorise(condensation, count, row_offsets, cols, values, kept, &
-        kept_count) bind(c)
+    function fmc_condensation_factorise(condensation, matrix, retained, retained_count) bind(c)
       import
       type(c_ptr), value :: condensation
-      integer(c_size_t), value :: count
-      integer(c_int64_t), intent(in), optional :: row_offsets(*)
-      integer(c_int64_t), intent(in), optional :: cols(*)
-      real(c_double), intent(in), optional :: values(*)
-      integer(c_int64_t), intent(in), optional :: kept(*)
-      integer(c_size_t), value :: kept_count
+      type(fmc_csr), intent(in), optional :: matrix
+      type(*), intent(in), optional :: retained(*)
+      integer(c_size_t), value :: retained_count
       integer(c_int32_t) :: fmc_condensation_factorise
     end function
-    function fmc_condensation_complement(condensation, complement, capacity) bind(c)
+    function fmc_condensation_complement(condensation, complement, capacity, count) bind(c)
       import
       type(c_ptr), value :: condensation
       real(c_double), intent(inout), optional :: complement(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_condensation_complement
     end function
-    function fmc_condensation_condense(condensation, right, count, condensed, capacity) bind(c)
+    function fmc_condensation_condense(condensation, right, right_count, condensed, capacity, &
+        count) bind(c)
       import
       type(c_ptr), value :: condensation
       real(c_double), intent(in), optional :: right(*)
-      integer(c_size_t), value :: count
+      integer(c_size_t), value :: right_count
       real(c_double), intent(inout), optional :: condensed(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_condensation_condense
     end function
-    function fmc_condensation_expand(condensation, right, count, kept, kept_count, solution, &
-        capacity) bind(c)
+    function fmc_condensation_expand(condensation, right, right_count, retained, retained_count, &
+        solution, capacity, count) bind(c)
       import
       type(c_ptr), value :: condensation
       real(c_double), intent(in), optional :: right(*)
-      integer(c_size_t), value :: count
-      real(c_double), intent(in), optional :: kept(*)
-      integer(c_size_t), value :: kept_count
+      integer(c_size_t), value :: right_count
+      real(c_double), intent(in), optional :: retained(*)
+      integer(c_size_t), value :: retained_count
       real(c_double), intent(inout), optional :: solution(*)
       integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_condensation_expand
     end function
     function fmc_context_body_resultant(context, index, body) bind(c)
@@ -1144,10 +1042,10 @@ module fmc_contact_c
         values, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
-      integer(c_int64_t), intent(inout), optional :: row_offsets(*)
+      type(*), intent(inout), optional :: row_offsets(*)
       integer(c_size_t), value :: offset_capacity
       integer(c_size_t), intent(inout), optional :: offset_count
-      integer(c_int64_t), intent(inout), optional :: cols(*)
+      type(*), intent(inout), optional :: cols(*)
       real(c_double), intent(inout), optional :: values(*)
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count

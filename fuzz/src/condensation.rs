@@ -37,15 +37,14 @@ pub(crate) fn chain(which: u16, shift: i8, value: f64, hole: Hole) {
         let given = (Guarded::new(&offsets), Guarded::new(&cols), Guarded::new(&values), Guarded::new(&kept));
         // A single row's damaged offset would be the length of its arrays.
         if count != 1 || which & 3 != 1 {
-            checked(fmc_condensation_factorise(
-                condensation,
-                count,
-                unless(hole, 0, given.0.ptr()),
-                unless(hole, 1, given.1.ptr()),
-                unless(hole, 2, given.2.ptr()),
-                unless(hole, 3, given.3.ptr()),
-                kept.len(),
-            ));
+            let mut matrix = fmc_csr::default();
+            assert_eq!(checked(fmc_csr_init(&raw mut matrix)), OK);
+            (matrix.row_count, matrix.index_size) = (count, 8);
+            matrix.row_offsets = unless(hole, 0, given.0.ptr()).cast();
+            matrix.cols = unless(hole, 1, given.1.ptr()).cast();
+            matrix.values = unless(hole, 2, given.2.ptr());
+            let retained = unless(hole, 3, given.3.ptr()).cast();
+            checked(fmc_condensation_factorise(condensation, &raw const matrix, retained, kept.len()));
         }
         solve(condensation, count, kept.len(), value, hole);
         assert_eq!(checked(fmc_condensation_free(&raw mut condensation)), OK);
@@ -62,8 +61,15 @@ unsafe fn solve(condensation: *const fmc_condensation, count: usize, kept: usize
     // SAFETY: arrays of the lengths that are said; the condensation by the caller.
     let status = unsafe {
         [
-            fmc_condensation_complement(condensation, unless(hole, 4, found[0].ptr()), kept * kept),
-            fmc_condensation_condense(condensation, unless(hole, 5, right.ptr()), count, found[1].ptr(), kept),
+            fmc_condensation_complement(condensation, unless(hole, 4, found[0].ptr()), kept * kept, null_mut()),
+            fmc_condensation_condense(
+                condensation,
+                unless(hole, 5, right.ptr()),
+                count,
+                found[1].ptr(),
+                kept,
+                null_mut(),
+            ),
             fmc_condensation_expand(
                 condensation,
                 unless(hole, 5, right.ptr()),
@@ -72,6 +78,7 @@ unsafe fn solve(condensation: *const fmc_condensation, count: usize, kept: usize
                 kept,
                 unless(hole, 7, found[2].ptr()),
                 count,
+                null_mut(),
             ),
         ]
     };

@@ -12,6 +12,7 @@ mod evaluation;
 mod fields;
 mod friction;
 mod getters;
+mod numbers;
 mod obstacles;
 mod options;
 mod pairs;
@@ -23,6 +24,7 @@ mod tangent;
 pub(crate) use array::{Array, checked, unless};
 pub(crate) use callbacks::{echo, to_itself};
 pub(crate) use creation::{cell_size, create};
+pub(crate) use numbers::Numbers;
 
 use crate::condensation;
 use crate::in_parts;
@@ -39,6 +41,8 @@ struct Host {
     context: *mut fmc_context,
     mesh: Mesh,
     options: fmc_options,
+    /// Width of the context's numbers.
+    is_wide: bool,
     // Boxes, as the library keeps their addresses.
     #[allow(clippy::vec_box)]
     distances: Vec<Box<Distance>>,
@@ -50,7 +54,14 @@ struct Host {
 pub fn run(program: &Program) {
     let options = options(&program.options, program.mesh.is_ordinary());
     let Some(context) = create(&program.mesh, program.is_wide, &options) else { return };
-    let mut host = Host { context, mesh: program.mesh.clone(), options, distances: Vec::new(), is_steady: true };
+    let mut host = Host {
+        context,
+        mesh: program.mesh.clone(),
+        options,
+        is_wide: program.is_wide,
+        distances: Vec::new(),
+        is_steady: true,
+    };
     for call in program.calls.iter().take(MOST_CALLS) {
         host.make(call);
     }

@@ -1,7 +1,7 @@
 //! A mesh in one part beside the same mesh whole.
 
 use crate::guarded::Guarded;
-use crate::host::{Array, cell_size, checked, create, echo, to_itself, unless};
+use crate::host::{Array, Numbers, cell_size, checked, create, echo, to_itself, unless};
 use crate::interface::*;
 use crate::mesh::Mesh;
 use crate::program::{Hole, Layout};
@@ -17,8 +17,9 @@ pub(crate) fn beside_the_whole(mesh: &Mesh, options: &fmc_options, reach: f64, h
     // SAFETY: contexts of this function, and arrays as long as they are said to be.
     unsafe {
         if let (Some(mut whole), Some(mut part)) = (whole, part) {
-            compare(&mesh, whole, part);
-            carry(&mesh, part, reach, hole);
+            let (is_wide, base) = (hole % 3 == 1, i64::from(options.index_base));
+            compare(&mesh, whole, part, is_wide, base);
+            carry(&mesh, part, reach, hole, base);
             assert_eq!((fmc_context_free(&raw mut whole), fmc_context_free(&raw mut part)), (OK, OK));
             return;
         }
@@ -30,19 +31,19 @@ pub(crate) fn beside_the_whole(mesh: &Mesh, options: &fmc_options, reach: f64, h
 
 fn of_part(mesh: &Mesh, ids: &[i64], options: &fmc_options, reach: f64, hole: Hole) -> Option<*mut fmc_context> {
     let coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
-    let narrow = |values: &[i64]| Guarded::new(&values.iter().map(|&value| value as i32).collect::<Vec<_>>());
-    let base = i64::from(options.index_base);
-    let conn: Vec<Guarded<i32>> =
-        mesh.blocks.iter().map(|(_, conn)| narrow(&conn.iter().map(|node| node + base).collect::<Vec<_>>())).collect();
+    let (base, is_wide) = (i64::from(options.index_base), hole % 3 == 1);
+    let based = |values: &[i64]| Numbers::new(&values.iter().map(|value| value + base).collect::<Vec<_>>(), is_wide);
+    let conn: Vec<Numbers> = mesh.blocks.iter().map(|(_, conn)| based(conn)).collect();
     let blocks: Vec<fmc_cell_block> = (mesh.blocks.iter().zip(&conn))
         .map(|((cell_type, nodes), conn)| fmc_cell_block {
             cell_type: *cell_type,
+            index_size: Numbers::size(is_wide),
             conn: conn.ptr(),
             cell_count: nodes.len() / cell_size(*cell_type),
         })
         .collect();
-    let numbers = |count: usize| Guarded::new(&(0..count as i64).collect::<Vec<_>>());
-    let (nodes, cells, ids) = (numbers(mesh.node_count()), numbers(ids.len()), narrow(ids));
+    let numbers = |count: usize| based(&(0..count as i64).collect::<Vec<_>>());
+    let (nodes, cells, ids) = (numbers(mesh.node_count()), numbers(ids.len()), Numbers::new(ids, is_wide));
     let mut context = null_mut();
     // SAFETY: structs of this interface; arrays as long as they are said to be, alive during the call.
     unsafe {
@@ -51,16 +52,13 @@ fn of_part(mesh: &Mesh, ids: &[i64], options: &fmc_options, reach: f64, hole: Ho
         ranks.all_gather = Some(echo);
         ranks.user = std::ptr::without_provenance_mut(256);
         ranks.all_to_all = (hole % 2 == 0).then_some(to_itself);
-        let part = fmc_mesh_part {
-            struct_size: size_of::<fmc_mesh_part>(),
-            coords: coords.view,
-            node_numbers: unless(hole, 1, nodes.ptr()),
-            blocks: blocks.as_ptr(),
-            block_count: blocks.len(),
-            cell_numbers: unless(hole, 2, cells.ptr()),
-            body_ids: unless(hole, 3, ids.ptr()),
-            reach,
-        };
+        let mut part = fmc_mesh_part::default();
+        assert_eq!(checked(fmc_mesh_part_init(&raw mut part)), OK);
+        (part.coords, part.index_size, part.reach) = (coords.view, Numbers::size(is_wide), reach);
+        part.node_numbers = unless(hole, 1, nodes.ptr());
+        (part.blocks, part.block_count) = (blocks.as_ptr(), blocks.len());
+        part.cell_numbers = unless(hole, 2, cells.ptr());
+        part.body_ids = unless(hole, 3, ids.ptr());
         let part = unless(hole, 0, (&raw const part).cast_mut());
         let status = checked(fmc_context_new_from_part(mesh.dim as i32, &ranks, part, options, &mut context));
         assert_eq!(status == OK, !context.is_null());
@@ -70,7 +68,7 @@ fn of_part(mesh: &Mesh, ids: &[i64], options: &fmc_options, reach: f64, hole: Ho
 
 /// # Safety
 /// Contexts that live.
-unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) {
+unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context, is_wide: bool, base: i64) {
     let coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
     let of_whole = Array::new(&vec![0.0; mesh.coords.len()], mesh.dim, Layout::Rows);
     // SAFETY: as above; arrays as long as they are said to be.
@@ -87,14 +85,16 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) 
             return;
         }
         let count = counts.node_count as usize;
-        let (numbers, own) = (Guarded::new(&vec![-7i64; count]), Guarded::new(&vec![-7i32; count]));
+        let (numbers, own) = (Numbers::new(&vec![-7; count], is_wide), Numbers::new(&vec![-7; count], is_wide));
+        let none = null_mut();
         let x = Guarded::new(&vec![0.0; count * mesh.dim]);
-        assert_eq!(checked(fmc_context_gathered_nodes(part, numbers.ptr(), own.ptr(), x.ptr(), count)), OK);
-        let cells = Guarded::new(&vec![-7i64; counts.cell_count as usize]);
-        assert_eq!(checked(fmc_context_gathered_cells(part, cells.ptr(), counts.cell_count as usize)), OK);
+        assert_eq!(checked(fmc_context_gathered_nodes(part, numbers.ptr(), own.ptr(), x.ptr(), count, none)), OK);
+        let cells = Numbers::new(&vec![-7; counts.cell_count as usize], is_wide);
+        assert_eq!(checked(fmc_context_gathered_cells(part, cells.ptr(), counts.cell_count as usize, none)), OK);
         assert!(
             count == 0
-                || checked(fmc_context_gathered_nodes(part, numbers.ptr(), null_mut(), null_mut(), count - 1)) != OK
+                || checked(fmc_context_gathered_nodes(part, numbers.ptr(), null_mut(), null_mut(), count - 1, none))
+                    != OK
         );
         let (x, forces) = (x.values(), Array::new(&vec![0.0; count * mesh.dim], mesh.dim, Layout::Rows));
         let gathered = Array::new(&x, mesh.dim, Layout::Rows);
@@ -108,6 +108,7 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) 
         assert_eq!([found.volume, found.energy].map(bits), [expected.volume, expected.energy].map(bits), "totals");
         let (of_parts, mut of_whole) = (forces.rows(), of_whole.rows());
         for (place, &number) in numbers.values().iter().enumerate() {
+            let number = number - base;
             for axis in 0..mesh.dim {
                 let whole = std::mem::take(&mut of_whole[number as usize * mesh.dim + axis]);
                 assert_eq!(of_parts[place * mesh.dim + axis].to_bits(), whole.to_bits(), "node {number}, axis {axis}");
@@ -121,10 +122,10 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context) 
 ///
 /// # Safety
 /// A context that lives.
-unsafe fn carry(mesh: &Mesh, part: *mut fmc_context, slip: f64, hole: Hole) {
+unsafe fn carry(mesh: &Mesh, part: *mut fmc_context, slip: f64, hole: Hole, base: i64) {
     let mut coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
     let given =
-        [0, 1].map(|face| fmc_carried_slip { cell: i64::from(hole % 4), face, part: 0, slip: [slip, 0.5, 0.0] });
+        [0, 1].map(|face| fmc_carried_slip { cell: i64::from(hole % 4) + base, face, part: 0, slip: [slip, 0.5, 0.0] });
     let given = Guarded::new(&given);
     // SAFETY: as above; arrays as long as they are said to be.
     unsafe {
@@ -132,7 +133,7 @@ unsafe fn carry(mesh: &Mesh, part: *mut fmc_context, slip: f64, hole: Hole) {
         assert_eq!(checked(fmc_context_gathered_counts(part, &mut counts)), OK);
         let count = counts.node_count as usize;
         let x = Guarded::new(&vec![0.0; count * mesh.dim]);
-        if checked(fmc_context_gathered_nodes(part, null_mut(), null_mut(), x.ptr(), count)) == OK {
+        if checked(fmc_context_gathered_nodes(part, null_mut(), null_mut(), x.ptr(), count, null_mut())) == OK {
             coords = Array::new(&x.values(), mesh.dim, Layout::Rows);
         }
         let has_step = checked(fmc_context_begin_step(part, &coords.view)) == OK;
@@ -153,7 +154,11 @@ unsafe fn carry(mesh: &Mesh, part: *mut fmc_context, slip: f64, hole: Hole) {
         let status = checked(fmc_context_set_carried_slip(part, unless(hole, 0, given.ptr()).cast_const(), 2));
         let after = read();
         if status == OK {
-            assert!(after.iter().all(|one| one.slip.iter().all(|x| x.is_finite()) && one.cell == i64::from(hole % 4)));
+            assert!(
+                after
+                    .iter()
+                    .all(|one| one.slip.iter().all(|x| x.is_finite()) && one.cell == i64::from(hole % 4) + base)
+            );
         } else {
             assert_eq!(before, after);
         }

@@ -31,7 +31,7 @@ static int32_t follow(void *user, size_t n, const double *displacement, double *
 
 static fmc_context *two_squares(const double start[8][2]) {
   const int32_t conn[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-  const fmc_cell_block block = {FMC_QUAD4, conn, 2};
+  const fmc_cell_block block = {FMC_QUAD4, 4, conn, 2};
   const fmc_coords initial = {start[0], 8, 0, 0};
   double guess[8][2];
   const fmc_coords overlapping = {guess[0], 8, 0, 0};
@@ -54,25 +54,35 @@ int main(void) {
   int wrong = 0;
 
   /* Rows of K, all entries: [2 . -1 .], [. 2 . -1], [-1 . 1 .], [. -1 . 1]. */
-  const int64_t offsets[5] = {0, 2, 4, 6, 8}, cols[8] = {0, 2, 1, 3, 0, 2, 1, 3}, kept[2] = {2, 3};
+  const int64_t offsets[5] = {0, 2, 4, 6, 8}, cols[8] = {0, 2, 1, 3, 0, 2, 1, 3}, retained[2] = {2, 3};
   const double values[8] = {2, -1, 2, -1, -1, 1, -1, 1};
   const double load[4] = {0, 0, -0.4, -0.4}; /* external less internal forces */
   double S[4], condensed[2], d[2], all[4];
+  size_t count;
   fmc_condensation *bodies = NULL;
+  fmc_csr K;
+  check(fmc_csr_init(&K));
+  K.row_count = 4;
+  K.index_size = sizeof offsets[0];
+  K.row_offsets = offsets, K.cols = cols, K.values = values;
   check(fmc_condensation_new(&bodies));
-  check(fmc_condensation_factorise(bodies, 4, offsets, cols, values, kept, 2));
-  check(fmc_condensation_complement(bodies, S, 4));
-  check(fmc_condensation_condense(bodies, load, 4, condensed, 2));
+  check(fmc_condensation_factorise(bodies, &K, retained, 2));
+  check(fmc_condensation_complement(bodies, NULL, 0, &count));
+  wrong += count != 4;
+  check(fmc_condensation_complement(bodies, S, 4, NULL));
+  check(fmc_condensation_condense(bodies, load, 4, condensed, 2, &count));
+  wrong += count != 2;
 
-  const int64_t dofs[2] = {2 * 4 + 1, 2 * 5 + 1}, held[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const int32_t dofs[2] = {2 * 4 + 1, 2 * 5 + 1}, fixed[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   const fmc_coords initial = {start[0], 8, 0, 0};
   const double residual[2] = {-condensed[0], -condensed[1]};
   fmc_contact_step_options when;
   fmc_contact_step_result found;
   check(fmc_contact_step_options_init(&when));
   when.tolerance = 1e-12;
-  check(fmc_context_contact_step(context, &initial, &when, dofs, 2, held, 8, S, residual, follow, NULL, d, &found));
-  check(fmc_condensation_expand(bodies, load, 4, d, 2, all, 4));
+  check(fmc_context_contact_step(context, &initial, &when, dofs, 2, fixed, 8, S, residual, follow, NULL, d, &found));
+  check(fmc_condensation_expand(bodies, load, 4, d, 2, all, 4, &count));
+  wrong += count != 4;
   printf("S %g %g %g %g  u %.9f, expected %.9f, between %.9f\n", S[0], S[1], S[2], S[3], -d[0], 100.8 / 1001, -all[0]);
   wrong += found.state != FMC_STEP_CONVERGED;
   for (int spring = 0; spring < 2; spring++) {
@@ -84,48 +94,69 @@ int main(void) {
   const int64_t lower_offsets[5] = {0, 1, 2, 4, 6}, lower_cols[6] = {0, 1, 0, 2, 1, 3};
   const double lower[6] = {2, 2, -1, 1, -1, 1};
   double again[4];
-  check(fmc_condensation_factorise(bodies, 4, lower_offsets, lower_cols, lower, kept, 2));
-  check(fmc_condensation_complement(bodies, again, 4));
+  K.row_offsets = lower_offsets, K.cols = lower_cols, K.values = lower;
+  check(fmc_condensation_factorise(bodies, &K, retained, 2));
+  check(fmc_condensation_complement(bodies, again, 4, NULL));
   wrong += memcmp(S, again, sizeof S) != 0;
+
+  /* And so is one that counts from 1, with numbers of 32 bits. */
+  const int32_t narrow_offsets[5] = {1, 2, 3, 5, 7}, narrow_cols[6] = {1, 2, 1, 3, 2, 4}, narrow_retained[2] = {3, 4};
+  K.index_size = 4, K.index_base = 1;
+  K.row_offsets = narrow_offsets, K.cols = narrow_cols;
+  memset(again, 0, sizeof again);
+  check(fmc_condensation_factorise(bodies, &K, narrow_retained, 2));
+  check(fmc_condensation_complement(bodies, again, 4, NULL));
+  wrong += memcmp(S, again, sizeof S) != 0;
+  const int32_t beyond_retained[2] = {3, 5};
+  wrong += fmc_condensation_factorise(bodies, &K, beyond_retained, 2) != FMC_ERROR_DOF_OUT_OF_RANGE;
+  wrong += strstr(fmc_last_error(), " 5") == NULL;
+  K.index_size = 2;
+  wrong += fmc_condensation_factorise(bodies, &K, narrow_retained, 2) != FMC_ERROR_INDEX_SIZE;
+  K.struct_size = 3;
+  wrong += fmc_condensation_factorise(bodies, &K, narrow_retained, 2) != FMC_ERROR_STRUCT_SIZE;
+  wrong += fmc_condensation_factorise(bodies, NULL, narrow_retained, 2) != FMC_ERROR_NULL_POINTER;
+  check(fmc_csr_init(&K));
+  K.row_count = 4, K.index_size = 8;
 
   /* What is refused leaves outputs and factors as they were. */
   const int64_t beyond[2] = {2, 4}, twice[2] = {2, 2}, negative[2] = {-1, 2}, far_cols[8] = {0, 2, 1, 3, 0, 2, 1, 4};
   const int64_t falling[5] = {0, 2, 1, 6, 8}, below[5] = {0, 2, 4, 6, -8};
   const double lost[8] = {2, -1, 2, NAN, -1, 1, -1, 1}, uneven[8] = {2, -1, 2, -1.5, -1, 1, -1, 1};
   const double wild[4] = {0, INFINITY, 0, 0};
-#define FACTORISE(rows, columns, numbers, last) fmc_condensation_factorise(bodies, 4, rows, columns, numbers, last, 2)
-  wrong += FACTORISE(NULL, cols, values, kept) != FMC_ERROR_NULL_POINTER;
-  wrong += FACTORISE(offsets, NULL, values, kept) != FMC_ERROR_NULL_POINTER;
-  wrong += FACTORISE(offsets, cols, NULL, kept) != FMC_ERROR_NULL_POINTER;
+#define FACTORISE(rows, columns, numbers, last) \
+  (K.row_offsets = rows, K.cols = columns, K.values = numbers, fmc_condensation_factorise(bodies, &K, last, 2))
+  wrong += FACTORISE(NULL, cols, values, retained) != FMC_ERROR_NULL_POINTER;
+  wrong += FACTORISE(offsets, NULL, values, retained) != FMC_ERROR_NULL_POINTER;
+  wrong += FACTORISE(offsets, cols, NULL, retained) != FMC_ERROR_NULL_POINTER;
   wrong += FACTORISE(offsets, cols, values, NULL) != FMC_ERROR_NULL_POINTER;
-  wrong += FACTORISE(falling, cols, values, kept) != FMC_ERROR_LENGTH;
-  wrong += FACTORISE(below, cols, values, kept) != FMC_ERROR_LENGTH;
-  wrong += FACTORISE(offsets, far_cols, values, kept) != FMC_ERROR_DOF_OUT_OF_RANGE;
+  wrong += FACTORISE(falling, cols, values, retained) != FMC_ERROR_LENGTH;
+  wrong += FACTORISE(below, cols, values, retained) != FMC_ERROR_LENGTH;
+  wrong += FACTORISE(offsets, far_cols, values, retained) != FMC_ERROR_DOF_OUT_OF_RANGE;
   wrong += FACTORISE(offsets, cols, values, beyond) != FMC_ERROR_DOF_OUT_OF_RANGE;
   wrong += FACTORISE(offsets, cols, values, negative) != FMC_ERROR_DOF_OUT_OF_RANGE;
   wrong += FACTORISE(offsets, cols, values, twice) != FMC_ERROR_REPEATED_DOF;
-  wrong += FACTORISE(offsets, cols, lost, kept) != FMC_ERROR_NON_FINITE_STIFFNESS;
-  wrong += FACTORISE(offsets, cols, uneven, kept) != FMC_ERROR_UNSYMMETRIC;
+  wrong += FACTORISE(offsets, cols, lost, retained) != FMC_ERROR_NON_FINITE_STIFFNESS;
+  wrong += FACTORISE(offsets, cols, uneven, retained) != FMC_ERROR_UNSYMMETRIC;
   memset(again, 0, sizeof again);
-  wrong += fmc_condensation_complement(bodies, again, 3) != FMC_ERROR_BUFFER_TOO_SMALL;
-  wrong += fmc_condensation_complement(bodies, NULL, 4) != FMC_ERROR_NULL_POINTER;
-  wrong += fmc_condensation_condense(bodies, load, 3, again, 2) != FMC_ERROR_LENGTH;
-  wrong += fmc_condensation_condense(bodies, wild, 4, again, 2) != FMC_ERROR_NON_FINITE_STIFFNESS;
-  wrong += fmc_condensation_condense(bodies, load, 4, again, 1) != FMC_ERROR_BUFFER_TOO_SMALL;
-  wrong += fmc_condensation_expand(bodies, load, 4, d, 1, again, 4) != FMC_ERROR_LENGTH;
-  wrong += fmc_condensation_expand(bodies, load, 4, d, 2, again, 3) != FMC_ERROR_BUFFER_TOO_SMALL;
+  wrong += fmc_condensation_complement(bodies, again, 3, NULL) != FMC_ERROR_BUFFER_TOO_SMALL;
+  wrong += fmc_condensation_complement(bodies, NULL, 4, NULL) != FMC_ERROR_NULL_POINTER;
+  wrong += fmc_condensation_condense(bodies, load, 3, again, 2, NULL) != FMC_ERROR_LENGTH;
+  wrong += fmc_condensation_condense(bodies, wild, 4, again, 2, NULL) != FMC_ERROR_NON_FINITE_STIFFNESS;
+  wrong += fmc_condensation_condense(bodies, load, 4, again, 1, NULL) != FMC_ERROR_BUFFER_TOO_SMALL;
+  wrong += fmc_condensation_expand(bodies, load, 4, d, 1, again, 4, NULL) != FMC_ERROR_LENGTH;
+  wrong += fmc_condensation_expand(bodies, load, 4, d, 2, again, 3, NULL) != FMC_ERROR_BUFFER_TOO_SMALL;
   wrong += again[0] != 0 || again[1] != 0;
-  check(fmc_condensation_complement(bodies, again, 4));
+  check(fmc_condensation_complement(bodies, again, 4, NULL));
   wrong += memcmp(S, again, sizeof S) != 0;
 
   /* Springs that nothing holds between their ends: not positive definite, and no factors are left. */
   const double loose[8] = {0, 0, 2, -1, 0, 1, -1, 1};
-  wrong += FACTORISE(offsets, cols, loose, kept) != FMC_ERROR_NOT_POSITIVE_DEFINITE;
-  wrong += fmc_condensation_complement(bodies, again, 4) != FMC_ERROR_NOT_FACTORISED;
-  wrong += fmc_condensation_condense(bodies, load, 4, again, 2) != FMC_ERROR_NOT_FACTORISED;
-  wrong += fmc_condensation_expand(bodies, load, 4, d, 2, again, 4) != FMC_ERROR_NOT_FACTORISED;
+  wrong += FACTORISE(offsets, cols, loose, retained) != FMC_ERROR_NOT_POSITIVE_DEFINITE;
+  wrong += fmc_condensation_complement(bodies, again, 4, NULL) != FMC_ERROR_NOT_FACTORISED;
+  wrong += fmc_condensation_condense(bodies, load, 4, again, 2, NULL) != FMC_ERROR_NOT_FACTORISED;
+  wrong += fmc_condensation_expand(bodies, load, 4, d, 2, again, 4, NULL) != FMC_ERROR_NOT_FACTORISED;
   wrong += memcmp(S, again, sizeof S) != 0;
-  wrong += fmc_condensation_complement(NULL, again, 4) != FMC_ERROR_NULL_POINTER;
+  wrong += fmc_condensation_complement(NULL, again, 4, NULL) != FMC_ERROR_NULL_POINTER;
   wrong += fmc_condensation_new(NULL) != FMC_ERROR_NULL_POINTER;
 
   printf("wrong %d\n", wrong);

@@ -37,7 +37,7 @@ int main(void) {
   const double start[8][2] = {{0, 0}, {2, 0}, {2, 1}, {0, 1}, {0.5, 1.1}, {1.5, 1.1}, {1.5, 2}, {0.5, 2}};
   double guess[8][2];
   const int32_t conn[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-  const fmc_cell_block block = {FMC_QUAD4, conn, 2};
+  const fmc_cell_block block = {FMC_QUAD4, 4, conn, 2};
   const fmc_coords initial = {start[0], 8, 0, 0}, overlapping = {guess[0], 8, 0, 0};
   fmc_context *context;
 
@@ -52,46 +52,46 @@ int main(void) {
   for (int node = 4; node < 8; node++) guess[node][1] -= 0.12;
   check(fmc_context_keep_patches(context, &overlapping, NULL));
 
-  const int64_t dofs[2] = {2 * 4 + 1, 2 * 5 + 1}, held[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const int32_t dofs[2] = {2 * 4 + 1, 2 * 5 + 1}, fixed[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   const double stiffness[4] = {0.5, 0, 0, 0.5}, residual[2] = {0.4, 0.4};
   double d[2];
   fmc_contact_step_options when;
   fmc_contact_step_result found;
   check(fmc_contact_step_options_init(&when));
   when.tolerance = 1e-12;
-  check(fmc_context_contact_step(context, &initial, &when, dofs, 2, held, 8, stiffness, residual, follow, NULL, d, &found));
+  check(fmc_context_contact_step(context, &initial, &when, dofs, 2, fixed, 8, stiffness, residual, follow, NULL, d, &found));
   printf("state %d  u %.9f %.9f, expected %.9f\n", (int)found.state, -d[0], -d[1], 100.8 / 1001);
   int wrong = found.state != FMC_STEP_CONVERGED || fabs(d[0] + 100.8 / 1001) > 1e-9 || fabs(d[1] + 100.8 / 1001) > 1e-9;
   wrong += found.iterations < 1 || found.residual > 1e-12 * found.scale || found.struct_size != sizeof found;
 
   /* The same equilibrium on softer contacts first. */
   when.soft_start = 1;
-  check(fmc_context_contact_step(context, &initial, &when, dofs, 2, held, 8, stiffness, residual, follow, NULL, d, &found));
+  check(fmc_context_contact_step(context, &initial, &when, dofs, 2, fixed, 8, stiffness, residual, follow, NULL, d, &found));
   wrong += found.state != FMC_STEP_CONVERGED || fabs(d[0] + 100.8 / 1001) > 1e-9;
 
-  /* Without the held nodes, contact acts outside the list as soon as the squares touch. */
+  /* Without the fixed nodes, contact acts outside the list as soon as the squares touch. */
   check(fmc_context_contact_step(context, &initial, NULL, dofs, 2, NULL, 0, stiffness, residual, follow, NULL, d, &found));
   wrong += found.state != FMC_STEP_OUTSIDE || found.outside_count == 0;
 
   /* As little penetration as is wanted: the lower square, which is held, stops the upper one after 0.1. */
   fmc_contact_step_options hard = when;
   hard.penetration = 1e-7;
-  check(fmc_context_contact_step(context, &initial, &hard, dofs, 2, held, 8, stiffness, residual, follow, NULL, d, &found));
+  check(fmc_context_contact_step(context, &initial, &hard, dofs, 2, fixed, 8, stiffness, residual, follow, NULL, d, &found));
   printf("state %d, penetration %g after %zu updates, u %.9f\n", (int)found.state, found.penetration, found.update_count, -d[0]);
   wrong += found.state != FMC_STEP_CONVERGED || found.penetration > 1e-7 || found.update_count == 0;
   wrong += fabs(d[0] + 0.1) > 1.01e-7 || fabs(d[1] + 0.1) > 1.01e-7;
 
   /* What is refused leaves the outputs as they were. */
-  const int64_t beyond[2] = {9, 16}, again[2] = {9, 9}, negative[2] = {-1, 9};
+  const int32_t beyond[2] = {9, 16}, again[2] = {9, 9}, negative[2] = {-1, 9};
   const double none[4] = {0, 0, 0, 0}, down[4] = {-1, 0, 0, 1}, lost[4] = {0.5, 0, NAN, 0.5};
   const fmc_coords *x = &initial;
   d[0] = d[1] = 7;
 #define STEP(options, list, matrix, place) \
-  fmc_context_contact_step(context, x, options, list, 2, held, 8, matrix, residual, place, NULL, d, &found)
+  fmc_context_contact_step(context, x, options, list, 2, fixed, 8, matrix, residual, place, NULL, d, &found)
   wrong += STEP(NULL, beyond, stiffness, follow) != FMC_ERROR_DOF_OUT_OF_RANGE;
   wrong += STEP(NULL, negative, stiffness, follow) != FMC_ERROR_DOF_OUT_OF_RANGE;
   wrong += STEP(NULL, again, stiffness, follow) != FMC_ERROR_REPEATED_DOF;
-  wrong += STEP(NULL, held, stiffness, follow) != FMC_ERROR_REPEATED_DOF;
+  wrong += STEP(NULL, fixed, stiffness, follow) != FMC_ERROR_REPEATED_DOF;
   wrong += STEP(NULL, dofs, lost, follow) != FMC_ERROR_NON_FINITE_STIFFNESS;
   wrong += STEP(NULL, dofs, none, follow) != FMC_ERROR_SINGULAR_STIFFNESS;
   wrong += STEP(NULL, dofs, down, follow) != FMC_ERROR_INDEFINITE_STIFFNESS;

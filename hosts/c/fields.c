@@ -12,7 +12,7 @@
 int main(void) {
   const double x[8][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.9, 0.1}, {1.9, 0.1}, {1.9, 0.9}, {0.9, 0.9}};
   const int32_t conn[2][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}};
-  const fmc_cell_block squares = {FMC_QUAD4, conn[0], 2};
+  const fmc_cell_block squares = {FMC_QUAD4, 4, conn[0], 2};
   const fmc_coords coords = {x[0], 8, 2, 1};
   fmc_options options;
   fmc_context *contact = NULL;

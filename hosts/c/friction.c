@@ -49,22 +49,23 @@ int main(void) {
 
   place(0, start);
   fmc_context *context = NULL;
-  const fmc_cell_block block = {FMC_QUAD4, conn, 2};
+  const fmc_cell_block block = {FMC_QUAD4, 4, conn, 2};
   const fmc_coords at_start = {start[0], NODES, 0, 0}, at = {coords[0], NODES, 0, 0};
   const fmc_forces out = {forces[0], NODES, 0, 0};
   OK(fmc_context_new_from_cells(2, &at_start, &block, 1, NULL, &options, &context));
   EXPECT(fmc_context_evaluate(context, &at_start, &out, 0, NULL) == FMC_ERROR_NO_STEP);
   OK(fmc_context_begin_step(context, &at_start));
 
-  EXPECT(fmc_contact_force(2, start[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, other[0], NULL) == FMC_ERROR_NO_STEP);
-  EXPECT(strstr(fmc_last_error(), "fmc_contact_force_step") != NULL);
+  EXPECT(fmc_contact_force(2, start[0], NODES, &block, 1, NULL, &options, NULL, other[0], NULL) == FMC_ERROR_NO_STEP);
+  EXPECT(strstr(fmc_last_error(), "give fmc_contact_force a step") != NULL);
 
   /* The length of the slip is learned from a call that gives none. */
   fmc_friction_step step;
   OK(fmc_friction_step_init(&step));
+  size_t length = 0;
   step.start = start[0];
-  OK(fmc_contact_force_step(2, start[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], NULL));
-  const size_t length = 2 * step.facet_count;
+  step.next_slip_count = &length;
+  OK(fmc_contact_force(2, start[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL));
   EXPECT(length == 16);
   memset(slip, 0, sizeof slip);
 
@@ -92,10 +93,10 @@ int main(void) {
     step.start = start[0];
     step.reference = reference[0];
     step.slip = step.next_slip = slip;
-    step.slip_length = length;
+    step.slip_count = step.next_slip_capacity = length;
     memcpy(before, slip, sizeof slip);
     double volume = -1;
-    OK(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], &volume));
+    OK(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], &volume));
     EXPECT(memcmp(forces, other, sizeof forces) == 0 && volume == result.volume);
     OK(fmc_context_commit_step(context, &at));
     OK(fmc_context_slip(context, kept, 64, NULL));
@@ -103,31 +104,37 @@ int main(void) {
     memcpy(start, coords, sizeof start);
   }
 
-  /* What is refused writes nothing but the number of facets. */
+  /* What is refused writes nothing. */
   memcpy(before, slip, sizeof slip);
-  step.slip_length = length - 1;
-  step.facet_count = 0;
+  size_t told = 7;
+  step.slip_count = length - 1;
+  step.next_slip_count = &told;
   memset(other, 0, sizeof other);
-  EXPECT(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], NULL) ==
+  EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL) ==
          FMC_ERROR_LENGTH);
-  EXPECT(2 * step.facet_count == length && memcmp(before, slip, sizeof slip) == 0 && other[4][1] == 0);
-  step.slip_length = length;
+  EXPECT(told == 7 && memcmp(before, slip, sizeof slip) == 0 && other[4][1] == 0);
+  step.slip_count = length;
+  step.next_slip_capacity = length - 1;
+  EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL) ==
+         FMC_ERROR_BUFFER_TOO_SMALL);
+  EXPECT(told == 7 && memcmp(before, slip, sizeof slip) == 0 && other[4][1] == 0);
+  step.next_slip_capacity = length;
   slip[5] = NAN;
-  EXPECT(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], NULL) ==
+  EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL) ==
          FMC_ERROR_NON_FINITE_SLIP);
   slip[5] = before[5];
   step.reserved[0] = 1;
-  EXPECT(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], NULL) ==
+  EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL) ==
          FMC_ERROR_RESERVED_FIELD);
   step.struct_size = 8;
-  EXPECT(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], NULL) ==
+  EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL) ==
          FMC_ERROR_STRUCT_SIZE);
   EXPECT(fmc_friction_step_init(NULL) == FMC_ERROR_NULL_POINTER);
   OK(fmc_friction_step_init(&step));
-  EXPECT(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, &step, other[0], NULL) ==
+  EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL) ==
          FMC_ERROR_NULL_POINTER);
-  EXPECT(fmc_contact_force_step(2, coords[0], NODES, FMC_QUAD4, conn, 2, NULL, &options, NULL, other[0], NULL) ==
-         FMC_ERROR_NULL_POINTER);
+  EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, NULL, other[0], NULL) ==
+         FMC_ERROR_NO_STEP);
 
   fmc_context_free(&context);
   printf("%d failures\n", failures);

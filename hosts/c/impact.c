@@ -101,7 +101,7 @@ int main(void) {
   options.law = FMC_LAW_DEPTH;
   options.estimator = FMC_ESTIMATOR_EXACT;
   options.stiffness = STIFFNESS;
-  const fmc_cell_block cells = {FMC_TRI3, triangles[0], TRIANGLES};
+  const fmc_cell_block cells = {FMC_TRI3, 4, triangles[0], TRIANGLES};
   const fmc_coords coords = {x[0], NODES, 2, 1};
   const fmc_forces forces = {force[0], NODES, 2, 1};
   fmc_context *contact;

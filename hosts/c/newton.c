@@ -23,7 +23,7 @@ static void check(fmc_status status) {
 int main(void) {
   const double start[8][2] = {{0, 0}, {2, 0}, {2, 1}, {0, 1}, {0.5, 1.1}, {1.5, 1.1}, {1.5, 2}, {0.5, 2}};
   const int32_t conn[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-  const fmc_cell_block block = {FMC_QUAD4, conn, 2};
+  const fmc_cell_block block = {FMC_QUAD4, 4, conn, 2};
   double u = 0.12; /* downwards; a guess at which they overlap, so that the contact has a direction */
 
   fmc_options options;
@@ -51,10 +51,11 @@ int main(void) {
 
     /* The stiffness of the contact against moving the upper square as a whole: the sum of its entries. */
     size_t count;
-    check(fmc_context_tangent(context, &coords, 0, &count, NULL));
+    check(fmc_context_tangent(context, &coords, 0, NULL));
+    check(fmc_context_tangent_entries(context, NULL, NULL, NULL, 0, &count));
     int32_t *rows = malloc(count * sizeof *rows), *cols = malloc(count * sizeof *cols);
     double *values = malloc(count * sizeof *values), stiffness = 1;
-    check(fmc_context_tangent_entries(context, rows, cols, values, count));
+    check(fmc_context_tangent_entries(context, rows, cols, values, count, NULL));
     for (size_t entry = 0; entry < count; entry++)
       if (rows[entry] >= 8 && cols[entry] >= 8 && rows[entry] % 2 == 1 && cols[entry] % 2 == 1) stiffness += values[entry];
     free(rows), free(cols), free(values);

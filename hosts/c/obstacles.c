@@ -30,7 +30,7 @@ int main(void) {
   const double coords[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, depth = 0.05;
   double radius = 2;
   const int32_t conn[4] = {0, 1, 2, 3};
-  const fmc_cell_block block = {FMC_QUAD4, conn, 1};
+  const fmc_cell_block block = {FMC_QUAD4, 4, conn, 1};
   const fmc_coords x = {coords[0], 4, 2, 1};
   fmc_options options;
   check(fmc_options_init(&options));

@@ -31,7 +31,7 @@ int main(void) {
   square(8, 0.9, 0.1, 1, 0.8);
   int32_t conn[NODES];
   for (int n = 0; n < NODES; n++) conn[n] = n + 1;
-  const fmc_cell_block cells = {FMC_QUAD8, conn, 2};
+  const fmc_cell_block cells = {FMC_QUAD8, 4, conn, 2};
   const fmc_coords coords = {x[0], NODES, 2, 1};
   fmc_options options;
   fmc_context *contact = NULL;
@@ -49,28 +49,30 @@ int main(void) {
   printf("nodes 9, 16, 12 bear %.3f %.3f %.3f\n", f[8][0], f[15][0], f[11][0]);
 
   /* Points: the nodes, and the middles of both cells, which have no node. */
-  size_t points = 0, entries = 0;
-  CHECK(fmc_context_point_weights_size(contact, &points, &entries));
-  CHECK(fmc_context_point_weights_size(contact, NULL, NULL));
+  size_t offsets_of_points = 0, entries = 0;
+  CHECK(fmc_context_point_weights(contact, NULL, 0, &offsets_of_points, NULL, NULL, 0, &entries));
+  CHECK(fmc_context_point_weights(contact, NULL, 0, NULL, NULL, NULL, 0, NULL));
+  const size_t room = offsets_of_points, points = room - 1;
   EXPECT(points == NODES + 2);
-  int64_t *starts = malloc((points + 1) * sizeof *starts), *nodes = malloc(entries * sizeof *nodes);
+  int32_t *starts = malloc(room * sizeof *starts), *nodes = malloc(entries * sizeof *nodes);
   double *weights = malloc(entries * sizeof *weights);
   starts[0] = nodes[0] = -7;
   const fmc_status small = FMC_ERROR_BUFFER_TOO_SMALL, null = FMC_ERROR_NULL_POINTER;
-  EXPECT(fmc_context_point_weights(contact, starts, points - 1, nodes, weights, entries) == small);
-  EXPECT(fmc_context_point_weights(contact, starts, points, nodes, weights, entries - 1) == small);
-  EXPECT(fmc_context_point_weights(contact, NULL, points, nodes, weights, entries) == null);
-  EXPECT(fmc_context_point_weights(contact, starts, points, NULL, weights, entries) == null);
-  EXPECT(fmc_context_point_weights(contact, starts, points, nodes, NULL, entries) == null);
-  EXPECT(fmc_context_point_weights(NULL, starts, points, nodes, weights, entries) == null);
-  EXPECT(fmc_context_point_weights_size(NULL, &points, &entries) == null);
+  EXPECT(fmc_context_point_weights(contact, starts, room - 1, NULL, nodes, weights, entries, NULL) == small);
+  EXPECT(fmc_context_point_weights(contact, starts, room, NULL, nodes, weights, entries - 1, NULL) == small);
+  EXPECT(fmc_context_point_weights(contact, NULL, room, NULL, nodes, weights, entries, NULL) == null);
+  EXPECT(fmc_context_point_weights(contact, starts, room, NULL, NULL, weights, entries, NULL) == null);
+  EXPECT(fmc_context_point_weights(contact, starts, room, NULL, nodes, NULL, entries, NULL) == null);
+  EXPECT(fmc_context_point_weights(NULL, starts, room, NULL, nodes, weights, entries, NULL) == null);
   EXPECT(starts[0] == -7 && nodes[0] == -7);
-  CHECK(fmc_context_point_weights(contact, starts, points, nodes, weights, entries));
-  EXPECT(starts[0] == 0 && starts[points] == (int64_t)entries);
+  CHECK(fmc_context_point_weights(contact, starts, room, NULL, nodes, weights, entries, NULL));
+  /* All counts from 1, as the option says. */
+  EXPECT(starts[0] == 1 && starts[points] == (int32_t)entries + 1);
+  for (size_t p = 0; p <= points; p++) starts[p]--;
   /* A corner is itself; the middle of an edge lies 4/3 as far from the chord as its node. */
   EXPECT(starts[1] == 1 && nodes[0] == 1 && weights[0] == 1);
   double of_node = 0;
-  for (int64_t e = starts[4]; e < starts[5]; e++) of_node += nodes[e] == 5 ? weights[e] : 0;
+  for (int32_t e = starts[4]; e < starts[5]; e++) of_node += nodes[e] == 5 ? weights[e] : 0;
   EXPECT(fabs(of_node - 4.0 / 3.0) < 1e-15);
 
   /* Forces at contact points, by the shape functions of the points and the weights of the nodes. */
@@ -84,7 +86,7 @@ int main(void) {
       for (int k = 0; k < found[i].sides[s].node_count; k++) {
         const int64_t point = found[i].sides[s].nodes[k] - 1;
         const double size = (s ? 1 : -1) * found[i].pressure * found[i].area * found[i].sides[s].weights[k];
-        for (int64_t e = starts[point]; e < starts[point + 1]; e++)
+        for (int32_t e = starts[point]; e < starts[point + 1]; e++)
           for (int axis = 0; axis < 2; axis++)
             brought[nodes[e] - 1][axis] += size * weights[e] * found[i].normal[axis];
       }
@@ -95,15 +97,16 @@ int main(void) {
   CHECK(fmc_context_gap_constraints(contact, &coords, 0.3, NULL, 0, &rows));
   CHECK(fmc_context_gap_gradient(contact, NULL, 0, NULL, NULL, NULL, 0, &slopes));
   fmc_gap_constraint *gaps = malloc(rows * sizeof *gaps);
-  int64_t *offsets = malloc((rows + 1) * sizeof *offsets), *cols = malloc(slopes * sizeof *cols);
+  int32_t *offsets = malloc((rows + 1) * sizeof *offsets), *cols = malloc(slopes * sizeof *cols);
   double *values = malloc(slopes * sizeof *values);
   CHECK(fmc_context_gap_constraints(contact, &coords, 0.3, gaps, rows, NULL));
   CHECK(fmc_context_gap_gradient(contact, offsets, rows + 1, NULL, cols, values, slopes, NULL));
+  EXPECT(offsets[0] == 1 && offsets[rows] == (int32_t)slopes + 1);
   for (size_t r = 0; r < rows; r++) {
     EXPECT(gaps[r].node >= 1 && gaps[r].node <= (int64_t)points);
     if (gaps[r].node == 16 && gaps[r].body == 1) EXPECT(fabs(gaps[r].gap / gaps[r].area + 0.1) < 1e-12);
   }
-  for (size_t e = 0; e < slopes; e++) EXPECT(cols[e] >= 0 && cols[e] < 2 * NODES);
+  for (size_t e = 0; e < slopes; e++) EXPECT(cols[e] >= 1 && cols[e] <= 2 * NODES);
 
   /* The same bodies by their edges, the middles last, without cells: the same forces. */
   int32_t edges[8][3];
@@ -113,11 +116,11 @@ int main(void) {
       edges[4 * s + e][1] = 8 * s + (e + 1) % 4 + 1;
       edges[4 * s + e][2] = 8 * s + e + 5;
     }
-  const fmc_facet_block skin = {FMC_FACET_LINE3, edges[0], 8};
+  const fmc_facet_block skin = {FMC_FACET_LINE3, 4, edges[0], 8};
   fmc_context *by_edges = NULL;
   double g[NODES][2];
   const fmc_forces same = {g[0], NODES, 2, 1};
-  CHECK(fmc_context_new_from_facet_blocks(2, &coords, &skin, 1, NULL, &options, &by_edges));
+  CHECK(fmc_context_new_from_facets(2, &coords, &skin, 1, NULL, &options, &by_edges));
   CHECK(fmc_context_evaluate(by_edges, &coords, &same, 0, NULL));
   for (int n = 0; n < NODES; n++)
     for (int axis = 0; axis < 2; axis++) EXPECT(fabs(g[n][axis] - f[n][axis]) < 1e-9);
@@ -125,7 +128,7 @@ int main(void) {
 
   /* A straight cell whose side is an edge with a node in its middle does not fit. */
   const int32_t beside[4] = {2, 10, 11, 3};
-  const fmc_cell_block mixed[2] = {{FMC_QUAD8, conn, 1}, {FMC_QUAD4, beside, 1}};
+  const fmc_cell_block mixed[2] = {{FMC_QUAD8, 4, conn, 1}, {FMC_QUAD4, 4, beside, 1}};
   fmc_context *none = NULL;
   EXPECT(fmc_context_new_from_cells(2, &coords, mixed, 2, NULL, &options, &none) == FMC_ERROR_NON_CONFORMING);
   printf("%s\n", fmc_last_error());

@@ -11,12 +11,13 @@
 int main(void) {
   const double coords[8][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.99, -0.2}, {1.99, -0.2}, {1.99, 0.8}, {0.99, 0.8}};
   const int32_t conn[2][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+  const fmc_cell_block squares = {FMC_QUAD4, sizeof conn[0][0], conn[0], 2};
   double forces[8][2], volume;
 
   fmc_options options;
   fmc_options_init(&options);
   options.stiffness = 100000.0;
-  if (fmc_contact_force(2, coords[0], 8, FMC_QUAD4, conn[0], 2, NULL, &options, forces[0], &volume) != FMC_OK) {
+  if (fmc_contact_force(2, coords[0], 8, &squares, 1, NULL, &options, NULL, forces[0], &volume) != FMC_OK) {
     fprintf(stderr, "%s\n", fmc_last_error());
     return 1;
   }

@@ -42,7 +42,7 @@ contains
     real(c_double) :: all_of(16), by(16), kept(2, 8), ring(2, 8)
     integer :: conn(4, 2) = reshape([1, 2, 3, 4, 5, 6, 7, 8], [4, 2]), quarters(3, 4), index, stat, row
     integer(c_int32_t) :: status(8)
-    integer(c_int64_t), allocatable :: row_offsets(:), cols(:)
+    integer(c_int32_t), allocatable :: row_offsets(:), cols(:)
     type(contact) :: squares, block, disc
     type(fmc_options) :: options
     type(fmc_result) :: found
@@ -155,7 +155,7 @@ contains
     ring(:, 1:4) = reshape([1d0, 0d0, 0d0, 1d0, -1d0, 0d0, 0d0, -1d0], [2, 4])
     ring(:, 5:8) = sqrt(0.5d0)*reshape([1d0, 1d0, -1d0, 1d0, -1d0, -1d0, 1d0, -1d0], [2, 4])
     quarters = reshape([1, 2, 5, 2, 3, 6, 3, 4, 7, 4, 1, 8], [3, 4])
-    call disc%from_facet_blocks(ring, [facets(FMC_FACET_LINE3, quarters)], contact_options(k, FMC_LAW_VOLUME))
+    call disc%from_facets(ring, [facets(FMC_FACET_LINE3, quarters)], contact_options(k, FMC_LAW_VOLUME))
     call disc%add_half_space([0d0, 10d0], [0d0, 1d0])
     call disc%evaluate(ring, forces, found)
     ! Four triangles of a square, and segments of parabolas, 2/3 of chord times rise.

@@ -18,11 +18,11 @@ typedef struct {
   double width, down;           /* of the upper block; by which its top is pressed down */
   PetscInt first[2], last[2];   /* layers of nodes of this rank */
   PetscInt owned, node_count;   /* nodes that this rank owns; those of its cells, the others last */
-  int64_t *numbers;             /* of these nodes */
+  int32_t *numbers;             /* of these nodes */
   double *x;                    /* and their places, (nodes, 3) */
   PetscInt cell_count;
   int32_t *conn; /* nodes of the cells, as counted here, (cells, 4) */
-  int64_t *cell_numbers;
+  int32_t *cell_numbers;
   int32_t *bodies;
 } Blocks;
 

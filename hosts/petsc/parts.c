@@ -15,20 +15,24 @@ static PetscErrorCode read_nodes(Parts *p) {
   PetscCall(PetscFree3(p->numbers, p->x, p->force));
   PetscCall(together(fmc_context_counts(p->context, &p->count, NULL, NULL)));
   PetscCall(PetscMalloc3(p->count, &p->numbers, 3 * p->count, &p->x, 3 * p->count, &p->force));
-  PetscCall(together(fmc_context_gathered_nodes(p->context, p->numbers, NULL, p->x, p->count)));
+  PetscCall(together(fmc_context_gathered_nodes(p->context, p->numbers, NULL, p->x, p->count, NULL)));
   PetscFunctionReturn(PETSC_SUCCESS);
 }
 
 PetscErrorCode parts_create(const Blocks *b, double stiffness, Parts *p) {
-  const fmc_cell_block block = {FMC_TET4, b->conn, b->cell_count};
-  const fmc_mesh_part part = {sizeof part,     {b->x, b->node_count, 0, 0}, b->numbers, &block, 1,
-                              b->cell_numbers, b->bodies,                   0.0};
+  const fmc_cell_block block = {FMC_TET4, 4, b->conn, b->cell_count};
+  fmc_mesh_part part;
   fmc_communicator ranks;
   fmc_options options;
   PetscInt *ghosts;
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(p, sizeof *p));
   p->blocks = b;
+  PetscCall(together(fmc_mesh_part_init(&part)));
+  part.coords = (fmc_coords){b->x, b->node_count, 0, 0};
+  part.index_size = sizeof *b->conn;
+  part.node_numbers = b->numbers, part.cell_numbers = b->cell_numbers, part.body_ids = b->bodies;
+  part.blocks = &block, part.block_count = 1;
   PetscCall(together(fmc_options_init(&options)));
   options.law = FMC_LAW_FIBER;
   options.stiffness = stiffness;
@@ -120,17 +124,18 @@ static PetscErrorCode add_row(const Parts *p, PetscInt node, const int32_t *cols
 }
 
 PetscErrorCode parts_tangent(Parts *p, Vec u, PetscBool semidefinite, Mat *tangent, IS *touched) {
-  size_t rows, entries;
+  size_t room, entries;
   int32_t *offsets, *cols;
   double *values;
   PetscInt first, last, *counts, *found, count = 0;
   PetscFunctionBeginUser;
   PetscCall(bring(p, u));
   const fmc_coords coords = {p->x, p->count, 0, 0};
-  PetscCall(together(fmc_context_tangent(p->context, &coords, semidefinite ? FMC_TANGENT_SEMIDEFINITE : 0, NULL, NULL)));
-  PetscCall(together(fmc_context_tangent_csr_size(p->context, FMC_CSR_BLOCKS, &rows, &entries)));
-  PetscCall(PetscMalloc3(rows + 1, &offsets, entries, &cols, 9 * entries, &values));
-  PetscCall(together(fmc_context_tangent_csr(p->context, FMC_CSR_BLOCKS, offsets, cols, values, entries)));
+  PetscCall(together(fmc_context_tangent(p->context, &coords, semidefinite ? FMC_TANGENT_SEMIDEFINITE : 0, NULL)));
+  PetscCall(together(fmc_context_tangent_csr(p->context, FMC_CSR_BLOCKS, NULL, 0, &room, NULL, NULL, 0, &entries)));
+  PetscCall(PetscMalloc3(room, &offsets, entries, &cols, 9 * entries, &values));
+  PetscCall(together(fmc_context_tangent_csr(p->context, FMC_CSR_BLOCKS, offsets, room, NULL, cols, values, entries, NULL)));
+  const size_t rows = room - 1;
   PetscCall(VecGetOwnershipRange(u, &first, &last));
   PetscCall(PetscCalloc1(last - first, &counts));
   PetscCall(PetscMalloc1(3 * rows, &found));
@@ -164,13 +169,13 @@ PetscErrorCode parts_tangent(Parts *p, Vec u, PetscBool semidefinite, Mat *tange
 }
 
 PetscErrorCode parts_counts(const Parts *p, PartsCounts *counts) {
-  int64_t *cells;
+  int32_t *cells;
   PetscFunctionBeginUser;
   PetscCall(together(fmc_context_rank_counts(p->context, &counts->work)));
   PetscCall(together(fmc_context_gathered_counts(p->context, &counts->gathered)));
   const uint64_t own = counts->gathered.own_cell_count, count = counts->gathered.cell_count;
   PetscCall(PetscMalloc1(count, &cells));
-  PetscCall(together(fmc_context_gathered_cells(p->context, cells, count)));
+  PetscCall(together(fmc_context_gathered_cells(p->context, cells, count, NULL)));
   counts->own_cells = (PetscInt)own, counts->received_cells = (PetscInt)count;
   /* Both ascend. */
   for (uint64_t at = 0, cell = 0; at < count && cell < own;)

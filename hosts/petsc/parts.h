@@ -12,7 +12,7 @@ typedef struct {
   Vec ghosted;        /* displacement of the rank's own nodes, those that it owns first */
   double *own_x;      /* their current places, (nodes, 3) */
   size_t count;       /* nodes gathered, the same on all ranks */
-  int64_t *numbers;   /* of these */
+  int32_t *numbers;   /* of these */
   double *x, *force;  /* their places and forces, (nodes, 3) */
   double size;        /* norm of the forces */
 } Parts;

@@ -13,7 +13,7 @@ static PetscErrorCode together(fmc_status status) {
 
 PetscErrorCode touch_create(const Problem *p, Vec like, Touch *t) {
   const fmc_coords coords = {p->x[0], p->node_count, 0, 0};
-  const fmc_cell_block block = {FMC_TRI3, p->triangles[0], p->triangle_count};
+  const fmc_cell_block block = {FMC_TRI3, 4, p->triangles[0], p->triangle_count};
   PetscFunctionBeginUser;
   PetscCall(PetscMemzero(t, sizeof *t));
   t->problem = p;
@@ -101,9 +101,10 @@ PetscErrorCode touch_add_tangent(Touch *t, Vec u, PetscBool semidefinite, Mat ma
   PetscFunctionBeginUser;
   begin = processor_seconds();
   PetscCall(gather(t, u, &coords));
-  PetscCall(together(fmc_context_tangent(t->context, &coords, semidefinite ? FMC_TANGENT_SEMIDEFINITE : 0, &count, NULL)));
+  PetscCall(together(fmc_context_tangent(t->context, &coords, semidefinite ? FMC_TANGENT_SEMIDEFINITE : 0, NULL)));
+  PetscCall(together(fmc_context_tangent_entries(t->context, NULL, NULL, NULL, 0, &count)));
   PetscCall(PetscMalloc3(count, &rows, count, &cols, count, &values));
-  PetscCall(together(fmc_context_tangent_entries(t->context, rows, cols, values, count)));
+  PetscCall(together(fmc_context_tangent_entries(t->context, rows, cols, values, count, NULL)));
   PetscCall(MatGetOwnershipRange(matrix, &first, &last));
   const int32_t size = 2 * t->problem->node_count; /* beyond are the half-spaces, which stay where they are */
   for (size_t e = 0; e < count; e++) {

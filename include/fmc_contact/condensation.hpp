@@ -2,7 +2,7 @@
 #ifndef FMC_CONTACT_CONDENSATION_HPP
 #define FMC_CONTACT_CONDENSATION_HPP
 
-#include "view.hpp"
+#include "data.hpp"
 
 #include <memory>
 
@@ -18,38 +18,36 @@ class Condensation {
     check(fmc_condensation_new(&made));
     factors_.reset(made);
   }
-  Condensation(View<const int64_t> row_offsets, View<const int64_t> cols, View<const double> values, View<const int64_t> kept)
-      : Condensation() {
-    factorise(row_offsets, cols, values, kept);
+  template <class Int>
+  Condensation(const CsrView<Int> &matrix, std::enable_if_t<true, View<const Int>> retained) : Condensation() {
+    factorise(matrix, retained);
   }
 
-  // The symmetric stiffness in compressed rows, whole or its lower triangle, and the equations that feel contact, ascending.
-  void factorise(View<const int64_t> row_offsets, View<const int64_t> cols, View<const double> values,
-                 View<const int64_t> kept) {
-    if (row_offsets.size() == 0) detail::refuse(FMC_ERROR_LENGTH, "row_offsets: empty, needed is one more than equations");
-    const auto count = row_offsets.size() - 1;
-    const auto entries = static_cast<std::size_t>(row_offsets.data()[count]);
-    need(cols.size(), entries, "cols"), need(values.size(), entries, "values");
-    check(fmc_condensation_factorise(get(), count, row_offsets.data(), cols.data(), values.data(), kept.data(), kept.size()));
-    count_ = count, kept_ = kept.size();
+  // The symmetric stiffness in compressed rows, whole or its lower triangle, and the equations that feel contact, ascending, counted
+  // as the matrix does.
+  template <class Int>
+  void factorise(const CsrView<Int> &matrix, std::enable_if_t<true, View<const Int>> retained) {
+    const auto c = matrix.as_c();
+    check(fmc_condensation_factorise(get(), &c, retained.data(), retained.size()));
+    count_ = c.row_count, retained_ = retained.size();
   }
 
   // S, row by row.
   std::vector<double> complement() const {
-    std::vector<double> found(kept_ * kept_);
-    check(fmc_condensation_complement(get(), found.data(), found.size()));
+    std::vector<double> found(retained_ * retained_);
+    check(fmc_condensation_complement(get(), found.data(), found.size(), nullptr));
     return found;
   }
-  // What a right side, a number for every equation, leaves on those that are kept.
+  // What a right side, a number for every equation, leaves on those that are retained.
   std::vector<double> condense(View<const double> right) const {
-    std::vector<double> found(kept_);
-    check(fmc_condensation_condense(get(), right.data(), right.size(), found.data(), found.size()));
+    std::vector<double> found(retained_);
+    check(fmc_condensation_condense(get(), right.data(), right.size(), found.data(), found.size(), nullptr));
     return found;
   }
-  // All equations' solution from that of those that are kept.
-  std::vector<double> expand(View<const double> right, View<const double> kept) const {
+  // All equations' solution from that of those that are retained.
+  std::vector<double> expand(View<const double> right, View<const double> retained) const {
     std::vector<double> found(count_);
-    check(fmc_condensation_expand(get(), right.data(), right.size(), kept.data(), kept.size(), found.data(), found.size()));
+    check(fmc_condensation_expand(get(), right.data(), right.size(), retained.data(), retained.size(), found.data(), found.size(), nullptr));
     return found;
   }
 
@@ -61,14 +59,8 @@ class Condensation {
     void operator()(fmc_condensation *factors) const noexcept { fmc_condensation_free(&factors); }
   };
 
-  static void need(std::size_t found, std::size_t expected, const char *what) {
-    if (found == expected) return;
-    detail::refuse(FMC_ERROR_LENGTH, std::string(what) + ": " + std::to_string(found) + " numbers, needed are " +
-                                         std::to_string(expected));
-  }
-
   std::unique_ptr<fmc_condensation, Free> factors_;
-  std::size_t count_ = 0, kept_ = 0;
+  std::size_t count_ = 0, retained_ = 0;
 };
 
 }  // namespace fmc

@@ -20,47 +20,37 @@ class Context : public AddsShapes<Context> {
   // Context from cells, in a block for each type, {{FMC_HEX8, hexes}, {FMC_TET4, tets}}, with 32-bit node numbers. `dim` is 2
   // or 3; `body_ids`, one for every cell over all blocks, may be left out: bodies are what hangs together.
   Context(int dim, Coords coords, View<const Cells<int32_t>> cells, const Options &options, View<const int32_t> body_ids = {})
-      : Context(dim, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
-  // The same with 64-bit numbers.
+      : Context(dim, 4, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
+  // The same with 64-bit numbers. A context goes on with the width it was made with: rows and columns of tangents are as wide.
   Context(int dim, Coords coords, View<const Cells<int64_t>> cells, const Options &options, View<const int64_t> body_ids = {})
-      : Context(dim, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
+      : Context(dim, 8, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
 
-  // Context from the closed surface of bodies, (facets, dim): edges with the body to their left, triangles counter-clockwise
-  // seen from outside. `body_ids`: one for every facet.
-  static Context from_facets(int dim, Coords coords, View<const int32_t> facets, const Options &options,
+  // Context from the closed surfaces of bodies, in a block for each type of facet, {{FMC_FACET_TRI6, curved}, {FMC_FACET_TRI3, flat}}:
+  // edges with the body to their left, others counter-clockwise seen from outside. `body_ids`: one for every facet.
+  static Context from_facets(int dim, Coords coords, View<const Facets<int32_t>> facets, const Options &options,
                              View<const int32_t> body_ids = {}) {
     return of_facets(dim, coords, facets, options, body_ids);
   }
-  static Context from_facets(int dim, Coords coords, View<const int64_t> facets, const Options &options,
+  static Context from_facets(int dim, Coords coords, View<const Facets<int64_t>> facets, const Options &options,
                              View<const int64_t> body_ids = {}) {
     return of_facets(dim, coords, facets, options, body_ids);
   }
 
-  // The same of facets of several types, also of second order, {{FMC_FACET_TRI6, curved}, {FMC_FACET_TRI3, flat}}.
-  static Context from_facet_blocks(int dim, Coords coords, View<const Facets<int32_t>> facets, const Options &options,
-                                   View<const int32_t> body_ids = {}) {
-    return of_facet_blocks(dim, coords, facets, options, body_ids);
-  }
-  static Context from_facet_blocks(int dim, Coords coords, View<const Facets<int64_t>> facets, const Options &options,
-                                   View<const int64_t> body_ids = {}) {
-    return of_facet_blocks(dim, coords, facets, options, body_ids);
-  }
-
-  // Context of a mesh that ranks hold in parts. All ranks make the same calls: `bring` with the coordinates of their own nodes, then
-  // the others with the coordinates of the nodes gathered.
-  static Context from_part(int dim, const fmc_communicator &ranks, const MeshPart &part, const Options &options) {
-    return Context(dim, [&](fmc_context **made) {
-      std::vector<fmc_cell_block> blocks;
-      std::size_t count = 0;
-      for (const auto &block : part.cells) {
-        blocks.push_back({block.type, block.conn.data(), detail::rows_of(block.conn, detail::nodes_of(block.type), "cells")});
-        count += blocks.back().cell_count;
-      }
-      const auto x = part.coords.as_c(dim);
-      const auto *nodes = detail::one_for_each(part.node_numbers, x.node_count, "node_numbers");
-      const auto *cells = detail::one_for_each(part.cell_numbers, count, "cell_numbers");
-      const auto *ids = detail::one_for_each(part.body_ids, count, "body_ids");
-      const fmc_mesh_part given{sizeof given, x, nodes, blocks.data(), blocks.size(), cells, ids, part.reach};
+  // Context of a mesh that ranks hold in parts. All ranks make the same calls: `set_coords` with the coordinates of their own nodes,
+  // then the others with the coordinates of the nodes gathered.
+  template <class Int>
+  static Context from_part(int dim, const fmc_communicator &ranks, const MeshPart<Int> &part, const Options &options) {
+    return Context(dim, sizeof(Int), [&](fmc_context **made) {
+      const auto blocks = detail::blocks_of<fmc_cell_block>(part.cells, detail::nodes_of, "cells");
+      fmc_mesh_part given;
+      check(fmc_mesh_part_init(&given));
+      given.coords = part.coords.as_c(dim);
+      given.index_size = sizeof(Int);
+      given.node_numbers = detail::one_for_each(part.node_numbers, given.coords.node_count, "node_numbers");
+      given.blocks = blocks.list.data(), given.block_count = blocks.list.size();
+      given.cell_numbers = detail::one_for_each(part.cell_numbers, blocks.count, "cell_numbers");
+      given.body_ids = detail::one_for_each(part.body_ids, blocks.count, "body_ids");
+      given.reach = part.reach;
       return fmc_context_new_from_part(dim, &ranks, &given, &options, made);
     });
   }
@@ -128,55 +118,56 @@ class Context : public AddsShapes<Context> {
   }
 
   // The tangent at `coords` in compressed rows, with flags of `fmc_context_tangent` (`FMC_TANGENT_SEMIDEFINITE`, `FMC_TANGENT_SYMMETRIC`) and of
-  // `fmc_context_tangent_csr` (`FMC_CSR_BLOCKS`, `FMC_CSR_OBSTACLES`, `FMC_FROM_ONE`). Unsymmetric with friction. Terms of rank one,
+  // `fmc_context_tangent_csr` (`FMC_CSR_BLOCKS`, `FMC_CSR_OBSTACLES`). Unsymmetric with friction. Terms of rank one,
   // which the law "volume" has, are not in it.
   template <class Int = int32_t>
   Csr<Int> tangent(Coords coords, uint32_t flags = 0) {
     find_tangent(coords, flags & ~layout);
     return tangent_csr<Int>(flags & layout);
   }
-  // Finds the tangent and keeps it for the functions below; so does `evaluate_tangent`, together with the forces.
-  TangentCounts find_tangent(Coords coords, uint32_t flags = 0) {
-    TangentCounts counts;
+  // Finds the tangent and keeps it for the functions below; so does `evaluate_tangent`, together with the forces. Gives back the number
+  // of terms of rank one.
+  std::size_t find_tangent(Coords coords, uint32_t flags = 0) {
+    std::size_t count = 0;
     const auto x = coords.as_c(dim_);
-    call(fmc_context_tangent(get(), &x, flags, &counts.entries, &counts.rank_one));
-    return counts;
+    call(fmc_context_tangent(get(), &x, flags, &count));
+    return count;
   }
   Evaluation evaluate_tangent(Coords coords, Forces forces, uint32_t flags = 0) {
     Evaluation found;
     const auto x = coords.as_c(dim_);
     const auto f = forces.as_c(dim_);
-    call(fmc_context_evaluate_tangent(get(), &x, flags, &f, &found.result, &found.tangent.entries, &found.tangent.rank_one));
+    call(fmc_context_evaluate_tangent(get(), &x, flags, &f, &found.result, &found.rank_one_count));
     return found;
   }
   CsrSize tangent_csr_size(uint32_t flags = 0) const {
-    CsrSize size;
-    check(fmc_context_tangent_csr_size(get(), flags, &size.rows, &size.entries));
-    return size;
+    std::size_t offsets = 0, entries = 0;
+    check(fmc_context_tangent_csr(get(), flags, nullptr, 0, &offsets, nullptr, nullptr, 0, &entries));
+    return {offsets - 1, entries};
   }
   template <class Int = int32_t>
   Csr<Int> tangent_csr(uint32_t flags = 0) const {
-    const auto size = tangent_csr_size(flags);
     const auto block = (flags & FMC_CSR_BLOCKS) != 0 ? axes() * axes() : 1;
-    Csr<Int> csr;
-    csr.row_offsets.resize(size.rows + 1), csr.cols.resize(size.entries), csr.values.resize(size.entries * block);
-    tangent_csr<Int>(flags, csr.row_offsets, csr.cols, csr.values);
-    return csr;
+    return csr<Int>(block, [&](auto... arrays) { return fmc_context_tangent_csr(get(), flags, arrays...); });
   }
-  // Into arrays of the host, of the lengths that `tangent_csr_size` says.
+  // Into arrays of the host, of the lengths that `tangent_csr_size` says, and with numbers as wide as the context's.
   template <class Int>
   void tangent_csr(uint32_t flags, View<Int> row_offsets, View<Int> cols, View<double> values) const {
     const auto block = (flags & FMC_CSR_BLOCKS) != 0 ? axes() * axes() : 1;
+    if (sizeof(Int) != static_cast<std::size_t>(index_size_))
+      detail::refuse(FMC_ERROR_INDEX_SIZE, "numbers of the context have " + std::to_string(index_size_) + " bytes");
     need(row_offsets.size(), tangent_csr_size(flags).rows + 1, "row_offsets");
     need(values.size(), cols.size() * block, "values");
-    check(detail::Calls<Int>::tangent_csr(get(), flags, row_offsets.data(), cols.data(), values.data(), cols.size()));
+    check(fmc_context_tangent_csr(get(), flags, row_offsets.data(), row_offsets.size(), nullptr, cols.data(), values.data(),
+                                  cols.size(), nullptr));
   }
   Entries tangent_entries() const {
-    // As many as in compressed rows: both have each place once, obstacles included.
-    const auto count = tangent_csr_size(FMC_CSR_OBSTACLES).entries;
-    Entries entries{std::vector<int32_t>(count), std::vector<int32_t>(count), std::vector<double>(count)};
-    check(fmc_context_tangent_entries(get(), entries.rows.data(), entries.cols.data(), entries.values.data(), count));
-    return entries;
+    std::size_t count = 0;
+    check(fmc_context_tangent_entries(get(), nullptr, nullptr, nullptr, 0, &count));
+    detail::Numbers rows(index_size_, count), cols(index_size_, count);
+    std::vector<double> values(count);
+    check(fmc_context_tangent_entries(get(), rows.data(), cols.data(), values.data(), count, nullptr));
+    return {rows.as<int64_t>(), cols.as<int64_t>(), std::move(values)};
   }
   // y = tangent * x, terms of rank one included: dim numbers for every node and, if the length includes them, every obstacle.
   void tangent_product(View<const double> x, View<double> y) const {
@@ -201,8 +192,8 @@ class Context : public AddsShapes<Context> {
     return counts;
   }
 
-  // Brings a mesh in parts to the coordinates of the own nodes; true where other cells were gathered, with other numbers.
-  bool bring(Coords own) {
+  // Sets the coordinates of the own nodes of a mesh in parts; true where other cells were gathered, with other numbers.
+  bool set_coords(Coords own) {
     int32_t renumbered = 0;
     const auto x = own.as_c(dim_);
     call(fmc_context_set_coords(get(), &x, &renumbered));
@@ -215,14 +206,17 @@ class Context : public AddsShapes<Context> {
   }
   GatheredNodes gathered_nodes() const {
     const std::size_t count = counts().nodes;
-    GatheredNodes found{std::vector<int64_t>(count), std::vector<int32_t>(count), std::vector<double>(count * static_cast<std::size_t>(dim_))};
-    check(fmc_context_gathered_nodes(get(), found.numbers.data(), found.own_nodes.data(), found.coords.data(), count));
-    return found;
+    detail::Numbers numbers(index_size_, count), own(index_size_, count);
+    std::vector<double> coords(count * axes());
+    check(fmc_context_gathered_nodes(get(), numbers.data(), own.data(), coords.data(), count, nullptr));
+    return {numbers.as<int64_t>(), own.as<int64_t>(), std::move(coords)};
   }
   std::vector<int64_t> gathered_cells() const {
-    std::vector<int64_t> numbers(gathered_counts().cell_count);
-    check(fmc_context_gathered_cells(get(), numbers.data(), numbers.size()));
-    return numbers;
+    std::size_t count = 0;
+    check(fmc_context_gathered_cells(get(), nullptr, 0, &count));
+    detail::Numbers numbers(index_size_, count);
+    check(fmc_context_gathered_cells(get(), numbers.data(), count, nullptr));
+    return numbers.as<int64_t>();
   }
   // Slip that was carried into the step, of all facets where it is not zero: what a restart on any number of ranks needs.
   std::vector<fmc_carried_slip> carried_slip() const {
@@ -259,10 +253,10 @@ class Context : public AddsShapes<Context> {
   }
   void set_slip(View<const double> slip) { call(fmc_context_set_slip(get(), slip.data(), slip.size())); }
 
-  // Equilibrium of the contact with condensed bodies, of stiffness (n, n) and residual (n) on n degrees of freedom; `held`: others
+  // Equilibrium of the contact with condensed bodies, of stiffness (n, n) and residual (n) on n degrees of freedom; `fixed`: others
   // that do not move; `place` moves the nodes that follow.
   ContactStep contact_step(Coords coords, View<const int64_t> dofs, View<const double> stiffness, View<const double> residual,
-                           View<const int64_t> held = {}, const Place &place = {},
+                           View<const int64_t> fixed = {}, const Place &place = {},
                            const ContactStepOptions &options = {}) {
     const auto count = dofs.size();
     if (stiffness.size() != count * count)
@@ -272,8 +266,9 @@ class Context : public AddsShapes<Context> {
     detail::PlaceCall placing{place, x.node_count * axes(), nullptr};
     ContactStep step;
     step.displacement.resize(count);
+    detail::Numbers list(index_size_, dofs), others(index_size_, fixed);
     const auto status = fmc_context_contact_step(
-        get(), &x, &options, dofs.data(), count, held.data(), held.size(), stiffness.data(),
+        get(), &x, &options, list.data(), count, others.data(), fixed.size(), stiffness.data(),
         detail::one_for_each(residual, count, "residual"), place ? detail::PlaceCall::run : nullptr, &placing,
         step.displacement.data(), &step);
     if (placing.thrown) std::rethrow_exception(placing.thrown);
@@ -284,28 +279,24 @@ class Context : public AddsShapes<Context> {
   // The law "depth": coordinates without deformation; nodes in planes of symmetry, none for none.
   void set_reference(Coords coords) { at(fmc_context_set_reference, coords); }
   void set_symmetry_nodes(View<const int64_t> nodes) {
-    call(fmc_context_set_symmetry_nodes(get(), nodes.data(), nodes.size()));
+    detail::Numbers numbers(index_size_, nodes);
+    call(fmc_context_set_symmetry_nodes(get(), numbers.data(), nodes.size()));
   }
 
-  // Unknowns of the host by which the nodes of the mesh move: a matrix in compressed rows, one row for every node.
-  void set_basis(std::size_t unknown_count, View<const int64_t> row_offsets, View<const int64_t> unknowns,
-                 View<const double> weights) {
-    need(row_offsets.size(), counts().nodes + 1, "row_offsets");
-    need(weights.size(), unknowns.size(), "weights");
-    call(fmc_context_set_basis(get(), unknown_count, row_offsets.data(), unknowns.data(), weights.data(), weights.size()));
+  // Unknowns of the host by which the nodes of the mesh move: one row for every node, one column for every unknown.
+  template <class Int>
+  void set_basis(const CsrView<Int> &weights, std::size_t unknown_count) {
+    const auto c = weights.as_c();
+    call(fmc_context_set_basis(get(), &c, unknown_count));
   }
-  void clear_basis() { call(fmc_context_set_basis(get(), 0, nullptr, nullptr, nullptr, 0)); }
+  void clear_basis() { call(fmc_context_set_basis(get(), nullptr, 0)); }
 
   // The surface: its facets, and the matrix from nodes to the points of which facets, contact points and gaps tell.
   std::vector<fmc_boundary_facet> boundary_facets() const {
     return detail::rows<fmc_boundary_facet>([&](auto... room) { return fmc_context_boundary_facets(get(), room...); });
   }
   Csr<int64_t> point_weights() const {
-    std::size_t points = 0, entries = 0;
-    check(fmc_context_point_weights_size(get(), &points, &entries));
-    Csr<int64_t> csr{std::vector<int64_t>(points + 1), std::vector<int64_t>(entries), std::vector<double>(entries)};
-    check(fmc_context_point_weights(get(), csr.row_offsets.data(), points, csr.cols.data(), csr.values.data(), entries));
-    return csr;
+    return csr<int64_t>(1, [&](auto... arrays) { return fmc_context_point_weights(get(), arrays...); });
   }
 
   // The contact at `coords`: at nodes, at points, and as constraints of nodes within `reach` of a partner.
@@ -330,12 +321,7 @@ class Context : public AddsShapes<Context> {
     const auto x = coords.as_c(dim_);
     GapConstraints gaps;
     gaps.rows = found<fmc_gap_constraint>([&](auto... room) { return fmc_context_gap_constraints(get(), &x, reach, room...); });
-    auto &gradient = gaps.gradient;
-    std::size_t offsets = 0, entries = 0;
-    check(fmc_context_gap_gradient(get(), nullptr, 0, &offsets, nullptr, nullptr, 0, &entries));
-    gradient.row_offsets.resize(offsets), gradient.cols.resize(entries), gradient.values.resize(entries);
-    check(fmc_context_gap_gradient(get(), gradient.row_offsets.data(), offsets, nullptr, gradient.cols.data(), gradient.values.data(),
-                                   entries, nullptr));
+    gaps.gradient = csr<int64_t>(1, [&](auto... arrays) { return fmc_context_gap_gradient(get(), arrays...); });
     return gaps;
   }
 
@@ -395,13 +381,13 @@ class Context : public AddsShapes<Context> {
   }
 
  private:
-  static constexpr uint32_t layout = FMC_CSR_BLOCKS | FMC_CSR_OBSTACLES | FMC_FROM_ONE;
+  static constexpr uint32_t layout = FMC_CSR_BLOCKS | FMC_CSR_OBSTACLES;
   struct Free {
     void operator()(fmc_context *context) const noexcept { fmc_context_free(&context); }
   };
 
   template <class Make, class = std::enable_if_t<std::is_invocable_v<Make, fmc_context **>>>
-  Context(int dim, const Make &make) : dim_(dim) {
+  Context(int dim, int32_t index_size, const Make &make) : dim_(dim), index_size_(index_size) {
     fmc_context *made = nullptr;
     check(make(&made));
     context_.reset(made);
@@ -409,41 +395,33 @@ class Context : public AddsShapes<Context> {
   template <class Int>
   static fmc_status from_cells(int dim, const Coords &coords, View<const Cells<Int>> cells, const Options &options,
                                View<const Int> body_ids, fmc_context **made) {
-    std::vector<typename detail::Calls<Int>::Block> blocks;
-    std::size_t count = 0;
-    for (const auto &block : cells) {
-      blocks.push_back({block.type, block.conn.data(), detail::rows_of(block.conn, detail::nodes_of(block.type), "cells")});
-      count += blocks.back().cell_count;
-    }
+    const auto blocks = detail::blocks_of<fmc_cell_block>(cells, detail::nodes_of, "cells");
     const auto x = coords.as_c(dim);
-    const auto *ids = detail::one_for_each(body_ids, count, "body_ids");
-    return detail::Calls<Int>::from_cells(dim, &x, blocks.data(), blocks.size(), ids, &options, made);
+    const auto *ids = detail::one_for_each(body_ids, blocks.count, "body_ids");
+    return fmc_context_new_from_cells(dim, &x, blocks.list.data(), blocks.list.size(), ids, &options, made);
   }
   template <class Int>
-  static Context of_facet_blocks(int dim, const Coords &coords, View<const Facets<Int>> facets, const Options &options,
-                                 View<const Int> body_ids) {
-    return Context(dim, [&](fmc_context **made) {
-      std::vector<typename detail::Calls<Int>::FacetBlock> blocks;
-      std::size_t count = 0;
-      for (const auto &block : facets) {
-        const auto nodes = detail::nodes_of_facet(block.type);
-        blocks.push_back({block.type, block.conn.data(), detail::rows_of(block.conn, nodes, "facets")});
-        count += blocks.back().facet_count;
-      }
-      const auto x = coords.as_c(dim);
-      const auto *ids = detail::one_for_each(body_ids, count, "body_ids");
-      return detail::Calls<Int>::from_facet_blocks(dim, &x, blocks.data(), blocks.size(), ids, &options, made);
-    });
-  }
-  template <class Int>
-  static Context of_facets(int dim, const Coords &coords, View<const Int> facets, const Options &options,
+  static Context of_facets(int dim, const Coords &coords, View<const Facets<Int>> facets, const Options &options,
                            View<const Int> body_ids) {
-    return Context(dim, [&](fmc_context **made) {
+    return Context(dim, sizeof(Int), [&](fmc_context **made) {
+      const auto blocks = detail::blocks_of<fmc_facet_block>(facets, detail::nodes_of_facet, "facets");
       const auto x = coords.as_c(dim);
-      const auto count = detail::rows_of(facets, static_cast<std::size_t>(dim), "facets");
-      const auto *ids = detail::one_for_each(body_ids, count, "body_ids");
-      return detail::Calls<Int>::from_facets(dim, &x, facets.data(), count, ids, &options, made);
+      const auto *ids = detail::one_for_each(body_ids, blocks.count, "body_ids");
+      return fmc_context_new_from_facets(dim, &x, blocks.list.data(), blocks.list.size(), ids, &options, made);
     });
+  }
+  // A matrix that a function of the C interface gives, with `block` numbers an entry.
+  template <class Int, class Function>
+  Csr<Int> csr(std::size_t block, const Function &function) const {
+    using Array = void *;
+    using Count = std::size_t *;
+    std::size_t offset_count = 0, count = 0;
+    check(function(Array(nullptr), std::size_t(0), &offset_count, Array(nullptr), static_cast<double *>(nullptr), std::size_t(0),
+                   &count));
+    detail::Numbers offsets(index_size_, offset_count), cols(index_size_, count);
+    std::vector<double> values(count * block);
+    check(function(offsets.data(), offset_count, Count(nullptr), cols.data(), values.data(), count, Count(nullptr)));
+    return {offsets.as<Int>(), cols.as<Int>(), std::move(values)};
   }
 
   std::size_t axes() const noexcept { return static_cast<std::size_t>(dim_); }
@@ -485,6 +463,8 @@ class Context : public AddsShapes<Context> {
   }
 
   int dim_ = 0;
+  // Bytes of the numbers in all lists of the context.
+  int32_t index_size_ = 4;
   // Ends after the context, which has pointers to it.
   std::unique_ptr<detail::Callbacks> callbacks_ = std::make_unique<detail::Callbacks>();
   std::unique_ptr<fmc_context, Free> context_;

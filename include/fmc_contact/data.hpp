@@ -80,20 +80,21 @@ struct Cells {
   View<const Int> conn;
 };
 
-// What this rank has of a mesh: own nodes and their numbers in the whole mesh, cells of own nodes, their numbers and bodies.
+// What this rank has of a mesh: own nodes and their numbers in the whole mesh, cells of own nodes, their numbers and bodies. Int is
+// int32_t or int64_t, the same on all ranks.
+template <class Int>
 struct MeshPart {
   Coords coords;
-  View<const int64_t> node_numbers;
-  View<const Cells<int32_t>> cells;
-  View<const int64_t> cell_numbers;
-  View<const int32_t> body_ids;
+  View<const Int> node_numbers;
+  View<const Cells<Int>> cells;
+  View<const Int> cell_numbers;
+  View<const Int> body_ids;
   double reach = 0;
 };
 
-// The nodes gathered of a mesh in parts: numbers in the whole mesh, the own node of each, and where they are.
+// The nodes gathered of a mesh in parts: numbers in the whole mesh, the own node of each (-1 where there is none), and where they are.
 struct GatheredNodes {
-  std::vector<int64_t> numbers;
-  std::vector<int32_t> own_nodes;
+  std::vector<int64_t> numbers, own_nodes;
   std::vector<double> coords;
 };
 
@@ -153,30 +154,49 @@ const T *one_for_each(View<const T> list, std::size_t count, const char *what) {
   return list.data();
 }
 
-// The functions of the C interface, by the type of the node numbers.
-template <class Int>
-struct Calls;
-template <>
-struct Calls<int32_t> {
-  using Block = fmc_cell_block;
-  using FacetBlock = fmc_facet_block;
-  static constexpr auto force = fmc_contact_force;
-  static constexpr auto force_step = fmc_contact_force_step;
-  static constexpr auto from_cells = fmc_context_new_from_cells;
-  static constexpr auto from_facets = fmc_context_new_from_facets;
-  static constexpr auto from_facet_blocks = fmc_context_new_from_facet_blocks;
-  static constexpr auto tangent_csr = fmc_context_tangent_csr;
+// Blocks for the C interface, and how many cells or facets they have.
+template <class Block>
+struct Blocks {
+  std::vector<Block> list;
+  std::size_t count = 0;
 };
-template <>
-struct Calls<int64_t> {
-  using Block = fmc_cell_block_i64;
-  using FacetBlock = fmc_facet_block_i64;
-  static constexpr auto force = fmc_contact_force_i64;
-  static constexpr auto force_step = fmc_contact_force_step_i64;
-  static constexpr auto from_cells = fmc_context_new_from_cells_i64;
-  static constexpr auto from_facets = fmc_context_new_from_facets_i64;
-  static constexpr auto from_facet_blocks = fmc_context_new_from_facet_blocks_i64;
-  static constexpr auto tangent_csr = fmc_context_tangent_csr_i64;
+template <class Block, class Of>
+Blocks<Block> blocks_of(View<const Of> given, std::size_t (*nodes)(int32_t), const char *what) {
+  Blocks<Block> blocks;
+  for (const auto &one : given) {
+    const auto rows = rows_of(one.conn, nodes(one.type), what);
+    const auto size = static_cast<int32_t>(sizeof(*one.conn.data()));
+    blocks.list.push_back({one.type, size, one.conn.data(), rows});
+    blocks.count += rows;
+  }
+  return blocks;
+}
+
+// Numbers in the width of a context, 4 or 8 bytes each: lists that go in and out of it as int64_t.
+class Numbers {
+ public:
+  Numbers(int32_t size, std::size_t count) : size_(size), narrow_(size == 4 ? count : 0), wide_(size == 4 ? 0 : count) {}
+  Numbers(int32_t size, View<const int64_t> list) : Numbers(size, list.size()) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (size_ == 4) narrow_[i] = checked(list[i]);
+      else wide_[i] = list[i];
+    }
+  }
+  void *data() { return size_ == 4 ? static_cast<void *>(narrow_.data()) : static_cast<void *>(wide_.data()); }
+  template <class Int>
+  std::vector<Int> as() const {
+    return size_ == 4 ? std::vector<Int>(narrow_.begin(), narrow_.end()) : std::vector<Int>(wide_.begin(), wide_.end());
+  }
+
+ private:
+  static int32_t checked(int64_t number) {
+    if (number != static_cast<int32_t>(number))
+      refuse(FMC_ERROR_LENGTH, std::to_string(number) + " does not fit into 32 bits, those of the context's numbers");
+    return static_cast<int32_t>(number);
+  }
+  int32_t size_;
+  std::vector<int32_t> narrow_;
+  std::vector<int64_t> wide_;
 };
 
 }  // namespace detail
@@ -190,9 +210,32 @@ struct Csr {
   std::size_t rows() const noexcept { return row_offsets.empty() ? 0 : row_offsets.size() - 1; }
 };
 
+// A sparse matrix of the host in compressed rows that count from `base`, for `Context::set_basis` and `Condensation`.
+template <class Int>
+struct CsrView {
+  View<const Int> row_offsets, cols;
+  View<const double> values;
+  int32_t base = 0;
+
+  // As the C interface takes it.
+  fmc_csr as_c() const {
+    fmc_csr c;
+    check(fmc_csr_init(&c));
+    if (row_offsets.empty()) detail::refuse(FMC_ERROR_LENGTH, "row_offsets: empty, needed is one more than rows");
+    const auto entries = static_cast<std::size_t>(row_offsets[row_offsets.size() - 1] - base);
+    for (const auto found : {cols.size(), values.size()})
+      if (found != entries)
+        detail::refuse(FMC_ERROR_LENGTH, "cols and values: " + std::to_string(found) + " numbers, needed are " + std::to_string(entries));
+    c.row_count = row_offsets.size() - 1;
+    c.index_size = sizeof(Int), c.index_base = base;
+    c.row_offsets = row_offsets.data(), c.cols = cols.data(), c.values = values.data();
+    return c;
+  }
+};
+
 // The tangent as entries, each with another row or column.
 struct Entries {
-  std::vector<int32_t> rows, cols;
+  std::vector<int64_t> rows, cols;
   std::vector<double> values;
 };
 
@@ -202,10 +245,7 @@ struct RankOne {
   std::vector<double> vector;
 };
 
-// How much the last tangent has: entries, or rows and entries of its compressed rows; and terms of rank one.
-struct TangentCounts {
-  std::size_t entries = 0, rank_one = 0;
-};
+// Rows and entries of the last tangent in compressed rows.
 struct CsrSize {
   std::size_t rows = 0, entries = 0;
 };
@@ -213,7 +253,7 @@ struct CsrSize {
 // What `Context::evaluate_tangent` has found beside the forces.
 struct Evaluation {
   fmc_result result;
-  TangentCounts tangent;
+  std::size_t rank_one_count = 0;
 };
 
 // Nodes and boundary facets of the mesh, and its bodies.
@@ -251,7 +291,7 @@ struct ContactForces {
   double volume = 0;
 };
 
-// A step with friction for `contact_force_step`. The host accepts it by slip = next_slip and start = its end; the coordinates are
+// A step with friction for `contact_force`. The host accepts it by slip = next_slip and start = its end; the coordinates are
 // not owned, as everywhere.
 struct FrictionStep {
   Coords start;                   // coordinates at which it began

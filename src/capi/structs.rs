@@ -4,6 +4,7 @@
 
 pub(super) mod boundary_facet;
 pub(super) mod contact_point;
+pub(super) mod csr;
 pub(super) mod evaluation;
 pub(super) mod gap_constraint;
 pub(super) mod in_parts;

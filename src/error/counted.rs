@@ -31,6 +31,12 @@ impl Error {
                 nodes.iter_mut().for_each(|node| *node += base);
             }
             Error::NonFiniteSlip { facet } => *facet += base,
+            Error::FreedomOutOfRange { freedom, count: _ } => *freedom += base as i64,
+            Error::NotPositiveDefinite { equation } => *equation += base,
+            Error::Unsymmetric { row, column } => {
+                *row += base;
+                *column += base;
+            }
             Error::RepeatedFreedom { freedom }
             | Error::SingularStiffness { freedom }
             | Error::IndefiniteStiffness { freedom, pivot: _ } => *freedom += base,
@@ -38,10 +44,6 @@ impl Error {
                 let own = std::mem::replace(&mut **cause, Error::Empty);
                 **cause = own.counted_from(base);
             }
-            // As given, or by a matrix's own base.
-            Error::FreedomOutOfRange { freedom: _, count: _ }
-            | Error::NotPositiveDefinite { equation: _ }
-            | Error::Unsymmetric { row: _, column: _ } => {}
             // Handles, axes, blocks and places in arrays.
             Error::Length { array: _, expected: _, found: _ }
             | Error::Dimension { block: _, expected: _, found: _ }
@@ -89,7 +91,9 @@ mod tests {
         assert_eq!(Error::NonFiniteSlip { facet: 2 }.counted_from(1), Error::NonFiniteSlip { facet: 3 });
         let of_pair = |cause| Error::OfPair { sides: [("body", 0), ("obstacle", 1)], cause: Box::new(cause) };
         assert_eq!(of_pair(error).counted_from(1), of_pair(Error::RepeatedNode { cell: 1, node: 5 }));
-        let given = Error::FreedomOutOfRange { freedom: 9, count: 4 };
-        assert_eq!(given.clone().counted_from(1), given);
+        let dof = |freedom| Error::FreedomOutOfRange { freedom, count: 4 };
+        assert_eq!(dof(9).counted_from(1), dof(10));
+        let given = Error::NodeOutOfRange { cell: 0, node: 9, node_count: 4 };
+        assert_eq!(given.counted_from(1), Error::NodeOutOfRange { cell: 1, node: 9, node_count: 4 });
     }
 }

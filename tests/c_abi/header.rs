@@ -3,7 +3,7 @@
 use super::program::root;
 
 /// In the order in which the header is read best.
-const SOURCES: [&str; 52] = [
+const SOURCES: [&str; 53] = [
     "calls/version",
     "boundary/status",
     "boundary/status_class",
@@ -13,14 +13,15 @@ const SOURCES: [&str; 52] = [
     "calls/options/option_keys",
     "structs/view",
     "structs/mesh",
+    "calls/evaluation/friction_step",
     "calls/evaluation/stateless",
-    "calls/evaluation/stateless_step",
     "calls/mesh/creation",
     "calls/mesh/facet_block",
     "context/state",
     "structs/boundary_facet",
     "calls/mesh/boundary_facets",
     "calls/mesh/point_weights",
+    "structs/csr",
     "calls/mesh/basis",
     "calls/steps/patches",
     "calls/steps/friction",

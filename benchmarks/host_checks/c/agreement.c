@@ -31,6 +31,7 @@ static const double coords[NODES][2] = {{0, 0},    {1, 0.1},   {0.9, 1.1}, {-0.1
                                         {2, -0.1}, {2.1, 0.9}, {0.95, 1.05}, {5, 5},    {6, 5},   {5, 6}};
 static const int32_t conn[15] = {0, 1, 2, 0, 2, 3, 5, 6, 7, 5, 7, 8, 9, 10, 11};
 #define CELLS 5
+static const fmc_cell_block cells = {FMC_TRI3, 4, conn, CELLS};
 
 static void warned(void *user, int32_t level, const char *text) {
   if (level == FMC_LOG_WARNING && strlen(text) > 0) ++*(int *)user;
@@ -44,14 +45,14 @@ static void run(int32_t estimator) {
   options.exponent = 2;
   options.estimator = estimator;
   double reference[NODES][2], forces[NODES][2], volume = 0;
-  OK(fmc_contact_force(2, coords[0], NODES, FMC_TRI3, conn, CELLS, NULL, &options, reference[0], &volume));
+  OK(fmc_contact_force(2, coords[0], NODES, &cells, 1, NULL, &options, NULL, reference[0], &volume));
   EXPECT(volume > 0.01 && volume < 0.05);
   EXPECT(reference[4][0] == 0 && reference[4][1] == 0 && reference[9][0] == 0);
 
   /* A context, evaluated twice. */
   const fmc_coords x = {coords[0], NODES, 2, 1};
   const fmc_forces f = {forces[0], NODES, 2, 1};
-  const fmc_cell_block blocks[2] = {{FMC_TRI3, conn, 2}, {FMC_TRI3, conn + 6, 3}};
+  const fmc_cell_block blocks[2] = {{FMC_TRI3, 4, conn, 2}, {FMC_TRI3, 4, conn + 6, 3}};
   fmc_context *context;
   fmc_result result;
   size_t nodes, facets, bodies;
@@ -155,10 +156,10 @@ static void run(int32_t estimator) {
   for (int i = 0; i < 15; i++) wide[i] = conn[i] + 1;
   options.index_base = 1;
   double other = 0;
-  OK(fmc_contact_force_i64(2, coords[0], NODES, FMC_TRI3, wide, CELLS, NULL, &options, forces[0], &other));
+  const fmc_cell_block block = {FMC_TRI3, 8, wide, CELLS};
+  OK(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, NULL, forces[0], &other));
   EXPECT(SAME(forces, reference) && other == volume);
-  const fmc_cell_block_i64 block = {FMC_TRI3, wide, CELLS};
-  OK(fmc_context_new_from_cells_i64(2, &x, &block, 1, ids, &options, &context));
+  OK(fmc_context_new_from_cells(2, &x, &block, 1, ids, &options, &context));
   OK(fmc_context_evaluate(context, &x, &f, 0, &result));
   OK(fmc_context_body_resultant(context, 0, &a));
   OK(fmc_context_body_resultant(context, 2, &b));
@@ -168,7 +169,8 @@ static void run(int32_t estimator) {
 
   /* The boundary given directly. */
   const int32_t edges[22] = {0, 1, 1, 2, 2, 3, 3, 0, 5, 6, 6, 7, 7, 8, 8, 5, 9, 10, 10, 11, 11, 9};
-  OK(fmc_context_new_from_facets(2, &x, edges, 11, NULL, &options, &context));
+  const fmc_facet_block boundary = {FMC_FACET_LINE2, 4, edges, 11};
+  OK(fmc_context_new_from_facets(2, &x, &boundary, 1, NULL, &options, &context));
   if (estimator == FMC_ESTIMATOR_FIBERS) {
     OK(fmc_context_evaluate(context, &x, &f, 0, &result));
     EXPECT(fabs(result.volume - volume) <= 1e-3 * volume);
@@ -177,14 +179,15 @@ static void run(int32_t estimator) {
 
   /* The bodies exchanged: the forces are exchanged. */
   const int32_t swapped[15] = {5, 6, 7, 5, 7, 8, 0, 1, 2, 0, 2, 3, 9, 10, 11};
-  OK(fmc_contact_force(2, coords[0], NODES, FMC_TRI3, swapped, CELLS, NULL, &options, forces[0], &other));
+  const fmc_cell_block exchanged = {FMC_TRI3, 4, swapped, CELLS};
+  OK(fmc_contact_force(2, coords[0], NODES, &exchanged, 1, NULL, &options, NULL, forces[0], &other));
   EXPECT(SAME(forces, reference) && other == volume);
 }
 
 /* One of two threads, each with a context of its own; gives back whether every evaluation had the same bits. */
 static void *evaluate_often(void *reference) {
   const fmc_coords x = {coords[0], NODES, 2, 1};
-  const fmc_cell_block block = {FMC_TRI3, conn, CELLS};
+  const fmc_cell_block block = {FMC_TRI3, 4, conn, CELLS};
   double forces[NODES][2];
   const fmc_forces f = {forces[0], NODES, 2, 1};
   fmc_options options;
@@ -206,7 +209,7 @@ static void two_contexts_at_once(void) {
   OK(fmc_options_init(&options));
   options.law = FMC_LAW_VOLUME;
   options.stiffness = 1000;
-  OK(fmc_contact_force(2, coords[0], NODES, FMC_TRI3, conn, CELLS, NULL, &options, reference[0], NULL));
+  OK(fmc_contact_force(2, coords[0], NODES, &cells, 1, NULL, &options, NULL, reference[0], NULL));
   pthread_t threads[2];
   for (int i = 0; i < 2; i++) EXPECT(pthread_create(&threads[i], NULL, evaluate_often, reference) == 0);
   for (int i = 0; i < 2; i++) {
@@ -219,7 +222,7 @@ static void two_contexts_at_once(void) {
 static void warnings(void) {
   const double nested[8][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
   const int32_t squares[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-  const fmc_cell_block block = {FMC_QUAD4, squares, 2};
+  const fmc_cell_block block = {FMC_QUAD4, 4, squares, 2};
   const fmc_coords x = {nested[0], 8, 0, 0};
   fmc_options options;
   OK(fmc_options_init(&options));

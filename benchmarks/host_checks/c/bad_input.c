@@ -63,7 +63,10 @@ static void stateless(void) {
   double bad[2 * NODES];
   int32_t ids[8];
   fill();
-#define FORCE(dim, x, n, type, c, m, options) fmc_contact_force(dim, x, n, type, c, m, NULL, options, forces, &volume)
+  fmc_cell_block block;
+#define FORCE(dim, x, n, type, c, m, options)                                  \
+  (block.cell_type = type, block.index_size = 4, block.conn = c, block.cell_count = m, \
+   fmc_contact_force(dim, x, n, &block, 1, NULL, options, NULL, forces, &volume))
 
   EXPECT(FMC_ERROR_DIMENSION, "dimension is 4", FORCE(4, coords, 8, FMC_QUAD4, conn, 2, &o));
   EXPECT(FMC_ERROR_DIMENSION, "block 0 has cells of dimension 3", FORCE(2, coords, 8, FMC_TET4, conn, 2, &o));
@@ -72,7 +75,14 @@ static void stateless(void) {
   EXPECT(FMC_ERROR_NULL_POINTER, "'conn'", FORCE(2, coords, 8, FMC_QUAD4, NULL, 2, &o));
   EXPECT(FMC_ERROR_NULL_POINTER, "'options'", FORCE(2, coords, 8, FMC_QUAD4, conn, 2, NULL));
   EXPECT(FMC_ERROR_NULL_POINTER, "'forces'",
-         fmc_contact_force(2, coords, 8, FMC_QUAD4, conn, 2, NULL, &o, NULL, &volume));
+         fmc_contact_force(2, coords, 8, &block, 1, NULL, &o, NULL, NULL, &volume));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'blocks'", fmc_contact_force(2, coords, 8, NULL, 1, NULL, &o, NULL, forces, &volume));
+  block.index_size = 2;
+  EXPECT(FMC_ERROR_INDEX_SIZE, "cell block 0 is 2, not 4 or 8",
+         fmc_contact_force(2, coords, 8, &block, 1, NULL, &o, NULL, forces, &volume));
+  const fmc_cell_block unlike[2] = {{FMC_QUAD4, 4, conn, 1}, {FMC_QUAD4, 8, conn, 1}};
+  EXPECT(FMC_ERROR_INDEX_SIZE, "cell block 1 has index_size 8",
+         fmc_contact_force(2, coords, 8, unlike, 2, NULL, &o, NULL, forces, &volume));
   EXPECT(FMC_ERROR_MISALIGNED_POINTER, "'coords' is not aligned to 8 bytes",
          FORCE(2, (const double *)((const char *)coords + 4), 7, FMC_QUAD4, conn, 1, &o));
   EXPECT(FMC_ERROR_LENGTH, "'conn'", FORCE(2, coords, 8, FMC_QUAD4, conn, SIZE_MAX / 2, &o));
@@ -90,8 +100,9 @@ static void stateless(void) {
   EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "1 names node 0, but there are 8 nodes, counted from 1",
          FORCE(2, coords, 8, FMC_QUAD4, conn, 2, &p));
   const int64_t wide[4] = {0, 1, 2, INT64_C(1) << 40};
+  const fmc_cell_block wide_block = {FMC_QUAD4, 8, wide, 1};
   EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "0 names node 1099511627776",
-         fmc_contact_force_i64(2, coords, 8, FMC_QUAD4, wide, 1, NULL, &o, forces, &volume));
+         fmc_contact_force(2, coords, 8, &wide_block, 1, NULL, &o, NULL, forces, &volume));
   memcpy(ids, conn, sizeof ids);
   ids[6] = 4;
   EXPECT(FMC_ERROR_REPEATED_NODE, "1 names node 4 twice", FORCE(2, coords, 8, FMC_QUAD4, ids, 2, &o));
@@ -148,7 +159,8 @@ static void stateless(void) {
   expect_untouched();
 
   /* What may be left out. */
-  EXPECT_OK(fmc_contact_force(2, coords, 8, FMC_QUAD4, conn, 2, NULL, &o, forces, NULL));
+  block.index_size = 4, block.conn = conn, block.cell_count = 2, block.cell_type = FMC_QUAD4;
+  EXPECT_OK(fmc_contact_force(2, coords, 8, &block, 1, NULL, &o, NULL, forces, NULL));
   EXPECT_TRUE(volume == 42);
 }
 
@@ -172,11 +184,15 @@ static void surfaces(void) {
   const fmc_coords x = {corners, 4, 0, 0};
   fmc_context *context = NULL;
   int32_t facets[15];
-#define FACETS(c, n) fmc_context_new_from_facets(3, &x, c, n, NULL, &o, &context)
+  fmc_facet_block block;
+#define BLOCK(t, c, n)                                                         \
+  (block.facet_type = t, block.index_size = 4, block.conn = c, block.facet_count = n, \
+   fmc_context_new_from_facets(3, &x, &block, 1, NULL, &o, &context))
+#define FACETS(c, n) BLOCK(FMC_FACET_TRI3, c, n)
 
   EXPECT(FMC_ERROR_OPEN_SURFACE, "nodes", FACETS(shell, 3));
   EXPECT(FMC_ERROR_EMPTY, "no cells and no facets", FACETS(NULL, 0));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'facets'", FACETS(NULL, 4));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'conn'", FACETS(NULL, 4));
   memcpy(facets, shell, sizeof shell);
   for (int f = 0; f < 4; f++) facets[3 * f] = shell[3 * f + 1], facets[3 * f + 1] = shell[3 * f];
   EXPECT(FMC_ERROR_INVERTED_SURFACE, "body 0", FACETS(facets, 4));
@@ -191,25 +207,21 @@ static void surfaces(void) {
   EXPECT(FMC_ERROR_REPEATED_NODE, "0 names node 2 twice", FACETS(facets, 4));
   facets[2] = 4;
   EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "0 names node 4, but there are 4", FACETS(facets, 4));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'coords'", fmc_context_new_from_facets(3, NULL, shell, 4, NULL, &o, &context));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_new_from_facets(3, &x, shell, 4, NULL, &o, NULL));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'coords'", fmc_context_new_from_facets(3, NULL, &block, 1, NULL, &o, &context));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'context'", fmc_context_new_from_facets(3, &x, &block, 1, NULL, &o, NULL));
   EXPECT(FMC_ERROR_NULL_POINTER, "'blocks'", fmc_context_new_from_cells(3, &x, NULL, 1, NULL, &o, &context));
   const int64_t wide[12] = {0};
   const int32_t nine[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
-  const fmc_facet_block_i64 wide_block = {FMC_FACET_TRI3, wide, 4};
+  const fmc_facet_block wide_block = {FMC_FACET_TRI3, 8, wide, 4};
   EXPECT(FMC_ERROR_REPEATED_NODE, "0 names node 0 twice",
-         fmc_context_new_from_facet_blocks_i64(3, &x, &wide_block, 1, NULL, &o, &context));
-  fmc_facet_block block;
-#define BLOCK(t, c, n)                                                         \
-  (block.facet_type = t, block.conn = c, block.facet_count = n,                \
-   fmc_context_new_from_facet_blocks(3, &x, &block, 1, NULL, &o, &context))
+         fmc_context_new_from_facets(3, &x, &wide_block, 1, NULL, &o, &context));
   EXPECT(FMC_ERROR_UNKNOWN_CELL_TYPE, "facet block 0 has the unknown facet type 7", BLOCK(7, shell, 4));
   EXPECT(FMC_ERROR_DIMENSION, "block 0 has cells of dimension 2, or facets of such", BLOCK(FMC_FACET_LINE3, shell, 4));
   EXPECT(FMC_ERROR_NULL_POINTER, "'conn'", BLOCK(FMC_FACET_TRI3, NULL, 4));
   EXPECT(FMC_ERROR_NODE_OUT_OF_RANGE, "but there are 4", BLOCK(FMC_FACET_QUAD9, nine, 1));
   EXPECT(FMC_ERROR_OPEN_SURFACE, "nodes", BLOCK(FMC_FACET_TRI3, shell, 3));
   EXPECT(FMC_ERROR_EMPTY, "no cells and no facets", BLOCK(FMC_FACET_TRI6, NULL, 0));
-  EXPECT(FMC_ERROR_NULL_POINTER, "'blocks'", fmc_context_new_from_facet_blocks(3, &x, NULL, 1, NULL, &o, &context));
+  EXPECT(FMC_ERROR_NULL_POINTER, "'blocks'", fmc_context_new_from_facets(3, &x, NULL, 1, NULL, &o, &context));
   EXPECT_TRUE(context == NULL);
   EXPECT_OK(BLOCK(FMC_FACET_TRI3, shell, 4));
   EXPECT_OK(fmc_context_free(&context));
@@ -249,7 +261,7 @@ static void contexts(void) {
   fmc_options o = defaults();
   const fmc_coords x = {coords, NODES, 2, 1};
   const fmc_forces f = {forces, NODES, 2, 1};
-  const fmc_cell_block block = {FMC_QUAD4, conn, 2};
+  const fmc_cell_block block = {FMC_QUAD4, 4, conn, 2};
   fmc_context *context = NULL;
   fmc_result good, result;
   fmc_resultant body, before;

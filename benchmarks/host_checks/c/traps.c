@@ -76,10 +76,10 @@ static void step(int dim, const fmc_coords *x, const fmc_cell_block *block, cons
   if (!add(*context, shape, &dim, pose)) return;
   for (size_t node = 0; node < x->node_count; node++) masses[node] = 0.1 + (double)node;
   for (int round = 0; round < 2; round++) {
-    size_t entries, rank_one;
+    size_t rank_one;
     if (!good(fmc_context_evaluate(*context, x, &f, 0, NULL))) return;
-    good(fmc_context_tangent(*context, x, 0, &entries, &rank_one));
-    good(fmc_context_tangent(*context, x, FMC_TANGENT_SEMIDEFINITE, &entries, &rank_one));
+    good(fmc_context_tangent(*context, x, 0, &rank_one));
+    good(fmc_context_tangent(*context, x, FMC_TANGENT_SEMIDEFINITE, &rank_one));
     good(fmc_context_stable_step(*context, x, masses, &stable));
     if (!good(fmc_context_keep_patches(*context, x, NULL))) return;
   }
@@ -127,7 +127,7 @@ static void run(int dim, int way, int place, int shape, int turned) {
   fmc_pose pose;
   static fmc_context *context;
   const fmc_options options = options_of(way);
-  const fmc_cell_block block = {dim == 2 ? FMC_QUAD4 : FMC_HEX8, numbers, 2};
+  const fmc_cell_block block = {dim == 2 ? FMC_QUAD4 : FMC_HEX8, 4, numbers, 2};
   const fmc_coords x = {coords, dim == 2 ? 8 : 16, dim, 1};
   blocks(dim, PLACES[place][0], PLACES[place][1], PLACES[place][2], coords);
   if (fmc_pose_init(&pose) != FMC_OK || (turned && fmc_pose_along(dim, origin, axis, &pose) != FMC_OK)) failed("pose");

@@ -49,7 +49,7 @@ bool agrees(const std::vector<double> &expected, bool by_row) {
   for (std::ptrdiff_t k = 0; k < 16; ++k) at(x, k / 2, k % 2) = coords[static_cast<std::size_t>(k)];
   fmc::Context contact(2, x, {{FMC_QUAD4, quads}}, options);
   contact.evaluate(x, f);
-  bool same = fmc::contact_force(2, x, FMC_QUAD4, quads, options).forces == expected;
+  bool same = fmc::contact_force(2, x, {{FMC_QUAD4, quads}}, options).forces == expected;
   for (std::ptrdiff_t k = 0; k < 16; ++k) same &= at(f, k / 2, k % 2) == expected[static_cast<std::size_t>(k)];
   return same;
 }
@@ -57,7 +57,7 @@ bool agrees(const std::vector<double> &expected, bool by_row) {
 }  // namespace
 
 int main() try {
-  const fmc::ContactForces first_force = fmc::contact_force(2, coords, FMC_QUAD4, quads, options);
+  const fmc::ContactForces first_force = fmc::contact_force(2, coords, {{FMC_QUAD4, quads}}, options);
   const std::vector<double> &expected = first_force.forces;
   EXPECT(first_force.volume > 0.0079 && first_force.volume < 0.0081 && expected[8] > 0);
 
@@ -91,7 +91,7 @@ int main() try {
   for (std::size_t k = 0; k < 16; ++k) apart[k % 2 * 8 + k / 2] = coords[k];
   contact.evaluate(fmc::Coords::strided(apart.data(), 8, 1, 8), fmc::Forces::strided(apart_forces.data(), 8, 1, 8));
   for (std::size_t k = 0; k < 16; ++k) EXPECT(apart_forces[k % 2 * 8 + k / 2] == expected[k]);
-  EXPECT(fmc::contact_force(2, fmc::Coords::strided(apart.data(), 8, 1, 8), FMC_QUAD4, quads, options).forces == expected);
+  EXPECT(fmc::contact_force(2, fmc::Coords::strided(apart.data(), 8, 1, 8), {{FMC_QUAD4, quads}}, options).forces == expected);
 
   // 3. Matrices, nodes in rows or in columns, in either storage order.
   EXPECT(agrees<Matrix<-1, -1, false>>(expected, true) && agrees<Matrix<-1, -1, false>>(expected, false));
@@ -110,9 +110,9 @@ int main() try {
   const std::vector<int64_t> wide(quads.begin(), quads.end());
   const std::vector<unsigned long long> natural(quads.begin(), quads.end());
   const std::vector<std::array<int32_t, 4>> rows = {{0, 1, 2, 3}, {4, 5, 6, 7}};
-  EXPECT(fmc::contact_force(2, coords, FMC_QUAD4, wide, options).forces == expected);
-  EXPECT(fmc::contact_force(2, coords, FMC_QUAD4, natural, options).forces == expected);
-  EXPECT(fmc::contact_force(2, coords, FMC_QUAD4, rows, options).forces == expected);
+  EXPECT(fmc::contact_force(2, coords, {{FMC_QUAD4, wide}}, options).forces == expected);
+  EXPECT(fmc::contact_force(2, coords, {{FMC_QUAD4, natural}}, options).forces == expected);
+  EXPECT(fmc::contact_force(2, coords, {{FMC_QUAD4, rows}}, options).forces == expected);
   const std::vector<int32_t> first = {0, 1, 2, 3}, second = {4, 5, 6, 7};
   fmc::Context blocks(2, coords, {{FMC_QUAD4, first}, {FMC_QUAD4, second}}, options, {3, 9});
   blocks.evaluate(coords, forces);
@@ -125,23 +125,20 @@ int main() try {
   const std::vector<int32_t> edges = {0, 1, 1, 2, 2, 3, 3, 0, 4, 5, 5, 6, 6, 7, 7, 4};
   fmc::Options volume_law(1e5);
   volume_law.set("law", "volume").set("exponent", "2");
-  auto surface = fmc::Context::from_facets(2, coords, edges, volume_law);
+  auto surface = fmc::Context::from_facets(2, coords, {{FMC_FACET_LINE2, edges}}, volume_law);
   surface.evaluate(coords, forces);
-  EXPECT(std::exchange(forces, std::vector<double>(16)) == fmc::contact_force(2, coords, FMC_QUAD4, quads, volume_law).forces);
+  EXPECT(std::exchange(forces, std::vector<double>(16)) == fmc::contact_force(2, coords, {{FMC_QUAD4, quads}}, volume_law).forces);
   const std::vector<int64_t> wide_edges(edges.begin(), edges.end());
-  EXPECT(fmc::Context::from_facets(2, coords, wide_edges, volume_law, {1, 1, 1, 1, 2, 2, 2, 2}).counts().facets == 8);
-  surface = fmc::Context::from_facet_blocks(2, coords, {{FMC_FACET_LINE2, edges}}, volume_law);
-  surface.evaluate(coords, forces);
-  EXPECT(std::exchange(forces, std::vector<double>(16)) == fmc::contact_force(2, coords, FMC_QUAD4, quads, volume_law).forces);
+  EXPECT(fmc::Context::from_facets(2, coords, {{FMC_FACET_LINE2, wide_edges}}, volume_law, {1, 1, 1, 1, 2, 2, 2, 2}).counts().facets == 8);
   // A disc of four parabolas, their middles on the circle: a square and segments of 2/3 of chord times rise.
   const double half = std::sqrt(0.5);
   const std::vector<double> ring = {1, 0, 0, 1, -1, 0, 0, -1, half, half, -half, half, -half, -half, half, -half};
   const std::vector<int64_t> quarters = {0, 1, 4, 1, 2, 5, 2, 3, 6, 3, 0, 7};
-  auto disc = fmc::Context::from_facet_blocks(2, ring, {{FMC_FACET_LINE3, quarters}}, volume_law);
+  auto disc = fmc::Context::from_facets(2, ring, {{FMC_FACET_LINE3, quarters}}, volume_law);
   disc.add_half_space(fmc::Pose::along({0, 10}, {0, 1}));
   EXPECT(std::fabs(disc.evaluate(ring).volume - (2 + 8.0 / 3 * std::sqrt(2.0) * (1 - half))) < 1e-12);
   EXPECT(refused(FMC_ERROR_LENGTH, "rows of 3", [&] {
-    fmc::Context::from_facet_blocks(2, ring, {{FMC_FACET_LINE3, edges}}, volume_law);
+    fmc::Context::from_facets(2, ring, {{FMC_FACET_LINE3, edges}}, volume_law);
   }));
 
   // 5. What does not fit is refused by name, and changes nothing.
@@ -161,11 +158,11 @@ int main() try {
   EXPECT(refused(FMC_ERROR_LENGTH, "8 node numbers", [&] { fmc::Context(2, coords, {{FMC_TRI3, quads}}, options); }));
   EXPECT(refused(FMC_ERROR_LENGTH, "body_ids", [&] { fmc::Context(2, coords, {{FMC_QUAD4, quads}}, options, {1, 2, 3}); }));
   EXPECT(refused(FMC_ERROR_NODE_OUT_OF_RANGE, "9",
-                 [&] { fmc::contact_force(2, coords, FMC_QUAD4, std::vector<int64_t>{0, 1, 2, 3, 4, 5, 6, 9}, options); }));
+                 [&] { fmc::contact_force(2, coords, {{FMC_QUAD4, std::vector<int64_t>{0, 1, 2, 3, 4, 5, 6, 9}}}, options); }));
   EXPECT(refused(FMC_ERROR_UNKNOWN_CELL_TYPE, "31",
-                 [&] { fmc::contact_force(2, coords, static_cast<fmc_cell_type>(31), quads, options); }));
+                 [&] { fmc::contact_force(2, coords, {{static_cast<fmc_cell_type>(31), quads}}, options); }));
   EXPECT(refused(FMC_ERROR_UNKNOWN_OPTION, "colour", [] { fmc::Options(1.0).set("colour", "red"); }));
-  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "", [&] { fmc::contact_force(2, coords, FMC_QUAD4, quads, fmc::Options(-1)); }));
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "", [&] { fmc::contact_force(2, coords, {{FMC_QUAD4, quads}}, fmc::Options(-1)); }));
 
   // 6. What must not be written is not taken to be written, and a context is moved, not copied.
   static_assert(!std::is_convertible_v<const std::vector<double> &, fmc::Forces>);

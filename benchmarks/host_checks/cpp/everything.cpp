@@ -111,11 +111,17 @@ void forces_and_getters() {
   const Numbers ones(8, 1);
   Numbers reversed(16), reversed_forces(16);
   for (std::size_t k = 0; k < 16; ++k) reversed[k] = coords[(7 - k / 2) * 2 + k % 2];
-  contact.set_basis(8, offsets, unknowns, ones);
+  const fmc::CsrView<int64_t> basis{offsets, unknowns, ones};
+  contact.set_basis(basis, 8);
   contact.evaluate(reversed, reversed_forces);
   for (std::size_t k = 0; k < 16; ++k) EXPECT(reversed_forces[k] == forces[(7 - k / 2) * 2 + k % 2]);
-  EXPECT(refused(FMC_ERROR_LENGTH, "row_offsets", [&] { contact.set_basis(8, unknowns, unknowns, ones); }));
-  EXPECT(refused(FMC_ERROR_LENGTH, "weights", [&] { contact.set_basis(8, offsets, unknowns, {1.0}); }));
+  const std::vector<int32_t> from_one = {1, 2, 3, 4, 5, 6, 7, 8, 9}, narrow = {8, 7, 6, 5, 4, 3, 2, 1};
+  contact.set_basis(fmc::CsrView<int32_t>{from_one, narrow, ones, 1}, 8);
+  contact.evaluate(reversed, twice);
+  EXPECT(twice == reversed_forces);
+  EXPECT(refused(FMC_ERROR_LENGTH, "cols", [&] { contact.set_basis(fmc::CsrView<int64_t>{unknowns, unknowns, ones}, 8); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "cols", [&] { contact.set_basis(fmc::CsrView<int64_t>{offsets, unknowns, {1.0}}, 8); }));
+  EXPECT(refused(FMC_ERROR_INDEX_OUT_OF_RANGE, "", [&] { contact.set_basis(basis, 7); }));
   contact.clear_basis();
   contact.evaluate(coords, twice);
   EXPECT(twice == forces);
@@ -140,8 +146,8 @@ void tangents() {
   fmc::Context contact(2, coords, {{FMC_QUAD4, quads}}, options);
   contact.add_half_space(fmc::Pose::along({0, 0.005}, {0, 1}));
   const auto csr = contact.tangent(coords, FMC_CSR_OBSTACLES);
-  const auto wide = contact.tangent<int64_t>(coords, FMC_CSR_OBSTACLES | FMC_FROM_ONE);
-  EXPECT(csr.rows() == 18 && wide.row_offsets[0] == 1 && wide.values == csr.values);
+  const auto wide = contact.tangent<int64_t>(coords, FMC_CSR_OBSTACLES);
+  EXPECT(csr.rows() == 18 && wide.row_offsets[0] == 0 && wide.cols.size() == csr.cols.size() && wide.values == csr.values);
   const auto size = contact.tangent_csr_size(FMC_CSR_OBSTACLES);
   EXPECT(size.rows == 18 && size.entries == csr.values.size());
 
@@ -153,8 +159,8 @@ void tangents() {
       dense[r * n + static_cast<std::size_t>(csr.cols[e])] = csr.values[e];
   const auto found = contact.find_tangent(coords);
   const auto entries = contact.tangent_entries();
-  EXPECT(found.entries == entries.values.size() && found.rank_one == 0);
-  for (std::size_t e = 0; e < found.entries; ++e)
+  EXPECT(found == 0 && entries.values.size() == size.entries);
+  for (std::size_t e = 0; e < entries.values.size(); ++e)
     other[static_cast<std::size_t>(entries.rows[e]) * n + static_cast<std::size_t>(entries.cols[e])] = entries.values[e];
   EXPECT(other == dense);
   const auto blocks = contact.tangent_csr(FMC_CSR_OBSTACLES | FMC_CSR_BLOCKS);
@@ -189,7 +195,7 @@ void tangents() {
   // Both at once, and kept patterns.
   Numbers forces(16), alone(16);
   const auto both = contact.evaluate_tangent(coords, forces, FMC_TANGENT_SEMIDEFINITE);
-  EXPECT(contact.evaluate(coords, alone).energy == both.result.energy && alone == forces && both.tangent.entries > 0);
+  EXPECT(contact.evaluate(coords, alone).energy == both.result.energy && alone == forces && both.rank_one_count == 0);
   contact.keep_pattern(true);
   contact.find_tangent(coords);
   const auto before = contact.tangent_csr_size();
@@ -223,7 +229,7 @@ void tangents() {
   options.law = FMC_LAW_VOLUME;
   options.exponent = 2;
   fmc::Context squared(2, coords, {{FMC_QUAD4, quads}}, options);
-  EXPECT(squared.find_tangent(coords).rank_one == 1);
+  EXPECT(squared.find_tangent(coords) == 1);
   const auto term = squared.tangent_rank_one(0);
   const auto &g = term.vector;
   EXPECT(term.factor == 2 * options.stiffness && close(g[0] + g[2] + g[4] + g[6], 0.8, 1e-9));
@@ -240,12 +246,11 @@ void a_mesh_in_parts() {
   options.law = FMC_LAW_DEPTH;
   options.friction_coefficient = 0.3;
   options.friction_stiffness = 1e5;
-  const std::vector<int64_t> numbers = {17, 16, 15, 14, 13, 12, 11, 10}, cells = {1, 0};
-  const std::vector<int32_t> ids = {0, 1};
+  const std::vector<int32_t> numbers = {17, 16, 15, 14, 13, 12, 11, 10}, cells = {1, 0}, ids = {0, 1};
   const std::vector<fmc::Cells<int32_t>> blocks = {{FMC_QUAD4, quads}};
-  fmc::MeshPart part{coords, numbers, blocks, cells, ids, 0.5};
+  fmc::MeshPart<int32_t> part{coords, numbers, blocks, cells, ids, 0.5};
   auto parts = fmc::Context::from_part(2, ranks, part, options);
-  EXPECT(!parts.bring(coords));
+  EXPECT(!parts.set_coords(coords));
   auto nodes = parts.gathered_nodes();
   EXPECT(nodes.numbers.size() == 8 && nodes.numbers[0] == 10 && nodes.own_nodes[0] == 7 && nodes.coords[0] == coords[14]);
   const auto counts = parts.gathered_counts();
@@ -257,20 +262,20 @@ void a_mesh_in_parts() {
   whole.begin_step(coords);
   parts.begin_step(nodes.coords);
   whole.commit_step(slid);
-  parts.bring(slid);
+  parts.set_coords(slid);
   parts.commit_step(parts.gathered_nodes().coords);
   const auto carried = parts.carried_slip();
   EXPECT(carried.size() == 2 && carried[0].slip[1] * carried[1].slip[1] < 0);
-  parts.bring(coords);
+  parts.set_coords(coords);
   parts.set_carried_slip(carried);
   whole.evaluate(coords, forces);
   parts.evaluate(parts.gathered_nodes().coords, of_parts);
   for (std::size_t n = 0; n < 8; ++n)
     for (std::size_t axis = 0; axis < 2; ++axis)
       EXPECT(close(of_parts[2 * n + axis], forces[2 * static_cast<std::size_t>(nodes.own_nodes[n]) + axis], 1e-12));
-  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "fmc_context_new_from_part", [&] { whole.bring(coords); }));
-  EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { parts.bring(Numbers(14, 0.0)); }));
-  EXPECT(refused(FMC_ERROR_NON_FINITE_COORDINATE, "node 2", [&] { auto bad = coords; bad[5] = NAN; parts.bring(bad); }));
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "fmc_context_new_from_part", [&] { whole.set_coords(coords); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { parts.set_coords(Numbers(14, 0.0)); }));
+  EXPECT(refused(FMC_ERROR_NON_FINITE_COORDINATE, "node 2", [&] { auto bad = coords; bad[5] = NAN; parts.set_coords(bad); }));
   EXPECT(refused(FMC_ERROR_UNSUPPORTED, "not gathered", [&] { parts.set_carried_slip(std::vector<fmc_carried_slip>{{7, 0, 0, {}}}); }));
 }
 
@@ -291,10 +296,10 @@ void friction_and_patches() {
     Numbers forces(16);
     contact.evaluate(end, forces);
     step.start = start;
-    EXPECT(fmc::contact_force_step(2, end, FMC_QUAD4, quads, options, step).forces == forces);
+    EXPECT(fmc::contact_force(2, end, {{FMC_QUAD4, quads}}, options, {}, &step).forces == forces);
     const auto rejected = step.next_slip;
     const std::vector<int64_t> wide(quads.begin(), quads.end());
-    EXPECT(fmc::contact_force_step(2, end, FMC_QUAD4, wide, options, step).forces == forces && step.next_slip == rejected);
+    EXPECT(fmc::contact_force(2, end, {{FMC_QUAD4, wide}}, options, {}, &step).forces == forces && step.next_slip == rejected);
     contact.commit_step(end);
     EXPECT(contact.slip() == step.next_slip);
     step.slip = step.next_slip;
@@ -308,9 +313,9 @@ void friction_and_patches() {
   fmc::FrictionStep once{start, large};
   Numbers expected(16);
   from_large.evaluate(placed(0), expected);
-  EXPECT(fmc::contact_force_step(2, placed(0), FMC_QUAD4, quads, options, once).forces == expected);
+  EXPECT(fmc::contact_force(2, placed(0), {{FMC_QUAD4, quads}}, options, {}, &once).forces == expected);
   once.reference = {};
-  EXPECT(fmc::contact_force_step(2, placed(0), FMC_QUAD4, quads, options, once).forces != expected);
+  EXPECT(fmc::contact_force(2, placed(0), {{FMC_QUAD4, quads}}, options, {}, &once).forces != expected);
 
   const auto kept = contact.slip();
   contact.set_slip(Numbers(kept.size()));
@@ -319,7 +324,7 @@ void friction_and_patches() {
   EXPECT(contact.slip() == kept);
   EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { contact.set_slip({1.0}); }));
   step.start = fmc::Coords(start.data(), 14);
-  EXPECT(refused(FMC_ERROR_LENGTH, "start", [&] { fmc::contact_force_step(2, start, FMC_QUAD4, quads, options, step); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "start", [&] { fmc::contact_force(2, start, {{FMC_QUAD4, quads}}, options, {}, &step); }));
   contact.freeze_friction(start);
   const auto frozen = contact.tangent(start, FMC_TANGENT_SYMMETRIC);
   contact.release_friction();
@@ -393,11 +398,12 @@ void obstacles() {
 
 // Four springs in two rows, condensed to their lower ends: two of 1 in a row are one of 1/2. As in hosts/c/condensation.c.
 void condensation() {
-  const std::vector<int64_t> offsets = {0, 2, 4, 6, 8}, cols = {0, 2, 1, 3, 0, 2, 1, 3}, kept = {2, 3};
+  const std::vector<int64_t> offsets = {0, 2, 4, 6, 8}, cols = {0, 2, 1, 3, 0, 2, 1, 3}, retained = {2, 3};
   const Numbers values = {2, -1, 2, -1, -1, 1, -1, 1}, load = {0, 0, -0.4, -0.4};
   fmc::Condensation bodies;
   EXPECT(refused(FMC_ERROR_NOT_FACTORISED, "", [&] { bodies.complement(); }));
-  bodies.factorise(offsets, cols, values, kept);
+  const fmc::CsrView<int64_t> K{offsets, cols, values};
+  bodies.factorise(K, retained);
   const auto same = [](const Numbers &found, const Numbers &expected) {
     for (std::size_t k = 0; k < expected.size(); ++k) EXPECT(std::abs(found.at(k) - expected[k]) < 1e-15);
   };
@@ -405,13 +411,13 @@ void condensation() {
   same(bodies.condense(load), {-0.4, -0.4});
   same(bodies.expand(load, Numbers{0.5, 1}), {0.25, 0.5, 0.5, 1});
   EXPECT(refused(FMC_ERROR_LENGTH, "right", [&] { bodies.expand(Numbers{0.5, 1}, Numbers{0.5, 1}); }));
-  EXPECT(refused(FMC_ERROR_LENGTH, "row_offsets", [&] { bodies.factorise({}, cols, values, kept); }));
-  EXPECT(refused(FMC_ERROR_LENGTH, "cols", [&] { bodies.factorise(offsets, kept, values, kept); }));
-  EXPECT(refused(FMC_ERROR_LENGTH, "values", [&] { bodies.factorise(offsets, cols, load, kept); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "row_offsets", [&] { bodies.factorise(fmc::CsrView<int64_t>{{}, cols, values}, retained); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "cols", [&] { bodies.factorise(fmc::CsrView<int64_t>{offsets, retained, values}, retained); }));
+  EXPECT(refused(FMC_ERROR_LENGTH, "values", [&] { bodies.factorise(fmc::CsrView<int64_t>{offsets, cols, load}, retained); }));
   const fmc::Condensation moved = std::move(bodies);
   EXPECT(moved.condense(load).size() == 2);
   const Numbers loose = {0, 0, 2, -1, 0, 1, -1, 1};
-  EXPECT(refused(FMC_ERROR_NOT_POSITIVE_DEFINITE, "", [&] { fmc::Condensation(offsets, cols, loose, kept); }));
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE_DEFINITE, "", [&] { fmc::Condensation(fmc::CsrView<int64_t>{offsets, cols, loose}, retained); }));
 }
 
 }  // namespace

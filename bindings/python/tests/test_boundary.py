@@ -40,11 +40,11 @@ def test_facets_are_outward_faces_of_their_cells(cell_type, base):
     facets = contact.mesh.boundary_facets()
     assert len(facets) == contact.facet_count == len(facets.cell) == len(facets.local_face) == len(facets.nodes)
     for cell, face, nodes in zip(facets.cell, facets.local_face, facets.nodes):
-        assert set(nodes[nodes >= 0] - base) == set(cells[cell][FACES[cell_type][face]])
+        assert set(nodes[nodes >= 0] - base) == set(cells[cell - base][FACES[cell_type][face]])
     facets.nodes[facets.nodes >= 0] -= base
     areas, corner = area_vectors(facets, coords), coords[facets.nodes[:, 0]]
     np.testing.assert_allclose(areas.sum(axis=0), 0, atol=1e-14)
-    inside = coords[cells].mean(axis=1)[facets.cell]
+    inside = coords[cells].mean(axis=1)[facets.cell - base]
     assert (np.einsum("md,md->m", areas, corner - inside) > 0).all()
     assert np.linalg.norm(areas, axis=1).sum() == pytest.approx(2 * coords.shape[1], rel=1e-14)
     assert (facets.body == 0).all() and (facets.input_facet == -1).all()

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from fmc_contact import Contact, FmcError, Pose, contact_force, errors
 from fmc_contact._library import check, library
-from fmc_contact._structs import fmc_options, fmc_pair_result
+from fmc_contact._structs import fmc_cell_block, fmc_options, fmc_pair_result
 from fmc_contact.options import changed, defaults
 from numpy.lib.stride_tricks import as_strided
 from scenes import K, same_bits
@@ -143,6 +143,7 @@ def test_what_the_package_itself_never_asks_for(squares):
     contact = Contact(coords, conn, "quad", **OPTIONS)
     pointer, empty, options = contact._core.handle.pointer, fmc_options(), changed(defaults(), OPTIONS)
     odd = np.zeros(65, np.uint8)[1:].view(np.float64)
+    block = fmc_cell_block(9, conn.itemsize, conn.ctypes.data, 1)
     for error, text, call in [
         (errors.NullPointerError, "'options'", lambda: library.fmc_options_init(None)),
         (errors.IndexOutOfRangeError, "no pair 0", lambda: library.fmc_context_pair_result(pointer, 0, byref(fmc_pair_result()))),
@@ -150,21 +151,21 @@ def test_what_the_package_itself_never_asks_for(squares):
         (
             errors.MisalignedPointerError,
             "'coords' is not aligned to 8 bytes",
-            lambda: library.fmc_contact_force(2, odd, 4, 9, conn, 1, None, byref(options), np.empty(8), None),
+            lambda: library.fmc_contact_force(2, odd, 4, byref(block), 1, None, byref(options), None, np.empty(8), None),
         ),
         (errors.BufferTooSmallError, "room for 0 entries", lambda: entries_without_room(contact, coords)),
     ]:
         with pytest.raises(error, match=text):
             check(call())
-    with pytest.raises(ctypes.ArgumentError, match="an array of dtype int32 without gaps is wanted, not of float64"):
-        library.fmc_context_tangent_entries(pointer, np.zeros(3), None, None, 0)
+    with pytest.raises(ctypes.ArgumentError, match="an array of dtype int32 or int64 without gaps is wanted, not of float64"):
+        library.fmc_context_tangent_entries(pointer, np.zeros(3), None, None, 0, None)
 
 
 def entries_without_room(contact, coords):
     contact.set_options(law="fiber")
     contact.tangent(coords)
     none = np.empty(0, np.int32)
-    return library.fmc_context_tangent_entries(contact._core.handle.pointer, none, none, np.empty(0), 0)
+    return library.fmc_context_tangent_entries(contact._core.handle.pointer, none, none, np.empty(0), 0, None)
 
 
 def test_errors_are_what_python_would_call_them():

@@ -7,6 +7,7 @@ import pytest
 from fmc_contact import Contact, contact_force
 from fmc_contact._cells import CELL_TYPES
 from fmc_contact._library import check, library
+from fmc_contact._structs import fmc_cell_block
 from fmc_contact.options import changed, defaults
 from scenes import K, same_bits, tetrahedra, triangles
 
@@ -81,8 +82,9 @@ def test_same_bits_as_the_stateless_call(squares, dtype, with_bodies):
     result = contact_force(coords, conn, "quad", stiffness=K, bodies=bodies, law="volume")
     forces, volume = np.empty((8, 2)), c_double()
     options = changed(defaults(), {"stiffness": K, "law": "volume"})
-    function = library.fmc_contact_force if dtype == np.int32 else library.fmc_contact_force_i64
-    check(function(2, coords, 8, CELL_TYPES["quad"], conn, 2, bodies, byref(options), forces, byref(volume)))
+    block = fmc_cell_block(CELL_TYPES["quad"], conn.itemsize, conn.ctypes.data, 2)
+    arguments = byref(block), 1, bodies, byref(options), None, forces, byref(volume)
+    check(library.fmc_contact_force(2, coords, 8, *arguments))
     assert same_bits(result.forces, forces) and result.volume == volume.value
     assert [body.id for body in result.bodies] == ([3, 7] if with_bodies else [0, 1])
 

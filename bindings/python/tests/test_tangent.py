@@ -140,13 +140,18 @@ def test_entries_of_the_library_are_those_of_the_rows(squares):
     contact = Contact(coords, conn, "quad", stiffness=K, law="fiber", estimator="exact")
     found = contact.tangent_parts(coords)
     count = len(found.values)
-    rows, cols, values = np.empty(count, np.int32), np.empty(count, np.int32), np.empty(count)
-    check(library.fmc_context_tangent_entries(contact._core.handle.pointer, rows, cols, values, c_size_t(count)))
+    rows, cols, values = np.empty(count, conn.dtype), np.empty(count, conn.dtype), np.empty(count)
+    check(library.fmc_context_tangent_entries(contact._core.handle.pointer, rows, cols, values, count, None))
     order = np.lexsort((cols, rows))
     assert np.array_equal(rows[order], found.rows) and np.array_equal(cols[order], found.cols)
     assert np.array_equal(values[order], found.values)
+    # A contact that counts from 1 gives the library's matrix from 1, and its own from 0.
+    other = Contact(coords, conn.astype(np.int64) + 1, "quad", stiffness=K, law="fiber", estimator="exact", index_base=1)
+    again = other.tangent_parts(coords)
+    assert again.cols.dtype == np.int64 and np.array_equal(again.cols, found.cols)
     offsets, wide = np.empty(17, np.int64), np.empty(count, np.int64)
-    check(library.fmc_context_tangent_csr_i64(contact._core.handle.pointer, 16, offsets, wide, values, c_size_t(count)))
+    arguments = 0, offsets, 17, None, wide, values, count, None
+    check(library.fmc_context_tangent_csr(other._core.handle.pointer, *arguments))
     assert np.array_equal(offsets, found.offsets + 1) and np.array_equal(wide, found.cols + 1)
     assert np.array_equal(values, found.values)
 

@@ -3,6 +3,7 @@
 use super::Host;
 use super::array::{Array, checked, unless};
 use super::callbacks::{Placed, place};
+use super::numbers::Numbers;
 use crate::guarded::Guarded;
 use crate::interface::*;
 use crate::program::{Fault, Hole, Layout};
@@ -22,8 +23,12 @@ impl Host {
         let count = list.len();
         let at = |entry: usize| if entry / count == entry % count { stiffness } else { coupling };
         let matrix: Vec<f64> = (0..count * count).map(at).collect();
-        let given =
-            (Guarded::new(&list), Guarded::new(&held), Guarded::new(&matrix), Guarded::new(&vec![residual; count]));
+        let given = (
+            Numbers::new(&list, self.is_wide),
+            Numbers::new(&held, self.is_wide),
+            Guarded::new(&matrix),
+            Guarded::new(&vec![residual; count]),
+        );
         let found = Guarded::new(&vec![-77.0; count]);
         let user = Placed { context: self.context, fault, width: self.mesh.dim };
         let view = coords.view;

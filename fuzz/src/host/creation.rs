@@ -2,7 +2,7 @@
 
 use super::Host;
 use super::array::{Array, checked};
-use crate::guarded::Guarded;
+use super::numbers::Numbers;
 use crate::interface::*;
 use crate::mesh::Mesh;
 use crate::program::Layout;
@@ -35,36 +35,21 @@ pub(crate) fn create(mesh: &Mesh, is_wide: bool, options: &fmc_options) -> Optio
     let base = i64::from(options.index_base);
     let conn: Vec<Vec<i64>> =
         mesh.blocks.iter().map(|(_, conn)| conn.iter().map(|node| node + base).collect()).collect();
+    let conn: Vec<Numbers> = conn.iter().map(|conn| Numbers::new(conn, is_wide)).collect();
+    let ids = mesh.ids.as_ref().map(|ids| Numbers::new(ids, is_wide));
+    let blocks: Vec<fmc_cell_block> = (mesh.blocks.iter().zip(&conn))
+        .map(|((cell_type, nodes), conn)| fmc_cell_block {
+            cell_type: *cell_type,
+            index_size: Numbers::size(is_wide),
+            conn: conn.ptr(),
+            cell_count: nodes.len() / cell_size(*cell_type),
+        })
+        .collect();
+    let ids = ids.as_ref().map_or(null(), |ids| ids.ptr().cast_const());
+    let dim = mesh.dim as i32;
     // SAFETY: arrays as long as they are said to be, alive during the call.
     let status = unsafe {
-        if is_wide {
-            let conn: Vec<Guarded<i64>> = conn.iter().map(|conn| Guarded::new(conn)).collect();
-            let ids = mesh.ids.as_ref().map(|ids| Guarded::new(ids));
-            let blocks: Vec<fmc_cell_block_i64> = (mesh.blocks.iter().zip(&conn))
-                .map(|((cell_type, nodes), conn)| fmc_cell_block_i64 {
-                    cell_type: *cell_type,
-                    conn: conn.ptr(),
-                    cell_count: nodes.len() / cell_size(*cell_type),
-                })
-                .collect();
-            let ids = ids.as_ref().map_or(null(), |ids| ids.ptr().cast_const());
-            let dim = mesh.dim as i32;
-            fmc_context_new_from_cells_i64(dim, &coords.view, blocks.as_ptr(), blocks.len(), ids, options, &mut context)
-        } else {
-            let narrow = |values: &[i64]| Guarded::new(&values.iter().map(|&v| v as i32).collect::<Vec<_>>());
-            let conn: Vec<Guarded<i32>> = conn.iter().map(|conn| narrow(conn)).collect();
-            let ids = mesh.ids.as_ref().map(|ids| narrow(ids));
-            let blocks: Vec<fmc_cell_block> = (mesh.blocks.iter().zip(&conn))
-                .map(|((cell_type, nodes), conn)| fmc_cell_block {
-                    cell_type: *cell_type,
-                    conn: conn.ptr(),
-                    cell_count: nodes.len() / cell_size(*cell_type),
-                })
-                .collect();
-            let ids = ids.as_ref().map_or(null(), |ids| ids.ptr().cast_const());
-            let dim = mesh.dim as i32;
-            fmc_context_new_from_cells(dim, &coords.view, blocks.as_ptr(), blocks.len(), ids, options, &mut context)
-        }
+        fmc_context_new_from_cells(dim, &coords.view, blocks.as_ptr(), blocks.len(), ids, options, &mut context)
     };
     assert_eq!(checked(status) == OK, !context.is_null());
     (status == OK).then_some(context)
@@ -86,32 +71,15 @@ impl Host {
         let (o, to) = (&raw const self.options, &raw mut context);
         // SAFETY: arrays as long as they are said to be; the context is given back.
         unsafe {
-            let status = checked(if is_wide {
-                let conn = blocks.map(|(_, nodes, _)| Guarded::new(nodes));
-                let block = |k: usize| fmc_facet_block_i64 {
-                    facet_type: blocks[k].0,
-                    conn: conn[k].ptr(),
-                    facet_count: blocks[k].2,
-                };
-                fmc_context_new_from_facet_blocks_i64(
-                    dim,
-                    &coords.view,
-                    [block(0), block(1)].as_ptr(),
-                    2,
-                    null(),
-                    o,
-                    to,
-                )
-            } else {
-                let conn =
-                    blocks.map(|(_, nodes, _)| Guarded::new(&nodes.iter().map(|&f| f as i32).collect::<Vec<_>>()));
-                let block = |k: usize| fmc_facet_block {
-                    facet_type: blocks[k].0,
-                    conn: conn[k].ptr(),
-                    facet_count: blocks[k].2,
-                };
-                fmc_context_new_from_facet_blocks(dim, &coords.view, [block(0), block(1)].as_ptr(), 2, null(), o, to)
-            });
+            let conn = blocks.map(|(_, nodes, _)| Numbers::new(nodes, is_wide));
+            let block = |k: usize| fmc_facet_block {
+                facet_type: blocks[k].0,
+                index_size: Numbers::size(is_wide),
+                conn: conn[k].ptr(),
+                facet_count: blocks[k].2,
+            };
+            let both = [block(0), block(1)];
+            let status = checked(fmc_context_new_from_facets(dim, &coords.view, both.as_ptr(), 2, null(), o, to));
             assert_eq!(status == OK, !context.is_null());
             assert_eq!(fmc_context_free(to), OK);
         }
@@ -127,31 +95,12 @@ impl Host {
         let (dim, mut context) = (self.mesh.dim as i32, null_mut());
         // SAFETY: arrays as long as they are said to be; the context is given back.
         unsafe {
-            let status = checked(if is_wide {
-                let facets = Guarded::new(facets);
-                let ids = null();
-                fmc_context_new_from_facets_i64(
-                    dim,
-                    &coords.view,
-                    facets.ptr(),
-                    count,
-                    ids,
-                    &raw const self.options,
-                    &raw mut context,
-                )
-            } else {
-                let facets = Guarded::new(&facets.iter().map(|&f| f as i32).collect::<Vec<_>>());
-                let ids = null();
-                fmc_context_new_from_facets(
-                    dim,
-                    &coords.view,
-                    facets.ptr(),
-                    count,
-                    ids,
-                    &raw const self.options,
-                    &raw mut context,
-                )
-            });
+            let facets = Numbers::new(facets, is_wide);
+            let facet_type = if dim == 2 { FMC_FACET_LINE2 } else { FMC_FACET_TRI3 };
+            let index_size = Numbers::size(is_wide);
+            let block = fmc_facet_block { facet_type, index_size, conn: facets.ptr(), facet_count: count };
+            let (options, to) = (&raw const self.options, &raw mut context);
+            let status = checked(fmc_context_new_from_facets(dim, &coords.view, &block, 1, null(), options, to));
             assert_eq!(status == OK, !context.is_null());
             assert_eq!(fmc_context_free(&raw mut context), OK);
         }

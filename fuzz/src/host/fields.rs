@@ -2,6 +2,7 @@
 
 use super::Host;
 use super::array::{Array, CANARY, checked, unless};
+use super::numbers::Numbers;
 use crate::guarded::Guarded;
 use crate::interface::*;
 use crate::program::{Hole, Layout};
@@ -59,13 +60,17 @@ impl Host {
             }
             let (none, entries_at) = (std::ptr::null_mut(), &raw mut entries);
             let no_values = std::ptr::null_mut();
-            let status = fmc_context_gap_gradient(self.context, none, 0, std::ptr::null_mut(), none, no_values, 0, entries_at);
+            let status =
+                fmc_context_gap_gradient(self.context, none, 0, std::ptr::null_mut(), none, no_values, 0, entries_at);
             assert_eq!(checked(status), OK);
             let blank = std::mem::MaybeUninit::<fmc_gap_constraint>::zeroed().assume_init();
             let found = Guarded::new(&vec![blank; rows]);
-            let (offsets, cols) = (Guarded::new(&vec![-7i64; rows + 1]), Guarded::new(&vec![-7i64; entries]));
+            let list = |length: usize| Numbers::new(&vec![-7; length], self.is_wide);
+            let (offsets, cols, base) = (list(rows + 1), list(entries), i64::from(self.options.index_base));
             let values = Guarded::new(&vec![f64::from_bits(CANARY); entries]);
-            let give = |room| fmc_context_gap_constraints(self.context, coords, reach, found.ptr(), room, std::ptr::null_mut());
+            let give = |room| {
+                fmc_context_gap_constraints(self.context, coords, reach, found.ptr(), room, std::ptr::null_mut())
+            };
             assert!(rows == 0 || checked(give(rows - 1)) != OK);
             assert_eq!(checked(give(rows)), OK);
             assert!(found.values().iter().all(|row| row.struct_size == size_of::<fmc_gap_constraint>()));
@@ -74,9 +79,9 @@ impl Host {
             let status =
                 fmc_context_gap_gradient(self.context, offsets_at, rows + 1, none, cols_at, values_at, entries, none);
             assert_eq!(checked(status), OK);
-            assert_eq!(offsets.values().last().copied(), Some(entries as i64));
+            assert_eq!(offsets.values().last().copied(), Some(entries as i64 + base));
             let size = (self.mesh.node_count() * self.mesh.dim) as i64;
-            assert!(cols.values().iter().all(|col| (0..size).contains(col)));
+            assert!(cols.values().iter().all(|col| (base..size + base).contains(col)));
             assert!(values.values().iter().all(|value| value.is_finite()));
         }
     }

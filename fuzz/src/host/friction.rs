@@ -2,6 +2,7 @@
 
 use super::Host;
 use super::array::{Array, checked, unless};
+use super::numbers::Numbers;
 use crate::guarded::Guarded;
 use crate::interface::*;
 use crate::program::{Hole, Layout};
@@ -38,7 +39,7 @@ impl Host {
 
     pub(super) fn set_symmetry_nodes(&mut self, nodes: &[u8], hole: Hole) {
         let nodes: Vec<i64> = nodes.iter().map(|&node| i64::from(node) - 2).collect();
-        let numbers = Guarded::new(&nodes);
+        let numbers = Numbers::new(&nodes, self.is_wide);
         // SAFETY: as many numbers as it says.
         checked(unsafe {
             fmc_context_set_symmetry_nodes(self.context, unless(hole, 0, numbers.ptr()).cast_const(), nodes.len())

@@ -2,6 +2,7 @@
 
 use super::Host;
 use super::array::{CANARY, checked, unless};
+use super::numbers::Numbers;
 use crate::guarded::Guarded;
 use crate::interface::*;
 use crate::program::Hole;
@@ -27,11 +28,16 @@ impl Host {
             let status = checked(fmc_context_body_resultant(self.context, index, unless(hole, 0, &raw mut resultant)));
             assert!(status == OK || resultant == untouched);
             let mut resultant = untouched;
-            let status = checked(fmc_context_obstacle_resultant(self.context, index, unless(hole, 1, &raw mut resultant)));
+            let status =
+                checked(fmc_context_obstacle_resultant(self.context, index, unless(hole, 1, &raw mut resultant)));
             assert!(status == OK || resultant == untouched);
             let status = checked(fmc_context_pair_result(self.context, index, unless(hole, 2, pair.as_mut_ptr())));
             let pair = pair.assume_init();
-            assert!(if status == OK { pair.struct_size == size_of::<fmc_pair_result>() } else { pair.struct_size == 0 });
+            assert!(if status == OK {
+                pair.struct_size == size_of::<fmc_pair_result>()
+            } else {
+                pair.struct_size == 0
+            });
             if checked(fmc_context_warning(self.context, index, &raw mut code, unless(hole, 3, &raw mut text))) == OK
                 && hole != 4
             {
@@ -62,30 +68,36 @@ impl Host {
 
     /// Points as combinations of nodes; returns their number.
     fn point_weights(&self, hole: Hole) -> i64 {
-        let (mut points, mut entries) = (77usize, 77usize);
+        let (mut offset_count, mut entries) = (77usize, 77usize);
         // SAFETY: outputs that may be written, with room for as much as is said.
         unsafe {
             let context = unless(hole, 6, self.context).cast_const();
-            let status = checked(fmc_context_point_weights_size(context, &raw mut points, &raw mut entries));
-            if status != OK {
-                assert!(context.is_null() && (points, entries) == (77, 77));
+            let none = null_mut();
+            let (offsets_at, entries_at) = (&raw mut offset_count, &raw mut entries);
+            let no_weights = null_mut();
+            let status = fmc_context_point_weights(context, none, 0, offsets_at, none, no_weights, 0, entries_at);
+            if checked(status) != OK {
+                assert!(context.is_null() && (offset_count, entries) == (77, 77));
                 return i64::MAX / 2;
             }
-            let offsets = Guarded::new(&vec![-7i64; points + 1]);
-            let (nodes, weights) = (Guarded::new(&vec![-7i64; entries]), Guarded::new(&vec![CANARY; entries]));
-            let at = |offsets: *mut i64, nodes: *mut i64, points: usize, entries: usize| {
-                let weights = weights.ptr().cast();
-                checked(fmc_context_point_weights(context, offsets, points, nodes, weights, entries))
+            let points = offset_count - 1;
+            let list = |length: usize| Numbers::new(&vec![-7; length], self.is_wide);
+            let (offsets, nodes) = (list(offset_count), list(entries));
+            let weights = Guarded::new(&vec![CANARY; entries]);
+            let at = |offsets, nodes, rows: usize, entries: usize| {
+                let (weights, none) = (weights.ptr().cast(), null_mut());
+                checked(fmc_context_point_weights(context, offsets, rows, none, nodes, weights, entries, none))
             };
-            assert_ne!(at(offsets.ptr(), nodes.ptr(), points - 1, entries), OK);
-            assert_ne!(at(offsets.ptr(), nodes.ptr(), points, entries - 1), OK);
-            assert_ne!(at(null_mut(), nodes.ptr(), points, entries), OK);
-            assert_ne!(at(offsets.ptr(), null_mut(), points, entries), OK);
+            assert_ne!(at(offsets.ptr(), nodes.ptr(), points, entries), OK);
+            assert_ne!(at(offsets.ptr(), nodes.ptr(), points + 1, entries - 1), OK);
+            assert_ne!(at(null_mut(), nodes.ptr(), points + 1, entries), OK);
+            assert_ne!(at(offsets.ptr(), null_mut(), points + 1, entries), OK);
             assert!(offsets.values().iter().chain(&nodes.values()).all(|&at| at == -7), "an error writes outputs");
-            assert_eq!(at(offsets.ptr(), nodes.ptr(), points, entries), OK);
-            let (offsets, nodes, weights) = (offsets.values(), nodes.values(), weights.values());
-            assert!(points >= self.mesh.node_count() && (offsets[0], offsets[points]) == (0, entries as i64));
+            assert_eq!(at(offsets.ptr(), nodes.ptr(), points + 1, entries), OK);
             let base = i64::from(self.options.index_base);
+            let (nodes, weights) = (nodes.values(), weights.values());
+            let offsets: Vec<i64> = offsets.values().iter().map(|offset| offset - base).collect();
+            assert!(points >= self.mesh.node_count() && (offsets[0], offsets[points]) == (0, entries as i64));
             let range = base..self.mesh.node_count() as i64 + base;
             for row in offsets.windows(2) {
                 let row = row[0] as usize..row[1] as usize;

@@ -23,26 +23,25 @@ impl Host {
     /// Every node between two unknowns, of which there is one more than nodes; then nodes move by themselves again.
     fn set_basis(&mut self, part: f64, hole: Hole) {
         let (n, base) = (self.mesh.node_count(), i64::from(self.options.index_base));
-        let offsets: Vec<i64> = (0..=n as i64).map(|row| 2 * row).collect();
+        let offsets: Vec<i64> = (0..=n as i64).map(|row| 2 * row + base).collect();
         let unknowns: Vec<i64> = (0..n as i64).flat_map(|row| [row + base, row + 1 + base]).collect();
         let weights: Vec<f64> = (0..n).flat_map(|_| [part, 1.0 - part]).collect();
         let (offsets, unknowns, weights) = (Guarded::new(&offsets), Guarded::new(&unknowns), Guarded::new(&weights));
-        let at = |count: usize, entries: usize| {
+        let at = |count: usize, rows: usize| {
             // SAFETY: a living context or NULL, arrays of the sizes that are said, or smaller sizes.
             checked(unsafe {
-                fmc_context_set_basis(
-                    self.context,
-                    count,
-                    offsets.ptr().cast_const(),
-                    unless(hole, 0, unknowns.ptr()).cast_const(),
-                    unless(hole, 1, weights.ptr()).cast_const(),
-                    entries,
-                )
+                let mut matrix = fmc_csr::default();
+                assert_eq!(fmc_csr_init(&raw mut matrix), OK);
+                (matrix.row_count, matrix.index_size, matrix.index_base) = (rows, 8, base as i32);
+                matrix.row_offsets = offsets.ptr().cast();
+                matrix.cols = unless(hole, 0, unknowns.ptr()).cast();
+                matrix.values = unless(hole, 1, weights.ptr());
+                fmc_context_set_basis(self.context, &raw const matrix, count)
             })
         };
-        assert_ne!(at(n, 2 * n), OK, "an unknown too many");
-        assert_ne!(at(n + 1, 2 * n - 1), OK, "an entry too few");
-        if at(n + 1, 2 * n) == OK {
+        assert_ne!(at(n, n), OK, "an unknown too many");
+        assert_ne!(at(n + 1, n - 1), OK, "a row too few");
+        if at(n + 1, n) == OK {
             assert!(part.is_finite());
             let mut coords = self.mesh.coords.clone();
             coords.extend(vec![0.0; self.mesh.dim]);
@@ -53,8 +52,6 @@ impl Host {
             checked(unsafe { fmc_context_evaluate(self.context, &raw const view, &raw const target, 0, null_mut()) });
         }
         // SAFETY: nothing is read.
-        checked(unsafe {
-            fmc_context_set_basis(self.context, 0, std::ptr::null(), std::ptr::null(), std::ptr::null(), 0)
-        });
+        checked(unsafe { fmc_context_set_basis(self.context, std::ptr::null(), 0) });
     }
 }

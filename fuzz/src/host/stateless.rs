@@ -3,6 +3,7 @@
 use super::Host;
 use super::array::{Array, CANARY, checked, unless};
 use super::creation::cell_size;
+use super::numbers::Numbers;
 use crate::guarded::Guarded;
 use crate::interface::*;
 use crate::program::{Hole, Layout};
@@ -42,22 +43,25 @@ impl Host {
     pub(super) fn stateless(&self, hole: Hole) {
         let Some((cell_type, conn)) = self.mesh.blocks.first() else { return };
         let size = cell_size(*cell_type);
-        let wide = Guarded::new(&conn.iter().map(|n| n + i64::from(self.options.index_base)).collect::<Vec<_>>());
-        let narrow = Guarded::new(&wide.values().iter().map(|&n| n as i32).collect::<Vec<_>>());
+        let numbers: Vec<i64> = conn.iter().map(|n| n + i64::from(self.options.index_base)).collect();
+        let both = [false, true].map(|is_wide| Numbers::new(&numbers, is_wide));
+        let block = |is_wide: bool| fmc_cell_block {
+            cell_type: *cell_type,
+            index_size: Numbers::size(is_wide),
+            conn: both[usize::from(is_wide)].ptr(),
+            cell_count: conn.len() / size,
+        };
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
         let canaries = vec![f64::from_bits(CANARY); self.mesh.coords.len()];
-        let (dim, n, cells) = (self.mesh.dim as i32, self.mesh.node_count(), conn.len() / size);
+        let (dim, n) = (self.mesh.dim as i32, self.mesh.node_count());
         let call = |is_wide: bool| {
             let (forces, mut volume) = (Guarded::new(&canaries), -1.0);
             // SAFETY: arrays as long as they are said to be.
             let status = unsafe {
                 let (x, o) = (unless(hole, 0, coords.memory.ptr()), &raw const self.options);
                 let (f, v) = (unless(hole, 1, forces.ptr()), unless(hole, 2, &raw mut volume));
-                if is_wide {
-                    fmc_contact_force_i64(dim, x, n, *cell_type, wide.ptr(), cells, null(), o, f, v)
-                } else {
-                    fmc_contact_force(dim, x, n, *cell_type, narrow.ptr(), cells, null(), o, f, v)
-                }
+                let block = block(is_wide);
+                fmc_contact_force(dim, x, n, &block, 1, null(), o, null(), f, v)
             };
             let bits: Vec<u64> = forces.values().into_iter().map(f64::to_bits).collect();
             if checked(status) != OK {
@@ -68,19 +72,16 @@ impl Host {
         assert_eq!(call(false), call(true));
         let stepped = |is_wide: bool| {
             let (forces, next) = (Guarded::new(&canaries), Guarded::new(&canaries));
-            // SAFETY: arrays as long as they are said to be; a slip of another length than `n` rows is refused.
+            // SAFETY: arrays as long as they are said to be; a slip of more than `n` rows is refused.
             let (status, volume) = unsafe {
                 let (mut step, mut volume) = (std::mem::zeroed(), -1.0);
                 assert_eq!(fmc_friction_step_init(&raw mut step), OK);
-                (step.start, step.slip_length) = (unless(hole, 3, coords.memory.ptr()), canaries.len());
-                step.next_slip = unless(hole, 4, next.ptr());
+                step.start = unless(hole, 3, coords.memory.ptr());
+                (step.next_slip, step.next_slip_capacity) = (unless(hole, 4, next.ptr()), canaries.len());
                 let (x, o, f) = (coords.memory.ptr(), &raw const self.options, forces.ptr());
                 let (v, step) = (&raw mut volume, unless(hole, 5, &raw mut step));
-                let status = if is_wide {
-                    fmc_contact_force_step_i64(dim, x, n, *cell_type, wide.ptr(), cells, null(), o, step, f, v)
-                } else {
-                    fmc_contact_force_step(dim, x, n, *cell_type, narrow.ptr(), cells, null(), o, step, f, v)
-                };
+                let block = block(is_wide);
+                let status = fmc_contact_force(dim, x, n, &block, 1, null(), o, step, f, v);
                 (checked(status), volume)
             };
             let bits: Vec<u64> = forces.values().iter().chain(&next.values()).map(|x| x.to_bits()).collect();

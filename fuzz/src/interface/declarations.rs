@@ -12,7 +12,6 @@ pub const FMC_TANGENT_SEMIDEFINITE: u32 = 2;
 pub const FMC_TANGENT_SYMMETRIC: u32 = 32;
 pub const FMC_CSR_BLOCKS: u32 = 4;
 pub const FMC_CSR_OBSTACLES: u32 = 8;
-pub const FMC_FROM_ONE: i32 = 16;
 pub const FMC_PAIR_LAW_OF_CONTEXT: i32 = -1;
 pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
 pub const FMC_OK: i32 = 0;
@@ -73,6 +72,7 @@ pub const FMC_ERROR_NOT_GATHERED: i32 = 54;
 pub const FMC_ERROR_NOT_POSITIVE_DEFINITE: i32 = 55;
 pub const FMC_ERROR_UNSYMMETRIC: i32 = 56;
 pub const FMC_ERROR_NOT_FACTORISED: i32 = 57;
+pub const FMC_ERROR_INDEX_SIZE: i32 = 58;
 pub const FMC_ERROR_BAD_VALUE: i32 = 59;
 pub const FMC_ERROR_UNKNOWN_FLAG: i32 = 60;
 pub const FMC_ERROR_OPTIONS_CONFLICT: i32 = 61;
@@ -191,10 +191,20 @@ pub struct fmc_friction_step {
     pub start: *const f64,
     pub reference: *const f64,
     pub slip: *const f64,
+    pub slip_count: usize,
     pub next_slip: *mut f64,
-    pub slip_length: usize,
-    pub facet_count: usize,
+    pub next_slip_capacity: usize,
+    pub next_slip_count: *mut usize,
     pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_cell_block {
+    pub cell_type: i32,
+    pub index_size: i32,
+    pub conn: *const c_void,
+    pub cell_count: usize,
 }
 
 #[repr(C)]
@@ -208,33 +218,10 @@ pub struct fmc_coords {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_cell_block {
-    pub cell_type: i32,
-    pub conn: *const i32,
-    pub cell_count: usize,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_cell_block_i64 {
-    pub cell_type: i32,
-    pub conn: *const i64,
-    pub cell_count: usize,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_facet_block {
     pub facet_type: i32,
-    pub conn: *const i32,
-    pub facet_count: usize,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_facet_block_i64 {
-    pub facet_type: i32,
-    pub conn: *const i64,
+    pub index_size: i32,
+    pub conn: *const c_void,
     pub facet_count: usize,
 }
 
@@ -285,6 +272,19 @@ pub struct fmc_boundary_facet {
 }
 
 #[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_csr {
+    pub struct_size: usize,
+    pub row_count: usize,
+    pub index_size: i32,
+    pub index_base: i32,
+    pub row_offsets: *const c_void,
+    pub cols: *const c_void,
+    pub values: *const f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct fmc_communicator {
     pub struct_size: usize,
@@ -311,12 +311,14 @@ pub struct fmc_rank_counts {
 pub struct fmc_mesh_part {
     pub struct_size: usize,
     pub coords: fmc_coords,
-    pub node_numbers: *const i64,
+    pub index_size: i32,
+    pub node_numbers: *const c_void,
     pub blocks: *const fmc_cell_block,
     pub block_count: usize,
-    pub cell_numbers: *const i64,
-    pub body_ids: *const i32,
+    pub cell_numbers: *const c_void,
+    pub body_ids: *const c_void,
     pub reach: f64,
+    pub reserved: [u64; 4],
 }
 
 #[repr(C)]
@@ -546,27 +548,20 @@ unsafe extern "C" {
     pub fn fmc_last_error() -> *const c_char;
     pub fn fmc_options_init(options: *mut fmc_options) -> fmc_status;
     pub fn fmc_options_set(options: *mut fmc_options, key: *const c_char, value: *const c_char) -> fmc_status;
-    pub fn fmc_contact_force(dim: i32, coords: *const f64, node_count: usize, cell_type: i32, conn: *const i32, cell_count: usize, body_ids: *const i32, options: *const fmc_options, forces: *mut f64, volume: *mut f64) -> fmc_status;
-    pub fn fmc_contact_force_i64(dim: i32, coords: *const f64, node_count: usize, cell_type: i32, conn: *const i64, cell_count: usize, body_ids: *const i64, options: *const fmc_options, forces: *mut f64, volume: *mut f64) -> fmc_status;
     pub fn fmc_friction_step_init(step: *mut fmc_friction_step) -> fmc_status;
-    pub fn fmc_contact_force_step(dim: i32, coords: *const f64, node_count: usize, cell_type: i32, conn: *const i32, cell_count: usize, body_ids: *const i32, options: *const fmc_options, step: *mut fmc_friction_step, forces: *mut f64, volume: *mut f64) -> fmc_status;
-    pub fn fmc_contact_force_step_i64(dim: i32, coords: *const f64, node_count: usize, cell_type: i32, conn: *const i64, cell_count: usize, body_ids: *const i64, options: *const fmc_options, step: *mut fmc_friction_step, forces: *mut f64, volume: *mut f64) -> fmc_status;
-    pub fn fmc_context_new_from_cells(dim: i32, coords: *const fmc_coords, blocks: *const fmc_cell_block, block_count: usize, body_ids: *const i32, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
-    pub fn fmc_context_new_from_cells_i64(dim: i32, coords: *const fmc_coords, blocks: *const fmc_cell_block_i64, block_count: usize, body_ids: *const i64, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
-    pub fn fmc_context_new_from_facets(dim: i32, coords: *const fmc_coords, facets: *const i32, facet_count: usize, body_ids: *const i32, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
-    pub fn fmc_context_new_from_facets_i64(dim: i32, coords: *const fmc_coords, facets: *const i64, facet_count: usize, body_ids: *const i64, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_contact_force(dim: i32, coords: *const f64, node_count: usize, blocks: *const fmc_cell_block, block_count: usize, body_ids: *const c_void, options: *const fmc_options, step: *const fmc_friction_step, forces: *mut f64, volume: *mut f64) -> fmc_status;
+    pub fn fmc_context_new_from_cells(dim: i32, coords: *const fmc_coords, blocks: *const fmc_cell_block, block_count: usize, body_ids: *const c_void, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
     pub fn fmc_context_free(context: *mut *mut fmc_context) -> fmc_status;
-    pub fn fmc_context_new_from_facet_blocks(dim: i32, coords: *const fmc_coords, blocks: *const fmc_facet_block, block_count: usize, body_ids: *const i32, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
-    pub fn fmc_context_new_from_facet_blocks_i64(dim: i32, coords: *const fmc_coords, blocks: *const fmc_facet_block_i64, block_count: usize, body_ids: *const i64, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_context_new_from_facets(dim: i32, coords: *const fmc_coords, blocks: *const fmc_facet_block, block_count: usize, body_ids: *const c_void, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
     pub fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status;
     pub fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status;
     pub fn fmc_context_set_log(context: *mut fmc_context, callback: fmc_log_callback, user: *mut c_void) -> fmc_status;
     pub fn fmc_context_counts(context: *const fmc_context, node_count: *mut usize, facet_count: *mut usize, body_count: *mut usize) -> fmc_status;
     pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
     pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_point_weights_size(context: *const fmc_context, point_count: *mut usize, entry_count: *mut usize) -> fmc_status;
-    pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut i64, point_capacity: usize, nodes: *mut i64, weights: *mut f64, capacity: usize) -> fmc_status;
-    pub fn fmc_context_set_basis(context: *mut fmc_context, unknown_count: usize, row_offsets: *const i64, unknowns: *const i64, weights: *const f64, entry_count: usize) -> fmc_status;
+    pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_csr_init(matrix: *mut fmc_csr) -> fmc_status;
+    pub fn fmc_context_set_basis(context: *mut fmc_context, weights: *const fmc_csr, unknown_count: usize) -> fmc_status;
     pub fn fmc_context_keep_patches(context: *mut fmc_context, coords: *const fmc_coords, direction_count: *mut usize) -> fmc_status;
     pub fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
@@ -574,36 +569,35 @@ unsafe extern "C" {
     pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
-    pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const i64, count: usize) -> fmc_status;
-    pub fn fmc_context_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, entry_count: *mut usize, rank_one_count: *mut usize) -> fmc_status;
-    pub fn fmc_context_tangent_entries(context: *const fmc_context, rows: *mut i32, cols: *mut i32, values: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const c_void, count: usize) -> fmc_status;
+    pub fn fmc_context_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, rank_one_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_tangent_entries(context: *const fmc_context, rows: *mut c_void, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_tangent_product(context: *const fmc_context, x: *const f64, y: *mut f64, length: usize) -> fmc_status;
     pub fn fmc_context_tangent_rank_one(context: *const fmc_context, index: usize, factor: *mut f64, vector: *mut f64, length: usize) -> fmc_status;
-    pub fn fmc_context_tangent_csr_size(context: *const fmc_context, flags: u32, row_count: *mut usize, entry_count: *mut usize) -> fmc_status;
-    pub fn fmc_context_tangent_csr(context: *const fmc_context, flags: u32, row_offsets: *mut i32, cols: *mut i32, values: *mut f64, capacity: usize) -> fmc_status;
-    pub fn fmc_context_tangent_csr_i64(context: *const fmc_context, flags: u32, row_offsets: *mut i64, cols: *mut i64, values: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_tangent_csr(context: *const fmc_context, flags: u32, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_keep_pattern(context: *mut fmc_context, keep: i32) -> fmc_status;
     pub fn fmc_context_set_obstacle_rotations(context: *mut fmc_context, on: i32) -> fmc_status;
-    pub fn fmc_context_evaluate_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, forces: *const fmc_forces, result: *mut fmc_result, entry_count: *mut usize, rank_one_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_evaluate_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, forces: *const fmc_forces, result: *mut fmc_result, rank_one_count: *mut usize) -> fmc_status;
     pub fn fmc_context_stable_step(context: *mut fmc_context, coords: *const fmc_coords, masses: *const f64, step: *mut f64) -> fmc_status;
     pub fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status;
     pub fn fmc_context_set_communicator(context: *mut fmc_context, communicator: *const fmc_communicator) -> fmc_status;
     pub fn fmc_context_rank_counts(context: *const fmc_context, counts: *mut fmc_rank_counts) -> fmc_status;
+    pub fn fmc_mesh_part_init(part: *mut fmc_mesh_part) -> fmc_status;
     pub fn fmc_context_new_from_part(dim: i32, communicator: *const fmc_communicator, part: *const fmc_mesh_part, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
     pub fn fmc_context_set_coords(context: *mut fmc_context, coords: *const fmc_coords, renumbered: *mut i32) -> fmc_status;
     pub fn fmc_context_set_carried_slip(context: *mut fmc_context, carried: *const fmc_carried_slip, count: usize) -> fmc_status;
     pub fn fmc_context_gathered_counts(context: *const fmc_context, counts: *mut fmc_gathered_counts) -> fmc_status;
-    pub fn fmc_context_gathered_nodes(context: *const fmc_context, numbers: *mut i64, own_nodes: *mut i32, coords: *mut f64, capacity: usize) -> fmc_status;
-    pub fn fmc_context_gathered_cells(context: *const fmc_context, numbers: *mut i64, capacity: usize) -> fmc_status;
+    pub fn fmc_context_gathered_nodes(context: *const fmc_context, numbers: *mut c_void, own_nodes: *mut c_void, coords: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_gathered_cells(context: *const fmc_context, numbers: *mut c_void, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_carried_slip(context: *const fmc_context, carried: *mut fmc_carried_slip, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status;
-    pub fn fmc_context_contact_step(context: *mut fmc_context, coords: *const fmc_coords, options: *const fmc_contact_step_options, freedoms: *const i64, count: usize, held: *const i64, held_count: usize, stiffness: *const f64, residual: *const f64, place: fmc_place, user: *mut c_void, displacement: *mut f64, result: *mut fmc_contact_step_result) -> fmc_status;
+    pub fn fmc_context_contact_step(context: *mut fmc_context, coords: *const fmc_coords, options: *const fmc_contact_step_options, dofs: *const c_void, dof_count: usize, fixed_dofs: *const c_void, fixed_count: usize, stiffness: *const f64, residual: *const f64, place: fmc_place, user: *mut c_void, displacement: *mut f64, result: *mut fmc_contact_step_result) -> fmc_status;
     pub fn fmc_condensation_new(condensation: *mut *mut fmc_condensation) -> fmc_status;
     pub fn fmc_condensation_free(condensation: *mut *mut fmc_condensation) -> fmc_status;
-    pub fn fmc_condensation_factorise(condensation: *mut fmc_condensation, count: usize, row_offsets: *const i64, cols: *const i64, values: *const f64, kept: *const i64, kept_count: usize) -> fmc_status;
-    pub fn fmc_condensation_complement(condensation: *const fmc_condensation, complement: *mut f64, capacity: usize) -> fmc_status;
-    pub fn fmc_condensation_condense(condensation: *const fmc_condensation, right: *const f64, count: usize, condensed: *mut f64, capacity: usize) -> fmc_status;
-    pub fn fmc_condensation_expand(condensation: *const fmc_condensation, right: *const f64, count: usize, kept: *const f64, kept_count: usize, solution: *mut f64, capacity: usize) -> fmc_status;
+    pub fn fmc_condensation_factorise(condensation: *mut fmc_condensation, matrix: *const fmc_csr, retained: *const c_void, retained_count: usize) -> fmc_status;
+    pub fn fmc_condensation_complement(condensation: *const fmc_condensation, complement: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_condensation_condense(condensation: *const fmc_condensation, right: *const f64, right_count: usize, condensed: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_condensation_expand(condensation: *const fmc_condensation, right: *const f64, right_count: usize, retained: *const f64, retained_count: usize, solution: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_obstacle_resultant(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_pair_result(context: *const fmc_context, index: usize, pair: *mut fmc_pair_result) -> fmc_status;
@@ -615,7 +609,7 @@ unsafe extern "C" {
     pub fn fmc_context_nodal_contact(context: *mut fmc_context, coords: *const fmc_coords, nodal: *const fmc_nodal_contact) -> fmc_status;
     pub fn fmc_context_contact_points(context: *mut fmc_context, coords: *const fmc_coords, points: *mut fmc_contact_point, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_gap_constraints(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, rows: *mut fmc_gap_constraint, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut i64, offset_capacity: usize, offset_count: *mut usize, cols: *mut i64, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_augment(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, tolerance: f64, result: *mut fmc_augmentation) -> fmc_status;
     pub fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status;
     pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;

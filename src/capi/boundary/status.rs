@@ -127,6 +127,8 @@ pub enum fmc_status {
     FMC_ERROR_UNSYMMETRIC = 56,
     /// There are no factors of a matrix: none was given, or the last one had none.
     FMC_ERROR_NOT_FACTORISED = 57,
+    /// An `index_size` other than 4 and 8, or two of one call that differ.
+    FMC_ERROR_INDEX_SIZE = 58,
     /// An option, a kind or a switch has no such value.
     FMC_ERROR_BAD_VALUE = 59,
     /// A bit of `flags` that the function does not have.
@@ -199,6 +201,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NOT_POSITIVE_DEFINITE, c"FMC_ERROR_NOT_POSITIVE_DEFINITE"),
     (FMC_ERROR_UNSYMMETRIC, c"FMC_ERROR_UNSYMMETRIC"),
     (FMC_ERROR_NOT_FACTORISED, c"FMC_ERROR_NOT_FACTORISED"),
+    (FMC_ERROR_INDEX_SIZE, c"FMC_ERROR_INDEX_SIZE"),
     (FMC_ERROR_BAD_VALUE, c"FMC_ERROR_BAD_VALUE"),
     (FMC_ERROR_UNKNOWN_FLAG, c"FMC_ERROR_UNKNOWN_FLAG"),
     (FMC_ERROR_OPTIONS_CONFLICT, c"FMC_ERROR_OPTIONS_CONFLICT"),

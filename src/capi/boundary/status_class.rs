@@ -38,6 +38,7 @@ fn class_of(status: fmc_status) -> fmc_status_class_value {
         | FMC_ERROR_REPEATED_NODE
         | FMC_ERROR_EMPTY
         | FMC_ERROR_NOT_POSITIVE
+        | FMC_ERROR_INDEX_SIZE
         | FMC_ERROR_UNKNOWN_OPTION
         | FMC_ERROR_BAD_VALUE
         | FMC_ERROR_UNKNOWN_FLAG

@@ -1,6 +1,7 @@
 //! The C functions called as C calls them, where a C program could not look.
 
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::last_error::fmc_last_error;
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::*;
@@ -53,7 +54,8 @@ fn evaluate(context: *mut fmc_context) -> (fmc_status, [[f64; 2]; 8], fmc_result
 
 #[test]
 fn forces_are_those_of_the_rust_api_to_the_bit() {
-    let block = fmc_cell_block { cell_type: fmc_cell_type::FMC_QUAD4 as i32, conn: CONN.as_ptr(), cell_count: 2 };
+    let conn = CONN.as_ptr().cast();
+    let block = fmc_cell_block { cell_type: fmc_cell_type::FMC_QUAD4 as i32, index_size: 4, conn, cell_count: 2 };
     let options =
         fmc_options { law: 0, estimator: 0, stiffness: 1e3, exponent: 2.0, seed: 5, ..fmc_options::default() };
     let mut context = null_mut();
@@ -283,10 +285,8 @@ impl Session for Brittle {
 
 #[test]
 fn a_context_survives_a_panic() {
-    let mut context = Box::into_raw(Box::new(fmc_context::new(State::new(
-        Box::new(Brittle { broken: false }),
-        &fmc_options::default(),
-    ))));
+    let state = State::new(Box::new(Brittle { broken: false }), IndexSize::Four, &fmc_options::default());
+    let mut context = Box::into_raw(Box::new(fmc_context::new(state)));
     let (status, forces, result) = evaluate(context);
     assert_eq!((status, forces, result), (FMC_ERROR_PANIC, [[7.0; 2]; 8], fmc_result::default()));
     // SAFETY: a living context; the text lives as long as it and is not replaced meanwhile.
@@ -300,7 +300,7 @@ fn a_context_survives_a_panic() {
 #[test]
 fn concurrent_calls_return_busy() {
     let session = Box::new(Brittle { broken: true });
-    let context = fmc_context::new(State::new(session, &fmc_options::default()));
+    let context = fmc_context::new(State::new(session, IndexSize::Four, &fmc_options::default()));
     let pointer = (&raw const context).cast_mut();
     {
         // SAFETY: a living context.

@@ -4,6 +4,7 @@ use super::found::Found;
 use super::session::Session;
 use crate::capi::boundary::entry::{entry, guarded};
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::pointer::{Output, optional, reference};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_UNKNOWN_FLAG};
@@ -49,6 +50,8 @@ pub(crate) struct State {
     calls: u64,
     /// Of the compressed rows, while it is kept.
     pub(crate) pattern: Option<Pattern>,
+    /// Width of the numbers of nodes, cells and degrees of freedom, and what the first one is.
+    pub(crate) index_size: IndexSize,
     pub(crate) index_base: i32,
     /// As they were set; the stiffness in force is the session's.
     options: fmc_options,
@@ -63,7 +66,7 @@ impl fmc_context {
 }
 
 impl State {
-    pub(crate) fn new(session: Box<dyn Session>, options: &fmc_options) -> Self {
+    pub(crate) fn new(session: Box<dyn Session>, index_size: IndexSize, options: &fmc_options) -> Self {
         Self {
             session,
             evaluation: Evaluation::default(),
@@ -72,6 +75,7 @@ impl State {
             gaps: Found::default(),
             calls: 0,
             pattern: None,
+            index_size,
             index_base: options.index_base,
             options: *options,
             log: None,

@@ -11,11 +11,12 @@ pub struct fmc_boundary_facet {
     pub struct_size: usize,
     /// Its body, an index for `fmc_context_body_resultant`.
     pub body: usize,
-    /// Its cell, counted from 0 over all blocks; -1 where the context was made from facets.
+    /// Its cell, counted from the option `index_base` over all blocks; -1 where the context was made from facets.
     pub cell: i64,
-    /// Its number among the facets that the context was made from, counted from 0; -1 where it was made from cells.
+    /// Its number among the facets that the context was made from, counted from `index_base` over all blocks; -1 where it was made
+    /// from cells.
     pub input_facet: i64,
-    /// Number of its face among those of the cell, from 0, as VTK counts them; -1 without cells. The nodes of face 0, 1, ...
+    /// Number of its face among those of the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The nodes of face 0, 1, ...
     /// by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
     /// 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
     /// 124, 234, 304; of cells of second order the same, by their corners.
@@ -33,12 +34,13 @@ pub struct fmc_boundary_facet {
 
 impl fmc_boundary_facet {
     pub(crate) fn new(facet: &BoundaryFacet, index_base: i32) -> Self {
+        let number = |number: usize| number as i64 + i64::from(index_base);
         let node = |k: usize| facet.nodes.get(k).map_or(-1, |&node| i64::from(node) + i64::from(index_base));
         Self {
             struct_size: size_of::<Self>(),
             body: facet.body,
-            cell: facet.cell.map_or(-1, |cell| cell as i64),
-            input_facet: facet.given.map_or(-1, |given| given as i64),
+            cell: facet.cell.map_or(-1, number),
+            input_facet: facet.given.map_or(-1, number),
             local_face: facet.local_face.map_or(-1, |face| face as i32),
             node_count: facet.nodes.len() as i32,
             nodes: std::array::from_fn(node),

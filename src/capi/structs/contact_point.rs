@@ -14,7 +14,7 @@ pub struct fmc_contact_side {
     pub node_count: i32,
     /// Index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
     pub index: usize,
-    /// Cell, counted from 0 over all blocks; -1 for an obstacle and for a surface without cells.
+    /// Cell, counted from the option `index_base` over all blocks; -1 for an obstacle and for a surface without cells.
     pub cell: i64,
     /// Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`. Where the cell
     /// is of second order they are points of its division: row p of `fmc_context_point_weights` takes the force at point p
@@ -93,7 +93,7 @@ fn side<const D: usize>(side: &SideOfPoint<D>, kind: i32, index: usize, index_ba
         kind,
         node_count: side.node_count as i32,
         index,
-        cell: side.cell.map_or(-1, |cell| cell as i64),
+        cell: side.cell.map_or(-1, |cell| cell as i64 + i64::from(index_base)),
         nodes: std::array::from_fn(number),
         weights: side.weights,
         position: padded(&side.position),

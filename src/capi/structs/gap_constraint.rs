@@ -37,16 +37,18 @@ pub struct fmc_gap_constraint {
 /// What a context keeps of the gaps that were found last.
 pub(crate) struct KeptGaps {
     pub(crate) rows: Vec<fmc_gap_constraint>,
-    /// Of degrees of freedom.
-    pub(crate) row_offsets: Vec<i64>,
-    pub(crate) cols: Vec<i64>,
+    /// Rows of degrees of freedom, all counted from zero.
+    pub(crate) row_starts: Vec<usize>,
+    pub(crate) cols: Vec<usize>,
     pub(crate) values: Vec<f64>,
+    /// One more than the largest column.
+    pub(crate) dof_count: usize,
 }
 
 impl Default for KeptGaps {
     /// None.
     fn default() -> Self {
-        Self { rows: Vec::new(), row_offsets: vec![0], cols: Vec::new(), values: Vec::new() }
+        Self { rows: Vec::new(), row_starts: vec![0], cols: Vec::new(), values: Vec::new(), dof_count: 0 }
     }
 }
 
@@ -66,12 +68,16 @@ impl KeptGaps {
                 reserved: [0; 4],
             }
         };
+        let of_nodes = |node: &u32| {
+            let first = *node as usize * D;
+            first..first + D
+        };
+        let cols: Vec<usize> = found.columns.iter().flat_map(of_nodes).collect();
         Self {
             rows: (0..found.nodes.len()).map(row).collect(),
-            row_offsets: found.row_starts.iter().map(|start| (D * start) as i64).collect(),
-            cols: (found.columns.iter())
-                .flat_map(|&node| (0..D).map(move |axis| i64::from(node) * D as i64 + axis as i64))
-                .collect(),
+            row_starts: found.row_starts.iter().map(|start| D * start).collect(),
+            dof_count: cols.iter().max().map_or(0, |last| last + 1),
+            cols,
             values: found.slopes.iter().flatten().copied().collect(),
         }
     }

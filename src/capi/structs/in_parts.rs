@@ -9,9 +9,9 @@ use crate::{CarriedSlip, GatheredCounts, PartitionedContact};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_carried_slip {
-    /// Number of its cell in the whole mesh.
+    /// Number of its cell in the whole mesh, counted from the option `index_base`.
     pub cell: i64,
-    /// Face of that cell, as VTK counts them, from 0.
+    /// Face of that cell, as VTK counts them, from 0 whatever the base.
     pub face: i32,
     /// Which of the facets of that face, from 0.
     pub part: i32,
@@ -21,7 +21,7 @@ pub struct fmc_carried_slip {
 
 /// A mesh in parts, with its dimension hidden.
 pub(crate) trait InParts {
-    /// Brings it to own coordinates; returns whether other cells were gathered.
+    /// Sets own coordinates; returns whether other cells were gathered.
     ///
     /// # Safety
     /// The host guarantees the view.
@@ -35,8 +35,8 @@ pub(crate) trait InParts {
     fn node_numbers(&self) -> &[u64];
     fn own_nodes(&self) -> &[Option<u32>];
     fn cell_numbers(&self) -> &[u64];
-    fn carried_slip(&self) -> Result<Vec<fmc_carried_slip>, Failure>;
-    fn set_carried_slip(&mut self, carried: &[fmc_carried_slip]) -> Result<(), Failure>;
+    fn carried_slip(&self, index_base: i32) -> Result<Vec<fmc_carried_slip>, Failure>;
+    fn set_carried_slip(&mut self, carried: &[fmc_carried_slip], index_base: i32) -> Result<(), Failure>;
 }
 
 impl<const D: usize> InParts for PartitionedContact<D> {
@@ -74,9 +74,9 @@ impl<const D: usize> InParts for PartitionedContact<D> {
         PartitionedContact::cell_numbers(self)
     }
 
-    fn carried_slip(&self) -> Result<Vec<fmc_carried_slip>, Failure> {
+    fn carried_slip(&self, index_base: i32) -> Result<Vec<fmc_carried_slip>, Failure> {
         let carried = self.slip()?.into_iter().map(|CarriedSlip { cell, face, part, slip }| fmc_carried_slip {
-            cell: cell as i64,
+            cell: cell as i64 + i64::from(index_base),
             face: face as i32,
             part: part as i32,
             slip: std::array::from_fn(|axis| slip.get(axis).copied().unwrap_or(0.0)),
@@ -84,10 +84,10 @@ impl<const D: usize> InParts for PartitionedContact<D> {
         Ok(carried.collect())
     }
 
-    fn set_carried_slip(&mut self, carried: &[fmc_carried_slip]) -> Result<(), Failure> {
+    fn set_carried_slip(&mut self, carried: &[fmc_carried_slip], index_base: i32) -> Result<(), Failure> {
         // What is negative names no facet, as what is too large.
         let carried = carried.iter().map(|of| CarriedSlip {
-            cell: of.cell as u64,
+            cell: of.cell.wrapping_sub(index_base.into()) as u64,
             face: of.face as u32,
             part: of.part as u32,
             slip: std::array::from_fn(|axis| of.slip[axis]),

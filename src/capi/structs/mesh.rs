@@ -1,9 +1,10 @@
 //! Cells and facets of the host, as the crate wants them: zero-based, checked, copied.
 
 use crate::capi::boundary::failure::Failure;
-use crate::capi::boundary::pointer::slice;
+use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_UNKNOWN_CELL_TYPE, FMC_ERROR_UNSUPPORTED};
 use crate::{Bodies, CellBlock, CellType, Error, Surface};
+use std::ffi::c_void;
 
 /// Type of a cell. The numbers are those of VTK, and so is the node order, but for `FMC_WEDGE6`. Cells of the mirrored order
 /// are taken too: what is outside follows from the volume of the body.
@@ -48,44 +49,13 @@ pub enum fmc_cell_type {
 pub struct fmc_cell_block {
     /// A value of `fmc_cell_type`.
     pub cell_type: i32,
+    /// Bytes of a node number, 4 or 8, the same in all blocks. All lists of nodes, cells, bodies' ids and degrees of freedom that go
+    /// into the context or come out of it have this width.
+    pub index_size: i32,
     /// Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
-    pub conn: *const i32,
+    pub conn: *const c_void,
     /// Number of cells; if 0, `conn` may be NULL.
     pub cell_count: usize,
-}
-
-/// `fmc_cell_block` with 64-bit node numbers.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct fmc_cell_block_i64 {
-    /// A value of `fmc_cell_type`.
-    pub cell_type: i32,
-    /// Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
-    pub conn: *const i64,
-    /// Number of cells; if 0, `conn` may be NULL.
-    pub cell_count: usize,
-}
-
-/// A block of cells, or of facets, with ids of either width.
-pub(crate) trait Block: Copy {
-    /// Type of its node numbers and body ids.
-    type Id: Copy + Into<i64>;
-    /// Type, ids and count.
-    fn parts(&self) -> (i32, *const Self::Id, usize);
-}
-
-impl Block for fmc_cell_block {
-    type Id = i32;
-    fn parts(&self) -> (i32, *const i32, usize) {
-        (self.cell_type, self.conn, self.cell_count)
-    }
-}
-
-impl Block for fmc_cell_block_i64 {
-    type Id = i64;
-    fn parts(&self) -> (i32, *const i64, usize) {
-        (self.cell_type, self.conn, self.cell_count)
-    }
 }
 
 fn cell_type(block: usize, number: i32) -> Result<CellType, Failure> {
@@ -148,13 +118,12 @@ impl Numbering {
 ///
 /// # Safety
 /// The host guarantees `count` ids at `body_ids` if it is not NULL.
-pub(crate) unsafe fn ids<Id: Copy + Into<i64>>(body_ids: *const Id, count: usize) -> Result<Option<Vec<i64>>, Failure> {
+pub(crate) unsafe fn ids(body_ids: *const c_void, size: IndexSize, count: usize) -> Result<Option<Vec<i64>>, Failure> {
     if body_ids.is_null() {
         return Ok(None);
     }
     // SAFETY: passed on to the caller.
-    let ids = unsafe { slice("body_ids", body_ids, count, 1) }?;
-    Ok(Some(ids.iter().map(|id| (*id).into()).collect()))
+    Ok(Some(unsafe { size.list("body_ids", body_ids, count, 1) }?.into_owned()))
 }
 
 pub(crate) fn bodies(ids: &Option<Vec<i64>>) -> Bodies<'_> {
@@ -165,64 +134,52 @@ pub(crate) fn bodies(ids: &Option<Vec<i64>>) -> Bodies<'_> {
 ///
 /// # Safety
 /// The host guarantees the arrays of every block, and one body id per cell if there are any.
-pub(crate) unsafe fn surface_of_cells<B: Block, const D: usize>(
+pub(crate) unsafe fn surface_of_cells<const D: usize>(
     coords: &[[f64; D]],
-    blocks: &[B],
-    body_ids: *const B::Id,
+    blocks: &[fmc_cell_block],
+    size: IndexSize,
+    body_ids: *const c_void,
     index_base: i32,
 ) -> Result<Surface<D>, Failure> {
     // SAFETY: passed on to the caller.
-    let conn = unsafe { blocks_of::<B, D>(coords.len(), blocks, index_base) }?;
+    let conn = unsafe { blocks_of::<D>(coords.len(), blocks, size, index_base) }?;
     let count = conn.iter().map(|(cell_type, conn)| conn.len() / cell_type.node_count()).sum();
     let blocks: Vec<_> = conn.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
     // SAFETY: the caller guarantees one id per cell.
-    let ids = unsafe { ids(body_ids, count) }?;
+    let ids = unsafe { ids(body_ids, size, count) }?;
     Surface::from_cells(coords, &blocks, bodies(&ids)).map_err(Failure::counted_from(index_base))
+}
+
+/// The width of the numbers of all blocks.
+pub(crate) fn index_size(blocks: &[fmc_cell_block]) -> Result<IndexSize, Failure> {
+    IndexSize::of_all("cell block", blocks.iter().map(|block| block.index_size))
 }
 
 /// Type and nodes of every block of cells, counted from zero.
 ///
 /// # Safety
 /// The host guarantees the arrays of every block.
-pub(crate) unsafe fn blocks_of<B: Block, const D: usize>(
+pub(crate) unsafe fn blocks_of<const D: usize>(
     node_count: usize,
-    blocks: &[B],
+    blocks: &[fmc_cell_block],
+    size: IndexSize,
     index_base: i32,
 ) -> Result<Vec<(CellType, Vec<u32>)>, Failure> {
     let numbering = Numbering { index_base, node_count };
     let mut conn = Vec::with_capacity(blocks.len());
     let mut count = 0_usize;
     for (index, block) in blocks.iter().enumerate() {
-        let (number, pointer, cell_count) = block.parts();
-        let cell_type = cell_type(index, number)?;
+        let cell_type = cell_type(index, block.cell_type)?;
         let width = cell_type.node_count();
         // SAFETY: the caller guarantees the block's array.
-        let given = unsafe { slice("conn", pointer, cell_count, width) }?;
+        let given = unsafe { size.list("conn", block.conn, block.cell_count, width) }?;
         if cell_type.dimension() != D {
             return Err(Error::Dimension { block: index, expected: D, found: cell_type.dimension() }.into());
         }
-        conn.push((cell_type, numbering.zero_based(given, width, count)?));
-        count += cell_count;
+        conn.push((cell_type, numbering.zero_based(&given, width, count)?));
+        count += block.cell_count;
     }
     Ok(conn)
-}
-
-/// Surface given by facets of D nodes.
-///
-/// # Safety
-/// The host guarantees `facet_count · D` node numbers, and one body id per facet if there are any.
-pub(crate) unsafe fn surface_of_facets<Id: Copy + Into<i64>, const D: usize>(
-    coords: &[[f64; D]],
-    facets: *const Id,
-    facet_count: usize,
-    body_ids: *const Id,
-    index_base: i32,
-) -> Result<Surface<D>, Failure> {
-    let numbering = Numbering { index_base, node_count: coords.len() };
-    // SAFETY: the caller guarantees both arrays.
-    let (given, ids) = unsafe { (slice("facets", facets, facet_count, D)?, ids(body_ids, facet_count)?) };
-    let facets = rows(&numbering.zero_based(given, D, 0)?);
-    Surface::from_facets(coords, &facets, bodies(&ids)).map_err(Failure::counted_from(index_base))
 }
 
 /// Node numbers, D per facet.

@@ -95,8 +95,8 @@ pub struct fmc_options {
     pub check_cells: i32,
     /// Number of threads, at least 1, the default. The result does not depend on it.
     pub threads: i32,
-    /// Number of the first node, 0 or 1. Default 0. Read where node numbers are given; messages count nodes, cells
-    /// and facets from it.
+    /// What nodes, cells, facets, degrees of freedom, rows and columns count from, 0 or 1, in all that goes in and comes out, and in
+    /// messages. Default 0. Bodies, obstacles, pairs and warnings count from 0.
     pub index_base: i32,
     /// 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
     /// whole rings: everything counts 2 pi r. Default 0. Not with friction, nor isotropic fibers.

@@ -1,14 +1,15 @@
 //! A Fortran module with the same declarations.
 
-use super::pointers::is_array;
+use super::pointers::{is_array, is_index_list};
 use crate::declarations::{Declarations, Function, Variable};
 use std::fmt::Write;
 
 const TITLE: &str = "\
 ! The C interface of fmc-contact, name by name, as include/fmc_contact.h documents it. Module fmc_contact stands on it.
 !
-! Pointers are optional arguments: one that is left out is NULL. Numbers of nodes count from the option index_base; all
-! other indices count from 0 here. Structs begin as the header says: with their init functions.
+! Pointers are optional arguments: one that is left out is NULL. Lists of nodes, cells and degrees of freedom, type(*), are of 32 or 64
+! bits as the mesh's, and count from the option index_base; bodies, obstacles, pairs and warnings count from 0 here. Structs begin as
+! the header says: with their init functions.
 !
 ! Generated from the header; do not edit.
 module fmc_contact_c
@@ -74,6 +75,9 @@ fn argument_of(found: &Declarations, argument: &Variable, of_callback: bool) -> 
     let may_lack = if of_callback { "" } else { ", optional" };
     match (of_type.as_str(), pointers) {
         _ if found.is_callback(of_type) => format!("type(c_funptr), value :: {name}"),
+        ("void", 1) if !of_callback && is_index_list(argument) => {
+            format!("type(*), intent({intent}), optional :: {name}(*)")
+        }
         (opaque, 1) if opaque == "void" || found.is_opaque(opaque) => format!("type(c_ptr), value :: {name}"),
         ("char", 1) => format!("character(kind=c_char), intent(in) :: {name}(*)"),
         (_, 2) => format!("type(c_ptr), intent(inout){may_lack} :: {name}"),

@@ -3,7 +3,7 @@
 use crate::declarations::Variable;
 
 /// Pointers to numbers that are written, one number each, not an array.
-const SCALARS: [&str; 18] = [
+const SCALARS: [&str; 16] = [
     "code",
     "count",
     "direction_count",
@@ -14,10 +14,8 @@ const SCALARS: [&str; 18] = [
     "node_count",
     "obstacle",
     "offset_count",
-    "point_count",
     "rank_one_count",
     "renumbered",
-    "row_count",
     "shape",
     "step",
     "stiffness",
@@ -25,7 +23,12 @@ const SCALARS: [&str; 18] = [
 ];
 
 /// Pointers to structs that are arrays, but for coordinates.
-const ARRAYS: [&str; 5] = ["blocks", "facets", "parts", "points", "rows"];
+const ARRAYS: [&str; 6] = ["blocks", "carried", "facets", "parts", "points", "rows"];
+
+/// Lists of numbers as wide as the context's: what is `void *`, but for what a host has handed to callbacks.
+pub(super) fn is_index_list(pointer: &Variable) -> bool {
+    pointer.of_type == "void" && pointer.pointers == 1 && pointer.name != "user"
+}
 
 /// What is read is an array, whatever its name: one number is passed by value.
 pub(super) fn is_array(pointer: &Variable) -> bool {

@@ -1,6 +1,6 @@
 //! Python modules with the same declarations, for ctypes.
 
-use super::pointers::is_array;
+use super::pointers::{is_array, is_index_list};
 use crate::declarations::{Declarations, Enum, Function, Struct, Variable};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -114,6 +114,7 @@ fn of_function(found: &Declarations, argument: &Variable) -> String {
     match (of_type, argument.pointers) {
         ("char", 1) => "c_char_p".into(),
         ("char", _) => "POINTER(c_char_p)".into(),
+        ("void", _) if is_index_list(argument) => "IndexArray".into(),
         ("void", _) => "c_void_p".into(),
         _ if found.is_callback(of_type) => of_type.into(),
         (name, 1) if found.is_opaque(name) => name.into(),

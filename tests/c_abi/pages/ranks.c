@@ -5,13 +5,12 @@
 int main(void) {
   const double own_x[12] = {0, 0, -0.1, 1, 0, 0.5, 0, 1, 0.5, 0, 0, 1}, point[3] = {0, 0, 0}, up[3] = {0, 0, 1};
   const int32_t conn[4] = {0, 1, 2, 3}, body_ids[1] = {0};
-  const int64_t node_numbers[4] = {0, 1, 2, 3}, cell_numbers[1] = {0};
-  const fmc_cell_block block = {FMC_TET4, conn, 1};
+  const int32_t node_numbers[4] = {0, 1, 2, 3}, cell_numbers[1] = {0};
+  const fmc_cell_block block = {FMC_TET4, 4, conn, 1};
   const size_t own_count = 4;
   const fmc_coords whole_x = {own_x, own_count, 0, 0};
   double whole_f[12] = {0}, f[12] = {0}, x[12];
-  int64_t numbers[4];
-  int32_t own_nodes[4];
+  int32_t numbers[4], own_nodes[4];
   size_t n;
   fmc_options options;
   fmc_context *context = NULL, *whole = NULL;

@@ -12,7 +12,6 @@ FMC_TANGENT_SEMIDEFINITE = 2
 FMC_TANGENT_SYMMETRIC = 32
 FMC_CSR_BLOCKS = 4
 FMC_CSR_OBSTACLES = 8
-FMC_FROM_ONE = 16
 FMC_PAIR_LAW_OF_CONTEXT = -1
 FMC_PAIR_FRICTION_OF_CONTEXT = -1
 FMC_OK = 0
@@ -73,6 +72,7 @@ FMC_ERROR_NOT_GATHERED = 54
 FMC_ERROR_NOT_POSITIVE_DEFINITE = 55
 FMC_ERROR_UNSYMMETRIC = 56
 FMC_ERROR_NOT_FACTORISED = 57
+FMC_ERROR_INDEX_SIZE = 58
 FMC_ERROR_BAD_VALUE = 59
 FMC_ERROR_UNKNOWN_FLAG = 60
 FMC_ERROR_OPTIONS_CONFLICT = 61
@@ -194,6 +194,7 @@ FMC_STATUS: dict[int, str] = {
     55: "error_not_positive_definite",
     56: "error_unsymmetric",
     57: "error_not_factorised",
+    58: "error_index_size",
     59: "error_bad_value",
     60: "error_unknown_flag",
     61: "error_options_conflict",

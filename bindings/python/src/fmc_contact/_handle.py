@@ -5,7 +5,9 @@ from __future__ import annotations
 import threading
 import weakref
 from ctypes import Array, Structure, byref, c_size_t
-from typing import Callable, TypeVar
+from typing import Any, Callable, TypeVar
+
+import numpy as np
 
 from ._library import check, library
 from ._structs import fmc_context
@@ -35,7 +37,13 @@ def guarded(function: Callable[..., None], raised: list[BaseException]) -> Calla
 class Handle:
     """Owner of a context. ``with handle:`` claims it for several calls that belong together."""
 
-    def __init__(self, create: Callable[..., int], raised: list[BaseException] | None = None) -> None:
+    index: np.dtype[Any]
+    """Type of the numbers of nodes, cells and degrees of freedom in all lists of the context."""
+
+    def __init__(
+        self, create: Callable[..., int], index: np.dtype[Any], raised: list[BaseException] | None = None
+    ) -> None:
+        self.index = index
         self.pointer = fmc_context()
         self._raised = [] if raised is None else raised
         status = create(byref(self.pointer))

@@ -23,6 +23,19 @@ class _Array(c_void_p):
         return c_void_p(array.ctypes.data)
 
 
+class IndexArray(c_void_p):
+    """``void *`` to numbers of nodes, cells or degrees of freedom, int32 or int64 as those of the mesh; ``None`` for NULL."""
+
+    @classmethod
+    def from_param(cls, array: Any) -> Any:
+        """What ctypes passes on."""
+        if array is None:
+            return None
+        if array.dtype not in (np.int32, np.int64) or not array.flags.c_contiguous:
+            raise TypeError(f"an array of dtype int32 or int64 without gaps is wanted, not of {array.dtype}")
+        return c_void_p(array.ctypes.data)
+
+
 class Float64Array(_Array):
     """``double *``"""
 

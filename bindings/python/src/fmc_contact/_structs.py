@@ -74,10 +74,20 @@ class fmc_friction_step(Structure):
         ("start", c_void_p),
         ("reference", c_void_p),
         ("slip", c_void_p),
+        ("slip_count", c_size_t),
         ("next_slip", c_void_p),
-        ("slip_length", c_size_t),
-        ("facet_count", c_size_t),
+        ("next_slip_capacity", c_size_t),
+        ("next_slip_count", c_void_p),
         ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_cell_block(Structure):
+    _fields_ = [
+        ("cell_type", c_int32),
+        ("index_size", c_int32),
+        ("conn", c_void_p),
+        ("cell_count", c_size_t),
     ]
 
 
@@ -90,33 +100,10 @@ class fmc_coords(Structure):
     ]
 
 
-class fmc_cell_block(Structure):
-    _fields_ = [
-        ("cell_type", c_int32),
-        ("conn", c_void_p),
-        ("cell_count", c_size_t),
-    ]
-
-
-class fmc_cell_block_i64(Structure):
-    _fields_ = [
-        ("cell_type", c_int32),
-        ("conn", c_void_p),
-        ("cell_count", c_size_t),
-    ]
-
-
 class fmc_facet_block(Structure):
     _fields_ = [
         ("facet_type", c_int32),
-        ("conn", c_void_p),
-        ("facet_count", c_size_t),
-    ]
-
-
-class fmc_facet_block_i64(Structure):
-    _fields_ = [
-        ("facet_type", c_int32),
+        ("index_size", c_int32),
         ("conn", c_void_p),
         ("facet_count", c_size_t),
     ]
@@ -168,6 +155,19 @@ class fmc_boundary_facet(Structure):
     ]
 
 
+class fmc_csr(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("row_count", c_size_t),
+        ("index_size", c_int32),
+        ("index_base", c_int32),
+        ("row_offsets", c_void_p),
+        ("cols", c_void_p),
+        ("values", c_void_p),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_communicator(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -194,12 +194,14 @@ class fmc_mesh_part(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
         ("coords", fmc_coords),
+        ("index_size", c_int32),
         ("node_numbers", c_void_p),
         ("blocks", POINTER(fmc_cell_block)),
         ("block_count", c_size_t),
         ("cell_numbers", c_void_p),
         ("body_ids", c_void_p),
         ("reach", c_double),
+        ("reserved", c_uint64 * 4),
     ]
 
 

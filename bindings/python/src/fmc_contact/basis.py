@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from ctypes import byref
 from typing import Any, Optional
 
 import numpy as np
 
 from ._arrays import floats, shape_error
+from ._rows import csr_struct
 
 
-def compressed(matrix: Optional[Any], node_count: int, index_base: int) -> tuple[int, Any, Any, Any, int]:
-    """What ``fmc_context_set_basis`` asks for: number of unknowns, rows, unknowns, weights and number of entries."""
+def compressed(matrix: Optional[Any], node_count: int) -> tuple[int, Any, object]:
+    """Number of unknowns, the matrix for ``fmc_context_set_basis``, and what it points to."""
     if matrix is None:
-        return 0, None, None, None, 0
+        return 0, None, None
     if hasattr(matrix, "tocsr"):
         rows = matrix.tocsr()
         indptr, indices, data = rows.indptr, rows.indices, rows.data
@@ -24,6 +26,5 @@ def compressed(matrix: Optional[Any], node_count: int, index_base: int) -> tuple
         indptr, data = np.concatenate([[0], np.cumsum(np.bincount(row, minlength=len(matrix)))]), matrix[row, indices]
     if matrix.shape[0] != node_count:
         raise shape_error("matrix", matrix.shape, f"({node_count}, unknowns)")
-    unknowns = np.ascontiguousarray(indices, np.int64) + index_base
-    weights = np.ascontiguousarray(floats(data, "matrix"))
-    return matrix.shape[1], np.ascontiguousarray(indptr, np.int64), unknowns, weights, len(weights)
+    weights, arrays = csr_struct(indptr, indices, floats(data, "matrix"))
+    return matrix.shape[1], byref(weights), (weights, arrays)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ._arrays import floats, numbers, vector
 from ._library import check, library
+from ._rows import csr_struct
 from ._structs import fmc_condensation
 
 
@@ -65,18 +66,16 @@ class Condensation:
         rows = matrix.tocsr()
         if rows.shape[0] != rows.shape[1]:
             raise ValueError(f"matrix has shape {rows.shape}, expected a square one")
-        offsets, cols = (np.ascontiguousarray(one, np.int64) for one in (rows.indptr, rows.indices))
-        last, values = numbers(kept, "kept"), np.ascontiguousarray(floats(rows.data, "matrix"))
-        arguments = rows.shape[0], offsets, cols, values, last, len(last)
-        status = library.fmc_condensation_factorise(self._pointer, *arguments)
-        check(status)
+        whole, _arrays = csr_struct(rows.indptr, rows.indices, floats(rows.data, "matrix"))
+        last = numbers(kept, "kept", None, np.int64 if whole.index_size == 8 else np.int32)
+        check(library.fmc_condensation_factorise(self._pointer, byref(whole), last, len(last)))
         self._size, self._kept = rows.shape[0], len(last)
 
     @property
     def complement(self) -> np.ndarray:
         """S, (m, m), for the m equations that are kept."""
         found = np.empty((self._kept, self._kept))
-        check(library.fmc_condensation_complement(self._pointer, found, found.size))
+        check(library.fmc_condensation_complement(self._pointer, found, found.size, None))
         return found
 
     def condense(self, right: ArrayLike) -> np.ndarray:
@@ -106,7 +105,7 @@ class Condensation:
         array([0.5])
         """
         given, found = vector(right, self._size, "right"), np.empty(self._kept)
-        check(library.fmc_condensation_condense(self._pointer, given, len(given), found, len(found)))
+        check(library.fmc_condensation_condense(self._pointer, given, len(given), found, len(found), None))
         return found
 
     def expand(self, right: ArrayLike, kept: ArrayLike = ()) -> np.ndarray:
@@ -139,5 +138,5 @@ class Condensation:
         """
         given, found = vector(right, self._size, "right"), np.empty(self._size)
         held = vector(kept, self._kept, "kept")
-        check(library.fmc_condensation_expand(self._pointer, given, len(given), held, len(held), found, len(found)))
+        check(library.fmc_condensation_expand(self._pointer, given, len(given), held, len(held), found, len(found), None))
         return found

@@ -348,8 +348,9 @@ class Contact:
         target, found, parts = forces_view(forces, self._core.dim), fmc_result(), c_size_t()
         views = byref(view.struct), flags | _flags(semidefinite, symmetric), byref(target.struct)
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_evaluate_tangent, *views, byref(found), None, byref(parts))
-            matrix = tangent.matrix(self._core.handle, parts.value, obstacles, self._core.dim, blocks)
+            self._core.handle.call(library.fmc_context_evaluate_tangent, *views, byref(found), byref(parts))
+            asked = obstacles, self._core.dim, blocks, self._core.options.index_base
+            matrix = tangent.matrix(self._core.handle, parts.value, *asked)
             return result.gather(self._core.handle, forces, found, self._core.dim), matrix
 
     def _forces(self, view: View, out: Optional[np.ndarray], add: bool) -> tuple[np.ndarray, int]:
@@ -409,7 +410,8 @@ class Contact:
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             part_count = self._linearise(view, semidefinite, symmetric)
-            return tangent.matrix(self._core.handle, part_count, obstacles, self._core.dim, blocks)
+            asked = obstacles, self._core.dim, blocks, self._core.options.index_base
+            return tangent.matrix(self._core.handle, part_count, *asked)
 
     def tangent_parts(
         self, coords: ArrayLike, semidefinite: bool = False, obstacles: bool = False, symmetric: bool = False
@@ -440,13 +442,14 @@ class Contact:
         """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
-            return tangent.gather(self._core.handle, self._linearise(view, semidefinite, symmetric), obstacles)
+            part_count = self._linearise(view, semidefinite, symmetric)
+            return tangent.gather(self._core.handle, part_count, obstacles, self._core.options.index_base)
 
     def _linearise(self, view: View, semidefinite: bool, symmetric: bool) -> int:
         """Number of terms of rank one of the tangent, which the library then keeps."""
         parts = c_size_t()
         flags = _flags(semidefinite, symmetric)
-        self._core.handle.call(library.fmc_context_tangent, byref(view.struct), flags, None, byref(parts))
+        self._core.handle.call(library.fmc_context_tangent, byref(view.struct), flags, byref(parts))
         return parts.value
 
     def nodal_contact(self, coords: ArrayLike) -> NodalContact:
@@ -537,7 +540,7 @@ class Contact:
         """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
-            return gap_constraints(self._core.handle, view, reach)
+            return gap_constraints(self._core.handle, view, reach, self._core.options.index_base)
 
     def contact_step(
         self,
@@ -597,7 +600,7 @@ class Contact:
         """
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
-            arguments = dofs, stiffness, residual, held, place, options
+            arguments = dofs, stiffness, residual, held, place, options, self._core.options.index_base
             return contact_step(self._core.handle, view, self._core.dim, *arguments)
 
     def stable_step(self, coords: ArrayLike, masses: ArrayLike) -> float:

@@ -80,9 +80,10 @@ def contact_step(
     held: ArrayLike,
     place: Optional[Callable[[np.ndarray, np.ndarray], None]],
     options: dict[str, float],
+    index_base: int,
 ) -> ContactStep:
     """Calls the library."""
-    kept, others = numbers(dofs, "dofs"), numbers(held, "held")
+    kept, others = (numbers(one, name, None, handle.index) + index_base for one, name in ((dofs, "dofs"), (held, "held")))
     count = len(kept)
     matrix = rows_of(stiffness, "stiffness", (count, count))
     right, displacement = vector(residual, count, "residual"), np.empty(count)

@@ -13,7 +13,7 @@ from ._arrays import View, coords_view, flat_in_z, indices, of_one_width
 from ._cells import CELL_DIMENSION, CELL_NODES, CELL_TYPES, FACET_DIMENSION, FACET_NODES, FACET_TYPES
 from ._handle import Handle
 from ._library import library
-from ._structs import fmc_cell_block, fmc_cell_block_i64, fmc_facet_block, fmc_facet_block_i64, fmc_options
+from ._structs import fmc_cell_block, fmc_facet_block, fmc_options
 from .errors import EmptyError, UnknownCellTypeError
 
 Cells = Union[ArrayLike, Sequence[tuple[str, ArrayLike]]]
@@ -82,22 +82,12 @@ class _Kind(NamedTuple):
 
     what: str
     types: dict[str, int]
-    structs: tuple[Any, Any]
-    functions: tuple[str, str]
+    block: Any
+    function: str
 
 
-_CELLS = _Kind(
-    "cells",
-    CELL_TYPES,
-    (fmc_cell_block, fmc_cell_block_i64),
-    ("fmc_context_new_from_cells", "fmc_context_new_from_cells_i64"),
-)
-_FACETS = _Kind(
-    "facets",
-    FACET_TYPES,
-    (fmc_facet_block, fmc_facet_block_i64),
-    ("fmc_context_new_from_facet_blocks", "fmc_context_new_from_facet_blocks_i64"),
-)
+_CELLS = _Kind("cells", CELL_TYPES, fmc_cell_block, "fmc_context_new_from_cells")
+_FACETS = _Kind("facets", FACET_TYPES, fmc_facet_block, "fmc_context_new_from_facets")
 
 
 def _start(
@@ -110,14 +100,11 @@ def _start(
 ) -> Start:
     arrays = [conn for _, conn in named]
     *arrays, ids = of_one_width(arrays + (_body_ids(bodies, sum(map(len, arrays)), kind.what) or [arrays[0]]))
-    wide = ids.dtype == np.int64
-    block = kind.structs[wide]
-    function = getattr(library, kind.functions[wide])
-    structs = [block(kind.types[name], conn.ctypes.data, len(conn)) for (name, _), conn in zip(named, arrays)]
-    array = (block * len(structs))(*structs)
-    given = None if bodies is None else ids
-    handle = Handle(lambda to: function(dim, byref(view.struct), array, len(structs), given, byref(options), to))
-    return Start(handle, dim, view.is_columns)
+    function, size = getattr(library, kind.function), ids.itemsize
+    structs = [kind.block(kind.types[name], size, conn.ctypes.data, len(conn)) for (name, _), conn in zip(named, arrays)]
+    array = (kind.block * len(structs))(*structs)
+    first = dim, byref(view.struct), array, len(structs), None if bodies is None else ids, byref(options)
+    return Start(Handle(lambda to: function(*first, to), ids.dtype), dim, view.is_columns)
 
 
 def _facet_blocks(facets: Cells, facet_type: str | None) -> list[tuple[str, np.ndarray]]:
@@ -138,29 +125,23 @@ def _is_named(block: object) -> bool:
     return isinstance(block, (list, tuple)) and len(block) == 2 and isinstance(block[0], str)
 
 
-def from_facets(
-    coords: ArrayLike, facets: Cells, facet_type: Optional[str], bodies: Optional[ArrayLike], options: fmc_options
-) -> Start:
-    """A context from the facets of closed bodies."""
-    named = _facet_blocks(facets, facet_type)
-    if named:
-        dim = FACET_DIMENSION[named[0][0]]
-        view = coords_view(coords, dim)
-        _check_plane(dim == 3 or flat_in_z(view))
-        return _start(named, _FACETS, dim, view, bodies, options)
-    shape = np.shape(cast(ArrayLike, facets))
+def _unnamed(facets: ArrayLike) -> list[tuple[str, np.ndarray]]:
+    """Edges or triangles without a type."""
+    shape = np.shape(facets)
     if len(shape) != 2 or shape[1] not in (2, 3):
         raise ValueError(
             f"facets has shape {shape}, expected (facets, 2) for edges or (facets, 3) for triangles; of other types "
             "give the type, or a list of (facet type, node numbers)"
         )
-    dim = shape[1]
+    return [("line" if shape[1] == 2 else "triangle", indices(facets, "facets", shape[1]))]
+
+
+def from_facets(
+    coords: ArrayLike, facets: Cells, facet_type: Optional[str], bodies: Optional[ArrayLike], options: fmc_options
+) -> Start:
+    """A context from the facets of closed bodies."""
+    named = _facet_blocks(facets, facet_type) or _unnamed(cast(ArrayLike, facets))
+    dim = FACET_DIMENSION[named[0][0]]
     view = coords_view(coords, dim)
     _check_plane(dim == 3 or flat_in_z(view))
-    conn = indices(cast(ArrayLike, facets), "facets", dim)
-    conn, ids = of_one_width([conn] + (_body_ids(bodies, len(conn), "facets") or [conn]))
-    wide = ids.dtype == np.int64
-    function = library.fmc_context_new_from_facets_i64 if wide else library.fmc_context_new_from_facets
-    given = None if bodies is None else ids
-    handle = Handle(lambda to: function(dim, byref(view.struct), conn, len(conn), given, byref(options), to))
-    return Start(handle, dim, view.is_columns)
+    return _start(named, _FACETS, dim, view, bodies, options)

@@ -290,6 +290,10 @@ class UnsymmetricError(FmcError, ValueError):
     """A matrix that has to be symmetric is not."""
 
 
+class IndexSizeError(FmcError, ValueError):
+    """Numbers of nodes are of neither 32 nor 64 bits, or not all of one width."""
+
+
 class NotFactorisedError(FmcError, RuntimeError):
     """There are no factors of a matrix: none was given, or the last one had none."""
 

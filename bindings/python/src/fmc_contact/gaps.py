@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_double, c_size_t
+from ctypes import byref, c_double
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from ._arrays import View, written
 from ._handle import Handle
 from ._library import library
+from ._rows import compressed_rows
 from ._structs import fmc_gap_constraint
 
 
@@ -78,15 +79,11 @@ class GapConstraints:
         return np.unique(self.indices)
 
 
-def gap_constraints(handle: Handle, coords: View, reach: float) -> GapConstraints:
+def gap_constraints(handle: Handle, coords: View, reach: float, index_base: int) -> GapConstraints:
     """Finds the gaps at ``coords``."""
     arguments = byref(coords.struct), c_double(reach)
     found = handle.rows(fmc_gap_constraint, library.fmc_context_gap_constraints, *arguments)
-    offsets, entries = c_size_t(), c_size_t()
-    handle.call(library.fmc_context_gap_gradient, None, 0, byref(offsets), None, None, 0, byref(entries))
-    indptr, indices = np.empty(offsets.value, np.int64), np.empty(entries.value, np.int64)
-    data = np.empty(entries.value)
-    handle.call(library.fmc_context_gap_gradient, indptr, len(indptr), None, indices, data, len(data), None)
+    indptr, indices, data = compressed_rows(handle, library.fmc_context_gap_gradient, index_base=index_base)
     row = written(found, fmc_gap_constraint)
     return GapConstraints(
         row["node"].copy(),

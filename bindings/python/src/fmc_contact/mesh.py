@@ -99,10 +99,10 @@ class Mesh:
         >>> contact.mesh.set_basis(None)
         """
         core = self._core
-        rows = basis.compressed(matrix, core.node_count, core.options.index_base)
+        unknown_count, weights, _arrays = basis.compressed(matrix, core.node_count)
         with core.handle:
-            core.handle.call(library.fmc_context_set_basis, *rows)
-            core.unknown_count = core.node_count if matrix is None else rows[0]
+            core.handle.call(library.fmc_context_set_basis, weights, unknown_count)
+            core.unknown_count = core.node_count if matrix is None else unknown_count
 
     def set_reference(self, coords: ArrayLike) -> None:
         """Sets the undeformed coordinates, from which the law ``"depth"`` has its depths.
@@ -149,6 +149,6 @@ class Mesh:
         --------
         >>> contact.mesh.set_symmetry_nodes([0, 3])
         """
-        named = numbers(nodes, "nodes")
+        named = numbers(nodes, "nodes", None, self._core.handle.index)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_symmetry_nodes, named, len(named))

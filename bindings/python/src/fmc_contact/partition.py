@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import POINTER, byref, c_int32, c_size_t, cast, sizeof
+from ctypes import POINTER, byref, c_int32, c_size_t, cast
 from dataclasses import dataclass
 from typing import Any, Optional
 
@@ -13,7 +13,7 @@ from . import creation
 from ._arrays import coords_view, numbers, shape_error, structured
 from ._cells import CELL_DIMENSION, CELL_TYPES
 from ._handle import Handle, guarded
-from ._library import library
+from ._library import check, library
 from ._structs import fmc_carried_slip, fmc_cell_block, fmc_gathered_counts, fmc_mesh_part, fmc_options
 from ._unpack import Unpack
 from .contact import Contact
@@ -136,7 +136,7 @@ class PartitionedContact(Contact):
     nodes : ndarray of int64, (n,)
         Numbers of the nodes gathered in the whole mesh, ascending.
     own_nodes : ndarray of int32, (n,)
-        The own node of each; -1 for a node of other ranks alone.
+        The own node of each, counted from 0; -1 for a node of other ranks alone.
 
     Raises
     ------
@@ -172,28 +172,23 @@ class PartitionedContact(Contact):
     ) -> None:
         own = changed(defaults(), {"stiffness": stiffness, **options})
         named = creation.blocks(conn, cell_type)
-        blocks = [(name, cells.astype(np.int32, copy=False)) for name, cells in named]
-        dim = CELL_DIMENSION[blocks[0][0]]
+        dim = CELL_DIMENSION[named[0][0]]
         view = coords_view(coords, dim)
+        count = sum(len(cells) for _, cells in named)
         of_nodes = numbers(node_numbers, "node_numbers", view.node_count)
-        count = sum(len(cells) for _, cells in blocks)
-        of_cells = numbers(cell_numbers, "cell_numbers", count)
-        ids = numbers(bodies, "bodies", count, np.int32)
-        structs = [fmc_cell_block(CELL_TYPES[name], cells.ctypes.data, len(cells)) for name, cells in blocks]
-        part = fmc_mesh_part(
-            sizeof(fmc_mesh_part),
-            view.struct,
-            of_nodes.ctypes.data,
-            (fmc_cell_block * len(structs))(*structs),
-            len(structs),
-            of_cells.ctypes.data,
-            ids.ctypes.data,
-            reach,
-        )
+        of_cells, ids = numbers(cell_numbers, "cell_numbers", count), numbers(bodies, "bodies", count)
+        # All ranks have numbers of one width, whatever their cells are like.
+        arrays = [conn.astype(np.int64, copy=False) for _, conn in named]
+        structs = [fmc_cell_block(CELL_TYPES[name], 8, conn.ctypes.data, len(conn)) for (name, _), conn in zip(named, arrays)]
+        part = fmc_mesh_part()
+        check(library.fmc_mesh_part_init(byref(part)))
+        part.coords, part.index_size, part.reach = view.struct, 8, reach
+        part.node_numbers, part.cell_numbers, part.body_ids = (one.ctypes.data for one in (of_nodes, of_cells, ids))
+        part.blocks, part.block_count = (fmc_cell_block * len(structs))(*structs), len(structs)
         raised: list[BaseException] = []
         ranks = described(comm, lambda function: guarded(function, raised))
-        new = library.fmc_context_new_from_part
-        handle = Handle(lambda to: new(dim, byref(ranks), byref(part), byref(own), to), raised)
+        first = dim, byref(ranks), byref(part), byref(own)
+        handle = Handle(lambda to: library.fmc_context_new_from_part(*first, to), ids.dtype, raised)
         handle.keep("communicator", (ranks.all_gather, ranks.all_to_all))
         self._own_node_count = view.node_count
         self._take(creation.Start(handle, dim, view.is_columns), own)
@@ -310,7 +305,7 @@ class PartitionedContact(Contact):
         """
         cells = np.empty(self.gathered().cell_count, np.int64)
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_gathered_cells, cells, len(cells))
+            self._core.handle.call(library.fmc_context_gathered_cells, cells, len(cells), None)
         return cells
 
     def _take(self, start: creation.Start, options: fmc_options) -> None:
@@ -319,11 +314,11 @@ class PartitionedContact(Contact):
 
     def _read_nodes(self) -> None:
         count, base = self.node_count, self._core.options.index_base
-        self.nodes, own = np.empty(count, np.int64), np.empty(count, np.int32)
+        self.nodes, own = np.empty(count, np.int64), np.empty(count, np.int64)
         self.coords = np.empty((count, self.dim))
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_gathered_nodes, self.nodes, own, self.coords, count)
-        self.own_nodes = own - np.int32(base)
+            self._core.handle.call(library.fmc_context_gathered_nodes, self.nodes, own, self.coords, count, None)
+        self.own_nodes = np.where(own < 0, own, own - base).astype(np.int32)
 
 
 def _slips(array: np.ndarray) -> Any:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_size_t
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import ArrayLike
 from ._arrays import floats, shape_error
 from ._handle import Handle
 from ._library import library
+from ._rows import compressed_rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,9 +118,4 @@ class PointWeights:
 
 def point_weights(handle: Handle, node_count: int, index_base: int) -> PointWeights:
     """Asks for them, where the library counts nodes from ``index_base``."""
-    points, entries = c_size_t(), c_size_t()
-    handle.call(library.fmc_context_point_weights_size, byref(points), byref(entries))
-    indptr, indices = np.zeros(points.value + 1, np.int64), np.empty(entries.value, np.int64)
-    data = np.empty(entries.value)
-    handle.call(library.fmc_context_point_weights, indptr, points.value, indices, data, entries.value)
-    return PointWeights(indptr, indices - index_base, data, node_count)
+    return PointWeights(*compressed_rows(handle, library.fmc_context_point_weights, index_base=index_base), node_count)

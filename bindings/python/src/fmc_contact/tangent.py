@@ -6,7 +6,7 @@ parts of rank one, factor * outer(vector, vector), that couple all nodes of a pa
 
 from __future__ import annotations
 
-from ctypes import byref, c_double, c_size_t
+from ctypes import byref, c_double
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -18,6 +18,7 @@ from ._arrays import vector
 from ._constants import FMC_CSR_BLOCKS, FMC_CSR_OBSTACLES
 from ._handle import Handle
 from ._library import library
+from ._rows import compressed_rows
 
 
 class RankOne(NamedTuple):
@@ -156,22 +157,10 @@ class Tangent:
         return LinearOperator(shape, matvec=self.__matmul__, rmatvec=self.__matmul__, dtype=np.dtype(np.float64))
 
 
-def _rows(handle: Handle, flags: int, numbers: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Offsets, columns and values of the last tangent in compressed rows, with so many numbers an entry."""
-    row_count, entry_count = c_size_t(), c_size_t()
-    handle.call(library.fmc_context_tangent_csr_size, flags, byref(row_count), byref(entry_count))
-    is_narrow = max(row_count.value, entry_count.value) <= np.iinfo(np.int32).max
-    dtype: Any = np.int32 if is_narrow else np.int64
-    offsets, cols = np.empty(row_count.value + 1, dtype), np.empty(entry_count.value, dtype)
-    values = np.empty(entry_count.value * numbers)
-    fetch = library.fmc_context_tangent_csr if is_narrow else library.fmc_context_tangent_csr_i64
-    handle.call(fetch, flags, offsets, cols, values, entry_count.value)
-    return offsets, cols, values
-
-
-def gather(handle: Handle, part_count: int, obstacles: bool) -> Tangent:
+def gather(handle: Handle, part_count: int, obstacles: bool, index_base: int) -> Tangent:
     """The tangent that has just been found, with so many terms of rank one, with the obstacles or without."""
-    offsets, cols, values = _rows(handle, FMC_CSR_OBSTACLES if obstacles else 0, 1)
+    flags = FMC_CSR_OBSTACLES if obstacles else 0
+    offsets, cols, values = compressed_rows(handle, library.fmc_context_tangent_csr, flags, index_base=index_base)
     size = len(offsets) - 1
     parts = []
     for index in range(part_count):
@@ -181,15 +170,17 @@ def gather(handle: Handle, part_count: int, obstacles: bool) -> Tangent:
     return Tangent(offsets, cols, values, tuple(parts), size)
 
 
-def matrix(handle: Handle, part_count: int, obstacles: bool, dim: int, blocks: bool) -> Any:
+def matrix(handle: Handle, part_count: int, obstacles: bool, dim: int, blocks: bool, index_base: int) -> Any:
     """The same as a matrix of scipy, ``csr_matrix`` or ``bsr_matrix``; without scipy as triplets, which have no blocks."""
     if blocks and part_count == 0:
         from scipy.sparse import bsr_matrix
 
-        offsets, cols, values = _rows(handle, FMC_CSR_BLOCKS | (FMC_CSR_OBSTACLES if obstacles else 0), dim * dim)
+        flags = FMC_CSR_BLOCKS | (FMC_CSR_OBSTACLES if obstacles else 0)
+        rows = compressed_rows(handle, library.fmc_context_tangent_csr, flags, index_base=index_base, numbers=dim * dim)
+        offsets, cols, values = rows
         size = (len(offsets) - 1) * dim
         return bsr_matrix((values.reshape(-1, dim, dim), cols, offsets), shape=(size, size))
-    parts = gather(handle, part_count, obstacles)
+    parts = gather(handle, part_count, obstacles, index_base)
     if blocks:
         found = parts.csr().tobsr((dim, dim))
         found.sort_indices()

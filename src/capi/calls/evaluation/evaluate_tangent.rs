@@ -21,11 +21,9 @@ pub unsafe extern "C" fn fmc_context_evaluate_tangent(
     flags: u32,
     forces: *const fmc_forces,
     result: *mut fmc_result,
-    entry_count: *mut usize,
     rank_one_count: *mut usize,
 ) -> fmc_status {
     entry(|| {
-        let entries = Output::optional("entry_count", entry_count)?;
         let parts = Output::optional("rank_one_count", rank_one_count)?;
         let part = part_of(flags, FMC_EVALUATE_ADD | FMC_TANGENT_SEMIDEFINITE | FMC_TANGENT_SYMMETRIC)?;
         // SAFETY: the host passes a context, both views and outputs, or NULL where it may.
@@ -35,7 +33,6 @@ pub unsafe extern "C" fn fmc_context_evaluate_tangent(
                 let is_added = flags & FMC_EVALUATE_ADD != 0;
                 let (found, tangent) =
                     state.session.evaluate_tangent(coords, part, forces, is_added, state.index_base)?;
-                entries.write(tangent.entry_count());
                 parts.write(tangent.rank_one.len());
                 state.keep_tangent(tangent);
                 Ok(found)

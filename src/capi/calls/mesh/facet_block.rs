@@ -3,16 +3,18 @@
 use super::creation::create;
 use crate::capi::boundary::dimension::checked_dimension;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::pointer::{reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNKNOWN_CELL_TYPE;
 use crate::capi::context::resident::Resident;
 use crate::capi::context::session::Session;
 use crate::capi::context::state::fmc_context;
-use crate::capi::structs::mesh::{Block, Numbering, bodies, ids};
+use crate::capi::structs::mesh::{Numbering, bodies, ids};
 use crate::capi::structs::options::fmc_options;
 use crate::capi::structs::view::fmc_coords;
 use crate::{Error, FacetBlock, FacetType, Surface};
+use std::ffi::c_void;
 
 /// Type of a facet of a surface. The numbers are those of VTK, and so is the node order. An edge has the body on its left; the
 /// corners of a triangle or quadrilateral run counter-clockwise seen from outside.
@@ -40,36 +42,12 @@ pub enum fmc_facet_type {
 pub struct fmc_facet_block {
     /// A value of `fmc_facet_type`.
     pub facet_type: i32,
+    /// Bytes of a node number, 4 or 8, as in `fmc_cell_block`.
+    pub index_size: i32,
     /// Node numbers, (facet_count, nodes per facet), counted from the option `index_base`.
-    pub conn: *const i32,
+    pub conn: *const c_void,
     /// Number of facets; if 0, `conn` may be NULL.
     pub facet_count: usize,
-}
-
-/// `fmc_facet_block` with 64-bit node numbers.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct fmc_facet_block_i64 {
-    /// A value of `fmc_facet_type`.
-    pub facet_type: i32,
-    /// Node numbers, (facet_count, nodes per facet), counted from the option `index_base`.
-    pub conn: *const i64,
-    /// Number of facets; if 0, `conn` may be NULL.
-    pub facet_count: usize,
-}
-
-impl Block for fmc_facet_block {
-    type Id = i32;
-    fn parts(&self) -> (i32, *const i32, usize) {
-        (self.facet_type, self.conn, self.facet_count)
-    }
-}
-
-impl Block for fmc_facet_block_i64 {
-    type Id = i64;
-    fn parts(&self) -> (i32, *const i64, usize) {
-        (self.facet_type, self.conn, self.facet_count)
-    }
 }
 
 fn facet_type(block: usize, number: i32) -> Result<FacetType, Failure> {
@@ -94,108 +72,80 @@ fn facet_type(block: usize, number: i32) -> Result<FacetType, Failure> {
 ///
 /// # Safety
 /// The host guarantees the array of every block, and one body id per facet if there are any.
-unsafe fn surface<B: Block, const D: usize>(
+unsafe fn surface<const D: usize>(
     coords: &[[f64; D]],
-    blocks: &[B],
-    body_ids: *const B::Id,
+    blocks: &[fmc_facet_block],
+    size: IndexSize,
+    body_ids: *const c_void,
     index_base: i32,
 ) -> Result<Surface<D>, Failure> {
     let numbering = Numbering { index_base, node_count: coords.len() };
     let mut conn = Vec::with_capacity(blocks.len());
     let mut count = 0_usize;
     for (index, block) in blocks.iter().enumerate() {
-        let (number, pointer, facet_count) = block.parts();
-        let facet_type = facet_type(index, number)?;
+        let facet_type = facet_type(index, block.facet_type)?;
         let width = facet_type.node_count();
         // SAFETY: the caller guarantees the block's array.
-        let given = unsafe { slice("conn", pointer, facet_count, width) }?;
+        let given = unsafe { size.list("conn", block.conn, block.facet_count, width) }?;
         if facet_type.dimension() != D {
             return Err(Error::Dimension { block: index, expected: D, found: facet_type.dimension() }.into());
         }
-        conn.push((facet_type, numbering.zero_based(given, width, count)?));
-        count += facet_count;
+        conn.push((facet_type, numbering.zero_based(&given, width, count)?));
+        count += block.facet_count;
     }
     let blocks: Vec<_> = conn.iter().map(|(facet_type, conn)| FacetBlock { facet_type: *facet_type, conn }).collect();
     // SAFETY: the caller guarantees one id per facet.
-    let ids = unsafe { ids(body_ids, count) }?;
+    let ids = unsafe { ids(body_ids, size, count) }?;
     Surface::from_facet_blocks(coords, &blocks, bodies(&ids)).map_err(Failure::counted_from(index_base))
 }
 
-/// The session of such a surface.
+/// The session of such a surface, and the width of its numbers.
 ///
 /// # Safety
 /// The host guarantees the coordinates, the blocks and what they point to, and one body id per facet if any.
-unsafe fn session<B: Block, const D: usize>(
+unsafe fn session<const D: usize>(
     coords: &fmc_coords,
-    blocks: &[B],
-    body_ids: *const B::Id,
+    blocks: &[fmc_facet_block],
+    body_ids: *const c_void,
     options: &fmc_options,
-) -> Result<Box<dyn Session>, Failure> {
+) -> Result<(Box<dyn Session>, IndexSize), Failure> {
     let (checked, mut scratch) = (options.to_options()?, Vec::new());
+    let size = IndexSize::of_all("facet block", blocks.iter().map(|block| block.index_size))?;
     // SAFETY: passed on to the caller.
     let surface = unsafe {
         let rows = coords.rows::<D>("coords", &mut scratch)?;
-        surface(rows, blocks, body_ids, options.index_base)?
+        surface(rows, blocks, size, body_ids, options.index_base)?
     };
-    Ok(Box::new(Resident::new(surface, checked)?))
+    Ok((Box::new(Resident::new(surface, checked)?), size))
 }
 
-/// Makes a context from a surface whose facets are of any type of `fmc_facet_type`, also of second order and mixed, in one
-/// block for each type: the boundary facets of closed bodies.
+/// Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.
 ///
-/// Facets of second order are measured as the faces of cells of second order are, and give the same forces. In space
-/// a straight edge and one with a node in its middle do not fit. `body_ids`, one for every facet counted over the blocks, may be
-/// NULL: bodies are the connected components by nodes. Otherwise as `fmc_context_new_from_facets`; also
-/// `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a facet a part of which faces away
-/// from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it, along the edge.
+/// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
+/// faces of cells of second order are, and give the same forces. In space a straight edge and one with a node in its middle do not
+/// fit. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
+/// components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
+/// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
+/// facet a part of which faces away from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it,
+/// along the edge.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_new_from_facet_blocks(
+pub unsafe extern "C" fn fmc_context_new_from_facets(
     dim: i32,
     coords: *const fmc_coords,
     blocks: *const fmc_facet_block,
     block_count: usize,
-    body_ids: *const i32,
+    body_ids: *const c_void,
     options: *const fmc_options,
     context: *mut *mut fmc_context,
 ) -> fmc_status {
     // SAFETY: the host passes what the parameters say.
-    unsafe { new_from_facet_blocks(dim, coords, blocks, block_count, body_ids, options, context) }
-}
-
-/// `fmc_context_new_from_facet_blocks` with 64-bit node numbers and body ids.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_new_from_facet_blocks_i64(
-    dim: i32,
-    coords: *const fmc_coords,
-    blocks: *const fmc_facet_block_i64,
-    block_count: usize,
-    body_ids: *const i64,
-    options: *const fmc_options,
-    context: *mut *mut fmc_context,
-) -> fmc_status {
-    // SAFETY: the host passes what the parameters say.
-    unsafe { new_from_facet_blocks(dim, coords, blocks, block_count, body_ids, options, context) }
-}
-
-/// # Safety
-/// As `fmc_context_new_from_facet_blocks`.
-unsafe fn new_from_facet_blocks<B: Block>(
-    dim: i32,
-    coords: *const fmc_coords,
-    blocks: *const B,
-    block_count: usize,
-    body_ids: *const B::Id,
-    options: *const fmc_options,
-    context: *mut *mut fmc_context,
-) -> fmc_status {
-    // SAFETY: passed on to the caller.
     unsafe {
         create(options, context, |options| {
             let dim = checked_dimension(dim)?;
             let (coords, blocks) = (reference("coords", coords)?, slice("blocks", blocks, block_count, 1)?);
             match dim {
-                2 => session::<B, 2>(coords, blocks, body_ids, options),
-                _ => session::<B, 3>(coords, blocks, body_ids, options),
+                2 => session::<2>(coords, blocks, body_ids, options),
+                _ => session::<3>(coords, blocks, body_ids, options),
             }
         })
     }

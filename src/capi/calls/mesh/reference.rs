@@ -1,10 +1,11 @@
 //! What the law "depth" takes a body for without deformation.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::pointer::{reference, slice};
+use crate::capi::boundary::pointer::reference;
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
+use std::ffi::c_void;
 
 /// Sets the coordinates of all nodes without deformation, from which the law "depth" has its depths; those at which the
 /// context was created are the default.
@@ -20,7 +21,7 @@ pub unsafe extern "C" fn fmc_context_set_reference(context: *mut fmc_context, co
     })
 }
 
-/// Names `count` nodes that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
+/// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
 /// surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are named too.
 /// The host holds such nodes in their plane. Replaces what was named before;
 /// `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
@@ -30,14 +31,16 @@ pub unsafe extern "C" fn fmc_context_set_reference(context: *mut fmc_context, co
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_symmetry_nodes(
     context: *mut fmc_context,
-    nodes: *const i64,
+    nodes: *const c_void,
     count: usize,
 ) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context and `count` numbers.
         unsafe {
-            let nodes = slice("nodes", nodes, count, 1)?;
-            write(context, |state| state.session.set_symmetry_nodes(nodes, state.index_base))
+            write(context, |state| {
+                let nodes = state.index_size.list("nodes", nodes, count, 1)?;
+                state.session.set_symmetry_nodes(&nodes, state.index_base)
+            })
         }
     })
 }

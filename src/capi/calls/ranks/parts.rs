@@ -1,4 +1,4 @@
-//! A mesh that ranks hold in parts, brought to coordinates.
+//! A mesh that ranks hold in parts, at coordinates.
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, reference, slice};
@@ -7,7 +7,7 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::in_parts::{fmc_carried_slip, no_parts};
 use crate::capi::structs::view::fmc_coords;
 
-/// Brings a mesh in parts to coordinates of its nodes: `coords` are those of this rank's own nodes, as many as were given to
+/// Sets the coordinates of a mesh in parts: `coords` are those of this rank's own nodes, as many as were given to
 /// `fmc_context_new_from_part`. Every rank calls it before it evaluates at these coordinates, after its options and obstacles
 /// were set. Then the nodes, facets and cells of the context are those gathered: those that may be in contact, the same on all
 /// ranks. `fmc_context_gathered_nodes` tells which and where they are.
@@ -60,7 +60,8 @@ pub unsafe extern "C" fn fmc_context_set_carried_slip(
         unsafe {
             write(context, |state| {
                 let carried = slice("carried", carried, count, 1)?;
-                state.session.parts_mut().ok_or_else(no_parts)?.set_carried_slip(carried)
+                let base = state.index_base;
+                state.session.parts_mut().ok_or_else(no_parts)?.set_carried_slip(carried, base)
             })
         }
     })

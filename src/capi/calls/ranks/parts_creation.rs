@@ -2,10 +2,12 @@
 
 use super::communicator::{HostRanks, fmc_communicator};
 use crate::capi::boundary::dimension::checked_dimension;
+use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
-use crate::capi::boundary::pointer::{reference, slice};
+use crate::capi::boundary::index::IndexSize;
+use crate::capi::boundary::pointer::{Output, reference, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_STRUCT_SIZE;
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_INDEX_SIZE, FMC_ERROR_STRUCT_SIZE};
 use crate::capi::calls::mesh::creation::create;
 use crate::capi::context::resident::Resident;
 use crate::capi::context::session::Session;
@@ -14,28 +16,66 @@ use crate::capi::structs::mesh::{blocks_of, fmc_cell_block};
 use crate::capi::structs::options::fmc_options;
 use crate::capi::structs::view::fmc_coords;
 use crate::{CellBlock, CellType, MeshPart, Options, PartitionedContact};
+use std::ffi::c_void;
+use std::ptr::null;
 
 /// The cells of one rank, with their nodes. Every cell of the mesh is given by one rank, and only by that one; nodes between
-/// ranks are given by all that have a cell there. A rank may have none.
+/// ranks are given by all that have a cell there. A rank may have none. Initialise it with `fmc_mesh_part_init`, then set all fields.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_mesh_part {
-    /// sizeof(fmc_mesh_part), set by the host.
+    /// Set by `fmc_mesh_part_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
     /// Coordinates of the rank's own nodes without deformation.
     pub coords: fmc_coords,
-    /// Number of each in the whole mesh, the same on all ranks that have it; not negative. Results are those of one rank alone whose
-    /// mesh has its nodes in the order of these numbers; they need not be without gaps.
-    pub node_numbers: *const i64,
+    /// Bytes of a number in the lists here and in the blocks, 4 or 8, and in all lists of the context; the same on all ranks.
+    pub index_size: i32,
+    /// Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are those
+    /// of one rank alone whose mesh has its nodes in the order of these numbers; they need not be without gaps.
+    pub node_numbers: *const c_void,
     /// Cells, of own nodes counted from the option `index_base`.
     pub blocks: *const fmc_cell_block,
+    /// Number of blocks.
     pub block_count: usize,
-    /// Number of each cell in the whole mesh, over all blocks. Results are those of a mesh with its cells in the order of these.
-    pub cell_numbers: *const i64,
+    /// Number of each cell in the whole mesh, over all blocks, counted from the option `index_base`. Results are those of a mesh with its
+    /// cells in the order of these.
+    pub cell_numbers: *const c_void,
     /// Body of each cell, as all ranks name it.
-    pub body_ids: *const i32,
+    pub body_ids: *const c_void,
     /// How far `fmc_context_gap_constraints` may reach; 0 where it is not asked for.
     pub reach: f64,
+    /// Zero. Room for later versions.
+    pub reserved: [u64; 4],
+}
+
+impl Default for fmc_mesh_part {
+    fn default() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            coords: fmc_coords { data: null(), node_count: 0, node_stride: 0, axis_stride: 0 },
+            index_size: 0,
+            node_numbers: null(),
+            blocks: null(),
+            block_count: 0,
+            cell_numbers: null(),
+            body_ids: null(),
+            reach: 0.0,
+            reserved: [0; 4],
+        }
+    }
+}
+
+/// Sets a part to one without nodes and cells.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_mesh_part_init(part: *mut fmc_mesh_part) -> fmc_status {
+    entry(|| {
+        let output = Output::required("part", part)?;
+        // SAFETY: the host passes a struct that may be written.
+        unsafe { output.write(fmc_mesh_part::default()) };
+        Ok(())
+    })
 }
 
 /// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
@@ -73,13 +113,14 @@ pub unsafe extern "C" fn fmc_context_new_from_part(
     }
 }
 
-/// A part as the host gave it, with nodes counted from zero.
+/// A part as the host gave it, counted from zero.
 struct Given<'a, const D: usize> {
     coords: &'a [[f64; D]],
     conn: Vec<(CellType, Vec<u32>)>,
-    node_numbers: &'a [i64],
-    cell_numbers: &'a [i64],
-    body_ids: &'a [i32],
+    node_numbers: Vec<u64>,
+    cell_numbers: Vec<u64>,
+    body_ids: Vec<i64>,
+    size: IndexSize,
     reach: f64,
     options: Options,
 }
@@ -93,21 +134,32 @@ unsafe fn read<'a, const D: usize>(
 ) -> Result<Given<'a, D>, Failure> {
     // SAFETY: passed on to the caller.
     let part = unsafe { reference("part", part) }?;
-    if part.struct_size != size_of::<fmc_mesh_part>() {
-        return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, "'struct_size' of the part is not that of the struct"));
+    if part.struct_size != size_of::<fmc_mesh_part>() || part.reserved != [0; 4] {
+        return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, "the part was not set by fmc_mesh_part_init"));
     }
+    let size = IndexSize::new("the part", part.index_size)?;
     // SAFETY: as above.
     unsafe {
         let coords = part.coords.rows::<D>("coords", scratch)?;
         let blocks = slice("blocks", part.blocks, part.block_count, 1)?;
-        let conn = blocks_of::<_, D>(coords.len(), blocks, options.index_base)?;
+        if let Some(other) = blocks.iter().position(|block| block.index_size != part.index_size) {
+            let text = format!("cell block {other} has another index_size than the part, {}", part.index_size);
+            return Err(Failure::new(FMC_ERROR_INDEX_SIZE, text));
+        }
+        let conn = blocks_of::<D>(coords.len(), blocks, size, options.index_base)?;
         let count = conn.iter().map(|(cell_type, conn)| conn.len() / cell_type.node_count()).sum();
+        let of_whole = |name, list, count| {
+            // What is negative is refused by the core, as what is too large.
+            let zero_based = |number: &i64| number.wrapping_sub(options.index_base.into()) as u64;
+            Ok::<_, Failure>(size.list(name, list, count, 1)?.iter().map(zero_based).collect())
+        };
         Ok(Given {
             coords,
             conn,
-            node_numbers: slice("node_numbers", part.node_numbers, coords.len(), 1)?,
-            cell_numbers: slice("cell_numbers", part.cell_numbers, count, 1)?,
-            body_ids: slice("body_ids", part.body_ids, count, 1)?,
+            node_numbers: of_whole("node_numbers", part.node_numbers, coords.len())?,
+            cell_numbers: of_whole("cell_numbers", part.cell_numbers, count)?,
+            body_ids: size.list("body_ids", part.body_ids, count, 1)?.into_owned(),
+            size,
             reach: part.reach,
             options: options.to_options()?,
         })
@@ -120,7 +172,7 @@ unsafe fn session<const D: usize>(
     ranks: HostRanks,
     part: *const fmc_mesh_part,
     options: &fmc_options,
-) -> Result<Box<dyn Session>, Failure> {
+) -> Result<(Box<dyn Session>, IndexSize), Failure> {
     let mut scratch = Vec::new();
     // SAFETY: passed on to the caller.
     let given = match unsafe { read::<D>(part, options, &mut scratch) } {
@@ -131,14 +183,14 @@ unsafe fn session<const D: usize>(
         }
     };
     let blocks: Vec<_> = given.conn.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
-    let unsigned = |numbers: &[i64]| numbers.iter().map(|number| *number as u64).collect::<Vec<_>>();
     let part = MeshPart {
         coords: given.coords,
-        node_numbers: &unsigned(given.node_numbers),
+        node_numbers: &given.node_numbers,
         blocks: &blocks,
-        cell_numbers: &unsigned(given.cell_numbers),
-        body_ids: &given.body_ids.iter().map(|id| i64::from(*id)).collect::<Vec<_>>(),
+        cell_numbers: &given.cell_numbers,
+        body_ids: &given.body_ids,
     };
     let parts = PartitionedContact::new(Box::new(ranks), &part, given.options, given.reach);
-    Ok(Box::new(Resident::of_parts(parts.map_err(Failure::counted_from(options.index_base))?)))
+    let parts = parts.map_err(Failure::counted_from(options.index_base))?;
+    Ok((Box::new(Resident::of_parts(parts)), given.size))
 }

@@ -1,12 +1,13 @@
 //! What was gathered of a mesh in parts.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::index::Places;
+use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::{Output, check, copy_list};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_BUFFER_TOO_SMALL;
 use crate::capi::context::state::{fmc_context, read};
 use crate::capi::structs::in_parts::{fmc_carried_slip, no_parts};
+use std::ffi::c_void;
 
 /// How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
 #[repr(C)]
@@ -54,62 +55,97 @@ pub unsafe extern "C" fn fmc_context_gathered_counts(
 }
 
 /// The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
-/// `own_nodes`, which of this rank's own nodes each is, counted from the option `index_base`, or one less than that where it is a
-/// node of other ranks alone; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for
-/// `capacity` nodes, of which there are as many as `fmc_context_counts` says. Evaluations are at these coordinates; forces, rows
-/// and columns are those of these nodes.
+/// `own_nodes`, which of this rank's own nodes each is, -1 where it is a node of other ranks alone; both counted from the option
+/// `index_base`; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for `capacity` nodes;
+/// `count` becomes their number. All three NULL with capacity 0: the number alone is asked for. Evaluations are at these coordinates;
+/// forces, rows and columns are those of these nodes.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
 /// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_gathered_nodes(
     context: *const fmc_context,
-    numbers: *mut i64,
-    own_nodes: *mut i32,
+    numbers: *mut c_void,
+    own_nodes: *mut c_void,
     coords: *mut f64,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
     entry(|| {
+        let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
         let parts = state.session.parts().ok_or_else(no_parts)?;
-        let before = i64::from(state.index_base) - 1;
-        let found: Vec<i64> = parts.node_numbers().iter().map(|number| *number as i64).collect();
-        let own = |node: &Option<u32>| node.map_or(before, |node| before + 1 + i64::from(node)) as i32;
-        let own: Vec<i32> = parts.own_nodes().iter().map(own).collect();
-        check_room(capacity, found.len())?;
-        // SAFETY: the host guarantees room for `capacity` nodes in each array that is not NULL.
-        unsafe {
-            copy_wanted("numbers", &found, numbers)?;
-            copy_wanted("own_nodes", &own, own_nodes)?;
-            copy_wanted("coords", parts.coords(), coords)
+        let (size, base) = (state.index_size, i64::from(state.index_base));
+        let needed = parts.node_numbers().len();
+        let arrays = [numbers.is_null(), own_nodes.is_null(), coords.is_null()];
+        if room.is_asked("nodes", &arrays, needed)? && needed > 0 {
+            let wanted =
+                |name, array: *mut c_void| (!array.is_null()).then(|| Places::new(name, array, size)).transpose();
+            let (numbers, own_nodes) = (wanted("numbers", numbers)?, wanted("own_nodes", own_nodes)?);
+            if !coords.is_null() {
+                check("coords", coords.cast_const())?;
+            }
+            let own = |node: &Option<u32>| node.map_or(-1, |node| i64::from(node) + base);
+            // SAFETY: the host guarantees room for `capacity` nodes in each array that is not NULL.
+            unsafe {
+                if let Some(numbers) = numbers {
+                    put_all(numbers, parts.node_numbers().iter().map(|&number| number as i64 + base));
+                }
+                if let Some(own_nodes) = own_nodes {
+                    put_all(own_nodes, parts.own_nodes().iter().map(own));
+                }
+                if !coords.is_null() {
+                    copy_list("coords", parts.coords(), coords)?;
+                }
+            }
         }
+        // SAFETY: the count, where asked for, may be written.
+        unsafe { room.tell(needed) };
+        Ok(())
     })
 }
 
-/// The numbers in the whole mesh of the cells gathered, ascending, to `numbers`, which has room for `capacity`.
+/// # Safety
+/// The host guarantees the room.
+unsafe fn put_all(places: Places, numbers: impl Iterator<Item = i64>) {
+    // SAFETY: passed on to the caller.
+    numbers.enumerate().for_each(|(place, number)| unsafe { places.put(place, number) });
+}
+
+/// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes how many they
+/// are; `numbers` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 ///
 /// Errors: as `fmc_context_gathered_nodes`. Threads: as that.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_gathered_cells(
     context: *const fmc_context,
-    numbers: *mut i64,
+    numbers: *mut c_void,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
     entry(|| {
+        let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let parts = state.session.parts().ok_or_else(no_parts)?;
-        let found: Vec<i64> = parts.cell_numbers().iter().map(|number| *number as i64).collect();
-        check_room(capacity, found.len())?;
-        // SAFETY: the host guarantees room for `capacity` numbers.
-        unsafe { copy_list("numbers", &found, numbers) }
+        let found = state.session.parts().ok_or_else(no_parts)?.cell_numbers();
+        let base = i64::from(state.index_base);
+        // SAFETY: the host guarantees room for `capacity` numbers, and that the count, where asked for, may be written.
+        unsafe {
+            if room.is_asked("cells", &[numbers.is_null()], found.len())? && !found.is_empty() {
+                let places = Places::new("numbers", numbers, state.index_size)?;
+                put_all(places, found.iter().map(|&number| number as i64 + base));
+            }
+            room.tell(found.len());
+        }
+        Ok(())
     })
 }
 
 /// The elastic slip that was carried into the step, of all facets of a mesh in parts where it is not zero: the same list on all
-/// ranks, ascending by cell, face and part. `count` becomes its length; `carried`, which may be NULL to ask for that alone, has room
-/// for `capacity`. With the coordinates and poses at which the step began it is all that a restart needs, on any number of ranks.
+/// ranks, ascending by cell, face and part. `count` becomes its length; `carried` has room for `capacity`. NULL with capacity 0: the
+/// length alone is asked for. With the coordinates and poses at which the step began it is all that a restart needs, on any number of
+/// ranks.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`, `FMC_ERROR_BUSY`. Threads:
 /// several at once on one context, as long as no call changes it.
@@ -121,39 +157,11 @@ pub unsafe extern "C" fn fmc_context_carried_slip(
     count: *mut usize,
 ) -> fmc_status {
     entry(|| {
-        let output = Output::required("count", count)?;
+        let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let found = state.session.parts().ok_or_else(no_parts)?.carried_slip()?;
-        if !carried.is_null() {
-            check_room(capacity, found.len())?;
-        }
-        // SAFETY: the host guarantees room for `capacity` structs if there is an array, and for the count.
-        unsafe {
-            copy_wanted("carried", &found, carried)?;
-            output.write(found.len());
-        }
-        Ok(())
+        let found = state.session.parts().ok_or_else(no_parts)?.carried_slip(state.index_base)?;
+        // SAFETY: the host guarantees room for `capacity` structs, and that the count, where asked for, may be written.
+        unsafe { room.write("facets", "carried", &found, carried) }
     })
-}
-
-fn check_room(capacity: usize, count: usize) -> Result<(), Failure> {
-    if capacity < count {
-        let text = format!("there is room for {capacity} entries, and there are {count}");
-        return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
-    }
-    Ok(())
-}
-
-/// Writes a list to an array of the host, unless that is NULL.
-///
-/// # Safety
-/// The host guarantees room for the list.
-unsafe fn copy_wanted<T: Copy>(name: &str, list: &[T], output: *mut T) -> Result<(), Failure> {
-    if output.is_null() {
-        return Ok(());
-    }
-    check(name, output.cast_const())?;
-    // SAFETY: passed on to the caller.
-    unsafe { copy_list(name, list, output) }
 }

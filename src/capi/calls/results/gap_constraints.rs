@@ -1,12 +1,13 @@
 //! Weighted gaps as constraints.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::list::Room;
-use crate::capi::boundary::pointer::{check, copy_list, reference};
+use crate::capi::boundary::list::{MatrixRoom, Room};
+use crate::capi::boundary::pointer::reference;
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::state::{fmc_context, read, write};
-use crate::capi::structs::gap_constraint::fmc_gap_constraint;
+use crate::capi::structs::gap_constraint::{KeptGaps, fmc_gap_constraint};
 use crate::capi::structs::view::fmc_coords;
+use std::ffi::c_void;
 
 /// The weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping:
 /// what an augmented Lagrangian, an interior point method or a preconditioner asks for. They depend on no law and no estimator.
@@ -41,23 +42,23 @@ pub unsafe extern "C" fn fmc_context_gap_constraints(
 }
 
 /// The derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
-/// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom,
-/// `node * dim + axis`, counted from 0 as in the tangent. Their set is what feels the contact. Pressures p on the rows
-/// act with the nodal forces sum over r of p_r times row r.
+/// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
+/// `fmc_context_tangent`. Offsets and columns count from the option `index_base`. The set of columns is what feels the contact.
+/// Pressures p on the rows act with the nodal forces sum over r of p_r times row r.
 ///
 /// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
 /// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
 /// asked for.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-/// several at once on one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
+/// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_gap_gradient(
     context: *const fmc_context,
-    row_offsets: *mut i64,
+    row_offsets: *mut c_void,
     offset_capacity: usize,
     offset_count: *mut usize,
-    cols: *mut i64,
+    cols: *mut c_void,
     values: *mut f64,
     capacity: usize,
     count: *mut usize,
@@ -66,26 +67,9 @@ pub unsafe extern "C" fn fmc_context_gap_gradient(
         let (offsets, entries) = (Room::new(offset_capacity, offset_count)?, Room::new(capacity, count)?);
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let gaps = state.last_gaps();
-        let (offset_count, entry_count) = (gaps.row_offsets.len(), gaps.cols.len());
-        let has_offsets = offsets.is_asked("row offsets", &[row_offsets.is_null()], offset_count)?;
-        let has_entries = entries.is_asked("entries", &[cols.is_null(), values.is_null()], entry_count)?;
-        if has_entries && entry_count > 0 {
-            check("cols", cols.cast_const())?;
-            check("values", values.cast_const())?;
-        }
+        let room = MatrixRoom { row_offsets, offsets, cols, values, entries, size: state.index_size };
+        let KeptGaps { row_starts, cols, values, dof_count, .. } = state.last_gaps();
         // SAFETY: the host guarantees the room that it says.
-        unsafe {
-            if has_offsets {
-                copy_list("row_offsets", &gaps.row_offsets, row_offsets)?;
-            }
-            if has_entries {
-                copy_list("cols", &gaps.cols, cols)?;
-                copy_list("values", &gaps.values, values)?;
-            }
-            offsets.tell(offset_count);
-            entries.tell(entry_count);
-        }
-        Ok(())
+        unsafe { room.write(row_starts, cols.iter().copied(), *dof_count, values, state.index_base) }
     })
 }

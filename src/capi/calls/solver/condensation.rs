@@ -2,19 +2,20 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
-use crate::capi::boundary::pointer::{Output, check, copy_list, reference, slice};
+use crate::capi::boundary::list::Room;
+use crate::capi::boundary::pointer::{Output, check, reference, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_BUSY, FMC_ERROR_DOF_OUT_OF_RANGE,
-};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_DOF_OUT_OF_RANGE};
+use crate::capi::structs::csr::fmc_csr;
 use crate::sparse::{Compressed, Condensation};
+use std::ffi::c_void;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-/// Factors of the stiffness K of bodies, with the equations that feel contact kept for the end. Opaque.
+/// Factors of the stiffness K of bodies, with the equations that feel contact retained for the end. Opaque.
 ///
 /// For hosts whose solver has no Schur complements: from K, which the host assembles without contact and without what is held, come
-/// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is kept that of all.
-/// With c the equations that are kept and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
+/// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is retained that of all.
+/// With c the equations that are retained and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
 ///
 /// One thread works on it, so the same matrix has the same bits everywhere. Concurrent calls on one return `FMC_ERROR_BUSY`.
 pub struct fmc_condensation {
@@ -33,14 +34,6 @@ unsafe fn locked<'a>(condensation: *const fmc_condensation) -> Result<MutexGuard
             Err(Failure::new(FMC_ERROR_BUSY, "the condensation is in use by another call"))
         }
     }
-}
-
-fn has_room(name: &str, needed: usize, capacity: usize) -> Result<(), Failure> {
-    if capacity < needed {
-        let text = format!("'{name}' has room for {capacity} numbers, {needed} are needed");
-        return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
-    }
-    Ok(())
 }
 
 /// Makes a condensation without factors, to be freed by `fmc_condensation_free`.
@@ -77,46 +70,42 @@ pub unsafe extern "C" fn fmc_condensation_free(condensation: *mut *mut fmc_conde
     })
 }
 
-/// Factorises a symmetric matrix of `count` equations in compressed rows, with `kept_count` of them, `kept`, for the end.
+/// Factorises a symmetric matrix, with `retained_count` of its equations, `retained`, for the end.
 ///
-/// `row_offsets`: `count + 1` numbers from 0; `cols` and `values`: column and value of every entry, in any order in a row; those at
-/// one place add up. All entries, or none above the diagonal. Equations count from 0; `kept` ascends. The other
-/// equations have to be positive definite: bodies that are held, or are so by what is kept. What depends on the pattern alone is
-/// kept for the next matrix of the same pattern, and factorising that takes less.
+/// `matrix`: all entries, or none above the diagonal. `retained` counts equations as the matrix does, by numbers as wide as its own, and
+/// ascends. The other equations have to be positive definite: bodies that are held, or are so by what is retained. What depends on
+/// the pattern alone is kept for the next matrix of the same pattern, and factorising that takes less.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`,
-/// `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there
-/// were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, after which there are none; `FMC_ERROR_UNSUPPORTED` if the
-/// library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_INDEX_SIZE`,
+/// `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
+/// `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`,
+/// after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call
+/// at a time on a condensation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_condensation_factorise(
     condensation: *mut fmc_condensation,
-    count: usize,
-    row_offsets: *const i64,
-    cols: *const i64,
-    values: *const f64,
-    kept: *const i64,
-    kept_count: usize,
+    matrix: *const fmc_csr,
+    retained: *const c_void,
+    retained_count: usize,
 ) -> fmc_status {
     entry(|| {
-        // SAFETY: the host passes a condensation and arrays of the lengths given; the last offset is their length.
+        // SAFETY: the host passes a condensation, a matrix, and as many equations as it says.
         unsafe {
             let mut state = locked(condensation)?;
-            let offsets = match count {
-                0 => &[0],
-                _ => slice("row_offsets", row_offsets, count.saturating_add(1), 1)?,
-            };
-            let entries = usize::try_from(offsets[count]).unwrap_or(usize::MAX);
-            let (columns, values) = (slice("cols", cols, entries, 1)?, slice("values", values, entries, 1)?);
-            let kept = equations(slice("kept", kept, kept_count, 1)?)?;
-            Ok(state.factorise(&Compressed { offsets, columns, values }, &kept)?)
+            let given = reference("matrix", matrix)?;
+            let (size, base) = (given.checked_size()?, given.index_base);
+            let rows = given.read(given.row_count)?;
+            let retained = equations(&size.list("retained", retained, retained_count, 1)?, base)?;
+            let compressed = Compressed { offsets: &rows.offsets, columns: &rows.cols, values: rows.values };
+            state.factorise(&compressed, &retained).map_err(Failure::counted_from(base))
         }
     })
 }
 
-/// S of the last matrix, `kept_count * kept_count` numbers row by row: the stiffness for `fmc_context_contact_step`.
+/// S of the last matrix, row by row: the stiffness for `fmc_context_contact_step`.
 ///
-/// `capacity`: numbers that fit into `complement`.
+/// `count` becomes the number of numbers, the square of that of retained equations, for which `complement` has room for `capacity`. NULL
+/// with capacity 0: the number alone is asked for.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_BUFFER_TOO_SMALL`,
 /// `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
@@ -125,25 +114,31 @@ pub unsafe extern "C" fn fmc_condensation_complement(
     condensation: *const fmc_condensation,
     complement: *mut f64,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
     entry(|| {
+        let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a condensation, and room for so many numbers.
         unsafe {
             let state = locked(condensation)?;
             let needed = state.kept()?.len().pow(2);
-            has_room("complement", needed, capacity)?;
+            if !room.is_asked("numbers", &[complement.is_null()], needed)? {
+                room.tell(needed);
+                return Ok(());
+            }
             if needed > 0 {
                 check("complement", complement.cast_const())?;
             }
-            copy_list("complement", &state.complement()?, complement)
+            room.write("numbers", "complement", &state.complement()?, complement)
         }
     })
 }
 
-/// What the other equations leave of a right side b on those that are kept: `b_c - K_cr inv(K_rr) b_r`.
+/// What the other equations leave of a right side b on those that are retained: `b_c - K_cr inv(K_rr) b_r`.
 ///
-/// `right`: `count` numbers, as many as there are equations. `condensed` has room for `capacity`, at least as many as are kept.
-/// For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal forces.
+/// `right`: `right_count` numbers, as many as there are equations. `count` becomes the number of retained equations; `condensed` has
+/// room for `capacity`. For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal
+/// forces.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_LENGTH`,
 /// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a
@@ -152,54 +147,60 @@ pub unsafe extern "C" fn fmc_condensation_complement(
 pub unsafe extern "C" fn fmc_condensation_condense(
     condensation: *const fmc_condensation,
     right: *const f64,
-    count: usize,
+    right_count: usize,
     condensed: *mut f64,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
     entry(|| {
+        let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a condensation, so many numbers, and room for so many.
         unsafe {
             let state = locked(condensation)?;
-            has_room("condensed", state.kept()?.len(), capacity)?;
-            let found = state.condense(slice("right", right, count, 1)?)?;
-            copy_list("condensed", &found, condensed)
+            room.is_asked("numbers", &[condensed.is_null()], state.kept()?.len())?;
+            let found = state.condense(slice("right", right, right_count, 1)?)?;
+            room.write("numbers", "condensed", &found, condensed)
         }
     })
 }
 
-/// Solution of `K x = b` in the equations that are not kept, with those that are as given: `x_r = inv(K_rr) (b_r - K_rc x_c)`.
+/// Solution of `K x = b` in the equations that are not retained, with those that are as they are given: `x_r = inv(K_rr) (b_r - K_rc x_c)`.
 ///
-/// `right` and `kept` are b and x_c, `count` and `kept_count` numbers, as many as there are equations and as are kept; `solution` has
-/// room for `capacity`, at least `count`, and may not overlap them. With the displacement of `fmc_context_contact_step` as x_c it is
-/// the change of all displacements.
+/// `right` is b, as many numbers as there are equations, and `retained` x_c, as many as are retained. `count` becomes the number of
+/// equations; `solution` has room for `capacity`, and may not overlap them. With the displacement of `fmc_context_contact_step` as x_c
+/// it is the change of all displacements.
 ///
 /// Errors: as `fmc_condensation_condense`. Threads: one call at a time on a condensation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_condensation_expand(
     condensation: *const fmc_condensation,
     right: *const f64,
-    count: usize,
-    kept: *const f64,
-    kept_count: usize,
+    right_count: usize,
+    retained: *const f64,
+    retained_count: usize,
     solution: *mut f64,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
     entry(|| {
+        let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a condensation, so many numbers, and room for so many.
         unsafe {
             let state = locked(condensation)?;
-            has_room("solution", state.size()?, capacity)?;
-            let (right, kept) = (slice("right", right, count, 1)?, slice("kept", kept, kept_count, 1)?);
-            copy_list("solution", &state.expand(right, kept)?, solution)
+            room.is_asked("numbers", &[solution.is_null()], state.size()?)?;
+            let right = slice("right", right, right_count, 1)?;
+            let retained = slice("retained", retained, retained_count, 1)?;
+            room.write("numbers", "solution", &state.expand(right, retained)?, solution)
         }
     })
 }
 
 /// Equations as the core counts them; that they are too large it finds itself.
-fn equations(given: &[i64]) -> Result<Vec<usize>, Failure> {
+fn equations(given: &[i64], base: i32) -> Result<Vec<usize>, Failure> {
     let number = |&equation: &i64| {
-        let text = || format!("'kept' names equation {equation}");
-        usize::try_from(equation).map_err(|_| Failure::new(FMC_ERROR_DOF_OUT_OF_RANGE, text()))
+        let text = || format!("'retained' names equation {equation}");
+        let zero_based = equation.checked_sub(base.into()).and_then(|equation| usize::try_from(equation).ok());
+        zero_based.ok_or_else(|| Failure::new(FMC_ERROR_DOF_OUT_OF_RANGE, text()))
     };
     given.iter().map(number).collect()
 }

@@ -105,7 +105,7 @@ impl fmc_contact_step_options {
 pub enum fmc_contact_step_state {
     /// In equilibrium.
     FMC_STEP_CONVERGED = 0,
-    /// Contact acts on degrees of freedom that are neither on the list nor held: the displacement is what was reached when it
+    /// Contact acts on degrees of freedom that are neither on the list nor fixed: the displacement is what was reached when it
     /// did, and a longer list is needed.
     FMC_STEP_OUTSIDE = 1,
     /// The iterations have run out, or the residual could not be lowered any more, or the penetration; the displacement is what was
@@ -164,17 +164,17 @@ pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact
 /// energy, too (`fmc_context_freeze_friction`); friction with the current pressure has none, the matrix is then unsymmetric, and
 /// what is lowered is the residual. With the law "fiber" call `fmc_context_keep_patches` before, for one energy.
 ///
-/// `freedoms`, the list: `count` degrees of freedom `node * dim + axis`, counted from 0 whatever `index_base`, ascending; best those of
-/// the tangent's pattern that may move. `held`: `held_count` others that do not move and on which contact may act, ascending.
-/// `stiffness`: S, `count * count` numbers, row by row, symmetric; `residual`: r, internal less external forces at `coords`.
+/// `dofs`, the list: `dof_count` degrees of freedom, counted as in `fmc_context_tangent`, ascending; best those of
+/// the tangent's pattern that may move. `fixed_dofs`: `fixed_count` others that do not move and on which contact may act, ascending.
+/// `stiffness`: S, `dof_count * dof_count` numbers, row by row, symmetric; `residual`: r, internal less external forces at `coords`.
 /// `options` may be NULL: the defaults. `place`, which may be NULL, moves the nodes that follow those on the list; where bodies move by more
 /// than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
-/// `count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
+/// `dof_count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 ///
 /// With `penetration` in the options no node penetrates by more than that on average over its part of the surface, however soft the
 /// law is. What balances the bodies at the end is then not the force of the law, but `S d + r`.
 ///
-/// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `count` equations are made
+/// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `dof_count` equations are made
 /// in every iteration: some 500 take tenths of a second.
 ///
 /// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
@@ -187,10 +187,10 @@ pub unsafe extern "C" fn fmc_context_contact_step(
     context: *mut fmc_context,
     coords: *const fmc_coords,
     options: *const fmc_contact_step_options,
-    freedoms: *const i64,
-    count: usize,
-    held: *const i64,
-    held_count: usize,
+    dofs: *const c_void,
+    dof_count: usize,
+    fixed_dofs: *const c_void,
+    fixed_count: usize,
     stiffness: *const f64,
     residual: *const f64,
     place: fmc_place,
@@ -206,16 +206,17 @@ pub unsafe extern "C" fn fmc_context_contact_step(
             write(context, |state| {
                 let coords = reference("coords", coords)?;
                 let options = optional("options", options)?.copied().unwrap_or_default().to_options()?;
-                let freedoms = numbers(slice("freedoms", freedoms, count, 1)?)?;
-                let held = numbers(slice("held", held, held_count, 1)?)?;
-                let stiffness = slice("stiffness", stiffness, count, count)?;
-                let residual = slice("residual", residual, count, 1)?;
-                if count > 0 {
+                let (size, base) = (state.index_size, state.index_base);
+                let freedoms = numbers(&size.list("dofs", dofs, dof_count, 1)?, base)?;
+                let held = numbers(&size.list("fixed_dofs", fixed_dofs, fixed_count, 1)?, base)?;
+                let stiffness = slice("stiffness", stiffness, dof_count, dof_count)?;
+                let residual = slice("residual", residual, dof_count, 1)?;
+                if dof_count > 0 {
                     check("displacement", displacement.cast_const())?;
                 }
                 let bodies = CondensedBodies { freedoms: &freedoms, held: &held, stiffness, residual };
                 let placement = place.map(|function| Placement { function, user });
-                state.session.contact_step(coords, &bodies, &options, placement, state.index_base)
+                state.session.contact_step(coords, &bodies, &options, placement, base)
             })
         }?;
         let state = match step.state {
@@ -223,7 +224,7 @@ pub unsafe extern "C" fn fmc_context_contact_step(
             ContactStepState::Outside => fmc_contact_step_state::FMC_STEP_OUTSIDE,
             ContactStepState::NotConverged => fmc_contact_step_state::FMC_STEP_NOT_CONVERGED,
         };
-        // SAFETY: the host guarantees room for `count` numbers, and that the result, where given, may be written.
+        // SAFETY: the host guarantees room for `dof_count` numbers, and that the result, where given, may be written.
         unsafe {
             copy_list("displacement", &step.displacement, displacement)?;
             output.write(fmc_contact_step_result {
@@ -245,10 +246,11 @@ pub unsafe extern "C" fn fmc_context_contact_step(
 }
 
 /// Degrees of freedom as the core counts them; that they are too large it finds itself.
-fn numbers(given: &[i64]) -> Result<Vec<usize>, Failure> {
-    let number = |&freedom: &i64| {
-        let text = || format!("a list names degree of freedom {freedom}");
-        usize::try_from(freedom).map_err(|_| Failure::new(FMC_ERROR_DOF_OUT_OF_RANGE, text()))
+fn numbers(given: &[i64], base: i32) -> Result<Vec<usize>, Failure> {
+    let number = |&dof: &i64| {
+        let text = || format!("a list names degree of freedom {dof}");
+        let zero_based = dof.checked_sub(base.into()).and_then(|dof| usize::try_from(dof).ok());
+        zero_based.ok_or_else(|| Failure::new(FMC_ERROR_DOF_OUT_OF_RANGE, text()))
     };
     given.iter().map(number).collect()
 }

@@ -2,13 +2,12 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
-use crate::capi::boundary::pointer::{Output, check};
+use crate::capi::boundary::list::{MatrixRoom, Room};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BAD_VALUE, FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_FLAG,
-};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_UNKNOWN_FLAG};
 use crate::capi::context::state::{State, fmc_context, read, write};
 use crate::contact::CompressedRows;
+use std::ffi::c_void;
 
 /// Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
 pub const FMC_CSR_BLOCKS: u32 = 4;
@@ -16,21 +15,17 @@ pub const FMC_CSR_BLOCKS: u32 = 4;
 /// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
 pub const FMC_CSR_OBSTACLES: u32 = 8;
 
-/// Flag of `fmc_context_tangent_csr`: `row_offsets` and `cols` count from 1, as in Fortran.
-pub const FMC_FROM_ONE: u32 = 16;
-
 /// The rows that a host has asked for.
 struct Rows<'a> {
     dim: usize,
     /// Numbers that a node has in a row: 1 of blocks, `dim` of numbers.
     per_node: usize,
-    base: usize,
     blocks: CompressedRows<Option<&'a [f64]>>,
 }
 
 impl<'a> Rows<'a> {
     fn new(state: &'a State, flags: u32) -> Result<Self, Failure> {
-        if flags & !(FMC_CSR_BLOCKS | FMC_CSR_OBSTACLES | FMC_FROM_ONE) != 0 {
+        if flags & !(FMC_CSR_BLOCKS | FMC_CSR_OBSTACLES) != 0 {
             return Err(Failure::new(FMC_ERROR_UNKNOWN_FLAG, format!("unknown flag in {flags:#x}")));
         }
         let kept = &state.tangent;
@@ -38,7 +33,6 @@ impl<'a> Rows<'a> {
         Ok(Self {
             dim: kept.dim,
             per_node: if flags & FMC_CSR_BLOCKS != 0 { 1 } else { kept.dim },
-            base: if flags & FMC_FROM_ONE != 0 { 1 } else { 0 },
             blocks: kept.rows(kept.node_count + obstacles, state.pattern.as_ref()),
         })
     }
@@ -60,143 +54,85 @@ impl<'a> Rows<'a> {
             let row = ends[0]..ends[1];
             for axis in 0..per {
                 let begin = (row.start * per + axis * row.len()) * per;
-                offset(node * per + axis, begin + self.base);
+                offset(node * per + axis, begin);
                 for (place, block) in row.clone().enumerate() {
                     // Row `axis` of the block, or all of it.
                     let numbers = values[block].map(|values| &values[axis * width..(axis + 1) * width]);
                     for of_col in 0..per {
                         let each = numbers.map(|numbers| if per == 1 { numbers } else { &numbers[of_col..=of_col] });
-                        put(begin + place * per + of_col, cols[block] as usize * per + of_col + self.base, each);
+                        put(begin + place * per + of_col, cols[block] as usize * per + of_col, each);
                     }
                 }
             }
         }
-        offset(self.row_count(), self.entry_count() + self.base);
+        offset(self.row_count(), self.entry_count());
     }
-}
-
-/// Sizes of the last tangent in compressed rows, for `fmc_context_tangent_csr` with the same flags: rows, those without
-/// entries included, and entries, which are numbers, or blocks with `FMC_CSR_BLOCKS`. Either output may be NULL. Before the
-/// first tangent there are no rows.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUSY`. Threads: several
-/// at once on one context, as long as no call changes it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_tangent_csr_size(
-    context: *const fmc_context,
-    flags: u32,
-    row_count: *mut usize,
-    entry_count: *mut usize,
-) -> fmc_status {
-    entry(|| {
-        let row_output = Output::optional("row_count", row_count)?;
-        let entry_output = Output::optional("entry_count", entry_count)?;
-        // SAFETY: the host passes a context.
-        let state = unsafe { read(context) }?;
-        let rows = Rows::new(&state, flags)?;
-        // SAFETY: the outputs, where given, may be written.
-        unsafe {
-            row_output.write(rows.row_count());
-            entry_output.write(rows.entry_count());
-        }
-        Ok(())
-    })
 }
 
 /// The last tangent in compressed rows (CSR), without its terms of rank one, which `fmc_context_tangent_rank_one` gives:
 /// the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns
-/// `cols`, each column once. Rows and columns are degrees of freedom, `node * dim + axis`.
+/// `cols`, each column once. Rows and columns are degrees of freedom as in `fmc_context_tangent`; rows without entries are there too.
+/// Offsets and columns count from the option `index_base`. Before the first tangent there are no rows.
 ///
 /// `flags`: `FMC_CSR_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
-/// are nodes; `FMC_CSR_OBSTACLES`; `FMC_FROM_ONE`. As elsewhere in the tangent, the option `index_base` has no effect.
-/// `row_offsets` has room for one number more than there are rows, `cols` for `capacity` entries, and `values` for as
-/// many, or, with `FMC_CSR_BLOCKS`, `capacity * dim * dim` numbers.
+/// are nodes; `FMC_CSR_OBSTACLES`.
+///
+/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries, which are numbers, or
+/// blocks. `row_offsets` has room for `offset_capacity`, `cols` for `capacity`, and `values` for as many, or, with `FMC_CSR_BLOCKS`, for
+/// `capacity * dim * dim` numbers. An array that is NULL with capacity 0 is not written: its number alone is asked for.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`,
-/// `FMC_ERROR_LENGTH` where a number does not fit into 32 bits, `FMC_ERROR_BUSY`. Threads: several at once on one
-/// context, as long as no call changes it.
+/// `FMC_ERROR_LENGTH` where a number does not fit into the context's numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+/// several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tangent_csr(
     context: *const fmc_context,
     flags: u32,
-    row_offsets: *mut i32,
-    cols: *mut i32,
+    row_offsets: *mut c_void,
+    offset_capacity: usize,
+    offset_count: *mut usize,
+    cols: *mut c_void,
     values: *mut f64,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
-    // SAFETY: the host passes what the parameters say.
-    entry(|| unsafe { write_rows(context, flags, row_offsets, cols, values, capacity) })
-}
-
-/// `fmc_context_tangent_csr` with 64-bit offsets and columns.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_tangent_csr_i64(
-    context: *const fmc_context,
-    flags: u32,
-    row_offsets: *mut i64,
-    cols: *mut i64,
-    values: *mut f64,
-    capacity: usize,
-) -> fmc_status {
-    // SAFETY: the host passes what the parameters say.
-    entry(|| unsafe { write_rows(context, flags, row_offsets, cols, values, capacity) })
-}
-
-/// A number of the host's width.
-fn number<Id: TryFrom<usize>>(number: usize) -> Result<Id, Failure> {
-    Id::try_from(number).map_err(|_| {
-        let text = format!("{number} entries, rows or columns cannot be numbered in {} bits", 8 * size_of::<Id>());
-        Failure::new(FMC_ERROR_LENGTH, text)
+    entry(|| {
+        let (offsets, entries) = (Room::new(offset_capacity, offset_count)?, Room::new(capacity, count)?);
+        // SAFETY: the host passes a context.
+        let state = unsafe { read(context) }?;
+        let room = MatrixRoom { row_offsets, offsets, cols, values, entries, size: state.index_size };
+        let rows = Rows::new(&state, flags)?;
+        let (row_count, entry_count) = (rows.row_count(), rows.entry_count());
+        let places = room.places(row_count + 1, entry_count, row_count.max(entry_count) + 1)?;
+        let width = if rows.per_node == 1 { rows.dim * rows.dim } else { 1 };
+        let base = i64::from(state.index_base);
+        rows.visit(
+            |row, begin| {
+                if let Some(offsets) = places.row_offsets {
+                    // SAFETY: there is room for one more than there are rows, as checked.
+                    unsafe { offsets.put(row, begin as i64 + base) };
+                }
+            },
+            |place, col, numbers| {
+                if let Some((cols, values)) = places.cols {
+                    // SAFETY: there is room for as many entries, as checked, and as many numbers for each.
+                    unsafe {
+                        cols.put(place, col as i64 + base);
+                        for k in 0..width {
+                            values.add(place * width + k).write(numbers.map_or(0.0, |numbers| numbers[k]));
+                        }
+                    }
+                }
+            },
+        );
+        // SAFETY: the counts, where asked for, may be written.
+        unsafe { room.tell(row_count + 1, entry_count) };
+        Ok(())
     })
 }
 
-/// # Safety
-/// As `fmc_context_tangent_csr`.
-unsafe fn write_rows<Id: TryFrom<usize>>(
-    context: *const fmc_context,
-    flags: u32,
-    row_offsets: *mut Id,
-    cols: *mut Id,
-    values: *mut f64,
-    capacity: usize,
-) -> Result<(), Failure> {
-    // SAFETY: passed on to the caller.
-    let state = unsafe { read(context) }?;
-    let rows = Rows::new(&state, flags)?;
-    let (row_count, entry_count) = (rows.row_count(), rows.entry_count());
-    if capacity < entry_count {
-        let text = format!("there is room for {capacity} entries, the rows of the tangent have {entry_count}");
-        return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
-    }
-    number::<Id>(row_count.max(entry_count) + rows.base)?;
-    check("row_offsets", row_offsets.cast_const())?;
-    if entry_count > 0 {
-        check("cols", cols.cast_const())?;
-        check("values", values.cast_const())?;
-    }
-    let width = if rows.per_node == 1 { rows.dim * rows.dim } else { 1 };
-    // No other number is larger than the one that was tried.
-    let put_number = |pointer: *mut Id, place: usize, value: usize| {
-        if let Ok(value) = Id::try_from(value) {
-            // SAFETY: the host guarantees one place more than there are rows, and `capacity` entries.
-            unsafe { pointer.add(place).write(value) };
-        }
-    };
-    rows.visit(
-        |row, begin| put_number(row_offsets, row, begin),
-        |place, col, numbers| {
-            put_number(cols, place, col);
-            for k in 0..width {
-                // SAFETY: the host guarantees as many numbers for each of `capacity` entries.
-                unsafe { values.add(place * width + k).write(numbers.map_or(0.0, |numbers| numbers[k])) };
-            }
-        },
-    );
-    Ok(())
-}
-
 /// Keeps the pattern of `fmc_context_tangent_csr`, with `keep` 1: from the last tangent on it only grows, places that
-/// have no entry any more hold zeros, and as long as `fmc_context_tangent_csr_size` gives the same numbers, the pattern
+/// have no entry any more hold zeros, and as long as it has the same numbers of rows and entries, the pattern
 /// is the same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
 /// tangent has its own pattern, which is the default. Values, and the other functions of the tangent, do not change.
 ///
@@ -220,18 +156,4 @@ pub unsafe extern "C" fn fmc_context_keep_pattern(context: *mut fmc_context, kee
             })
         }
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_that_do_not_fit_are_refused() {
-        assert_eq!(number::<i32>(i32::MAX as usize).ok(), Some(i32::MAX));
-        let refused = number::<i32>(1 << 31).err().map(|failure| (failure.status, failure.text));
-        let text = "2147483648 entries, rows or columns cannot be numbered in 32 bits".to_owned();
-        assert_eq!(refused, Some((FMC_ERROR_LENGTH, text)));
-        assert_eq!(number::<i64>(1 << 31).ok(), Some(1 << 31));
-    }
 }

@@ -1,15 +1,18 @@
-//! The tangent, counted first and filled into the host's arrays then.
+//! The tangent: found, kept, and given entry by entry.
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::index::Places;
+use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::{Output, check, reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_INDEX_OUT_OF_RANGE, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_FLAG,
+    FMC_ERROR_INDEX_OUT_OF_RANGE, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_FLAG,
 };
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::view::fmc_coords;
 use crate::contact::TangentPart;
+use std::ffi::c_void;
 
 /// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
 /// far from a solution.
@@ -36,11 +39,11 @@ pub(crate) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
 ///
 /// Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
 /// place of Cholesky or conjugate gradients, or ask for `FMC_TANGENT_SYMMETRIC`, with which Newton's method takes more
-/// iterations, and fails sooner at large coefficients of friction. Row and column `node * dim + axis`, counted from 0 whatever the index base. The translation of obstacle o
-/// is node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows and columns
-/// beyond those of the nodes. `entry_count` receives the number of entries, each with another row or column;
-/// `rank_one_count` that of terms of rank one, which couple all nodes of a pair: 0 for the laws
-/// "depth" and "fiber". Both may be NULL.
+/// iterations, and fails sooner at large coefficients of friction. Rows and columns are degrees of freedom: axis a of the n-th node is
+/// the one number n * dim + a, n and a from 0, counted from the option `index_base`. The translation of obstacle o
+/// stands after the nodes, as node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows
+/// and columns beyond those of the nodes. `rank_one_count`, which may be NULL, receives the number of terms of rank one, which couple
+/// all nodes of a pair: 0 for the laws "depth" and "fiber".
 ///
 /// With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
 /// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
@@ -59,72 +62,65 @@ pub unsafe extern "C" fn fmc_context_tangent(
     context: *mut fmc_context,
     coords: *const fmc_coords,
     flags: u32,
-    entry_count: *mut usize,
     rank_one_count: *mut usize,
 ) -> fmc_status {
     entry(|| {
-        let entries = Output::optional("entry_count", entry_count)?;
         let parts = Output::optional("rank_one_count", rank_one_count)?;
         let part = part_of(flags, FMC_TANGENT_SEMIDEFINITE | FMC_TANGENT_SYMMETRIC)?;
         // SAFETY: the host passes a context and a view.
-        let counts = unsafe {
+        let count = unsafe {
             write(context, |state| {
                 let tangent = state.session.tangent(reference("coords", coords)?, part, state.index_base)?;
                 state.keep_tangent(tangent);
-                Ok((state.tangent.entry_count(), state.tangent.rank_one.len()))
+                Ok(state.tangent.rank_one.len())
             })
         }?;
-        // SAFETY: the outputs, where given, may be written.
-        unsafe {
-            entries.write(counts.0);
-            parts.write(counts.1);
-        }
+        // SAFETY: the output, where given, may be written.
+        unsafe { parts.write(count) };
         Ok(())
     })
 }
 
-/// Writes the entries of the tangent to the host's arrays, each with room for `capacity`: entry i is `values[i]` at row
-/// `rows[i]` and column `cols[i]`, ordered by row and column of their nodes.
+/// The entries of the tangent, each with another row or column: entry i is `values[i]` at row `rows[i]` and column `cols[i]`, ordered
+/// by row and column of their nodes.
+///
+/// `count` becomes their number; the arrays have room for `capacity`. All three NULL with capacity 0: the number alone is asked for.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
-/// freedom than 32 bits number, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes
-/// it.
+/// freedom than the context's numbers have room for, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+/// context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tangent_entries(
     context: *const fmc_context,
-    rows: *mut i32,
-    cols: *mut i32,
+    rows: *mut c_void,
+    cols: *mut c_void,
     values: *mut f64,
     capacity: usize,
+    count: *mut usize,
 ) -> fmc_status {
     entry(|| {
+        let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let kept = &state.tangent;
-        let count = kept.entry_count();
-        if capacity < count {
-            let text = format!("there is room for {capacity} entries, the tangent has {count}");
-            return Err(Failure::new(FMC_ERROR_BUFFER_TOO_SMALL, text));
-        }
-        if count == 0 {
-            return Ok(());
-        }
-        let dofs = (kept.node_count + kept.obstacle_count) * kept.dim;
-        if i32::try_from(dofs).is_err() {
-            let text = format!("{dofs} degrees of freedom cannot be numbered in 32 bits");
-            return Err(Failure::new(FMC_ERROR_LENGTH, text));
-        }
-        check("rows", rows.cast_const())?;
-        check("cols", cols.cast_const())?;
-        check("values", values.cast_const())?;
-        for (index, (row, col, value)) in kept.entries().enumerate() {
-            // SAFETY: the host guarantees `capacity` entries, of which there are no more than that.
-            unsafe {
-                rows.add(index).write(row as i32);
-                cols.add(index).write(col as i32);
-                values.add(index).write(value);
+        let (kept, base) = (&state.tangent, i64::from(state.index_base));
+        let needed = kept.entry_count();
+        let arrays = [rows.is_null(), cols.is_null(), values.is_null()];
+        if room.is_asked("entries", &arrays, needed)? && needed > 0 {
+            state.index_size.holds((kept.node_count + kept.obstacle_count) * kept.dim + 1)?;
+            let rows = Places::new("rows", rows, state.index_size)?;
+            let cols = Places::new("cols", cols, state.index_size)?;
+            check("values", values.cast_const())?;
+            for (index, (row, col, value)) in kept.entries().enumerate() {
+                // SAFETY: the host guarantees `capacity` entries, of which there are no more than that.
+                unsafe {
+                    rows.put(index, row as i64 + base);
+                    cols.put(index, col as i64 + base);
+                    values.add(index).write(value);
+                }
             }
         }
+        // SAFETY: the count, where asked for, may be written.
+        unsafe { room.tell(needed) };
         Ok(())
     })
 }

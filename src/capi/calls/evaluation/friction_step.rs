@@ -1,0 +1,150 @@
+//! A step with friction of the call without a context.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::list::Room;
+use crate::capi::boundary::pointer::{Output, check, slice};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_LENGTH, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
+use crate::capi::context::session::Session;
+use crate::capi::structs::evaluation::Evaluation;
+use crate::capi::structs::view::{fmc_coords, fmc_forces};
+use std::ptr::{null, null_mut};
+
+/// A step with friction, for `fmc_contact_force`, which does not write into it. `fmc_friction_step_init` sets what need not be given.
+///
+/// The host keeps the slip that is carried into the next step; that of a step which it rejects it does not keep.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_friction_step {
+    /// Set by `fmc_friction_step_init`, so that a struct that was not initialised is recognised.
+    pub struct_size: usize,
+    /// Coordinates at which the step began, (node_count, dim).
+    pub start: *const f64,
+    /// Coordinates without deformation, (node_count, dim), from which the law "depth" has its depths; NULL, the default:
+    /// `start`.
+    pub reference: *const f64,
+    /// Elastic slip that was carried into the step, (facets, dim); NULL, the default: none.
+    pub slip: *const f64,
+    /// Numbers in `slip`: `dim` times the number of facets, or 0.
+    pub slip_count: usize,
+    /// Where the elastic slip goes that is carried into the next step, (facets, dim), if the end of this one is accepted; may be
+    /// `slip` itself. NULL, the default: not wanted.
+    pub next_slip: *mut f64,
+    /// Numbers for which `next_slip` has room.
+    pub next_slip_capacity: usize,
+    /// Where their number goes, `dim` times the number of facets; NULL, the default: not wanted.
+    pub next_slip_count: *mut usize,
+    /// Zero. Room for later versions.
+    pub reserved: [u64; 8],
+}
+
+impl Default for fmc_friction_step {
+    fn default() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            start: null(),
+            reference: null(),
+            slip: null(),
+            slip_count: 0,
+            next_slip: null_mut(),
+            next_slip_capacity: 0,
+            next_slip_count: null_mut(),
+            reserved: [0; 8],
+        }
+    }
+}
+
+impl fmc_friction_step {
+    /// Whether it was initialised.
+    pub(crate) fn check(&self) -> Result<(), Failure> {
+        let (found, expected) = (self.struct_size, size_of::<Self>());
+        if found != expected {
+            let text = format!(
+                "fmc_friction_step has struct_size {found}, expected {expected}: call fmc_friction_step_init first"
+            );
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
+        }
+        if self.reserved != [0; 8] {
+            let text = "a reserved field of fmc_friction_step is not zero: one of a later version of the library";
+            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, text));
+        }
+        Ok(())
+    }
+
+    /// Coordinates without deformation.
+    pub(crate) fn at_rest(&self, node_count: usize) -> fmc_coords {
+        let data = if self.reference.is_null() { self.start } else { self.reference };
+        fmc_coords { data, node_count, node_stride: 0, axis_stride: 0 }
+    }
+}
+
+/// Sets every field to its default.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_friction_step_init(step: *mut fmc_friction_step) -> fmc_status {
+    entry(|| {
+        let output = Output::required("step", step)?;
+        // SAFETY: the host passes a struct that may be written.
+        unsafe { output.write(fmc_friction_step::default()) };
+        Ok(())
+    })
+}
+
+/// Forces at the end `coords` of a step; forces and slip are written once all has succeeded.
+///
+/// # Safety
+/// The host guarantees the arrays of the step, and both views.
+pub(crate) unsafe fn in_step(
+    step: &fmc_friction_step,
+    session: &mut dyn Session,
+    coords: &fmc_coords,
+    forces: &fmc_forces,
+    base: i32,
+) -> Result<Evaluation, Failure> {
+    let room = Room::new(step.next_slip_capacity, step.next_slip_count)?;
+    let start = fmc_coords { data: step.start, ..*coords };
+    // SAFETY: passed on to the caller.
+    unsafe {
+        session.begin_step(&start, base)?;
+        let length = session.slip()?.len();
+        let carried = carried(step, length)?;
+        session.set_slip(&carried)?;
+        let is_wanted = room.is_asked("numbers of the slip", &[step.next_slip.is_null()], length)?;
+        if is_wanted && length > 0 {
+            check("next_slip", step.next_slip.cast_const())?;
+        }
+        let mut next_slip = Vec::new();
+        if is_wanted {
+            session.commit_step(coords, base)?;
+            next_slip.extend(session.slip()?);
+            session.begin_step(&start, base)?;
+            session.set_slip(&carried)?;
+        }
+        let found = session.evaluate(coords, Some(forces), false, base)?;
+        if is_wanted {
+            room.write("numbers of the slip", "next_slip", &next_slip, step.next_slip)?;
+        } else {
+            room.tell(length);
+        }
+        Ok(found)
+    }
+}
+
+/// The slip that was carried into a step, a copy since the host may have the next one written over it.
+///
+/// # Safety
+/// The host guarantees the arrays of the step.
+unsafe fn carried(step: &fmc_friction_step, length: usize) -> Result<Vec<f64>, Failure> {
+    if step.slip.is_null() {
+        return Ok(vec![0.0; length]);
+    }
+    if step.slip_count != length {
+        let found = step.slip_count;
+        let text = format!("the slip of the step has {found} numbers, and {length} are expected: dim for every facet");
+        return Err(Failure::new(FMC_ERROR_LENGTH, text));
+    }
+    // SAFETY: passed on to the caller.
+    unsafe { slice("slip", step.slip, length, 1) }.map(<[f64]>::to_vec)
+}
