@@ -20,6 +20,7 @@ mod convex_shape;
 mod cuboid;
 mod cylinder;
 mod extent;
+mod faces;
 mod half_space;
 mod height_field;
 mod implicit_shape;
@@ -38,13 +39,14 @@ pub(crate) use convex_shape::ConvexShape;
 #[cfg(test)]
 pub(crate) use convex_shape::tests::convex;
 pub(crate) use extent::Extent;
+pub(crate) use faces::Faces;
 pub(crate) use half_space::HalfSpace;
 pub use height_field::HeightField;
 pub(crate) use implicit_shape::ImplicitShape;
 pub use measures::Measures;
 pub use obstacle::Obstacle;
 pub use signed_distance::SignedDistance;
-pub(crate) use solid::{Faces, Solid};
+pub(crate) use solid::Solid;
 
 use crate::Error;
 use std::sync::Arc;

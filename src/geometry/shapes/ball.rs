@@ -3,8 +3,8 @@
 use super::chord::{Chord, quadric};
 use super::convex_shape::ConvexShape;
 use super::extent::Extent;
+use super::faces::positive;
 use super::revolution::last_axis;
-use super::solid::positive;
 use crate::Error;
 use crate::geometry::Vector;
 use std::sync::Arc;

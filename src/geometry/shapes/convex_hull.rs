@@ -1,6 +1,7 @@
 //! Facets of the convex hull of points.
 
-use super::solid::{Faceted, Solid};
+use super::faces::Faceted;
+use super::solid::Solid;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;

@@ -2,9 +2,9 @@
 
 use super::chord::Chord;
 use super::extent::Extent;
+use super::faces::Faceted;
 #[cfg(feature = "shapes")]
 use super::nearest::Nearest;
-use super::solid::Faceted;
 use crate::geometry::Vector;
 use std::sync::Arc;
 

@@ -3,7 +3,7 @@
 use super::chord::{Chord, common, slab};
 use super::convex_shape::ConvexShape;
 use super::extent::Extent;
-use super::solid::{Faceted, positive};
+use super::faces::{Faceted, positive};
 use crate::Error;
 use crate::geometry::Vector;
 

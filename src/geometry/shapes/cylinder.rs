@@ -4,10 +4,10 @@ use super::chord::{Chord, common, quadric, slab};
 use super::convex_shape::ConvexShape;
 use super::cuboid::distance_from_box;
 use super::extent::Extent;
+use super::faces::positive;
 #[cfg(feature = "shapes")]
 use super::nearest::{Nearest, PLANE, UPRIGHT, by_parry};
 use super::revolution::{radial, turned};
-use super::solid::positive;
 use crate::Error;
 use crate::geometry::Vector;
 use std::sync::Arc;

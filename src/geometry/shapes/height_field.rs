@@ -1,6 +1,7 @@
 //! The solid below a height field, as a closed surface.
 
-use super::solid::{Faceted, Solid, positive};
+use super::faces::{Faceted, positive};
+use super::solid::Solid;
 use crate::Error;
 
 /// Heights over a rectangular grid (2D: over a segment), and the solid below them.

@@ -1,6 +1,6 @@
 //! Nearest points of boundaries, by parry's point queries.
 
-use super::solid::Faces;
+use super::faces::Faces;
 use crate::geometry::aabb::Aabb;
 
 /// From a point to whether it is inside and the nearest point of the boundary, in the frame of the shape.

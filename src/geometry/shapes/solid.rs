@@ -1,20 +1,11 @@
 //! Shapes as contact is measured with them.
 
 use super::convex_shape::ConvexShape;
+use super::faces::Faces;
 use super::implicit_shape::ImplicitShape;
 use super::signed_distance::SignedDistance;
 use crate::Error;
-use crate::geometry::{Bodies, Surface, Vector};
 use std::sync::Arc;
-
-/// Corners of a closed surface and its facets.
-pub(crate) type Faceted<const D: usize> = (Vec<[f64; D]>, Vec<[u32; D]>);
-
-/// A closed surface that is one body, cavities and all, and where its corners are.
-pub(crate) struct Faces<const D: usize> {
-    pub(crate) surface: Surface<D>,
-    pub(crate) points: Vec<Vector<D>>,
-}
 
 /// A shape in its own frame, its values checked.
 pub(crate) enum Solid<const D: usize> {
@@ -56,17 +47,4 @@ impl<const D: usize> Solid<D> {
             Solid::Faceted(faces) => Some(faces),
         }
     }
-}
-
-impl<const D: usize> Faces<D> {
-    fn new(points: &[[f64; D]], facets: &[[u32; D]]) -> Result<Self, Error> {
-        let surface = Surface::from_facets(points, facets, Bodies::Ids(&vec![0; facets.len()]))?;
-        let points = surface.points(points);
-        Ok(Self { surface, points })
-    }
-}
-
-/// A measure that has to be positive.
-pub(super) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
-    if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Error::NotPositive { name, value }) }
 }
