@@ -35,13 +35,13 @@ needs_compiler = pytest.mark.skipif(shutil.which("cc") is None, reason="no C com
 def test_another_version_of_the_interface_is_refused(tmp_path):
     found = import_with(built(tmp_path, "int fmc_abi_version(void) { return 99; }"))
     assert found.returncode == 1
-    assert "version 99 of the binary interface, this package is for version 2" in found.stderr
+    assert "version 99 of the binary interface, this package is for version 3" in found.stderr
 
 
 @needs_compiler
 def test_a_library_without_a_function_is_refused(tmp_path):
     with pytest.raises(errors.LibraryError, match="no function fmc_version: it is older than this package"):
-        _library.load(str(built(tmp_path, "int fmc_abi_version(void) { return 2; }")))
+        _library.load(str(built(tmp_path, "int fmc_abi_version(void) { return 3; }")))
 
 
 @needs_compiler

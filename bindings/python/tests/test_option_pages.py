@@ -29,7 +29,7 @@ def rows(page):
 def defaults(struct):
     options = getattr(_structs, struct)()
     check(getattr(library, f"{struct}_init")(byref(options)))
-    fields = [name for name, _ in options._fields_ if name not in ("struct_size", "reserved")]
+    fields = [name for name, _ in options._fields_ if name != "struct_size" and not name.startswith("reserved")]
     return {name: getattr(options, name) for name in fields}
 
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from ctypes import byref, c_int32, c_size_t
+from ctypes import byref, c_size_t
 from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import vector
@@ -499,10 +500,10 @@ class Obstacles:
         >>> shape, pose.position
         ('ball', array([0.5 , 1.05]))
         """
-        shape, pose = c_int32(), fmc_pose()
+        shape, pose = np.zeros(1, np.int32), fmc_pose()
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_obstacle_shape, _index(obstacle), byref(shape), byref(pose))
-        return Obstacle(SHAPES[shape.value], placed(pose, self._core.dim))
+            self._core.handle.call(library.fmc_context_obstacle_shape, _index(obstacle), shape, byref(pose))
+        return Obstacle(SHAPES[int(shape[0])], placed(pose, self._core.dim))
 
     def remove(self, obstacle: int) -> None:
         """Removes an obstacle, and the options of its pairs.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from ctypes import POINTER, addressof, byref, c_double, cast, pointer
+from ctypes import addressof, byref, c_double, pointer
 from typing import Any, Callable, NamedTuple, Optional
 
 import numpy as np
@@ -107,7 +107,7 @@ class Shape:
             if heights.ndim != dim - 1:
                 raise shape_error("heights", heights.shape, f"{dim - 1} axes in {dim}D")
             kept.append(heights)
-            struct.heights = cast(heights.ctypes.data, POINTER(c_double))
+            struct.heights = heights.ctypes.data
             struct.counts[: dim - 1] = heights.shape
             struct.lengths[: dim - 1] = vector(() if self.lengths is None else self.lengths, dim - 1, "lengths").tolist()
         if self.parts:
