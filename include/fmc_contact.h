@@ -376,6 +376,24 @@ typedef enum {
   FMC_STEP_NOT_CONVERGED = 2,
 } fmc_contact_step_state;
 
+// Class of a status: what a host does about it.
+typedef enum {
+  // Success.
+  FMC_CLASS_OK = 0,
+  // An argument, an option or an array is wrong: mend the call. Trying again does not help.
+  FMC_CLASS_INPUT = 1,
+  // The mesh or a shape is wrong, or became so as it deformed: mend it, or take a shorter step.
+  FMC_CLASS_GEOMETRY = 2,
+  // Numbers ran away, or a matrix cannot be factorised: take a shorter step, or hold the bodies.
+  FMC_CLASS_NUMERICAL = 3,
+  // More threads, lines, pieces or steps than there is room for: ask for less.
+  FMC_CLASS_RESOURCE = 4,
+  // Calls in an order, or on ranks, that do not go together.
+  FMC_CLASS_PROTOCOL = 5,
+  // A defect of this library.
+  FMC_CLASS_INTERNAL = 6,
+} fmc_status_class_value;
+
 // Factors of the stiffness K of bodies, with the equations that feel contact retained for the end. Opaque.
 //
 // For hosts whose solver has no Schur complements: from K, which the host assembles without contact and without what is held, come

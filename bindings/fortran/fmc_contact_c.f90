@@ -139,6 +139,13 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_STEP_CONVERGED = 0
   integer(c_int32_t), parameter :: FMC_STEP_OUTSIDE = 1
   integer(c_int32_t), parameter :: FMC_STEP_NOT_CONVERGED = 2
+  integer(c_int32_t), parameter :: FMC_CLASS_OK = 0
+  integer(c_int32_t), parameter :: FMC_CLASS_INPUT = 1
+  integer(c_int32_t), parameter :: FMC_CLASS_GEOMETRY = 2
+  integer(c_int32_t), parameter :: FMC_CLASS_NUMERICAL = 3
+  integer(c_int32_t), parameter :: FMC_CLASS_RESOURCE = 4
+  integer(c_int32_t), parameter :: FMC_CLASS_PROTOCOL = 5
+  integer(c_int32_t), parameter :: FMC_CLASS_INTERNAL = 6
 
   type, bind(c) :: fmc_options
     integer(c_size_t) :: struct_size

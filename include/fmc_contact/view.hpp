@@ -28,6 +28,8 @@ class Error : public std::runtime_error {
   fmc_status status() const noexcept { return status_; }
   // Its name, such as "FMC_ERROR_INVERTED_CELL", with which `what()` begins.
   const char *name() const noexcept { return fmc_status_name(status_); }
+  // Value of `fmc_status_class_value`: whether input, geometry, numbers, resources or the order of calls are to blame.
+  int32_t status_class() const noexcept { return fmc_status_class(status_); }
 
  private:
   fmc_status status_;

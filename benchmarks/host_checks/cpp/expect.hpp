@@ -24,7 +24,8 @@ bool refused(fmc_status status, const std::string &words, Call &&call) {
     call();
   } catch (const fmc::Error &error) {
     const std::string text = error.what();
-    const bool good = error.status() == status && text.find(error.name()) == 0 && text.find(words) != std::string::npos;
+    const bool good = error.status() == status && error.status_class() == fmc_status_class(status) &&
+                      text.find(error.name()) == 0 && text.find(words) != std::string::npos;
     if (!good) std::printf("%s\n", error.what());
     return good;
   }

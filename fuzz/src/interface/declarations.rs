@@ -134,6 +134,13 @@ pub const FMC_NODE_SLIDING: i32 = 3;
 pub const FMC_STEP_CONVERGED: i32 = 0;
 pub const FMC_STEP_OUTSIDE: i32 = 1;
 pub const FMC_STEP_NOT_CONVERGED: i32 = 2;
+pub const FMC_CLASS_OK: i32 = 0;
+pub const FMC_CLASS_INPUT: i32 = 1;
+pub const FMC_CLASS_GEOMETRY: i32 = 2;
+pub const FMC_CLASS_NUMERICAL: i32 = 3;
+pub const FMC_CLASS_RESOURCE: i32 = 4;
+pub const FMC_CLASS_PROTOCOL: i32 = 5;
+pub const FMC_CLASS_INTERNAL: i32 = 6;
 
 #[repr(C)]
 pub struct fmc_condensation {

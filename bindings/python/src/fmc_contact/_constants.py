@@ -134,6 +134,13 @@ FMC_NODE_SLIDING = 3
 FMC_STEP_CONVERGED = 0
 FMC_STEP_OUTSIDE = 1
 FMC_STEP_NOT_CONVERGED = 2
+FMC_CLASS_OK = 0
+FMC_CLASS_INPUT = 1
+FMC_CLASS_GEOMETRY = 2
+FMC_CLASS_NUMERICAL = 3
+FMC_CLASS_RESOURCE = 4
+FMC_CLASS_PROTOCOL = 5
+FMC_CLASS_INTERNAL = 6
 
 FMC_STATUS: dict[int, str] = {
     0: "ok",
@@ -256,3 +263,13 @@ FMC_WARNING: dict[int, str] = {
 FMC_NODE_STATUS: dict[int, str] = {0: "apart", 1: "touching", 2: "sticking", 3: "sliding"}
 
 FMC_CONTACT_STEP_STATE: dict[int, str] = {0: "converged", 1: "outside", 2: "not_converged"}
+
+FMC_STATUS_CLASS_VALUE: dict[int, str] = {
+    0: "ok",
+    1: "input",
+    2: "geometry",
+    3: "numerical",
+    4: "resource",
+    5: "protocol",
+    6: "internal",
+}
