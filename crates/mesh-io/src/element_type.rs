@@ -73,8 +73,11 @@ impl ElementType {
     /// Why these cells cannot be used.
     pub(super) fn refusal(&self) -> String {
         let Self { name, .. } = self;
-        let taken: Vec<String> = CellType::all().map(|cell_type| format!("{cell_type:?}")).collect();
-        format!("{name} cells are not supported, only {}", taken.join(", "))
+        let named = |first_order: bool| {
+            let of_order = CellType::all().filter(|cell_type| (cell_type.straight() == *cell_type) == first_order);
+            of_order.map(|cell_type| format!("{cell_type:?}")).collect::<Vec<_>>().join(", ")
+        };
+        format!("{name} cells are not supported, only {}, and of second order {}", named(true), named(false))
     }
 }
 

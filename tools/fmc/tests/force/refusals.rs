@@ -145,7 +145,7 @@ fn usage_that_makes_no_sense() {
         ("--stiffness 1 --fibers 10 --estimator exact", &["--fibers has an effect with --estimator fibers only"]),
         ("--stiffness 1 --fiber-length 1", &["--pattern isotropic"]),
         ("--stiffness 1 --law volume --pattern isotropic", &["--pattern isotropic needs --estimator fibers"]),
-        ("--stiffness 1 --law depth --estimator fibers --pattern isotropic", &["the law depth on isotropic fibers"]),
+        ("--stiffness 1 --law fiber --estimator fibers --pattern isotropic", &["isotropic fibers"]),
         ("--stiffness 1 --fibers 10", &["--fibers has an effect with --estimator fibers only"]),
         ("--stiffness 1 --law depth --m 2", &["--m has an effect with --law volume only"]),
         ("--stiffness 1 --threads 0", &["at least 1"]),
