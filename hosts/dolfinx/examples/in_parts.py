@@ -38,7 +38,7 @@ contact = PartitionedContact(
     "triangle",
     node_numbers=mesh.geometry.input_global_indices,
     cell_numbers=cell_numbers,
-    bodies=cell_numbers >= len(cells_of_lower),
+    bodies=np.where(cell_numbers < len(cells_of_lower), 0, 1),
     stiffness=stiffness,
     law="depth",
 )
