@@ -95,7 +95,7 @@ impl Places {
         if pointer.is_null() {
             return Err(Failure::new(FMC_ERROR_NULL_POINTER, format!("'{name}' is NULL")));
         }
-        if pointer.addr() % size.bytes() != 0 {
+        if !pointer.addr().is_multiple_of(size.bytes()) {
             let text = format!("'{name}' is not aligned to {} bytes", size.bytes());
             return Err(Failure::new(FMC_ERROR_MISALIGNED_POINTER, text));
         }

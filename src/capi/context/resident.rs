@@ -181,7 +181,7 @@ impl<const D: usize> Session for Resident<D> {
 
     unsafe fn add_obstacle(&mut self, shape: &fmc_shape, pose: fmc_pose, index_base: i32) -> Result<usize, Failure> {
         // SAFETY: passed on to the caller.
-        let shape = unsafe { shape.to_shape(index_base) }?;
+        let shape = unsafe { shape.read_shape(index_base) }?;
         let pose: Pose<D> = pose.to_pose();
         self.held.contact_mut().add_obstacle(Obstacle { shape, pose }).map_err(Failure::counted_from(index_base))
     }

@@ -115,9 +115,9 @@ impl fmc_shape {
     ///
     /// # Safety
     /// The host guarantees the arrays that its kind has, and the parts with theirs.
-    pub(crate) unsafe fn to_shape<const D: usize>(&self, index_base: i32) -> Result<Shape<D>, Failure> {
+    pub(crate) unsafe fn read_shape<const D: usize>(&self, index_base: i32) -> Result<Shape<D>, Failure> {
         // The fields of the host are read through this alone, which is made here.
-        Fields { shape: self, index_base, nested: 0 }.to_shape()
+        Fields { shape: self, index_base, nested: 0 }.read_shape()
     }
 }
 
@@ -130,7 +130,7 @@ struct Fields<'a> {
 }
 
 impl Fields<'_> {
-    fn to_shape<const D: usize>(mut self) -> Result<Shape<D>, Failure> {
+    fn read_shape<const D: usize>(mut self) -> Result<Shape<D>, Failure> {
         let (found, expected) = (self.shape.struct_size, size_of::<fmc_shape>());
         if found != expected {
             let text = format!("fmc_shape has struct_size {found}, expected {expected}: call fmc_shape_init first");
@@ -156,14 +156,14 @@ impl<const D: usize> Measures<D> for Fields<'_> {
     }
 
     fn points(&mut self) -> Result<Vec<[f64; D]>, Failure> {
-        // SAFETY: the host guarantees the points, as `fmc_shape::to_shape` asks for.
+        // SAFETY: the host guarantees the points, as `fmc_shape::read_shape` asks for.
         Ok(unsafe { self.shape.points.rows("points", &mut Vec::new())?.to_vec() })
     }
 
     fn facets(&mut self) -> Result<Vec<[u32; D]>, Failure> {
         let &fmc_shape { facets, facet_count, index_size, ref points, .. } = self.shape;
         let numbering = Numbering { index_base: self.index_base, node_count: points.node_count };
-        // SAFETY: the host guarantees the facets, as `fmc_shape::to_shape` asks for.
+        // SAFETY: the host guarantees the facets, as `fmc_shape::read_shape` asks for.
         let facets = unsafe {
             match index_size {
                 4 => numbering.zero_based(slice("facets", facets.cast::<i32>(), facet_count, D)?, D, 0)?,
@@ -180,7 +180,7 @@ impl<const D: usize> Measures<D> for Fields<'_> {
     fn height_field(&mut self) -> Result<HeightField, Failure> {
         let counts = self.shape.counts[..D - 1].to_vec();
         let count = counts.iter().try_fold(1usize, |all, &count| all.checked_mul(count)).unwrap_or(usize::MAX);
-        // SAFETY: the host guarantees the heights, as `fmc_shape::to_shape` asks for.
+        // SAFETY: the host guarantees the heights, as `fmc_shape::read_shape` asks for.
         let heights = unsafe { slice("heights", self.shape.heights, count, 1) }?.to_vec();
         let lengths = self.shape.lengths[..D - 1].to_vec();
         Ok(HeightField { counts, lengths, heights, thickness: self.shape.thickness })
@@ -191,13 +191,13 @@ impl<const D: usize> Measures<D> for Fields<'_> {
             let text = format!("compounds lie in one another more than {NESTED} deep");
             return Err(Failure::new(FMC_ERROR_UNSUPPORTED, text));
         }
-        // SAFETY: the host guarantees the parts, as `fmc_shape::to_shape` asks for.
+        // SAFETY: the host guarantees the parts, as `fmc_shape::read_shape` asks for.
         let parts = unsafe { slice("parts", self.shape.parts.cast::<fmc_part>(), self.shape.part_count, 1) }?;
         let part = |part: &fmc_part| {
             // SAFETY: and their shapes.
             let shape = unsafe { reference("shape", part.shape) }?;
             let fields = Fields { shape, index_base: self.index_base, nested: self.nested + 1 };
-            Ok(Obstacle { shape: fields.to_shape()?, pose: part.pose.to_pose() })
+            Ok(Obstacle { shape: fields.read_shape()?, pose: part.pose.to_pose() })
         };
         parts.iter().map(part).collect()
     }
