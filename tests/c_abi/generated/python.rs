@@ -51,7 +51,7 @@ pub(super) fn structs(found: &Declarations) -> String {
     for callback in &found.callbacks {
         let returns = &callback.returns;
         let returned = if returns.of_type == "void" { "None".to_owned() } else { number(&returns.of_type).to_owned() };
-        let arguments = callback.arguments.iter().map(|argument| of_callback(argument));
+        let arguments = callback.arguments.iter().map(of_callback);
         let items: Vec<_> = std::iter::once(returned).chain(arguments).collect();
         body.push('\n');
         body += &listed("", &format!("{} = CFUNCTYPE(", returns.name), &items, ")");
