@@ -4,7 +4,7 @@ use crate::scene::Scene;
 use crate::{STIFFNESS, begun, in_plane, laws, raised, slid};
 use fmc_contact::contact::{Friction, PairOptions};
 use fmc_contact::overlap::Partner;
-use fmc_contact::{EnergyLaw, Options};
+use fmc_contact::{EnergyLaw, Obstacle, Options, Pose, Shape};
 use fmc_shapes::rectangle_quad4;
 
 /// A facet below two blocks that slide apart carries the mean of both slips, by the areas in contact.
@@ -84,5 +84,35 @@ fn another_law_forgets_how_facets_bore() {
             ..after
         };
         assert_eq!(forces(softer, after), forces(after, after));
+    }
+}
+
+/// Frozen friction is that of pairs that are there: an obstacle that is removed, and a pair that is left out, rub no more.
+#[test]
+fn what_is_gone_or_left_out_does_not_rub_where_friction_is_frozen() {
+    let scene = Scene::of(&[&rectangle_quad4([0.0, -1e-3], [1.0, 0.5], [2, 1])]);
+    let shifted: Vec<[f64; 2]> = scene.coords.iter().map(|x| [x[0] + 1e-4, x[1]]).collect();
+    let floor = |height: f64| Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0, height]) };
+    for options in laws(0.4) {
+        let frozen = |heights: &[f64]| {
+            let mut contact = scene.contact(options);
+            for &height in heights {
+                contact.add_obstacle(floor(height)).expect("an obstacle");
+            }
+            contact.begin_step(&scene.coords).expect("valid coordinates");
+            contact.freeze_friction(&shifted).expect("a step has begun");
+            contact
+        };
+        // The second floor lies deeper, and stays.
+        let alone = frozen(&[-5e-4]).evaluate(&shifted).expect("forces").forces;
+        assert!(alone.iter().any(|force| force[0] != 0.0));
+        let (mut removed, mut left_out) = (frozen(&[0.0, -5e-4]), frozen(&[0.0, -5e-4]));
+        removed.remove_obstacle(0).expect("it is there");
+        left_out
+            .set_pair_options([Partner::Body(0), Partner::Obstacle(0)], Some(PairOptions::excluded()))
+            .expect("a pair");
+        for contact in [removed, left_out] {
+            assert_eq!(contact.evaluate(&shifted).expect("forces").forces, alone, "{options:?}");
+        }
     }
 }

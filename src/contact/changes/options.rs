@@ -61,6 +61,10 @@ pub(crate) fn set_pair<const D: usize>(
     if changes {
         contact.history.forget_bearings();
     }
+    // What is left out adds nothing to any result, frozen or not.
+    if options.is_some_and(|options| options.excluded) {
+        contact.history.release_frozen(|partners| *partners == pair);
+    }
     contact.state.forget_found();
     Ok(())
 }

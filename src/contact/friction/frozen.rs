@@ -34,6 +34,11 @@ impl<const D: usize> FrozenFriction<D> {
         Self { pairs, coords: coords.to_vec(), poses, epoch }
     }
 
+    /// Releases the pairs of which this holds: those against what is gone, or left out.
+    pub(crate) fn release(&mut self, is_released: impl Fn(&[Partner; 2]) -> bool) {
+        self.pairs.retain(|pair| !is_released(&pair.partners));
+    }
+
     /// The facets with the slip that displacements since then have added; nothing else of them changes.
     pub(crate) fn at(&self, coords: &[[f64; D]], poses: &[Option<Pose<D>>]) -> Vec<SlipFacets<D>> {
         let mut pairs = self.pairs.clone();

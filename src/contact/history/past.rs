@@ -75,6 +75,14 @@ impl<const D: usize> History<D> {
     pub(crate) fn forget(&mut self, partner: Partner) {
         self.patches.forget(partner);
         self.multipliers.forget(partner);
+        self.release_frozen(|partners| partners.contains(&partner));
+    }
+
+    /// Releases frozen friction of some pairs alone; that of all others stays frozen.
+    pub(crate) fn release_frozen(&mut self, is_released: impl Fn(&[Partner; 2]) -> bool) {
+        if let Some(frozen) = &mut self.frozen {
+            frozen.release(is_released);
+        }
     }
 
     /// Goes on with other cells of the same mesh, whose points were at `started` when the step began; `facet` is the new number of a
