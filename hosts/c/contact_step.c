@@ -104,6 +104,9 @@ int main(void) {
   wrong += STEP(&when, dofs, stiffness, follow) != FMC_ERROR_NOT_POSITIVE;
   when.max_trials = -1;
   wrong += STEP(&when, dofs, stiffness, follow) != FMC_ERROR_NOT_POSITIVE;
+  when.max_trials = 12;
+  when.reserved[4] = 1;
+  wrong += STEP(&when, dofs, stiffness, follow) != FMC_ERROR_RESERVED_FIELD;
   when.struct_size = 1;
   wrong += STEP(&when, dofs, stiffness, follow) != FMC_ERROR_STRUCT_SIZE;
   wrong += d[0] != 7 || d[1] != 7;

@@ -3,6 +3,7 @@
 pub(super) mod dimension;
 pub(super) mod entry;
 pub(super) mod failure;
+pub(super) mod given_struct;
 pub(super) mod index;
 pub(super) mod last_error;
 pub(super) mod list;

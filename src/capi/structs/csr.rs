@@ -2,11 +2,12 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::pointer::{Output, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BAD_VALUE, FMC_ERROR_LENGTH, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE,
+    FMC_ERROR_BAD_VALUE, FMC_ERROR_LENGTH,
 };
 use std::ffi::c_void;
 use std::ptr::null;
@@ -72,15 +73,7 @@ pub(crate) struct Matrix<'a> {
 impl fmc_csr {
     /// Width of its numbers, where it was initialised.
     pub(crate) fn checked_size(&self) -> Result<IndexSize, Failure> {
-        let (found, expected) = (self.struct_size, size_of::<Self>());
-        if found != expected {
-            let text = format!("fmc_csr has struct_size {found}, expected {expected}: call fmc_csr_init first");
-            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
-        }
-        if self.reserved != [0; 4] {
-            let text = "a reserved field of fmc_csr is not zero: one of a later version of the library";
-            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, text));
-        }
+        check_struct::<Self>("fmc_csr", self.struct_size, &self.reserved)?;
         if !(0..=1).contains(&self.index_base) {
             let text = format!("the index_base of fmc_csr is {}, not 0 or 1", self.index_base);
             return Err(Failure::new(FMC_ERROR_BAD_VALUE, text));

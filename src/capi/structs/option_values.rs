@@ -2,8 +2,9 @@
 
 use super::options::{fmc_estimator, fmc_law, fmc_options, fmc_pattern, fmc_weights};
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BAD_VALUE, FMC_ERROR_OPTIONS_CONFLICT, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE,
+    FMC_ERROR_BAD_VALUE, FMC_ERROR_OPTIONS_CONFLICT,
 };
 use crate::contact::Friction;
 use crate::{
@@ -75,19 +76,7 @@ impl Choice {
 impl fmc_options {
     /// Whether the struct was initialised, and asks for nothing that only a later version knows.
     pub(crate) fn check_struct(&self) -> Result<(), Failure> {
-        if self.struct_size != size_of::<Self>() {
-            let text = format!(
-                "fmc_options has struct_size {}, expected {}: call fmc_options_init first",
-                self.struct_size,
-                size_of::<Self>()
-            );
-            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
-        }
-        if self.reserved != [0; 10] {
-            let text = "a reserved field of fmc_options is not zero: an option of a later version of the library";
-            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, text));
-        }
-        Ok(())
+        check_struct::<Self>("fmc_options", self.struct_size, &self.reserved)
     }
 
     /// Number of the first node.

@@ -6,10 +6,11 @@ use super::signed_distance::{Callback, fmc_signed_distance};
 use super::view::fmc_coords;
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BAD_VALUE, FMC_ERROR_NULL_POINTER, FMC_ERROR_STRUCT_SIZE, FMC_ERROR_UNSUPPORTED,
+    FMC_ERROR_BAD_VALUE, FMC_ERROR_NULL_POINTER, FMC_ERROR_UNSUPPORTED,
 };
 use crate::{HeightField, Measures, Obstacle, Shape, ShapeKind, SignedDistance};
 use std::ffi::c_void;
@@ -131,11 +132,7 @@ struct Fields<'a> {
 
 impl Fields<'_> {
     fn read_shape<const D: usize>(mut self) -> Result<Shape<D>, Failure> {
-        let (found, expected) = (self.shape.struct_size, size_of::<fmc_shape>());
-        if found != expected {
-            let text = format!("fmc_shape has struct_size {found}, expected {expected}: call fmc_shape_init first");
-            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
-        }
+        check_struct::<fmc_shape>("fmc_shape", self.shape.struct_size, &[])?;
         Shape::read(kind_of(self.shape.kind)?, &mut self)
     }
 }

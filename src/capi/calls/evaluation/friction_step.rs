@@ -2,10 +2,11 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::{Output, check, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_LENGTH, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_LENGTH;
 use crate::capi::context::session::Session;
 use crate::capi::structs::evaluation::Evaluation;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
@@ -58,18 +59,7 @@ impl Default for fmc_friction_step {
 impl fmc_friction_step {
     /// Whether it was initialised.
     pub(crate) fn check(&self) -> Result<(), Failure> {
-        let (found, expected) = (self.struct_size, size_of::<Self>());
-        if found != expected {
-            let text = format!(
-                "fmc_friction_step has struct_size {found}, expected {expected}: call fmc_friction_step_init first"
-            );
-            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
-        }
-        if self.reserved != [0; 8] {
-            let text = "a reserved field of fmc_friction_step is not zero: one of a later version of the library";
-            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, text));
-        }
-        Ok(())
+        check_struct::<Self>("fmc_friction_step", self.struct_size, &self.reserved)
     }
 
     /// Coordinates without deformation.

@@ -2,10 +2,11 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_OPTIONS_CONFLICT, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE,
+    FMC_ERROR_OPTIONS_CONFLICT,
 };
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::option_values::EXCLUDED;
@@ -97,18 +98,7 @@ impl From<PairOptions> for fmc_pair_options {
 impl fmc_pair_options {
     /// The options of the crate, which checks the numbers.
     fn to_pair_options(self) -> Result<PairOptions, Failure> {
-        if self.struct_size != size_of::<Self>() {
-            let text = format!(
-                "fmc_pair_options has struct_size {}, expected {}: call fmc_pair_options_init first",
-                self.struct_size,
-                size_of::<Self>()
-            );
-            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
-        }
-        if self.reserved != [0; 10] {
-            let text = "a reserved field of fmc_pair_options is not zero: an option of a later version of the library";
-            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, text));
-        }
+        check_struct::<Self>("fmc_pair_options", self.struct_size, &self.reserved)?;
         let coefficient = self.friction_coefficient;
         let friction_coefficient = (coefficient != f64::from(FMC_PAIR_FRICTION_OF_CONTEXT)).then_some(coefficient);
         Ok(PairOptions {
@@ -217,6 +207,7 @@ pub unsafe extern "C" fn fmc_context_pair_options(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::capi::boundary::status::fmc_status::{FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
 
     fn refused(change: impl FnOnce(&mut fmc_pair_options)) -> (fmc_status, String) {
         let mut options = fmc_pair_options::default();

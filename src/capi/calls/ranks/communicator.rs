@@ -2,9 +2,10 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_RANK, FMC_ERROR_NULL_POINTER, FMC_ERROR_STRUCT_SIZE};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_RANK, FMC_ERROR_NULL_POINTER};
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::{AllToAll, Communicator, Error};
 use std::ffi::c_void;
@@ -103,7 +104,7 @@ pub unsafe extern "C" fn fmc_communicator_init(communicator: *mut fmc_communicat
 /// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there; ranks that were given different things
 /// are all told so, by `FMC_ERROR_RANKS_DIFFER`.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
 /// context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_communicator(
@@ -170,10 +171,7 @@ unsafe impl Sync for HostRanks {}
 
 impl HostRanks {
     pub(crate) fn new(given: &fmc_communicator) -> Result<Self, Failure> {
-        if given.struct_size != size_of::<fmc_communicator>() || given.reserved != [0; 5] {
-            let text = "the communicator was not set by fmc_communicator_init";
-            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
-        }
+        check_struct::<fmc_communicator>("fmc_communicator", given.struct_size, &given.reserved)?;
         let (Ok(rank), Ok(size)) = (usize::try_from(given.rank), usize::try_from(given.size)) else {
             let text = format!("rank {} of {}: ranks are counted from 0", given.rank, given.size);
             return Err(Failure::new(FMC_ERROR_BAD_RANK, text));
@@ -230,4 +228,35 @@ fn wide(counts: &[usize]) -> Vec<u64> {
 /// What a function of the host returned.
 fn done(code: i32) -> Result<(), i32> {
     if code == 0 { Ok(()) } else { Err(code) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::boundary::status::fmc_status::{FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE, FMC_OK};
+
+    unsafe extern "C" fn nothing(_: *mut c_void, _: *const c_void, _: *const u64, _: *mut c_void) -> i32 {
+        0
+    }
+
+    #[test]
+    fn what_is_no_communicator_is_refused() {
+        let refused = |change: fn(&mut fmc_communicator)| {
+            let mut given = std::mem::MaybeUninit::uninit();
+            // SAFETY: room for a struct, which is initialised then.
+            let mut given = unsafe {
+                assert_eq!(fmc_communicator_init(given.as_mut_ptr()), FMC_OK);
+                given.assume_init()
+            };
+            given.all_gather = Some(nothing);
+            change(&mut given);
+            HostRanks::new(&given).map(|_| ()).map_err(|failure| failure.status)
+        };
+        assert_eq!(refused(|_| {}), Ok(()));
+        assert_eq!(refused(|given| given.struct_size -= 8), Err(FMC_ERROR_STRUCT_SIZE));
+        assert_eq!(refused(|given| given.reserved[4] = 1), Err(FMC_ERROR_RESERVED_FIELD));
+        assert_eq!(refused(|given| given.rank = 1), Err(FMC_ERROR_BAD_RANK));
+        assert_eq!(refused(|given| given.rank = -1), Err(FMC_ERROR_BAD_RANK));
+        assert_eq!(refused(|given| given.all_gather = None), Err(FMC_ERROR_NULL_POINTER));
+    }
 }

@@ -4,10 +4,11 @@ use super::communicator::{HostRanks, fmc_communicator};
 use crate::capi::boundary::dimension::checked_dimension;
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::pointer::{Output, reference, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_INDEX_SIZE, FMC_ERROR_STRUCT_SIZE};
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_INDEX_SIZE;
 use crate::capi::calls::mesh::creation::create;
 use crate::capi::context::resident::Resident;
 use crate::capi::context::session::Session;
@@ -134,9 +135,7 @@ unsafe fn read<'a, const D: usize>(
 ) -> Result<Given<'a, D>, Failure> {
     // SAFETY: passed on to the caller.
     let part = unsafe { reference("part", part) }?;
-    if part.struct_size != size_of::<fmc_mesh_part>() || part.reserved != [0; 4] {
-        return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, "the part was not set by fmc_mesh_part_init"));
-    }
+    check_struct::<fmc_mesh_part>("fmc_mesh_part", part.struct_size, &part.reserved)?;
     let size = IndexSize::new("the part", part.index_size)?;
     // SAFETY: as above.
     unsafe {

@@ -1,10 +1,9 @@
 //! The contact at the nodes, for output and for the host's own use.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_STRUCT_SIZE;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::nodal_lists::fmc_nodal_contact;
 use crate::capi::structs::view::fmc_coords;
@@ -42,13 +41,7 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
     entry(|| {
         // SAFETY: the host passes a struct.
         let to = *unsafe { reference("nodal", nodal) }?;
-        if to.struct_size != size_of::<fmc_nodal_contact>() {
-            let (found, wanted) = (to.struct_size, size_of::<fmc_nodal_contact>());
-            let text = format!(
-                "fmc_nodal_contact has struct_size {found}, expected {wanted}: call fmc_nodal_contact_init first"
-            );
-            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
-        }
+        check_struct::<fmc_nodal_contact>("fmc_nodal_contact", to.struct_size, &[])?;
         let numbers = [("pressure", to.pressure), ("gap", to.gap), ("area", to.area), ("normal", to.normal)];
         for (name, output) in numbers.into_iter().chain([("friction", to.friction), ("sliding", to.sliding)]) {
             Output::optional(name, output)?;

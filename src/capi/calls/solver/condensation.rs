@@ -76,7 +76,7 @@ pub unsafe extern "C" fn fmc_condensation_free(condensation: *mut *mut fmc_conde
 /// ascends. The other equations have to be positive definite: bodies that are held, or are so by what is retained. What depends on
 /// the pattern alone is kept for the next matrix of the same pattern, and factorising that takes less.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_INDEX_SIZE`,
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
 /// `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
 /// `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`,
 /// after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call

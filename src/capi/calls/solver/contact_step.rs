@@ -2,10 +2,11 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, check, copy_list, optional, reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BAD_VALUE, FMC_ERROR_DOF_OUT_OF_RANGE, FMC_ERROR_NOT_POSITIVE, FMC_ERROR_STRUCT_SIZE,
+    FMC_ERROR_BAD_VALUE, FMC_ERROR_DOF_OUT_OF_RANGE, FMC_ERROR_NOT_POSITIVE,
 };
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::placement::{Placement, fmc_place};
@@ -71,10 +72,7 @@ impl Default for fmc_contact_step_options {
 
 impl fmc_contact_step_options {
     fn to_options(self) -> Result<ContactStepOptions, Failure> {
-        if self.struct_size != size_of::<Self>() || self.reserved != [0; 5] {
-            let text = "the options of a contact step were not set by fmc_contact_step_options_init";
-            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
-        }
+        check_struct::<Self>("fmc_contact_step_options", self.struct_size, &self.reserved)?;
         let count = |name, value: i32| {
             let text = || format!("'{name}' is {value}, which is not allowed");
             usize::try_from(value).map_err(|_| Failure::new(FMC_ERROR_NOT_POSITIVE, text()))
@@ -178,7 +176,7 @@ pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact
 /// in every iteration: some 500 take tenths of a second.
 ///
 /// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
-/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE` and `FMC_ERROR_STRUCT_SIZE` for the options,
+/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,
 /// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
 /// a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
 /// one call at a time on a context.
