@@ -371,8 +371,7 @@ typedef enum {
   // Contact acts on degrees of freedom that are neither on the list nor fixed: the displacement is what was reached when it
   // did, and a longer list is needed.
   FMC_STEP_OUTSIDE = 1,
-  // The iterations have run out, or the residual could not be lowered any more, or the penetration; the displacement is what was
-  // reached.
+  // The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
   FMC_STEP_NOT_CONVERGED = 2,
 } fmc_contact_step_state;
 
@@ -784,21 +783,15 @@ typedef struct {
   int32_t max_iterations;
   // Trials along a direction, at most, at least 1. Default 12.
   int32_t max_trials;
-  // Largest mean penetration of a node that is wanted, a length; 0, the default: that of the law, as it is. Where the law leaves
-  // more, an augmented Lagrangian takes over, whose pressures at nodes need no penetration: for the laws "depth" and
-  // "fiber", without friction and self-contact.
-  double penetration;
-  // How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
-  double reach;
-  // Updates of these pressures, at most, at least 1. Default 20.
-  int32_t max_updates;
   // 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
   // energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
   // degree of freedom of the list, then one ten times as stiff, and so on. Each may take `max_iterations`. What is reported
   // is that of the contact as it is. 0, the default: off.
   int32_t soft_start;
+  // Zero. Room for switches of later versions.
+  int32_t reserved_flags;
   // Zero. Room for options of later versions.
-  uint64_t reserved[5];
+  uint64_t reserved[7];
 } fmc_contact_step_options;
 
 // Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
@@ -830,12 +823,8 @@ typedef struct {
   double residual;
   // What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
   double scale;
-  // Updates of the pressures of an augmented Lagrangian.
-  size_t update_count;
-  // Largest mean penetration of a node at the end, where one was asked for; else 0.
-  double penetration;
   // Zero.
-  uint64_t reserved[6];
+  uint64_t reserved[8];
 } fmc_contact_step_result;
 
 // Contact force and moment on one body or obstacle.
@@ -1375,9 +1364,10 @@ fmc_status fmc_csr_init(fmc_csr *matrix);
 // is kept (`fmc_context_keep_pattern`) is released.
 // `weights` NULL: nodes move by themselves again.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_LENGTH` for another number of rows and
-// for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that does not exist, `FMC_ERROR_OVERFLOW` for a weight that
-// is not finite; nothing changes then. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
+// `FMC_ERROR_LENGTH` for another number of rows and for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that
+// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite; nothing changes then. Threads: one call at a time on a
+// context.
 fmc_status fmc_context_set_basis(fmc_context *context,
                                  const fmc_csr *weights,
                                  size_t unknown_count);
@@ -1618,7 +1608,7 @@ fmc_status fmc_communicator_init(fmc_communicator *communicator);
 // An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there; ranks that were given different things
 // are all told so, by `FMC_ERROR_RANKS_DIFFER`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
 // context.
 fmc_status fmc_context_set_communicator(fmc_context *context,
                                         const fmc_communicator *communicator);
@@ -1737,16 +1727,14 @@ fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 // than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
 // `dof_count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 //
-// With `penetration` in the options no node penetrates by more than that on average over its part of the surface, however soft the
-// law is. What balances the bodies at the end is then not the force of the law, but `S d + r`.
+// For less penetration than the law leaves, call `fmc_context_augment` where the step has led, and take the step again.
 //
 // Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `dof_count` equations are made
 // in every iteration: some 500 take tenths of a second.
 //
 // Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
-// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE` and `FMC_ERROR_STRUCT_SIZE` for the options,
-// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
-// a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
+// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,
+// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
 // one call at a time on a context.
 fmc_status fmc_context_contact_step(fmc_context *context,
                                     const fmc_coords *coords,
@@ -1778,7 +1766,7 @@ fmc_status fmc_condensation_free(fmc_condensation **condensation);
 // ascends. The other equations have to be positive definite: bodies that are held, or are so by what is retained. What depends on
 // the pattern alone is kept for the next matrix of the same pattern, and factorising that takes less.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_INDEX_SIZE`,
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
 // `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
 // `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`,
 // after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call

@@ -183,16 +183,16 @@ pub enum Error {
         cause: Box<Error>,
     },
     /// A list of degrees of freedom names one that does not exist.
-    FreedomOutOfRange {
+    DofOutOfRange {
         /// As given.
-        freedom: i64,
+        dof: i64,
         /// How many there are.
         count: usize,
     },
     /// A list of degrees of freedom does not ascend, or names one that another list has.
-    RepeatedFreedom {
+    RepeatedDof {
         /// The one that comes too late.
-        freedom: usize,
+        dof: usize,
     },
     /// A stiffness or a residual that was given is NaN or infinite.
     NonFiniteStiffness {
@@ -204,12 +204,12 @@ pub enum Error {
     /// The stiffness of bodies and contact together is singular to rounding.
     SingularStiffness {
         /// Degree of freedom at which it was found, `node * dim + axis`.
-        freedom: usize,
+        dof: usize,
     },
     /// The stiffness of bodies and contact together has a negative eigenvalue, even without what contact may add to it.
     IndefiniteStiffness {
         /// Degree of freedom at which it was found, `node * dim + axis`.
-        freedom: usize,
+        dof: usize,
         /// The stiffness there once those before it have been eliminated.
         pivot: f64,
     },

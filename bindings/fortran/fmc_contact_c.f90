@@ -312,11 +312,9 @@ module fmc_contact_c
     real(c_double) :: full_below
     integer(c_int32_t) :: max_iterations
     integer(c_int32_t) :: max_trials
-    real(c_double) :: penetration
-    real(c_double) :: reach
-    integer(c_int32_t) :: max_updates
     integer(c_int32_t) :: soft_start
-    integer(c_int64_t) :: reserved(5)
+    integer(c_int32_t) :: reserved_flags
+    integer(c_int64_t) :: reserved(7)
   end type
 
   type, bind(c) :: fmc_contact_step_result
@@ -328,9 +326,7 @@ module fmc_contact_c
     real(c_double) :: residual_at_start
     real(c_double) :: residual
     real(c_double) :: scale
-    integer(c_size_t) :: update_count
-    real(c_double) :: penetration
-    integer(c_int64_t) :: reserved(6)
+    integer(c_int64_t) :: reserved(8)
   end type
 
   type, bind(c) :: fmc_resultant

@@ -31,15 +31,15 @@ impl Error {
                 nodes.iter_mut().for_each(|node| *node += base);
             }
             Error::NonFiniteSlip { facet } => *facet += base,
-            Error::FreedomOutOfRange { freedom, count: _ } => *freedom += base as i64,
+            Error::DofOutOfRange { dof, count: _ } => *dof += base as i64,
             Error::NotPositiveDefinite { equation } => *equation += base,
             Error::Unsymmetric { row, column } => {
                 *row += base;
                 *column += base;
             }
-            Error::RepeatedFreedom { freedom }
-            | Error::SingularStiffness { freedom }
-            | Error::IndefiniteStiffness { freedom, pivot: _ } => *freedom += base,
+            Error::RepeatedDof { dof }
+            | Error::SingularStiffness { dof }
+            | Error::IndefiniteStiffness { dof, pivot: _ } => *dof += base,
             Error::OfPair { sides: _, cause } => {
                 let own = std::mem::replace(&mut **cause, Error::Empty);
                 **cause = own.counted_from(base);
@@ -91,7 +91,7 @@ mod tests {
         assert_eq!(Error::NonFiniteSlip { facet: 2 }.counted_from(1), Error::NonFiniteSlip { facet: 3 });
         let of_pair = |cause| Error::OfPair { sides: [("body", 0), ("obstacle", 1)], cause: Box::new(cause) };
         assert_eq!(of_pair(error).counted_from(1), of_pair(Error::RepeatedNode { cell: 1, node: 5 }));
-        let dof = |freedom| Error::FreedomOutOfRange { freedom, count: 4 };
+        let dof = |dof| Error::DofOutOfRange { dof, count: 4 };
         assert_eq!(dof(9).counted_from(1), dof(10));
         let given = Error::NodeOutOfRange { cell: 0, node: 9, node_count: 4 };
         assert_eq!(given.counted_from(1), Error::NodeOutOfRange { cell: 1, node: 9, node_count: 4 });

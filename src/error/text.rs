@@ -80,21 +80,21 @@ impl fmt::Display for Error {
             Error::OfPair { sides: [(first, a), (second, b)], cause } => {
                 write!(f, "pair of {first} {a} and {second} {b}: {cause}")
             }
-            Error::FreedomOutOfRange { freedom, count } => {
-                write!(f, "a list names degree of freedom {freedom}, but there are {count}")
+            Error::DofOutOfRange { dof, count } => {
+                write!(f, "a list names degree of freedom {dof}, but there are {count}")
             }
-            Error::RepeatedFreedom { freedom } => {
-                write!(f, "degree of freedom {freedom} is named twice, or after one of a higher number")
+            Error::RepeatedDof { dof } => {
+                write!(f, "degree of freedom {dof} is named twice, or after one of a higher number")
             }
             Error::NonFiniteStiffness { array, entry } => write!(f, "entry {entry} of '{array}' is not finite"),
-            Error::SingularStiffness { freedom } => write!(
+            Error::SingularStiffness { dof } => write!(
                 f,
-                "the stiffness of bodies and contact together is singular at degree of freedom {freedom}: is every body held?"
+                "the stiffness of bodies and contact together is singular at degree of freedom {dof}: is every body held?"
             ),
-            Error::IndefiniteStiffness { freedom, pivot } => write!(
+            Error::IndefiniteStiffness { dof, pivot } => write!(
                 f,
                 "the stiffness of bodies and contact together is not positive definite: it is {pivot:.3e} at degree of \
-                 freedom {freedom}, when those before it move freely"
+                 freedom {dof}, when those before it move freely"
             ),
             Error::NotPositiveDefinite { equation } => write!(
                 f,

@@ -44,7 +44,7 @@ pub(crate) fn scene(law: EnergyLaw, friction: f64) -> Scene {
     for cell in conn.chunks(4) {
         (0..4).for_each(|k| join(cell[k] as usize, cell[(k + 1) % 4] as usize, 50.0));
     }
-    let residual = DVector::from_fn(count, |freedom, _| if freedom % 2 == 1 { 3.0 } else { -1.5 });
+    let residual = DVector::from_fn(count, |dof, _| if dof % 2 == 1 { 3.0 } else { -1.5 });
     Scene { coords, contact, stiffness, residual }
 }
 
@@ -57,6 +57,11 @@ impl Scene {
     /// Number of unknowns.
     pub(crate) fn length(&self) -> usize {
         self.residual.len()
+    }
+
+    /// Stiffness of the bodies.
+    pub(crate) fn stiffness(&self) -> &DMatrix<f64> {
+        &self.stiffness
     }
 
     /// What contact must bear for equilibrium.
@@ -97,7 +102,7 @@ impl Scene {
     /// The step on the unknowns of the lower two rows, and where it leads all of them.
     pub(crate) fn condensed(&self, options: &ContactStepOptions) -> (DVector<f64>, fmc_contact::contact::ContactStep) {
         let count = 2 * self.coords.len();
-        let is_kept = |freedom: &usize| self.coords[freedom / 2][1] < 0.2;
+        let is_kept = |dof: &usize| self.coords[dof / 2][1] < 0.2;
         let (kept, inner): (Vec<usize>, Vec<usize>) = (0..count).partition(is_kept);
         let pick = |rows: &[usize], cols: &[usize]| {
             DMatrix::from_fn(rows.len(), cols.len(), |r, c| self.stiffness[(rows[r], cols[c])])
@@ -110,8 +115,8 @@ impl Scene {
         let whole = |d: &[f64]| {
             let inside = -&loaded - &across * DVector::from_column_slice(d);
             let mut all = DVector::zeros(count);
-            kept.iter().zip(d).for_each(|(&freedom, d)| all[freedom] = *d);
-            inner.iter().zip(inside.iter()).for_each(|(&freedom, d)| all[freedom] = *d);
+            kept.iter().zip(d).for_each(|(&dof, d)| all[dof] = *d);
+            inner.iter().zip(inside.iter()).for_each(|(&dof, d)| all[dof] = *d);
             all
         };
         let mut place = |d: &[f64], coords: &mut [[f64; 2]]| {
@@ -119,7 +124,7 @@ impl Scene {
             Ok(())
         };
         let rows: Vec<f64> = schur.transpose().as_slice().to_vec();
-        let bodies = CondensedBodies { freedoms: &kept, held: &[], stiffness: &rows, residual: right.as_slice() };
+        let bodies = CondensedBodies { dofs: &kept, held: &[], stiffness: &rows, residual: right.as_slice() };
         let found = self.contact.contact_step(&self.coords, &bodies, options, Some(&mut place)).unwrap();
         (whole(&found.displacement), found)
     }
@@ -135,8 +140,7 @@ fn it_is_that_of_all_unknowns_at_once_with_every_law() {
     for law in laws {
         let mut scene = scene(law, 0.0);
         if law.is_fiber() {
-            let pushed =
-                DVector::from_fn(2 * scene.coords.len(), |freedom, _| if freedom % 2 == 1 { -0.12 } else { 0.0 });
+            let pushed = DVector::from_fn(2 * scene.coords.len(), |dof, _| if dof % 2 == 1 { -0.12 } else { 0.0 });
             let there = scene.at(&pushed);
             scene.contact.keep_patches(&there).unwrap();
         }

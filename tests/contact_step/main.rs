@@ -1,5 +1,6 @@
 //! Equilibrium of the contact with condensed bodies.
 
+mod constrained;
 mod equilibrium;
 mod moved_out;
 mod penetration;

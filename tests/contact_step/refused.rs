@@ -4,10 +4,10 @@ use crate::springs::{SPRING, square};
 use fmc_contact::Error;
 use fmc_contact::contact::{CondensedBodies, ContactStepOptions};
 
-fn refused(freedoms: &[usize], held: &[usize], stiffness: &[f64], residual: &[f64]) -> Error {
+fn refused(dofs: &[usize], held: &[usize], stiffness: &[f64], residual: &[f64]) -> Error {
     let (coords, contact) = square(-0.05);
     let before = contact.evaluate(&coords).unwrap();
-    let bodies = CondensedBodies { freedoms, held, stiffness, residual };
+    let bodies = CondensedBodies { dofs, held, stiffness, residual };
     let error = contact.contact_step(&coords, &bodies, &ContactStepOptions::default(), None).unwrap_err();
     assert_eq!(contact.evaluate(&coords).unwrap(), before);
     error
@@ -15,12 +15,12 @@ fn refused(freedoms: &[usize], held: &[usize], stiffness: &[f64], residual: &[f6
 
 #[test]
 fn lists_and_arrays_are_looked_at() {
-    let freedom = |freedom, count| Error::FreedomOutOfRange { freedom, count };
-    assert_eq!(refused(&[1, 8], &[], &[0.0; 4], &[0.0; 2]), freedom(8, 8));
-    assert_eq!(refused(&[1], &[9], &[0.0; 1], &[0.0; 1]), freedom(9, 8));
-    assert_eq!(refused(&[3, 1], &[], &[0.0; 4], &[0.0; 2]), Error::RepeatedFreedom { freedom: 1 });
-    assert_eq!(refused(&[1, 1], &[], &[0.0; 4], &[0.0; 2]), Error::RepeatedFreedom { freedom: 1 });
-    assert_eq!(refused(&[1, 3], &[3], &[0.0; 4], &[0.0; 2]), Error::RepeatedFreedom { freedom: 3 });
+    let dof = |dof, count| Error::DofOutOfRange { dof, count };
+    assert_eq!(refused(&[1, 8], &[], &[0.0; 4], &[0.0; 2]), dof(8, 8));
+    assert_eq!(refused(&[1], &[9], &[0.0; 1], &[0.0; 1]), dof(9, 8));
+    assert_eq!(refused(&[3, 1], &[], &[0.0; 4], &[0.0; 2]), Error::RepeatedDof { dof: 1 });
+    assert_eq!(refused(&[1, 1], &[], &[0.0; 4], &[0.0; 2]), Error::RepeatedDof { dof: 1 });
+    assert_eq!(refused(&[1, 3], &[3], &[0.0; 4], &[0.0; 2]), Error::RepeatedDof { dof: 3 });
     let length = |array, expected, found| Error::Length { array, expected, found };
     assert_eq!(refused(&[1, 3], &[], &[0.0; 4], &[0.0; 1]), length("residual", 2, 1));
     assert_eq!(refused(&[1, 3], &[], &[0.0; 3], &[0.0; 2]), length("stiffness", 4, 3));
@@ -32,18 +32,15 @@ fn lists_and_arrays_are_looked_at() {
 #[test]
 fn options_out_of_their_range_are_named() {
     let (coords, contact) = square(-0.05);
-    let bodies = CondensedBodies { freedoms: &[], held: &[], stiffness: &[], residual: &[] };
+    let bodies = CondensedBodies { dofs: &[], held: &[], stiffness: &[], residual: &[] };
     let plain = ContactStepOptions::default();
     for (name, options) in [
         ("tolerance", ContactStepOptions { tolerance: 0.0, ..plain }),
-        ("goal", ContactStepOptions { goal: -1.0, ..plain }),
+        ("absolute_tolerance", ContactStepOptions { absolute_tolerance: -1.0, ..plain }),
+        ("absolute_tolerance", ContactStepOptions { absolute_tolerance: f64::NAN, ..plain }),
         ("full_below", ContactStepOptions { full_below: f64::NAN, ..plain }),
-        ("most_iterations", ContactStepOptions { most_iterations: 0, ..plain }),
-        ("most_trials", ContactStepOptions { most_trials: 0, ..plain }),
-        ("penetration", ContactStepOptions { penetration: -1e-6, ..plain }),
-        ("penetration", ContactStepOptions { penetration: f64::NAN, ..plain }),
-        ("reach", ContactStepOptions { reach: f64::INFINITY, ..plain }),
-        ("most_updates", ContactStepOptions { most_updates: 0, ..plain }),
+        ("max_iterations", ContactStepOptions { max_iterations: 0, ..plain }),
+        ("max_trials", ContactStepOptions { max_trials: 0, ..plain }),
     ] {
         let error = contact.contact_step(&coords, &bodies, &options, None).unwrap_err();
         assert!(matches!(error, Error::NotPositive { name: found, .. } if found == name), "{error}");
@@ -59,11 +56,11 @@ fn bodies_that_nothing_holds_are_told_from_those_that_give_way() {
         stiffness
     };
     let residual = [0.0, 1.0, 0.0, 1.0];
-    let freedoms = [0, 1, 2, 3];
-    assert_eq!(refused(&freedoms, &[], &upright(0.0), &residual), Error::SingularStiffness { freedom: 0 });
+    let dofs = [0, 1, 2, 3];
+    assert_eq!(refused(&dofs, &[], &upright(0.0), &residual), Error::SingularStiffness { dof: 0 });
     let pivot = -SPRING;
-    let error = refused(&freedoms, &[], &upright(pivot), &residual);
-    assert_eq!(error, Error::IndefiniteStiffness { freedom: 0, pivot });
+    let error = refused(&dofs, &[], &upright(pivot), &residual);
+    assert_eq!(error, Error::IndefiniteStiffness { dof: 0, pivot });
 }
 
 /// The entries are finite, their norm is not: no displacement is an equilibrium beside it. Found by fuzzing.
@@ -77,7 +74,7 @@ fn a_residual_beyond_the_range_of_a_double_is_told() {
 #[test]
 fn a_function_that_fails_is_told() {
     let (coords, contact) = square(-0.05);
-    let bodies = CondensedBodies { freedoms: &[], held: &[], stiffness: &[], residual: &[] };
+    let bodies = CondensedBodies { dofs: &[], held: &[], stiffness: &[], residual: &[] };
     let mut fails = |_: &[f64], _: &mut [[f64; 2]]| Err(Error::Place { code: 7 });
     let options = ContactStepOptions::default();
     let error = contact.contact_step(&coords, &bodies, &options, Some(&mut fails)).unwrap_err();

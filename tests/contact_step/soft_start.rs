@@ -30,7 +30,7 @@ impl Column {
         let surface = Surface::from_cells(&coords, &blocks, Bodies::Connected).unwrap();
         let options = Options { estimator: Estimator::Exact, ..Options::new(EnergyLaw::depth(k)) };
         let contact = Contact::new(surface, options).unwrap();
-        let is_held = |freedom: &usize| [0.0, TOP].contains(&coords[freedom / 2][1]);
+        let is_held = |dof: &usize| [0.0, TOP].contains(&coords[dof / 2][1]);
         let (held, list) = (0..2 * coords.len()).partition(is_held);
         let mut stiffness = vec![vec![0.0; 2 * coords.len()]; 2 * coords.len()];
         conn.chunks(4).for_each(|cell| add_cell(&mut stiffness, cell));
@@ -40,12 +40,11 @@ impl Column {
     /// The step from some coordinates.
     fn step(&self, from: &[[f64; 2]], options: &ContactStepOptions) -> Result<ContactStep, Error> {
         let moved: Vec<f64> = from.iter().flatten().zip(self.coords.iter().flatten()).map(|(x, at)| x - at).collect();
-        let pull = |&freedom: &usize| self.stiffness[freedom].iter().zip(&moved).map(|(s, u)| s * u).sum();
+        let pull = |&dof: &usize| self.stiffness[dof].iter().zip(&moved).map(|(s, u)| s * u).sum();
         let residual: Vec<f64> = self.list.iter().map(pull).collect();
         let row = |&row: &usize| self.list.iter().map(move |&col| self.stiffness[row][col]);
         let stiffness: Vec<f64> = self.list.iter().flat_map(row).collect();
-        let bodies =
-            CondensedBodies { freedoms: &self.list, held: &self.held, stiffness: &stiffness, residual: &residual };
+        let bodies = CondensedBodies { dofs: &self.list, held: &self.held, stiffness: &stiffness, residual: &residual };
         self.contact.contact_step(from, &bodies, options, None)
     }
 
@@ -70,7 +69,7 @@ impl Column {
     }
 
     fn added(&self, mut coords: Vec<[f64; 2]>, found: &ContactStep) -> Vec<[f64; 2]> {
-        self.list.iter().zip(&found.displacement).for_each(|(&freedom, by)| coords[freedom / 2][freedom % 2] += by);
+        self.list.iter().zip(&found.displacement).for_each(|(&dof, by)| coords[dof / 2][dof % 2] += by);
         coords
     }
 }
@@ -129,7 +128,7 @@ fn without_it_the_same_start_is_given_up_on_and_iterations_that_run_out_on_soft_
     let start = column.pressed(0.2);
     let plain = column.step(&start, &ContactStepOptions::default()).unwrap();
     assert_eq!(plain.state, ContactStepState::NotConverged);
-    let few = ContactStepOptions { soft_start: true, most_iterations: 1, ..Default::default() };
+    let few = ContactStepOptions { soft_start: true, max_iterations: 1, ..Default::default() };
     let found = column.step(&start, &few).unwrap();
     assert_eq!((found.state, found.residual_at_start), (ContactStepState::NotConverged, plain.residual_at_start));
     // One for each of four stiffnesses, of which the last is that of the contact.

@@ -23,16 +23,26 @@ pub(crate) fn square(height: f64) -> (Vec<[f64; 2]>, Contact<2>) {
 /// The whole square on four springs, of which the lower two nodes are the list; the others follow or stay.
 pub(crate) fn step(height: f64, push: f64, options: &ContactStepOptions) -> ContactStep {
     let (coords, contact) = square(height);
+    step_of(&contact, &coords, push, options)
+}
+
+/// The same with a contact that has a past.
+pub(crate) fn step_of(
+    contact: &Contact<2>,
+    coords: &[[f64; 2]],
+    push: f64,
+    options: &ContactStepOptions,
+) -> ContactStep {
     // Sideways, and up and down, of both nodes.
     let mut stiffness = [0.0; 16];
     (0..4).for_each(|k| stiffness[5 * k] = SPRING);
     let residual = [0.0, push, 0.0, push];
-    let bodies = CondensedBodies { freedoms: &[0, 1, 2, 3], held: &[], stiffness: &stiffness, residual: &residual };
+    let bodies = CondensedBodies { dofs: &[0, 1, 2, 3], held: &[], stiffness: &stiffness, residual: &residual };
     let mut follow = |d: &[f64], coords: &mut [[f64; 2]]| {
         (coords[3][1], coords[2][1]) = (coords[3][1] + d[1], coords[2][1] + d[3]);
         Ok(())
     };
-    contact.contact_step(&coords, &bodies, options, Some(&mut follow)).unwrap()
+    contact.contact_step(coords, &bodies, options, Some(&mut follow)).unwrap()
 }
 
 /// 2 SPRING d + 2 push = K · penetration, where it touches: the force is K times what is below the plane.
@@ -59,14 +69,14 @@ fn a_body_that_comes_off_the_plane_is_held_by_its_springs() {
 
 #[test]
 fn what_is_given_up_on_says_so() {
-    let few = ContactStepOptions { most_iterations: 1, ..Default::default() };
+    let few = ContactStepOptions { max_iterations: 1, ..Default::default() };
     let found = step(0.1, 20.0, &few);
     assert_eq!((found.state, found.iterations), (ContactStepState::NotConverged, 1));
     assert!(
         found.residual > 1e-3 * found.scale && found.residual < found.residual_at_start.max(20.0 * 2.0),
         "{found:?}"
     );
-    let loose = ContactStepOptions { goal: 1e3, ..few };
+    let loose = ContactStepOptions { absolute_tolerance: 1e3, ..few };
     let found = step(0.1, 20.0, &loose);
     assert_eq!((found.state, found.iterations), (ContactStepState::Converged, 0));
 }
@@ -76,7 +86,7 @@ fn what_is_given_up_on_says_so() {
 fn contact_outside_the_list_is_told() {
     let (coords, contact) = square(-0.05);
     let stiffness = [SPRING];
-    let bodies = CondensedBodies { freedoms: &[1], held: &[], stiffness: &stiffness, residual: &[0.0] };
+    let bodies = CondensedBodies { dofs: &[1], held: &[], stiffness: &stiffness, residual: &[0.0] };
     let options = ContactStepOptions::default();
     let found = contact.contact_step(&coords, &bodies, &options, None).unwrap();
     assert_eq!(
@@ -91,7 +101,7 @@ fn contact_outside_the_list_is_told() {
 
 #[test]
 fn an_empty_list_is_in_equilibrium_where_nothing_touches() {
-    let bodies = CondensedBodies { freedoms: &[], held: &[], stiffness: &[], residual: &[] };
+    let bodies = CondensedBodies { dofs: &[], held: &[], stiffness: &[], residual: &[] };
     for (height, state) in [(0.1, ContactStepState::Converged), (-0.1, ContactStepState::Outside)] {
         let (coords, contact) = square(height);
         let found = contact.contact_step(&coords, &bodies, &ContactStepOptions::default(), None).unwrap();

@@ -13,7 +13,7 @@ impl Host {
         let [stiffness, coupling, residual, tolerance] = numbers;
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
         let dofs = 0..(self.mesh.node_count() * self.mesh.dim) as i64;
-        let (mut list, mut held): (Vec<i64>, Vec<i64>) = dofs.partition(|freedom| which >> (freedom % 15) & 1 == 1);
+        let (mut list, mut held): (Vec<i64>, Vec<i64>) = dofs.partition(|dof| which >> (dof % 15) & 1 == 1);
         if which >> 15 == 1 {
             held.clear();
         }
@@ -39,9 +39,6 @@ impl Host {
             assert_eq!(checked(fmc_contact_step_options_init(&raw mut options)), OK);
             (options.tolerance, options.max_iterations, options.soft_start) =
                 (tolerance, 12, i32::from(which & 1 == 1));
-            if which & 1 << 14 != 0 {
-                (options.penetration, options.max_updates) = (coupling, 3);
-            }
             let status = fmc_context_contact_step(
                 self.context,
                 unless(hole, 0, (&raw const view).cast_mut()),

@@ -357,11 +357,9 @@ pub struct fmc_contact_step_options {
     pub full_below: f64,
     pub max_iterations: i32,
     pub max_trials: i32,
-    pub penetration: f64,
-    pub reach: f64,
-    pub max_updates: i32,
     pub soft_start: i32,
-    pub reserved: [u64; 5],
+    pub reserved_flags: i32,
+    pub reserved: [u64; 7],
 }
 
 #[repr(C)]
@@ -375,9 +373,7 @@ pub struct fmc_contact_step_result {
     pub residual_at_start: f64,
     pub residual: f64,
     pub scale: f64,
-    pub update_count: usize,
-    pub penetration: f64,
-    pub reserved: [u64; 6],
+    pub reserved: [u64; 8],
 }
 
 #[repr(C)]

@@ -247,7 +247,7 @@ impl Session for Brittle {
         _: i32,
     ) -> Result<ContactStep, Failure> {
         Ok(ContactStep {
-            displacement: vec![0.0; bodies.freedoms.len()],
+            displacement: vec![0.0; bodies.dofs.len()],
             state: ContactStepState::Converged,
             iterations: 0,
             evaluations: 0,
@@ -255,8 +255,6 @@ impl Session for Brittle {
             residual: 0.0,
             scale: 0.0,
             outside: 0,
-            updates: 0,
-            penetration: 0.0,
         })
     }
 

@@ -6,9 +6,7 @@ use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::pointer::{Output, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BAD_VALUE, FMC_ERROR_LENGTH,
-};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_LENGTH};
 use std::ffi::c_void;
 use std::ptr::null;
 
@@ -73,7 +71,7 @@ pub(crate) struct Matrix<'a> {
 impl fmc_csr {
     /// Width of its numbers, where it was initialised.
     pub(crate) fn checked_size(&self) -> Result<IndexSize, Failure> {
-        check_struct::<Self>("fmc_csr", self.struct_size, &self.reserved)?;
+        check_struct::<Self>("fmc_csr", self.struct_size, self.reserved)?;
         if !(0..=1).contains(&self.index_base) {
             let text = format!("the index_base of fmc_csr is {}, not 0 or 1", self.index_base);
             return Err(Failure::new(FMC_ERROR_BAD_VALUE, text));

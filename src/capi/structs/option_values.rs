@@ -3,9 +3,7 @@
 use super::options::{fmc_estimator, fmc_law, fmc_options, fmc_pattern, fmc_weights};
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
-use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BAD_VALUE, FMC_ERROR_OPTIONS_CONFLICT,
-};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_OPTIONS_CONFLICT};
 use crate::contact::Friction;
 use crate::{
     EnergyLaw, EnergyProfile, Error, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw,
@@ -76,7 +74,7 @@ impl Choice {
 impl fmc_options {
     /// Whether the struct was initialised, and asks for nothing that only a later version knows.
     pub(crate) fn check_struct(&self) -> Result<(), Failure> {
-        check_struct::<Self>("fmc_options", self.struct_size, &self.reserved)
+        check_struct::<Self>("fmc_options", self.struct_size, self.reserved)
     }
 
     /// Number of the first node.

@@ -9,9 +9,7 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, reference, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_BAD_VALUE, FMC_ERROR_NULL_POINTER, FMC_ERROR_UNSUPPORTED,
-};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_NULL_POINTER, FMC_ERROR_UNSUPPORTED};
 use crate::{HeightField, Measures, Obstacle, Shape, ShapeKind, SignedDistance};
 use std::ffi::c_void;
 use std::ptr::{null, null_mut};
@@ -132,7 +130,7 @@ struct Fields<'a> {
 
 impl Fields<'_> {
     fn read_shape<const D: usize>(mut self) -> Result<Shape<D>, Failure> {
-        check_struct::<fmc_shape>("fmc_shape", self.shape.struct_size, &[])?;
+        check_struct::<fmc_shape>("fmc_shape", self.shape.struct_size, [])?;
         Shape::read(kind_of(self.shape.kind)?, &mut self)
     }
 }

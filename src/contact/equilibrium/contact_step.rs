@@ -3,14 +3,12 @@
 //! Contact acts on few nodes, and opens and closes; the bodies are many equations, and nearly linear. So a host factorises
 //! its bodies once, down to these degrees of freedom, and what is iterated here is dense and small, with the contact as it is.
 
-mod augmented;
 mod bodies;
 mod dense;
 mod iterate;
 mod kept;
 #[cfg(feature = "solver")]
 mod large;
-mod multipliers;
 mod newton;
 mod options;
 #[cfg(feature = "solver")]
@@ -26,7 +24,6 @@ use crate::Error;
 use crate::contact::evaluation::Contact;
 use bodies::Checked;
 use kept::Kept;
-use nalgebra::DVector;
 
 /// Puts the nodes where they are at a displacement of the degrees of freedom on the list: it is given the displacement, and
 /// the coordinates with it added, and moves the nodes that follow.
@@ -45,12 +42,10 @@ impl<const D: usize> Contact<D> {
     /// that of cells. Results that a law or an estimator does not have the gradient of an energy for (sampled lines with the
     /// momentum correction, patches that are not kept) may end the iterations early; the state then says so.
     ///
-    /// With [`ContactStepOptions::penetration`] no node penetrates by more than that on average over its part of the surface,
-    /// however soft the law is: from its equilibrium on, an augmented Lagrangian updates pressures at the nodes of one side
-    /// of each pair. What balances the bodies at the end is then not the force of the law, but `S d + r`.
+    /// For less penetration than the law leaves, call [`Self::augment`] where the step has led, and take the step again.
     ///
     /// # Errors
-    /// Those of [`Self::tangent`] at `coords`. [`Error::Length`], [`Error::FreedomOutOfRange`], [`Error::RepeatedFreedom`],
+    /// Those of [`Self::tangent`] at `coords`. [`Error::Length`], [`Error::DofOutOfRange`], [`Error::RepeatedDof`],
     /// [`Error::NonFiniteStiffness`], [`Error::NotPositive`] for what is given; [`Error::IndefiniteStiffness`] and
     /// [`Error::SingularStiffness`] where the bodies together with the contact hold nothing; [`Error::Unsupported`] for a penetration asked for with
     /// friction, self-contact, or a law without a stiffness by penetration; those of `place`.
@@ -69,9 +64,6 @@ impl<const D: usize> Contact<D> {
         let checked = Checked::new(bodies, expected * D)?;
         let has_energy = self.history.frozen.is_some() || !self.partners.has_friction(self.method.options());
         let mut contact = Kept::new(self, coords, bodies, place);
-        if options.penetration > 0.0 {
-            return augmented::solve(self, &checked, &mut contact, (coords, options));
-        }
-        solve::solve(&checked, &mut contact, DVector::zeros(checked.count()), options, has_energy, 0.0)
+        solve::solve(&checked, &mut contact, options, has_energy)
     }
 }

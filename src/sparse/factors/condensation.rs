@@ -28,7 +28,7 @@ pub struct Condensation {
 impl Condensation {
     /// Factorises a matrix; `kept` ascends. Where it is not positive definite, there are no factors then.
     ///
-    /// Errors: [`Error::Length`], [`Error::FreedomOutOfRange`], [`Error::RepeatedFreedom`], [`Error::NonFiniteStiffness`],
+    /// Errors: [`Error::Length`], [`Error::DofOutOfRange`], [`Error::RepeatedDof`], [`Error::NonFiniteStiffness`],
     /// [`Error::Unsymmetric`] for what is given; [`Error::NotPositiveDefinite`]; [`Error::Overflow`].
     pub fn factorise(&mut self, matrix: &Compressed, kept: &[usize]) -> Result<(), Error> {
         checked_list(kept, matrix.size())?;

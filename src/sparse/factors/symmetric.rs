@@ -8,7 +8,7 @@ use crate::sparse::Compressed;
 const SYMMETRY: f64 = 1e-10;
 
 impl Compressed<'_> {
-    /// Its lower triangle. Errors: [`Error::Length`], [`Error::FreedomOutOfRange`], [`Error::NonFiniteStiffness`],
+    /// Its lower triangle. Errors: [`Error::Length`], [`Error::DofOutOfRange`], [`Error::NonFiniteStiffness`],
     /// [`Error::Unsymmetric`].
     pub(super) fn lower(&self) -> Result<Lower, Error> {
         let count = self.values.len();
@@ -18,8 +18,8 @@ impl Compressed<'_> {
             return Err(Error::Length { array: "row_offsets", expected: count, found });
         }
         let size = self.size();
-        if let Some(&freedom) = self.columns.iter().find(|column| !(0..size as i64).contains(column)) {
-            return Err(Error::FreedomOutOfRange { freedom, count: size });
+        if let Some(&dof) = self.columns.iter().find(|column| !(0..size as i64).contains(column)) {
+            return Err(Error::DofOutOfRange { dof, count: size });
         }
         if let Some(entry) = self.values.iter().position(|value| !value.is_finite()) {
             return Err(Error::NonFiniteStiffness { array: "values", entry });
@@ -43,12 +43,12 @@ impl Compressed<'_> {
 
 /// Equations that ascend and exist.
 pub(super) fn checked_list(list: &[usize], count: usize) -> Result<(), Error> {
-    for (place, &freedom) in list.iter().enumerate() {
-        if freedom >= count {
-            return Err(Error::FreedomOutOfRange { freedom: freedom as i64, count });
+    for (place, &dof) in list.iter().enumerate() {
+        if dof >= count {
+            return Err(Error::DofOutOfRange { dof: dof as i64, count });
         }
-        if place > 0 && list[place - 1] >= freedom {
-            return Err(Error::RepeatedFreedom { freedom });
+        if place > 0 && list[place - 1] >= dof {
+            return Err(Error::RepeatedDof { dof });
         }
     }
     Ok(())

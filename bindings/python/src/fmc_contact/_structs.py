@@ -233,11 +233,9 @@ class fmc_contact_step_options(Structure):
         ("full_below", c_double),
         ("max_iterations", c_int32),
         ("max_trials", c_int32),
-        ("penetration", c_double),
-        ("reach", c_double),
-        ("max_updates", c_int32),
         ("soft_start", c_int32),
-        ("reserved", c_uint64 * 5),
+        ("reserved_flags", c_int32),
+        ("reserved", c_uint64 * 7),
     ]
 
 
@@ -251,9 +249,7 @@ class fmc_contact_step_result(Structure):
         ("residual_at_start", c_double),
         ("residual", c_double),
         ("scale", c_double),
-        ("update_count", c_size_t),
-        ("penetration", c_double),
-        ("reserved", c_uint64 * 6),
+        ("reserved", c_uint64 * 8),
     ]
 
 

@@ -15,9 +15,7 @@ from ._handle import Handle
 from ._library import check, library
 from ._structs import fmc_contact_step_options, fmc_contact_step_result, fmc_place
 
-OPTIONS = (
-    "tolerance", "absolute_tolerance", "full_below", "max_iterations", "max_trials", "penetration", "reach", "max_updates", "soft_start",
-)  # fmt: skip
+OPTIONS = ("tolerance", "absolute_tolerance", "full_below", "max_iterations", "max_trials", "soft_start")
 """Names of the options of a step."""
 
 
@@ -45,10 +43,6 @@ class ContactStep:
         Norm of the remaining residual (force).
     scale : float
         What it is compared with: the larger of the norms of the given residual and of the contact forces on the list.
-    update_count : int
-        Updates of the pressures of an augmented Lagrangian.
-    penetration : float
-        Largest mean penetration of a node at the end (length), if one was asked for; else 0.
 
     Examples
     --------
@@ -66,8 +60,6 @@ class ContactStep:
     residual_at_start: float
     residual: float
     scale: float
-    update_count: int = 0
-    penetration: float = 0.0
 
 
 def contact_step(
@@ -113,6 +105,4 @@ def contact_step(
         found.residual_at_start,
         found.residual,
         found.scale,
-        found.update_count,
-        found.penetration,
     )

@@ -59,7 +59,7 @@ impl Default for fmc_friction_step {
 impl fmc_friction_step {
     /// Whether it was initialised.
     pub(crate) fn check(&self) -> Result<(), Failure> {
-        check_struct::<Self>("fmc_friction_step", self.struct_size, &self.reserved)
+        check_struct::<Self>("fmc_friction_step", self.struct_size, self.reserved)
     }
 
     /// Coordinates without deformation.

@@ -5,9 +5,7 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{
-    FMC_ERROR_OPTIONS_CONFLICT,
-};
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::option_values::EXCLUDED;
 use crate::capi::structs::options::{fmc_estimator, fmc_law, fmc_options};
@@ -98,7 +96,7 @@ impl From<PairOptions> for fmc_pair_options {
 impl fmc_pair_options {
     /// The options of the crate, which checks the numbers.
     fn to_pair_options(self) -> Result<PairOptions, Failure> {
-        check_struct::<Self>("fmc_pair_options", self.struct_size, &self.reserved)?;
+        check_struct::<Self>("fmc_pair_options", self.struct_size, self.reserved)?;
         let coefficient = self.friction_coefficient;
         let friction_coefficient = (coefficient != f64::from(FMC_PAIR_FRICTION_OF_CONTEXT)).then_some(coefficient);
         Ok(PairOptions {

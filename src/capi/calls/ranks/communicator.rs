@@ -171,7 +171,7 @@ unsafe impl Sync for HostRanks {}
 
 impl HostRanks {
     pub(crate) fn new(given: &fmc_communicator) -> Result<Self, Failure> {
-        check_struct::<fmc_communicator>("fmc_communicator", given.struct_size, &given.reserved)?;
+        check_struct::<fmc_communicator>("fmc_communicator", given.struct_size, given.reserved)?;
         let (Ok(rank), Ok(size)) = (usize::try_from(given.rank), usize::try_from(given.size)) else {
             let text = format!("rank {} of {}: ranks are counted from 0", given.rank, given.size);
             return Err(Failure::new(FMC_ERROR_BAD_RANK, text));

@@ -135,7 +135,7 @@ unsafe fn read<'a, const D: usize>(
 ) -> Result<Given<'a, D>, Failure> {
     // SAFETY: passed on to the caller.
     let part = unsafe { reference("part", part) }?;
-    check_struct::<fmc_mesh_part>("fmc_mesh_part", part.struct_size, &part.reserved)?;
+    check_struct::<fmc_mesh_part>("fmc_mesh_part", part.struct_size, part.reserved)?;
     let size = IndexSize::new("the part", part.index_size)?;
     // SAFETY: as above.
     unsafe {

@@ -41,7 +41,7 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
     entry(|| {
         // SAFETY: the host passes a struct.
         let to = *unsafe { reference("nodal", nodal) }?;
-        check_struct::<fmc_nodal_contact>("fmc_nodal_contact", to.struct_size, &[])?;
+        check_struct::<fmc_nodal_contact>("fmc_nodal_contact", to.struct_size, [])?;
         let numbers = [("pressure", to.pressure), ("gap", to.gap), ("area", to.area), ("normal", to.normal)];
         for (name, output) in numbers.into_iter().chain([("friction", to.friction), ("sliding", to.sliding)]) {
             Output::optional(name, output)?;

@@ -34,21 +34,15 @@ pub struct fmc_contact_step_options {
     pub max_iterations: i32,
     /// Trials along a direction, at most, at least 1. Default 12.
     pub max_trials: i32,
-    /// Largest mean penetration of a node that is wanted, a length; 0, the default: that of the law, as it is. Where the law leaves
-    /// more, an augmented Lagrangian takes over, whose pressures at nodes need no penetration: for the laws "depth" and
-    /// "fiber", without friction and self-contact.
-    pub penetration: f64,
-    /// How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
-    pub reach: f64,
-    /// Updates of these pressures, at most, at least 1. Default 20.
-    pub max_updates: i32,
     /// 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
     /// energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
     /// degree of freedom of the list, then one ten times as stiff, and so on. Each may take `max_iterations`. What is reported
     /// is that of the contact as it is. 0, the default: off.
     pub soft_start: i32,
+    /// Zero. Room for switches of later versions.
+    pub reserved_flags: i32,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 5],
+    pub reserved: [u64; 7],
 }
 
 impl Default for fmc_contact_step_options {
@@ -57,35 +51,34 @@ impl Default for fmc_contact_step_options {
         Self {
             struct_size: size_of::<Self>(),
             tolerance: defaults.tolerance,
-            absolute_tolerance: defaults.goal,
+            absolute_tolerance: defaults.absolute_tolerance,
             full_below: defaults.full_below,
-            max_iterations: defaults.most_iterations as i32,
-            max_trials: defaults.most_trials as i32,
-            penetration: defaults.penetration,
-            reach: defaults.reach,
-            max_updates: defaults.most_updates as i32,
+            max_iterations: defaults.max_iterations as i32,
+            max_trials: defaults.max_trials as i32,
             soft_start: defaults.soft_start.into(),
-            reserved: [0; 5],
+            reserved_flags: 0,
+            reserved: [0; 7],
         }
     }
 }
 
 impl fmc_contact_step_options {
     fn to_options(self) -> Result<ContactStepOptions, Failure> {
-        check_struct::<Self>("fmc_contact_step_options", self.struct_size, &self.reserved)?;
+        check_struct::<Self>(
+            "fmc_contact_step_options",
+            self.struct_size,
+            self.reserved.into_iter().chain([self.reserved_flags as u64]),
+        )?;
         let count = |name, value: i32| {
             let text = || format!("'{name}' is {value}, which is not allowed");
             usize::try_from(value).map_err(|_| Failure::new(FMC_ERROR_NOT_POSITIVE, text()))
         };
         Ok(ContactStepOptions {
             tolerance: self.tolerance,
-            goal: self.absolute_tolerance,
+            absolute_tolerance: self.absolute_tolerance,
             full_below: self.full_below,
-            most_iterations: count("max_iterations", self.max_iterations)?,
-            most_trials: count("max_trials", self.max_trials)?,
-            penetration: self.penetration,
-            reach: self.reach,
-            most_updates: count("max_updates", self.max_updates)?,
+            max_iterations: count("max_iterations", self.max_iterations)?,
+            max_trials: count("max_trials", self.max_trials)?,
             soft_start: match self.soft_start {
                 0 => false,
                 1 => true,
@@ -106,8 +99,7 @@ pub enum fmc_contact_step_state {
     /// Contact acts on degrees of freedom that are neither on the list nor fixed: the displacement is what was reached when it
     /// did, and a longer list is needed.
     FMC_STEP_OUTSIDE = 1,
-    /// The iterations have run out, or the residual could not be lowered any more, or the penetration; the displacement is what was
-    /// reached.
+    /// The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
     FMC_STEP_NOT_CONVERGED = 2,
 }
 
@@ -133,12 +125,8 @@ pub struct fmc_contact_step_result {
     pub residual: f64,
     /// What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
     pub scale: f64,
-    /// Updates of the pressures of an augmented Lagrangian.
-    pub update_count: usize,
-    /// Largest mean penetration of a node at the end, where one was asked for; else 0.
-    pub penetration: f64,
     /// Zero.
-    pub reserved: [u64; 6],
+    pub reserved: [u64; 8],
 }
 
 /// Sets all options of a contact step to their defaults.
@@ -169,16 +157,14 @@ pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact
 /// than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
 /// `dof_count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 ///
-/// With `penetration` in the options no node penetrates by more than that on average over its part of the surface, however soft the
-/// law is. What balances the bodies at the end is then not the force of the law, but `S d + r`.
+/// For less penetration than the law leaves, call `fmc_context_augment` where the step has led, and take the step again.
 ///
 /// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `dof_count` equations are made
 /// in every iteration: some 500 take tenths of a second.
 ///
 /// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
 /// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,
-/// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_UNSUPPORTED` for
-/// a penetration with friction, self-contact or the law "volume", `FMC_ERROR_PLACE`. Threads:
+/// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
 /// one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_contact_step(
@@ -205,14 +191,14 @@ pub unsafe extern "C" fn fmc_context_contact_step(
                 let coords = reference("coords", coords)?;
                 let options = optional("options", options)?.copied().unwrap_or_default().to_options()?;
                 let (size, base) = (state.index_size, state.index_base);
-                let freedoms = numbers(&size.list("dofs", dofs, dof_count, 1)?, base)?;
+                let dofs = numbers(&size.list("dofs", dofs, dof_count, 1)?, base)?;
                 let held = numbers(&size.list("fixed_dofs", fixed_dofs, fixed_count, 1)?, base)?;
                 let stiffness = slice("stiffness", stiffness, dof_count, dof_count)?;
                 let residual = slice("residual", residual, dof_count, 1)?;
                 if dof_count > 0 {
                     check("displacement", displacement.cast_const())?;
                 }
-                let bodies = CondensedBodies { freedoms: &freedoms, held: &held, stiffness, residual };
+                let bodies = CondensedBodies { dofs: &dofs, held: &held, stiffness, residual };
                 let placement = place.map(|function| Placement { function, user });
                 state.session.contact_step(coords, &bodies, &options, placement, base)
             })
@@ -234,9 +220,7 @@ pub unsafe extern "C" fn fmc_context_contact_step(
                 residual_at_start: step.residual_at_start,
                 residual: step.residual,
                 scale: step.scale,
-                update_count: step.updates,
-                penetration: step.penetration,
-                reserved: [0; 6],
+                reserved: [0; 8],
             });
         }
         Ok(())

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 #[derive(Clone, Copy, Debug)]
 pub struct CondensedBodies<'a> {
     /// The list: degrees of freedom `node * D + axis`, ascending.
-    pub freedoms: &'a [usize],
+    pub dofs: &'a [usize],
     /// Degrees of freedom that do not move, on which contact may act: ascending, none of the list.
     pub held: &'a [usize],
     /// S, row by row; symmetric.
@@ -19,7 +19,7 @@ pub struct CondensedBodies<'a> {
 
 /// The same once it was looked at.
 pub(super) struct Checked<'a> {
-    pub(super) freedoms: &'a [usize],
+    pub(super) dofs: &'a [usize],
     /// As given.
     pub(super) stiffness: DMatrix<f64>,
     /// The mean of it and its transpose, which an energy has.
@@ -28,14 +28,14 @@ pub(super) struct Checked<'a> {
 }
 
 impl<'a> Checked<'a> {
-    pub(super) fn new(bodies: &CondensedBodies<'a>, freedom_count: usize) -> Result<Self, Error> {
-        let CondensedBodies { freedoms, held, stiffness, residual } = *bodies;
-        check_list(freedoms, freedom_count)?;
-        check_list(held, freedom_count)?;
-        if let Some(&freedom) = held.iter().find(|freedom| freedoms.binary_search(freedom).is_ok()) {
-            return Err(Error::RepeatedFreedom { freedom });
+    pub(super) fn new(bodies: &CondensedBodies<'a>, dof_count: usize) -> Result<Self, Error> {
+        let CondensedBodies { dofs, held, stiffness, residual } = *bodies;
+        check_list(dofs, dof_count)?;
+        check_list(held, dof_count)?;
+        if let Some(&dof) = held.iter().find(|dof| dofs.binary_search(dof).is_ok()) {
+            return Err(Error::RepeatedDof { dof });
         }
-        let count = freedoms.len();
+        let count = dofs.len();
         let length = |array, expected, found| match expected == found {
             true => Ok(()),
             false => Err(Error::Length { array, expected, found }),
@@ -49,26 +49,26 @@ impl<'a> Checked<'a> {
         }
         let stiffness = DMatrix::from_row_slice(count, count, stiffness);
         let symmetric = (&stiffness + stiffness.transpose()) * 0.5;
-        Ok(Self { freedoms, stiffness, symmetric, residual: DVector::from_column_slice(residual) })
+        Ok(Self { dofs, stiffness, symmetric, residual: DVector::from_column_slice(residual) })
     }
 
     pub(super) fn count(&self) -> usize {
-        self.freedoms.len()
+        self.dofs.len()
     }
 
     /// Residual at which a step has converged, and what residuals are compared with.
     pub(super) fn goal(&self, options: &ContactStepOptions, forces: &DVector<f64>) -> (f64, f64) {
         let scale = self.residual.norm().max(forces.norm());
-        (options.goal.max(options.tolerance * scale), scale)
+        (options.absolute_tolerance.max(options.tolerance * scale), scale)
     }
 }
 
-fn check_list(freedoms: &[usize], count: usize) -> Result<(), Error> {
-    if let Some(&freedom) = freedoms.iter().find(|freedom| **freedom >= count) {
-        return Err(Error::FreedomOutOfRange { freedom: freedom as i64, count });
+fn check_list(dofs: &[usize], count: usize) -> Result<(), Error> {
+    if let Some(&dof) = dofs.iter().find(|dof| **dof >= count) {
+        return Err(Error::DofOutOfRange { dof: dof as i64, count });
     }
-    match freedoms.windows(2).find(|pair| pair[0] >= pair[1]) {
-        Some(pair) => Err(Error::RepeatedFreedom { freedom: pair[1] }),
+    match dofs.windows(2).find(|pair| pair[0] >= pair[1]) {
+        Some(pair) => Err(Error::RepeatedDof { dof: pair[1] }),
         None => Ok(()),
     }
 }

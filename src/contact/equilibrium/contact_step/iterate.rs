@@ -62,7 +62,7 @@ impl Iterate {
     ) -> Result<(Option<Self>, usize), Error> {
         let slope = self.residual.dot(direction);
         let mut length = 1.0;
-        for trial in 1..=options.most_trials {
+        for trial in 1..=options.max_trials {
             match Self::new(bodies, contact, &self.displacement + direction * length) {
                 Ok(next) => {
                     let (from, to) = (self.descent(), next.descent());
@@ -82,6 +82,6 @@ impl Iterate {
                 Err(error) => return Err(error),
             }
         }
-        Ok((None, options.most_trials))
+        Ok((None, options.max_trials))
     }
 }

@@ -20,9 +20,9 @@ enum Role {
 
 /// A contact of which only the degrees of freedom on a list move by themselves.
 pub(super) struct Kept<'a, 'p, const D: usize> {
-    pub(super) contact: &'a Contact<D>,
+    contact: &'a Contact<D>,
     start: &'a [[f64; D]],
-    freedoms: &'a [usize],
+    dofs: &'a [usize],
     roles: Vec<Role>,
     place: Option<Place<'p, D>>,
     /// Where the nodes were put last: forces and tangents are asked for at the same displacement.
@@ -37,20 +37,20 @@ impl<'a, 'p, const D: usize> Kept<'a, 'p, D> {
         place: Option<Place<'p, D>>,
     ) -> Self {
         let mut roles = vec![Role::Outside; start.len() * D];
-        bodies.held.iter().for_each(|&freedom| roles[freedom] = Role::Held);
-        bodies.freedoms.iter().enumerate().for_each(|(place, &freedom)| roles[freedom] = Role::Kept(place));
-        Self { contact, start, freedoms: bodies.freedoms, roles, place, last: None }
+        bodies.held.iter().for_each(|&dof| roles[dof] = Role::Held);
+        bodies.dofs.iter().enumerate().for_each(|(place, &dof)| roles[dof] = Role::Kept(place));
+        Self { contact, start, dofs: bodies.dofs, roles, place, last: None }
     }
 
-    pub(super) fn placed(&mut self, displacement: &DVector<f64>) -> Result<Vec<[f64; D]>, Error> {
+    fn placed(&mut self, displacement: &DVector<f64>) -> Result<Vec<[f64; D]>, Error> {
         if let Some((there, coords)) = &self.last
             && there == displacement
         {
             return Ok(coords.clone());
         }
         let mut coords = self.start.to_vec();
-        for (&freedom, by) in self.freedoms.iter().zip(displacement.iter()) {
-            coords[freedom / D][freedom % D] += by;
+        for (&dof, by) in self.dofs.iter().zip(displacement.iter()) {
+            coords[dof / D][dof % D] += by;
         }
         if let Some(place) = &mut self.place {
             place(displacement.as_slice(), &mut coords)?;
@@ -60,20 +60,16 @@ impl<'a, 'p, const D: usize> Kept<'a, 'p, D> {
     }
 
     /// Place of a degree of freedom in the list.
-    pub(super) fn local(&self, freedom: usize) -> Option<usize> {
-        match self.roles.get(freedom) {
+    fn local(&self, dof: usize) -> Option<usize> {
+        match self.roles.get(dof) {
             Some(Role::Kept(place)) => Some(*place),
             _ => None,
         }
     }
 
-    pub(super) fn freedom_count(&self) -> usize {
-        self.roles.len()
-    }
-
     /// Contact of some energy, with forces on all degrees of freedom.
-    pub(super) fn touch(&self, energy: f64, all: &[f64]) -> Touch {
-        let (mut forces, mut outside) = (DVector::zeros(self.freedoms.len()), Vec::new());
+    fn touch(&self, energy: f64, all: &[f64]) -> Touch {
+        let (mut forces, mut outside) = (DVector::zeros(self.dofs.len()), Vec::new());
         for (role, force) in self.roles.iter().zip(all) {
             match role {
                 Role::Kept(place) => forces[*place] = *force,
@@ -96,7 +92,7 @@ impl<const D: usize> Touching for Kept<'_, '_, D> {
     fn tangent(&mut self, displacement: &DVector<f64>, part: TangentPart) -> Result<DMatrix<f64>, Error> {
         let coords = self.placed(displacement)?;
         let tangent = kernels::tangent(self.contact, &coords, part)?;
-        let count = self.freedoms.len();
+        let count = self.dofs.len();
         let mut dense = DMatrix::zeros(count, count);
         for (row, col, value) in tangent.triplets() {
             if let (Some(row), Some(col)) = (self.local(row), self.local(col)) {
@@ -107,7 +103,7 @@ impl<const D: usize> Touching for Kept<'_, '_, D> {
             let entries = one.nodes.iter().zip(&one.vector).flat_map(|(&node, vector)| {
                 vector.iter().enumerate().map(move |(axis, value)| (node as usize * D + axis, *value))
             });
-            let entries: Vec<_> = entries.filter_map(|(freedom, value)| Some((self.local(freedom)?, value))).collect();
+            let entries: Vec<_> = entries.filter_map(|(dof, value)| Some((self.local(dof)?, value))).collect();
             for (col, other) in &entries {
                 entries.iter().for_each(|(row, value)| dense[(*row, *col)] += one.factor * value * other);
             }
@@ -115,16 +111,16 @@ impl<const D: usize> Touching for Kept<'_, '_, D> {
         Ok(dense)
     }
 
-    fn freedom(&self, place: usize) -> usize {
-        self.freedoms[place]
+    fn dof(&self, place: usize) -> usize {
+        self.dofs[place]
     }
 
     fn node(&self, place: usize) -> usize {
-        self.freedoms[place] / D
+        self.dofs[place] / D
     }
 
     fn start(&self, place: usize) -> f64 {
-        let freedom = self.freedoms[place];
-        self.start[freedom / D][freedom % D]
+        let dof = self.dofs[place];
+        self.start[dof / D][dof % D]
     }
 }

@@ -18,19 +18,16 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Search {
     pub(super) iterations: usize,
     pub(super) evaluations: usize,
-    /// Residual that may be left in any case.
-    pub(super) enough: f64,
     /// The bodies factorised for systems that are solved on what contact touches alone, once there was one.
     #[cfg(feature = "solver")]
     reduced: Option<Option<Reduced>>,
 }
 
 impl Search {
-    pub(super) fn new(evaluations: usize, enough: f64) -> Self {
+    pub(super) fn new(evaluations: usize) -> Self {
         Self {
             iterations: 0,
             evaluations,
-            enough,
             #[cfg(feature = "solver")]
             reduced: None,
         }
@@ -78,13 +75,13 @@ pub(super) fn newton(
     mut at: Iterate,
 ) -> Result<(Iterate, ContactStepState), Error> {
     let mut choice = TangentChoice::default();
-    let last = search.iterations + options.most_iterations;
+    let last = search.iterations + options.max_iterations;
     loop {
         let (goal, scale) = bodies.goal(options, &at.touch.forces);
         if at.touch.outside(goal) > 0 {
             return Ok((at, ContactStepState::Outside));
         }
-        if at.norm() <= goal.max(search.enough) {
+        if at.norm() <= goal {
             return Ok((at, ContactStepState::Converged));
         }
         if search.iterations == last {
@@ -130,8 +127,8 @@ pub(super) fn direction(
 ) -> Result<(DVector<f64>, DMatrix<f64>, TangentPart), Error> {
     let right = -&at.residual;
     let told = |contact: &dyn Touching, defect| match defect {
-        Defect::Singular { row } => Error::SingularStiffness { freedom: contact.freedom(row) },
-        Defect::Indefinite { row, pivot } => Error::IndefiniteStiffness { freedom: contact.freedom(row), pivot },
+        Defect::Singular { row } => Error::SingularStiffness { dof: contact.dof(row) },
+        Defect::Indefinite { row, pivot } => Error::IndefiniteStiffness { dof: contact.dof(row), pivot },
     };
     if !has_energy {
         let tangent = contact.tangent(&at.displacement, wish)?;

@@ -32,8 +32,8 @@ impl Touching for Softened<'_> {
         Ok(self.contact.tangent(displacement, part)? * self.part)
     }
 
-    fn freedom(&self, place: usize) -> usize {
-        self.contact.freedom(place)
+    fn dof(&self, place: usize) -> usize {
+        self.contact.dof(place)
     }
 
     fn node(&self, place: usize) -> usize {
@@ -62,7 +62,7 @@ pub(super) fn settle(
     }
     let wish = wish(&TangentChoice::default(), options, &start, scale, has_energy);
     let (direction, tangent, _) = direction(bodies, contact, search, &start, wish, has_energy)?;
-    let once = ContactStepOptions { most_trials: 1, ..*options };
+    let once = ContactStepOptions { max_trials: 1, ..*options };
     search.iterations += 1;
     search.evaluations += 1;
     if let Some(next) = start.after(bodies, contact, &direction, &once, has_energy)?.0 {
@@ -100,7 +100,7 @@ fn stiffness_ahead(
     direction: &DVector<f64>,
 ) -> Result<Option<DMatrix<f64>>, Error> {
     let mut length = 1.0;
-    for _ in 0..options.most_trials {
+    for _ in 0..options.max_trials {
         match contact.tangent(&(&start.displacement + direction * length), TangentPart::Semidefinite) {
             Ok(tangent) => return Ok(Some(tangent)),
             Err(Error::InvertedCell { .. } | Error::FoldedCell { .. }) => length *= 0.5,

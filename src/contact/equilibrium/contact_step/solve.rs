@@ -1,4 +1,4 @@
-//! From a displacement to the equilibrium of the contact.
+//! From the start to the equilibrium of the contact.
 
 use super::bodies::Checked;
 use super::iterate::Iterate;
@@ -9,18 +9,16 @@ use super::touching::Touching;
 use crate::Error;
 use nalgebra::DVector;
 
-/// From a displacement; `left_over` is the part of the residual there that may be left in any case.
+/// From no displacement on.
 pub(super) fn solve(
     bodies: &Checked,
     contact: &mut dyn Touching,
-    start: DVector<f64>,
     options: &ContactStepOptions,
     has_energy: bool,
-    left_over: f64,
 ) -> Result<ContactStep, Error> {
-    let mut start = Iterate::new(bodies, contact, start)?;
+    let mut start = Iterate::new(bodies, contact, DVector::zeros(bodies.count()))?;
     let residual_at_start = start.norm();
-    let mut search = Search::new(1, left_over * residual_at_start);
+    let mut search = Search::new(1);
     if options.soft_start {
         start = settle(bodies, contact, options, has_energy, &mut search, start)?;
     }
@@ -35,7 +33,5 @@ pub(super) fn solve(
         scale,
         outside: at.touch.outside(goal),
         displacement: at.displacement.as_slice().to_vec(),
-        updates: 0,
-        penetration: 0.0,
     })
 }

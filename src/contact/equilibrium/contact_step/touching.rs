@@ -38,7 +38,7 @@ pub(super) trait Touching {
     fn tangent(&mut self, displacement: &DVector<f64>, part: TangentPart) -> Result<DMatrix<f64>, Error>;
 
     /// Number of a degree of freedom of the list among all.
-    fn freedom(&self, place: usize) -> usize;
+    fn dof(&self, place: usize) -> usize;
 
     /// Number of its node. What needs sparse factors asks for it.
     #[cfg_attr(not(feature = "solver"), allow(dead_code))]

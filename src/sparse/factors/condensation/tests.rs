@@ -117,9 +117,9 @@ fn what_is_given_wrong_is_refused_and_changes_nothing() {
         error
     };
     let none = |_: &mut Bars| {};
-    assert_eq!(refused(&none, &[6]), Error::FreedomOutOfRange { freedom: 6, count: 6 });
-    assert_eq!(refused(&none, &[3, 3]), Error::RepeatedFreedom { freedom: 3 });
-    assert_eq!(refused(&|bars| bars.columns[1] = -1, &[]), Error::FreedomOutOfRange { freedom: -1, count: 6 });
+    assert_eq!(refused(&none, &[6]), Error::DofOutOfRange { dof: 6, count: 6 });
+    assert_eq!(refused(&none, &[3, 3]), Error::RepeatedDof { dof: 3 });
+    assert_eq!(refused(&|bars| bars.columns[1] = -1, &[]), Error::DofOutOfRange { dof: -1, count: 6 });
     let error = refused(&|bars| bars.values[4] = f64::NAN, &[]);
     assert_eq!(error, Error::NonFiniteStiffness { array: "values", entry: 4 });
     assert_eq!(refused(&|bars| bars.values[0] += 1e-3, &[]), Error::Unsymmetric { row: 2, column: 0 });
