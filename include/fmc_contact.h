@@ -8,6 +8,19 @@
  *   if (fmc_contact_force(2, coords, node_count, &cells, 1, NULL, &options, NULL, forces, &volume) != FMC_OK)
  *     fputs(fmc_last_error(), stderr);
  *
+ * The life of a context in ten calls; each section of this header is headed by a line of dashes, in the order of use:
+ *
+ *    1. fmc_options_init             options, of which at least `stiffness` is set
+ *    2. fmc_context_new_from_cells   a mesh becomes a context
+ *    3. fmc_context_add_obstacle     rigid shapes, as many as there are
+ *    4. fmc_context_evaluate         forces at coordinates, in every iteration
+ *    5. fmc_context_tangent_csr      their derivative, in the host's rows, after fmc_context_tangent
+ *    6. fmc_context_begin_step       friction: a load step begins
+ *    7. fmc_context_commit_step      and is accepted
+ *    8. fmc_context_nodal_contact    outputs: pressure, gap, area, normal, friction at every node
+ *    9. fmc_context_slip             what a restart needs beside the coordinates; fmc_context_set_slip takes it back
+ *   10. fmc_context_free             the end
+ *
  * Conventions. Every function that can fail returns a status, 0 for success; outputs are written only on success, and
  * after an error a context is as it was before the call. Arrays belong to the host and are not kept. Where a length is
  * zero, its pointer is not read. Lists of nodes, cells, bodies' ids and degrees of freedom, `void *`, have numbers of 4 or 8
@@ -19,45 +32,34 @@
  * Generated from the Rust sources; do not edit.
  */
 
-
 #ifndef FMC_CONTACT_H
 #define FMC_CONTACT_H
 
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// ---- Version ---------------------------------------------------------------------------------------------
+
 // Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
 // changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
 // library at run time.
 #define FMC_ABI_VERSION 3
 
-// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
-// instead of overwriting it.
-#define FMC_EVALUATE_ADD 1
+// Version of the library, such as "0.1.0". The text is constant and never freed. Threads: any.
+const char *fmc_version(void);
 
-// Level of a log message: something the user should know about a result that is an answer all the same.
-#define FMC_LOG_WARNING 1
+// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header it was built with. Threads: any.
+int32_t fmc_abi_version(void);
 
-// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
-// far from a solution.
-#define FMC_TANGENT_SEMIDEFINITE 2
+// 1 if this build of the library has a feature that a build can lack, else 0: "shapes" (convex hulls and compounds),
+// "solver" (`fmc_condensation`). 0 for any other name and for NULL. Threads: any.
+int32_t fmc_has_feature(const char *name);
 
-// Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
-#define FMC_TANGENT_SYMMETRIC 32
-
-// Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
-#define FMC_CSR_BLOCKS 4
-
-// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
-#define FMC_CSR_OBSTACLES 8
-
-// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
-// after they change.
-#define FMC_PAIR_LAW_OF_CONTEXT -1
-
-// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
-// changes.
-#define FMC_PAIR_FRICTION_OF_CONTEXT -1
+// ---- Statuses, and the text of an error ------------------------------------------------------------------
 
 // Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
 // offending indices and values is given by `fmc_last_error`.
@@ -193,6 +195,41 @@ typedef enum {
   FMC_ERROR_RESERVED_FIELD = 62,
 } fmc_status;
 
+// Class of a status: what a host does about it.
+typedef enum {
+  // Success.
+  FMC_CLASS_OK = 0,
+  // An argument, an option or an array is wrong: mend the call. Trying again does not help.
+  FMC_CLASS_INPUT = 1,
+  // The mesh or a shape is wrong, or became so as it deformed: mend it, or take a shorter step.
+  FMC_CLASS_GEOMETRY = 2,
+  // Numbers ran away, or a matrix cannot be factorised: take a shorter step, or hold the bodies.
+  FMC_CLASS_NUMERICAL = 3,
+  // More threads, lines, pieces or steps than there is room for: ask for less.
+  FMC_CLASS_RESOURCE = 4,
+  // Calls in an order, or on ranks, that do not go together.
+  FMC_CLASS_PROTOCOL = 5,
+  // A defect of this library.
+  FMC_CLASS_INTERNAL = 6,
+} fmc_status_class_value;
+
+// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for any other number.
+//
+// The text is constant and never freed. Threads: any.
+const char *fmc_status_name(int32_t status);
+
+// Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is no status. A host that
+// branches on classes bears statuses of later versions of the library. Threads: any.
+int32_t fmc_status_class(int32_t status);
+
+// Text of the last call that failed on this thread, "" if none did; never NULL. It names the offending indices.
+//
+// The text is valid until the next call fails on this thread; successful calls do not change it. Threads: each has its
+// own.
+const char *fmc_last_error(void);
+
+// ---- Options ---------------------------------------------------------------------------------------------
+
 // Contact energy.
 typedef enum {
   // w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
@@ -237,176 +274,6 @@ typedef enum {
   // The force is the exact gradient of the estimated energy. Key value "consistent".
   FMC_WEIGHTS_CONSISTENT = 1,
 } fmc_weights;
-
-// Type of a cell. The numbers are those of VTK, and so is the node order, but for `FMC_WEDGE6`. Cells of the mirrored order
-// are taken too: what is outside follows from the volume of the body.
-typedef enum {
-  // Triangle, 2D, 3 nodes.
-  FMC_TRI3 = 5,
-  // Quadrilateral, 2D, 4 nodes in order around it.
-  FMC_QUAD4 = 9,
-  // Tetrahedron, 3D, 4 nodes.
-  FMC_TET4 = 10,
-  // Hexahedron, 3D, 8 nodes: four around the bottom, then the four above them.
-  FMC_HEX8 = 12,
-  // Wedge, 3D, 6 nodes: three around the bottom, then the three above them, (x1 - x0) x (x2 - x0) . (x3 - x0) > 0: the
-  // order of Gmsh, meshio and Abaqus. In VTK's definition the triangles run the other way round; the mirrored order.
-  FMC_WEDGE6 = 13,
-  // Pyramid, 3D, 5 nodes: four around the base, then the apex.
-  FMC_PYRAMID5 = 14,
-  // Triangle of second order, 2D, 6 nodes: the corners, then the middles of the edges 01, 12, 20.
-  FMC_TRI6 = 22,
-  // Quadrilateral of second order, 2D, 8 nodes: the corners, then the middles of the edges 01, 12, 23, 30.
-  FMC_QUAD8 = 23,
-  // Tetrahedron of second order, 3D, 10 nodes: the corners, then the middles of 01, 12, 20, 03, 13, 23. (Gmsh has the last two
-  // the other way round.)
-  FMC_TET10 = 24,
-  // Hexahedron of second order, 3D, 20 nodes: the corners, then the middles of 01, 12, 23, 30, 45, 56, 67, 74, 04, 15, 26, 37.
-  FMC_HEX20 = 25,
-  // Wedge of second order, 3D, 15 nodes: the corners as those of `FMC_WEDGE6`, then the middles of 01, 12, 20, 34, 45, 53, 03,
-  // 14, 25.
-  FMC_WEDGE15 = 26,
-  // Pyramid of second order, 3D, 13 nodes: the corners, then the middles of 01, 12, 23, 30, 04, 14, 24, 34.
-  FMC_PYRAMID13 = 27,
-  // `FMC_QUAD8` with a ninth node in the middle of the cell.
-  FMC_QUAD9 = 28,
-  // `FMC_HEX20` with nodes in the middles of the faces 0473, 1265, 0154, 3762, 0321, 4567 and of the cell: 27.
-  FMC_HEX27 = 29,
-} fmc_cell_type;
-
-// Type of a facet of a surface. The numbers are those of VTK, and so is the node order. An edge has the body on its left; the
-// corners of a triangle or quadrilateral run counter-clockwise seen from outside.
-typedef enum {
-  // Edge, 2D, 2 nodes.
-  FMC_FACET_LINE2 = 3,
-  // Triangle, 3D, 3 nodes.
-  FMC_FACET_TRI3 = 5,
-  // Quadrilateral, 3D, 4 nodes: four triangles about its middle, as a face of `FMC_HEX8`.
-  FMC_FACET_QUAD4 = 9,
-  // Edge of second order, 2D, 3 nodes: its ends, then its middle.
-  FMC_FACET_LINE3 = 21,
-  // Triangle of second order, 3D, 6 nodes: the corners, then the middles of the edges 01, 12, 20.
-  FMC_FACET_TRI6 = 22,
-  // Quadrilateral of second order, 3D, 8 nodes: the corners, then the middles of 01, 12, 23, 30. A face of `FMC_HEX20`.
-  FMC_FACET_QUAD8 = 23,
-  // `FMC_FACET_QUAD8` with a ninth node in its middle. A face of `FMC_HEX27`.
-  FMC_FACET_QUAD9 = 28,
-} fmc_facet_type;
-
-// Kind of a partner.
-typedef enum {
-  // A body of the mesh.
-  FMC_PARTNER_BODY = 0,
-  // An obstacle.
-  FMC_PARTNER_OBSTACLE = 1,
-} fmc_partner;
-
-// Kinds of shapes, each with the measures that it has. The axis of revolution is the last one: y in 2D, z in 3D.
-typedef enum {
-  // All points whose last coordinate is at most 0; the outward normal is the last axis. No measures.
-  FMC_SHAPE_HALF_SPACE = 0,
-  // A ball (2D: a disc) about the origin: `radius`.
-  FMC_SHAPE_BALL = 1,
-  // A box about the origin: `half_extents`, halves of its sides.
-  FMC_SHAPE_CUBOID = 2,
-  // A cylinder (2D: a rectangle) about the last axis, centred: `radius`, `half_height`.
-  FMC_SHAPE_CYLINDER = 3,
-  // A cone (2D: an isosceles triangle) about the last axis, its apex at +half_height and its base at -half_height:
-  // `radius` of the base, `half_height`.
-  FMC_SHAPE_CONE = 4,
-  // A capsule (2D: a stadium), all points within `radius` of the segment from -half_height to +half_height on the last
-  // axis: `radius`, `half_height`.
-  FMC_SHAPE_CAPSULE = 5,
-  // A closed polygon (2D) or triangle mesh (3D): `points`, its corners, and `facets`, as numbers of corners. In 2D the
-  // body lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside.
-  FMC_SHAPE_POLYTOPE = 6,
-  // The convex hull of `points`; those inside have no effect. It becomes a polytope.
-  FMC_SHAPE_CONVEX_HULL = 7,
-  // The solid below a height field: `heights` over a grid with `counts` points along its axes and `lengths`, and
-  // `thickness`. It becomes a polytope.
-  FMC_SHAPE_HEIGHT_FIELD = 8,
-  // The union of other shapes: `parts`, which may overlap.
-  FMC_SHAPE_COMPOUND = 9,
-  // A body given by a function: `signed_distance`.
-  FMC_SHAPE_SIGNED_DISTANCE = 10,
-} fmc_shape_kind;
-
-// Kind of a warning.
-typedef enum {
-  // The fibers are further apart than the facets in contact are wide: nodal forces are noisy.
-  FMC_WARNING_COARSE_FIBERS = 1,
-  // Only a few fibers cross the overlap: it is thinner or smaller than their spacing.
-  FMC_WARNING_UNRESOLVED_OVERLAP = 2,
-  // One body lies inside the other and is not pushed out.
-  FMC_WARNING_SWALLOWED_BODY = 3,
-  // The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
-  // its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
-  FMC_WARNING_PATCH_LEFT_OUT = 4,
-  // Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
-  // gives the imbalance. Forces may be wrong by as much.
-  FMC_WARNING_UNBALANCED = 5,
-  // With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
-  // symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
-  // gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
-  // penetration by the size of the cells.
-  FMC_WARNING_FLUSH_FACES = 6,
-} fmc_warning;
-
-// Whether a node is in contact.
-typedef enum {
-  // No facet at the node is in contact.
-  FMC_NODE_APART = 0,
-  // A facet at the node is in contact, without friction.
-  FMC_NODE_TOUCHING = 1,
-  // More of the contact at the node sticks than slides, by area.
-  FMC_NODE_STICKING = 2,
-  // At least half of it slides.
-  FMC_NODE_SLIDING = 3,
-} fmc_node_status;
-
-// How a step of `fmc_context_contact_step` ended.
-typedef enum {
-  // In equilibrium.
-  FMC_STEP_CONVERGED = 0,
-  // Contact acts on degrees of freedom that are neither on the list nor fixed: the displacement is what was reached when it
-  // did, and a longer list is needed.
-  FMC_STEP_OUTSIDE = 1,
-  // The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
-  FMC_STEP_NOT_CONVERGED = 2,
-} fmc_contact_step_state;
-
-// Class of a status: what a host does about it.
-typedef enum {
-  // Success.
-  FMC_CLASS_OK = 0,
-  // An argument, an option or an array is wrong: mend the call. Trying again does not help.
-  FMC_CLASS_INPUT = 1,
-  // The mesh or a shape is wrong, or became so as it deformed: mend it, or take a shorter step.
-  FMC_CLASS_GEOMETRY = 2,
-  // Numbers ran away, or a matrix cannot be factorised: take a shorter step, or hold the bodies.
-  FMC_CLASS_NUMERICAL = 3,
-  // More threads, lines, pieces or steps than there is room for: ask for less.
-  FMC_CLASS_RESOURCE = 4,
-  // Calls in an order, or on ranks, that do not go together.
-  FMC_CLASS_PROTOCOL = 5,
-  // A defect of this library.
-  FMC_CLASS_INTERNAL = 6,
-} fmc_status_class_value;
-
-// Factors of the stiffness K of bodies, with the equations that feel contact retained for the end. Opaque.
-//
-// For hosts whose solver has no Schur complements: from K, which the host assembles without contact and without what is held, come
-// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is retained that of all.
-// With c the equations that are retained and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
-//
-// One thread works on it, so the same matrix has the same bits everywhere. Concurrent calls on one return `FMC_ERROR_BUSY`.
-typedef struct fmc_condensation fmc_condensation;
-
-// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
-//
-// Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
-// thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
-typedef struct fmc_context fmc_context;
 
 // Options of an evaluation. `fmc_options_init` sets all of them; only `stiffness` has no default.
 //
@@ -475,44 +342,72 @@ typedef struct {
   uint64_t reserved[10];
 } fmc_options;
 
-// A step with friction, for `fmc_contact_force`, which does not write into it. `fmc_friction_step_init` sets what need not be given.
+// Sets all options to their defaults. Afterwards set at least `stiffness`.
 //
-// The host keeps the slip that is carried into the next step; that of a step which it rejects it does not keep.
-typedef struct {
-  // Set by `fmc_friction_step_init`, so that a struct that was not initialised is recognised.
-  size_t struct_size;
-  // Coordinates at which the step began, (node_count, dim).
-  const double *start;
-  // Coordinates without deformation, (node_count, dim), from which the law "depth" has its depths; NULL, the default:
-  // `start`.
-  const double *reference;
-  // Elastic slip that was carried into the step, (facets, dim); NULL, the default: none.
-  const double *slip;
-  // Numbers in `slip`: `dim` times the number of facets, or 0.
-  size_t slip_count;
-  // Where the elastic slip goes that is carried into the next step, (facets, dim), if the end of this one is accepted; may be
-  // `slip` itself. NULL, the default: not wanted.
-  double *next_slip;
-  // Numbers for which `next_slip` has room.
-  size_t next_slip_capacity;
-  // Where their number goes, `dim` times the number of facets; NULL, the default: not wanted.
-  size_t *next_slip_count;
-  // Zero. Room for later versions.
-  uint64_t reserved[8];
-} fmc_friction_step;
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_options_init(fmc_options *options);
 
-// Cells of one type; a mixed mesh has a block for each.
-typedef struct {
-  // A value of `fmc_cell_type`.
-  int32_t cell_type;
-  // Bytes of a node number, 4 or 8, the same in all blocks. All lists of nodes, cells, bodies' ids and degrees of freedom that go
-  // into the context or come out of it have this width.
-  int32_t index_size;
-  // Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
-  const void *conn;
-  // Number of cells; if 0, `conn` may be NULL.
-  size_t cell_count;
-} fmc_cell_block;
+// Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
+// ("momentum_correction", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
+//
+// Errors: `FMC_ERROR_UNKNOWN_OPTION` for an unknown key, `FMC_ERROR_BAD_VALUE` for an unknown value; ranges are checked
+// where the options are used.
+// Threads: any, on different structs.
+fmc_status fmc_options_set(fmc_options *options, const char *key, const char *value);
+
+// A stiffness k to begin with, from Young's modulus E of the softer body (Pa) and the size h of its cells in contact
+// (length). `law` is a value of `fmc_law`.
+//
+// For the laws "depth" and "fiber" k = 10 E / h, a pressure per length: a penetration of a tenth of a cell presses with E.
+// `dim` and `exponent` have no effect. For the law "volume" with the exponent m an overlap a tenth of a cell deep over a
+// patch one cell wide presses with E: k = E / (m V^(m - 1)), V = h^dim / 10, in Pa / (length^dim)^(m - 1); for m = 1 it is E.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for an unknown law, `FMC_ERROR_DIMENSION`,
+// `FMC_ERROR_NOT_POSITIVE`. Threads: any.
+fmc_status fmc_suggest_stiffness(int32_t law,
+                                 int32_t dim,
+                                 double exponent,
+                                 double modulus,
+                                 double cell_size,
+                                 double *stiffness);
+
+// ---- Arrays of the host, and its mesh --------------------------------------------------------------------
+
+// Type of a cell. The numbers are those of VTK, and so is the node order, but for `FMC_WEDGE6`. Cells of the mirrored order
+// are taken too: what is outside follows from the volume of the body.
+typedef enum {
+  // Triangle, 2D, 3 nodes.
+  FMC_TRI3 = 5,
+  // Quadrilateral, 2D, 4 nodes in order around it.
+  FMC_QUAD4 = 9,
+  // Tetrahedron, 3D, 4 nodes.
+  FMC_TET4 = 10,
+  // Hexahedron, 3D, 8 nodes: four around the bottom, then the four above them.
+  FMC_HEX8 = 12,
+  // Wedge, 3D, 6 nodes: three around the bottom, then the three above them, (x1 - x0) x (x2 - x0) . (x3 - x0) > 0: the
+  // order of Gmsh, meshio and Abaqus. In VTK's definition the triangles run the other way round; the mirrored order.
+  FMC_WEDGE6 = 13,
+  // Pyramid, 3D, 5 nodes: four around the base, then the apex.
+  FMC_PYRAMID5 = 14,
+  // Triangle of second order, 2D, 6 nodes: the corners, then the middles of the edges 01, 12, 20.
+  FMC_TRI6 = 22,
+  // Quadrilateral of second order, 2D, 8 nodes: the corners, then the middles of the edges 01, 12, 23, 30.
+  FMC_QUAD8 = 23,
+  // Tetrahedron of second order, 3D, 10 nodes: the corners, then the middles of 01, 12, 20, 03, 13, 23. (Gmsh has the last two
+  // the other way round.)
+  FMC_TET10 = 24,
+  // Hexahedron of second order, 3D, 20 nodes: the corners, then the middles of 01, 12, 23, 30, 45, 56, 67, 74, 04, 15, 26, 37.
+  FMC_HEX20 = 25,
+  // Wedge of second order, 3D, 15 nodes: the corners as those of `FMC_WEDGE6`, then the middles of 01, 12, 20, 34, 45, 53, 03,
+  // 14, 25.
+  FMC_WEDGE15 = 26,
+  // Pyramid of second order, 3D, 13 nodes: the corners, then the middles of 01, 12, 23, 30, 04, 14, 24, 34.
+  FMC_PYRAMID13 = 27,
+  // `FMC_QUAD8` with a ninth node in the middle of the cell.
+  FMC_QUAD9 = 28,
+  // `FMC_HEX20` with nodes in the middles of the faces 0473, 1265, 0154, 3762, 0321, 4567 and of the cell: 27.
+  FMC_HEX27 = 29,
+} fmc_cell_type;
 
 // Coordinates of nodes, read during the call and not kept: component `axis` of node `node` is
 // `data[node * node_stride + axis * axis_stride]`, for `node < node_count` and `axis < dim`.
@@ -535,6 +430,67 @@ typedef struct {
   ptrdiff_t axis_stride;
 } fmc_coords;
 
+// Array that receives nodal forces; laid out as `fmc_coords`. Padding between the entries is not written.
+typedef struct {
+  // First component of the first node.
+  double *data;
+  // Number of nodes that it has room for, at least that of the mesh; if 0, `data` may be NULL.
+  size_t node_count;
+  // From one node to the next.
+  ptrdiff_t node_stride;
+  // From one axis to the next.
+  ptrdiff_t axis_stride;
+} fmc_forces;
+
+// Cells of one type; a mixed mesh has a block for each.
+typedef struct {
+  // A value of `fmc_cell_type`.
+  int32_t cell_type;
+  // Bytes of a node number, 4 or 8, the same in all blocks. All lists of nodes, cells, bodies' ids and degrees of freedom that go
+  // into the context or come out of it have this width.
+  int32_t index_size;
+  // Node numbers, (cell_count, nodes per cell), counted from the option `index_base`.
+  const void *conn;
+  // Number of cells; if 0, `conn` may be NULL.
+  size_t cell_count;
+} fmc_cell_block;
+
+// ---- Create a context ------------------------------------------------------------------------------------
+
+// Level of a log message: something the user should know about a result that is an answer all the same.
+#define FMC_LOG_WARNING 1
+
+// Type of a facet of a surface. The numbers are those of VTK, and so is the node order. An edge has the body on its left; the
+// corners of a triangle or quadrilateral run counter-clockwise seen from outside.
+typedef enum {
+  // Edge, 2D, 2 nodes.
+  FMC_FACET_LINE2 = 3,
+  // Triangle, 3D, 3 nodes.
+  FMC_FACET_TRI3 = 5,
+  // Quadrilateral, 3D, 4 nodes: four triangles about its middle, as a face of `FMC_HEX8`.
+  FMC_FACET_QUAD4 = 9,
+  // Edge of second order, 2D, 3 nodes: its ends, then its middle.
+  FMC_FACET_LINE3 = 21,
+  // Triangle of second order, 3D, 6 nodes: the corners, then the middles of the edges 01, 12, 20.
+  FMC_FACET_TRI6 = 22,
+  // Quadrilateral of second order, 3D, 8 nodes: the corners, then the middles of 01, 12, 23, 30. A face of `FMC_HEX20`.
+  FMC_FACET_QUAD8 = 23,
+  // `FMC_FACET_QUAD8` with a ninth node in its middle. A face of `FMC_HEX27`.
+  FMC_FACET_QUAD9 = 28,
+} fmc_facet_type;
+
+// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
+//
+// Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
+// thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
+typedef struct fmc_context fmc_context;
+
+// Receives messages: a level, and a sentence that is valid during the call. `user` is the pointer given with it.
+//
+// It is called at the end of an evaluation, on its thread, and may call the getters. It must not free the context,
+// throw, or jump out.
+typedef void (*fmc_log_callback)(void *user, int32_t level, const char *text);
+
 // Facets of one type; a mixed surface has a block for each.
 typedef struct {
   // A value of `fmc_facet_type`.
@@ -547,23 +503,425 @@ typedef struct {
   size_t facet_count;
 } fmc_facet_block;
 
-// Receives messages: a level, and a sentence that is valid during the call. `user` is the pointer given with it.
+// Sets the callback that receives messages; NULL, the default: none. The library never prints.
 //
-// It is called at the end of an evaluation, on its thread, and may call the getters. It must not free the context,
-// throw, or jump out.
-typedef void (*fmc_log_callback)(void *user, int32_t level, const char *text);
+// The callback and `user` must outlive the context, or be replaced before they end. They are called on the thread that
+// evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_set_log(fmc_context *context, fmc_log_callback callback, void *user);
 
-// Array that receives nodal forces; laid out as `fmc_coords`. Padding between the entries is not written.
+// Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
+//
+// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of
+// them. Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, as wide as node
+// numbers, say which body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and
+// not kept (topology is copied). `options`, with `stiffness` set, must have been initialised.
+//
+// `context` receives the new context, to be freed by `fmc_context_free`.
+//
+// Errors, all with the offending indices in `fmc_last_error`: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`,
+// `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_REPEATED_NODE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`,
+// `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_OPTIONS_CONFLICT`,
+// `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`. Threads: any, also at once.
+fmc_status fmc_context_new_from_cells(int32_t dim,
+                                      const fmc_coords *coords,
+                                      const fmc_cell_block *blocks,
+                                      size_t block_count,
+                                      const void *body_ids,
+                                      const fmc_options *options,
+                                      fmc_context **context);
+
+// Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.
+//
+// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
+// faces of cells of second order are, and give the same forces. In space a straight edge and one with a node in its middle do not
+// fit. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
+// components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
+// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
+// facet a part of which faces away from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it,
+// along the edge.
+fmc_status fmc_context_new_from_facets(int32_t dim,
+                                       const fmc_coords *coords,
+                                       const fmc_facet_block *blocks,
+                                       size_t block_count,
+                                       const void *body_ids,
+                                       const fmc_options *options,
+                                       fmc_context **context);
+
+// Replaces the options. They apply from the next evaluation on; results of the last one are kept.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_OPTIONS_CONFLICT`,
+// `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_set_options(fmc_context *context,
+                                   const fmc_options *options);
+
+// The options in force: those of the creation or of the last `fmc_context_set_options`, with the stiffness that
+// `fmc_context_stiffen` has made of theirs.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+// changes it.
+fmc_status fmc_context_options(const fmc_context *context, fmc_options *options);
+
+// Number of nodes of the mesh, of its boundary facets, and of its bodies. A quadrilateral face in 3D counts as four facets;
+// of second order an edge counts as two, a triangle as four, a quadrilateral as sixteen. Any of the outputs may be NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+// changes it.
+fmc_status fmc_context_counts(const fmc_context *context,
+                              size_t *node_count,
+                              size_t *facet_count,
+                              size_t *body_count);
+
+// ---- The mesh without deformation, and unknowns of the host ----------------------------------------------
+
+// A sparse matrix of the host in compressed rows (CSR): the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`,
+// in any order; those at one place add up. Initialise it with `fmc_csr_init`, then set all fields.
 typedef struct {
-  // First component of the first node.
-  double *data;
-  // Number of nodes that it has room for, at least that of the mesh; if 0, `data` may be NULL.
-  size_t node_count;
-  // From one node to the next.
-  ptrdiff_t node_stride;
-  // From one axis to the next.
-  ptrdiff_t axis_stride;
-} fmc_forces;
+  // Set by `fmc_csr_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Number of rows.
+  size_t row_count;
+  // Bytes of an offset and of a column, 4 or 8.
+  int32_t index_size;
+  // What offsets, rows and columns count from, 0 or 1.
+  int32_t index_base;
+  // Where rows begin, and the last one ends: `row_count` + 1 numbers.
+  const void *row_offsets;
+  // Column of every entry.
+  const void *cols;
+  // Value of every entry.
+  const double *values;
+  // Zero. Room for later versions.
+  uint64_t reserved[4];
+} fmc_csr;
+
+// Sets the coordinates of all nodes without deformation, from which the law "depth" has its depths; those at which the
+// context was created are the default.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a surface without cells, `FMC_ERROR_LENGTH`,
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates then stay. Threads:
+// one call at a time on a context.
+fmc_status fmc_context_set_reference(fmc_context *context,
+                                     const fmc_coords *coords);
+
+// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
+// surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are named too.
+// The host holds such nodes in their plane. Replaces what was named before;
+// `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
+// that would have no surface left; what was named before then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
+                                          const void *nodes,
+                                          size_t count);
+
+// Sets all fields to zero and NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_csr_init(fmc_csr *matrix);
+
+// Has the nodes of the mesh moved by unknowns of the host: control points of splines, coefficients of hierarchical shape
+// functions, nodes of another mesh. `weights` has a row for every node of the mesh, and a column for every unknown: node n lies at
+// the sum over the entries of its row of the value times the coordinates of the unknown. It counts as it says itself, whatever the
+// context's `index_base`.
+//
+// From then on every `fmc_coords` and `fmc_forces` has `unknown_count` rows, tangents and the columns of gap gradients are
+// those of unknowns, and so are masses and the columns of `fmc_context_point_weights`. The mesh and its coordinates without
+// deformation stay, and so do the nodes of `fmc_context_nodal_contact` and `fmc_context_set_symmetry_nodes`. A pattern that
+// is kept (`fmc_context_keep_pattern`) is released.
+// `weights` NULL: nodes move by themselves again.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
+// `FMC_ERROR_LENGTH` for another number of rows and for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that
+// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite; nothing changes then. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_set_basis(fmc_context *context,
+                                 const fmc_csr *weights,
+                                 size_t unknown_count);
+
+// ---- Obstacles -------------------------------------------------------------------------------------------
+
+// Kinds of shapes, each with the measures that it has. The axis of revolution is the last one: y in 2D, z in 3D.
+typedef enum {
+  // All points whose last coordinate is at most 0; the outward normal is the last axis. No measures.
+  FMC_SHAPE_HALF_SPACE = 0,
+  // A ball (2D: a disc) about the origin: `radius`.
+  FMC_SHAPE_BALL = 1,
+  // A box about the origin: `half_extents`, halves of its sides.
+  FMC_SHAPE_CUBOID = 2,
+  // A cylinder (2D: a rectangle) about the last axis, centred: `radius`, `half_height`.
+  FMC_SHAPE_CYLINDER = 3,
+  // A cone (2D: an isosceles triangle) about the last axis, its apex at +half_height and its base at -half_height:
+  // `radius` of the base, `half_height`.
+  FMC_SHAPE_CONE = 4,
+  // A capsule (2D: a stadium), all points within `radius` of the segment from -half_height to +half_height on the last
+  // axis: `radius`, `half_height`.
+  FMC_SHAPE_CAPSULE = 5,
+  // A closed polygon (2D) or triangle mesh (3D): `points`, its corners, and `facets`, as numbers of corners. In 2D the
+  // body lies left of an edge, in 3D a triangle runs counter-clockwise seen from outside.
+  FMC_SHAPE_POLYTOPE = 6,
+  // The convex hull of `points`; those inside have no effect. It becomes a polytope.
+  FMC_SHAPE_CONVEX_HULL = 7,
+  // The solid below a height field: `heights` over a grid with `counts` points along its axes and `lengths`, and
+  // `thickness`. It becomes a polytope.
+  FMC_SHAPE_HEIGHT_FIELD = 8,
+  // The union of other shapes: `parts`, which may overlap.
+  FMC_SHAPE_COMPOUND = 9,
+  // A body given by a function: `signed_distance`.
+  FMC_SHAPE_SIGNED_DISTANCE = 10,
+} fmc_shape_kind;
+
+// Position, rotation and scale of an obstacle: a point X of the shape is at position + scale rotation X.
+//
+// In 2D the first two entries of the position and the upper left two by two of the rotation are read.
+typedef struct {
+  // Position of the shape's origin.
+  double position[3];
+  // Rotation matrix, 3 by 3, row after row; orthonormal with determinant +1 to 1e-8.
+  double rotation[9];
+  // Uniform scale, positive.
+  double scale;
+} fmc_pose;
+
+// Signed distance of a body in the obstacle's own frame, for `n` points at once.
+//
+// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
+// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
+// unwritten counts as not finite. `user` is the pointer of the same name in the shape.
+//
+// Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
+// for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a
+// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+typedef int32_t (*fmc_signed_distance)(void *user, size_t n, const double *x, double *phi, double *grad);
+
+// A rigid shape in its own frame, as data. `fmc_shape_init` sets all fields; then set those that its kind has, as
+// `fmc_shape_kind` says. Others are not read.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_shape_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // A value of `fmc_shape_kind`.
+  int32_t kind;
+  // Bytes of a number in `facets`: 4, the default, or 8.
+  int32_t index_size;
+  // Radius.
+  double radius;
+  // Half of the height.
+  double half_height;
+  // Halves of the sides, of which the first `dim` are read.
+  double half_extents[3];
+  // Points, or corners.
+  fmc_coords points;
+  // Numbers of corners, (facet_count, dim), of `index_size` bytes each, counted from the option `index_base`.
+  const void *facets;
+  // Number of facets.
+  size_t facet_count;
+  // Heights along the last axis, over a grid across it that is centred on the origin. The index along the grid's last
+  // axis runs fastest. In 3D every cell is split along the diagonal from its corner of least x and y.
+  const double *heights;
+  // Numbers of points of the grid along its `dim` - 1 axes, at least 2 each; their product is the number of heights.
+  size_t counts[2];
+  // Lengths of the grid along its `dim` - 1 axes.
+  double lengths[2];
+  // How far below the lowest height the flat bottom of the solid lies; its walls are vertical.
+  double thickness;
+  // `fmc_part`s of a compound, of any kind, which may overlap. Its signed distance is the least of those of its parts: exact
+  // outside, and inside a single part; where parts overlap, the depth of a point is its largest depth in any part.
+  const void *parts;
+  // Number of parts.
+  size_t part_count;
+  // Signed distance of a body. It and `user` must outlive the context, or the obstacle if it is removed before.
+  fmc_signed_distance signed_distance;
+  // Passed to `signed_distance`.
+  void *user;
+  // Zero. Room for measures of later versions.
+  uint64_t reserved[8];
+} fmc_shape;
+
+// A part of a compound.
+typedef struct {
+  // Its shape.
+  const fmc_shape *shape;
+  // Its pose in the frame of the compound.
+  fmc_pose pose;
+} fmc_part;
+
+// Sets a pose to the origin, without rotation and with scale 1.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_pose_init(fmc_pose *pose);
+
+// Sets a pose to `position`, with scale 1 and the shape's last axis (y in 2D, z in 3D) along `axis`.
+//
+// That is the outward normal of a half-space and the axis of cylinder, cone and capsule. `position` and `axis` have
+// `dim` entries; `axis` need not have unit length.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_BAD_POSE` for an axis of length 0. Threads:
+// any, on different structs.
+fmc_status fmc_pose_along(int32_t dim, const double *position, const double *axis, fmc_pose *pose);
+
+// Sets a shape to a kind, a value of `fmc_shape_kind`, with sizes and counts 0 and pointers NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number. Threads: any, on different structs.
+fmc_status fmc_shape_init(fmc_shape *shape, int32_t kind);
+
+// Adds a rigid obstacle of any shape; everything but a signed distance is copied.
+//
+// Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
+// `fmc_pose_along` makes that of a half-space from a point and its outward normal. `obstacle`, which may be NULL too,
+// receives the index: 0 for the first obstacle of the context, then 1, 2, ..., also after others were removed.
+//
+// Both estimators support shapes that have facets or become polytopes; half-spaces and boxes too. `fibers`, `auto`, and the
+// law "depth" support all of them.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a
+// `kind` or an `index_size` that is none, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Of a polytope those of
+// `fmc_context_new_from_facets`; of a convex hull `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`; of a height
+// field `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`; of a compound `FMC_ERROR_EMPTY_COMPOUND` and those of
+// its parts. `FMC_ERROR_UNSUPPORTED` for hulls and compounds if the library lacks the feature "shapes". Threads: one call
+// at a time on a context.
+fmc_status fmc_context_add_obstacle(fmc_context *context,
+                                    const fmc_shape *shape,
+                                    const fmc_pose *pose,
+                                    size_t *obstacle);
+
+// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its pose as it stands. Either output may be NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
+// Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacle, int32_t *kind, fmc_pose *pose);
+
+// Moves an obstacle. Results of the last evaluation are kept.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+// `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc_pose *pose);
+
+// Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
+// given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
+// last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed distance any
+// more.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED` if it was removed
+// before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
+
+// ---- Options of single pairs -----------------------------------------------------------------------------
+
+// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
+// after they change.
+#define FMC_PAIR_LAW_OF_CONTEXT -1
+
+// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
+// changes.
+#define FMC_PAIR_FRICTION_OF_CONTEXT -1
+
+// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
+// has without options of its own.
+//
+// New options take the place of reserved fields; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
+  // default.
+  double stiffness;
+  // m >= 1, for the law "volume" only. Default 1.
+  double exponent;
+  // Smoothing length of the law "fiber"; 0, the default: the quadratic law.
+  double smoothing_length;
+  // Distance at which contact begins, in length; 0, the default: at the surfaces. Penetration, gap and pressure are
+  // counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
+  // shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
+  // they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
+  // rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
+  // only with the law "depth" and not positive: -c lets either body in by c before it presses.
+  double gap_offset;
+  // Coefficient of friction, at least 0, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
+  // the context's options.
+  double friction_coefficient;
+  // A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
+  int32_t law;
+  // 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
+  int32_t excluded;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[10];
+} fmc_pair_options;
+
+// Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_pair_options_init(fmc_pair_options *options);
+
+// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
+// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
+//
+// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
+// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
+// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
+// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
+// `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
+// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
+// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+// estimator that does not support the law of a pair. Threads: one call at a time on a context.
+fmc_status fmc_context_set_pair_options(fmc_context *context,
+                                        int32_t a_kind,
+                                        size_t a,
+                                        int32_t b_kind,
+                                        size_t b,
+                                        const fmc_pair_options *options);
+
+// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
+// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
+// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_pair_options(const fmc_context *context,
+                                    int32_t a_kind,
+                                    size_t a,
+                                    int32_t b_kind,
+                                    size_t b,
+                                    fmc_pair_options *options);
+
+// ---- Evaluate: forces and what belongs to them -----------------------------------------------------------
+
+// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
+// instead of overwriting it.
+#define FMC_EVALUATE_ADD 1
+
+// Kind of a partner.
+typedef enum {
+  // A body of the mesh.
+  FMC_PARTNER_BODY = 0,
+  // An obstacle.
+  FMC_PARTNER_OBSTACLE = 1,
+} fmc_partner;
+
+// Kind of a warning.
+typedef enum {
+  // The fibers are further apart than the facets in contact are wide: nodal forces are noisy.
+  FMC_WARNING_COARSE_FIBERS = 1,
+  // Only a few fibers cross the overlap: it is thinner or smaller than their spacing.
+  FMC_WARNING_UNRESOLVED_OVERLAP = 2,
+  // One body lies inside the other and is not pushed out.
+  FMC_WARNING_SWALLOWED_BODY = 3,
+  // The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
+  // its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
+  FMC_WARNING_PATCH_LEFT_OUT = 4,
+  // Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
+  // gives the imbalance. Forces may be wrong by as much.
+  FMC_WARNING_UNBALANCED = 5,
+  // With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
+  // symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
+  // gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
+  // penetration by the size of the cells.
+  FMC_WARNING_FLUSH_FACES = 6,
+} fmc_warning;
 
 // Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,
 // volumes are m^3 (2D: m^2), areas m^2 (m), energies J (J/m) and forces N (N/m).
@@ -610,225 +968,12 @@ typedef struct {
   uint64_t reserved[3];
 } fmc_result;
 
-// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
-// of a cell of second order is divided first: an edge in two, a triangle or quadrilateral in four parts.
-typedef struct {
-  // Size of this struct, as the library wrote it.
-  size_t struct_size;
-  // Its body, an index for `fmc_context_body_resultant`.
-  size_t body;
-  // Its cell, counted from the option `index_base` over all blocks; -1 where the context was made from facets.
-  int64_t cell;
-  // Its number among the facets that the context was made from, counted from `index_base` over all blocks; -1 where it was made
-  // from cells.
-  int64_t input_facet;
-  // Number of its face among those of the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The nodes of face 0, 1, ...
-  // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
-  // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
-  // 124, 234, 304; of cells of second order the same, by their corners.
-  int32_t local_face;
-  // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; of a face of second order of the part in which the facet lies.
-  int32_t node_count;
-  // Nodes of its face, counted from the option `index_base`; unused ones are -1. In 2D the body lies left of the way from
-  // the first to the second, in 3D they run counter-clockwise seen from outside, also where the cell is numbered the
-  // other way round. Of four, the facet is the triangle of the first two and the mean of all. Of a face of second order they
-  // are points of its division, of which `fmc_context_point_weights` tells; those from the node count on are no nodes.
-  int64_t nodes[4];
-  // Zero.
-  uint64_t reserved[4];
-} fmc_boundary_facet;
-
-// A sparse matrix of the host in compressed rows (CSR): the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`,
-// in any order; those at one place add up. Initialise it with `fmc_csr_init`, then set all fields.
-typedef struct {
-  // Set by `fmc_csr_init`, so that a struct that was not initialised is recognised.
-  size_t struct_size;
-  // Number of rows.
-  size_t row_count;
-  // Bytes of an offset and of a column, 4 or 8.
-  int32_t index_size;
-  // What offsets, rows and columns count from, 0 or 1.
-  int32_t index_base;
-  // Where rows begin, and the last one ends: `row_count` + 1 numbers.
-  const void *row_offsets;
-  // Column of every entry.
-  const void *cols;
-  // Value of every entry.
-  const double *values;
-  // Zero. Room for later versions.
-  uint64_t reserved[4];
-} fmc_csr;
-
-// Sends bytes to all ranks, this one too, and receives what they send: rank r sends `counts[r]` bytes, and `received` gets
-// those of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
-// `fmc_mpi.h` has it.
-//
-// Return 0; any other value makes the evaluation fail with `FMC_ERROR_COMMUNICATION`. It is called on the thread that evaluates,
-// in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
-typedef int32_t (*fmc_all_gather)(void *user, const void *send, const uint64_t *counts, void *received);
-
-// Sends bytes to every rank, this one too, and receives what they have for this one: `send` has `send_counts[r]` bytes for rank r, one
-// rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
-// MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
-//
-// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. It is called as `fmc_all_gather` is,
-// and must not do what that must not.
-typedef int32_t (*fmc_all_to_all)(void *user,
-                                  const void *send,
-                                  const uint64_t *send_counts,
-                                  void *received,
-                                  const uint64_t *received_counts);
-
-// Ranks of a parallel program, as the host's message passing library has them. Initialise it with `fmc_communicator_init`.
-//
-// New fields take the place of reserved ones; the size of the struct does not change.
-typedef struct {
-  // Set by `fmc_communicator_init`, so that a struct that was not initialised is recognised.
-  size_t struct_size;
-  // Number of this rank, from 0, and of all ranks, at least 1.
-  int32_t rank;
-  int32_t size;
-  // Moves bytes.
-  fmc_all_gather all_gather;
-  // Handed to the functions.
-  void *user;
-  // Moves bytes to single ranks; may be NULL, on all ranks, and what is for one rank then goes to all by `all_gather`. With a mesh
-  // in parts it takes the faces between ranks to those that may have the other side.
-  fmc_all_to_all all_to_all;
-  // Zero. Room for functions of later versions.
-  uint64_t reserved[5];
-} fmc_communicator;
-
-// What ranks did since the communicator was set: of this rank, but for `item_count`.
-typedef struct {
-  // Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks.
-  uint64_t item_count;
-  // Those that this rank measured.
-  uint64_t own_item_count;
-  // Calls of the communicator.
-  uint64_t call_count;
-  // Bytes that this rank sent, and received, its own too.
-  uint64_t sent_bytes;
-  uint64_t received_bytes;
-} fmc_rank_counts;
-
-// The cells of one rank, with their nodes. Every cell of the mesh is given by one rank, and only by that one; nodes between
-// ranks are given by all that have a cell there. A rank may have none. Initialise it with `fmc_mesh_part_init`, then set all fields.
-typedef struct {
-  // Set by `fmc_mesh_part_init`, so that a struct that was not initialised is recognised.
-  size_t struct_size;
-  // Coordinates of the rank's own nodes without deformation.
-  fmc_coords coords;
-  // Bytes of a number in the lists here and in the blocks, 4 or 8, and in all lists of the context; the same on all ranks.
-  int32_t index_size;
-  // Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are those
-  // of one rank alone whose mesh has its nodes in the order of these numbers; they need not be without gaps.
-  const void *node_numbers;
-  // Cells, of own nodes counted from the option `index_base`.
-  const fmc_cell_block *blocks;
-  // Number of blocks.
-  size_t block_count;
-  // Number of each cell in the whole mesh, over all blocks, counted from the option `index_base`. Results are those of a mesh with its
-  // cells in the order of these.
-  const void *cell_numbers;
-  // Body of each cell, as all ranks name it.
-  const void *body_ids;
-  // How far `fmc_context_gap_constraints` may reach; 0 where it is not asked for.
-  double reach;
-  // Zero. Room for later versions.
-  uint64_t reserved[4];
-} fmc_mesh_part;
-
-// Elastic slip of a boundary facet, by the numbers of the whole mesh.
-typedef struct {
-  // Number of its cell in the whole mesh, counted from the option `index_base`.
-  int64_t cell;
-  // Face of that cell, as VTK counts them, from 0 whatever the base.
-  int32_t face;
-  // Which of the facets of that face, from 0.
-  int32_t part;
-  // Elastic slip; in 2D the last is 0.
-  double slip[3];
-} fmc_carried_slip;
-
-// How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
-typedef struct {
-  // Nodes and cells that every rank has.
-  uint64_t node_count;
-  uint64_t cell_count;
-  // Boundary facets that every rank has, and those of the whole mesh.
-  uint64_t facet_count;
-  uint64_t whole_facet_count;
-  // Cells that this rank gave.
-  uint64_t own_cell_count;
-  // How often cells were gathered.
-  uint64_t gather_count;
-} fmc_gathered_counts;
-
-// When a step of `fmc_context_contact_step` ends. Initialise it with `fmc_contact_step_options_init`.
-//
-// New fields take the place of reserved ones; the size of the struct does not change.
-typedef struct {
-  // Set by `fmc_contact_step_options_init`, so that a struct that was not initialised is recognised.
-  size_t struct_size;
-  // Norm of the residual, by the larger of those of the residual given and of the contact forces on the list, at which a
-  // step has converged. Default 1e-10.
-  double tolerance;
-  // Norm of the residual, a force, at which it has converged too; 0, the default: none. Bodies that are not linear need no
-  // more than a part of what their linearisation leaves.
-  double absolute_tolerance;
-  // Relative residual below which the full tangent is taken, above it the semidefinite one. Default 0.1.
-  double full_below;
-  // Iterations, at most, at least 1. Default 80.
-  int32_t max_iterations;
-  // Trials along a direction, at most, at least 1. Default 12.
-  int32_t max_trials;
-  // 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
-  // energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
-  // degree of freedom of the list, then one ten times as stiff, and so on. Each may take `max_iterations`. What is reported
-  // is that of the contact as it is. 0, the default: off.
-  int32_t soft_start;
-  // Zero. Room for switches of later versions.
-  int32_t reserved_flags;
-  // Zero. Room for options of later versions.
-  uint64_t reserved[7];
-} fmc_contact_step_options;
-
-// Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
-//
-// Read `displacement`, (n). `coords` are dense rows, one for every node, those of the start with the displacement added on
-// the list: move the nodes that follow, and none of the list. `user` is the pointer given with the function.
-//
-// Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that asked for the step. It must
-// not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
-typedef int32_t (*fmc_place)(void *user, size_t n, const double *displacement, double *coords);
-
-// What is said of a step.
-//
-// New fields take the place of reserved ones; the size of the struct does not change.
-typedef struct {
-  // Size of this struct, as the library wrote it.
-  size_t struct_size;
-  // A value of `fmc_contact_step_state`.
-  int32_t state;
-  // Linear systems solved.
-  int32_t iterations;
-  // Evaluations of the contact, without those of its tangent.
-  size_t evaluation_count;
-  // Degrees of freedom outside the list on which contact acts.
-  size_t outside_count;
-  // Norm of the residual at the start.
-  double residual_at_start;
-  // Norm of the residual that is left.
-  double residual;
-  // What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
-  double scale;
-  // Zero.
-  uint64_t reserved[8];
-} fmc_contact_step_result;
-
 // Contact force and moment on one body or obstacle.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
   // Id of the body as given, or its number among the connected components; index of the obstacle.
   int64_t id;
   // Sum of the forces; in 2D the last entry is 0.
@@ -889,409 +1034,6 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_pair_result;
 
-// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
-// has without options of its own.
-//
-// New options take the place of reserved fields; the size of the struct does not change.
-typedef struct {
-  // Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
-  size_t struct_size;
-  // k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
-  // default.
-  double stiffness;
-  // m >= 1, for the law "volume" only. Default 1.
-  double exponent;
-  // Smoothing length of the law "fiber"; 0, the default: the quadratic law.
-  double smoothing_length;
-  // Distance at which contact begins, in length; 0, the default: at the surfaces. Penetration, gap and pressure are
-  // counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
-  // shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
-  // they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
-  // rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
-  // only with the law "depth" and not positive: -c lets either body in by c before it presses.
-  double gap_offset;
-  // Coefficient of friction, at least 0, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
-  // the context's options.
-  double friction_coefficient;
-  // A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
-  int32_t law;
-  // 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
-  int32_t excluded;
-  // Zero. Room for options of later versions.
-  uint64_t reserved[10];
-} fmc_pair_options;
-
-// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL where it is not asked for. With
-// n nodes of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
-//
-// New fields are added at the end, and `fmc_nodal_contact_init` sets them to NULL: the library reads no more than `struct_size`.
-typedef struct {
-  // Set by `fmc_nodal_contact_init`.
-  size_t struct_size;
-  // Contact pressure: the mean of the law's over the part of the facets at the node that is in contact, weighted with the
-  // node's shape function, int N p dA / int N dA; with the law "volume" that of the pair.
-  double *pressure;
-  // Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
-  double *gap;
-  // Area (2D: length), int N dA, up to the curvature of the surface.
-  double *area;
-  // Unit vector outwards of the node's body.
-  double *normal;
-  // Traction of friction on the node's body, the mean over the same part.
-  double *friction;
-  // The part of the contact at the node that slides, of its area, between 0 and 1.
-  double *sliding;
-  // Values of `fmc_node_status`.
-  int32_t *status;
-} fmc_nodal_contact;
-
-// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second
-// order those of the straight face or cell of their division.
-typedef struct {
-  // A value of `fmc_partner`.
-  int32_t kind;
-  // How many of `nodes` and `weights` are used; 0 for an obstacle, and where no cell of the other body is.
-  int32_t node_count;
-  // Index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
-  size_t index;
-  // Cell, counted from the option `index_base` over all blocks; -1 for an obstacle and for a surface without cells.
-  int64_t cell;
-  // Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`. Where the cell
-  // is of second order they are points of its division: row p of `fmc_context_point_weights` takes the force at point p
-  // to the nodes.
-  int64_t nodes[8];
-  // Values of their shape functions: a force at this end goes to the nodes, or points, by these parts.
-  double weights[8];
-  // The end; in 2D the last entry is 0.
-  double position[3];
-} fmc_contact_side;
-
-// A point of the contact, and the area for which it stands.
-//
-// With the law "fiber" it is a piece of a line inside both sides of a pair, from the boundary of one to that of the other.
-// With the law "depth" it is the centre of the pressure on what a facet has inside the other side; facets of both bodies
-// are pressed, each for half of its area, facets against an obstacle for all of it.
-typedef struct {
-  // Size of this struct, as the library wrote it.
-  size_t struct_size;
-  // Number of the patch within the pair; points of one patch have one normal, up to its sign. 0 with
-  // the law "depth".
-  size_t patch;
-  // Middle of the piece, or the centre of pressure; in 2D the last entry is 0.
-  double position[3];
-  // Unit vector along the line, or that of the facet, outwards of the first side; in 2D the last entry is 0.
-  double normal[3];
-  // Minus the penetration: the length of the piece; the mean depth of the facet's part below the other surface.
-  double gap;
-  // Contact pressure.
-  double pressure;
-  // Area (2D: length) across the line, or of the facet's part.
-  double area;
-  // Traction of friction on the first side, the sum of friction * area being its resultant there; in 2D the last entry
-  // is 0.
-  double friction[3];
-  // Slip of the first side against the second since the step began, without what is elastic: that of the facets on
-  // which the point lies; in 2D the last entry is 0.
-  double slip[3];
-  // Part of the area that slides: 0 where the point sticks, 0.5 where one of its two facets does, else 1.
-  double sliding;
-  // The ends, in the order of the pair's sides; with the law "depth" the point on the facet, and the same place in a
-  // cell of the other body.
-  fmc_contact_side sides[2];
-  // Zero.
-  uint64_t reserved[8];
-} fmc_contact_point;
-
-// The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over what the facets of the
-// node have nearer than the reach and facing the partner, within 60 degrees of the way to its nearest point. N is the shape
-// function of the node, phi the distance from the partner's surface, negative inside. Contact is gap >= 0.
-//
-// With cells of second order a row is that of a point of their division, and N is its straight shape function, which is
-// positive everywhere; that of a node would not be, and its integral at the corner of a face may vanish. Multipliers are
-// then pressures at points; the derivative is that by nodes.
-typedef struct {
-  // Size of this struct, as the library wrote it.
-  size_t struct_size;
-  // The node, counted from the option `index_base`; with cells of second order the point, see
-  // `fmc_context_point_weights`: from the node count on it is no node.
-  int64_t node;
-  // Its body, an index for `fmc_context_body_resultant`.
-  size_t body;
-  // What the partner is: a value of `fmc_partner`.
-  int32_t partner_kind;
-  // Zero.
-  int32_t reserved_flags;
-  // Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
-  size_t partner;
-  // Weighted gap, in length^dim.
-  double gap;
-  // int N dA over the same part: `gap / area` is the mean gap at the node.
-  double area;
-  // Zero.
-  uint64_t reserved[4];
-} fmc_gap_constraint;
-
-// What `fmc_context_augment` says of the coordinates that it was called with.
-typedef struct {
-  // Size of this struct, as the library wrote it.
-  size_t struct_size;
-  // Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers.
-  double penetration;
-  // Largest change of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner, inside or outside.
-  double change;
-  // Number of multipliers, for `fmc_context_multipliers`.
-  size_t multiplier_count;
-  // Whether both are no more than the tolerance: the multipliers have then stayed.
-  int32_t is_converged;
-  // Zero.
-  int32_t reserved_flags;
-  // Zero.
-  uint64_t reserved[4];
-} fmc_augmentation;
-
-// How far a surface is moved out at a node, against one partner.
-typedef struct {
-  // Size of this struct, as the library wrote it.
-  size_t struct_size;
-  // The node, counted from the option `index_base`; with cells of second order the point, see
-  // `fmc_context_point_weights`.
-  int64_t node;
-  // Its body, an index for `fmc_context_body_resultant`.
-  size_t body;
-  // What the partner is: a value of `fmc_partner`.
-  int32_t partner_kind;
-  // Zero.
-  int32_t reserved_flags;
-  // Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
-  size_t partner;
-  // How far, a positive length; by the law's stiffness the pressure without penetration.
-  double shift;
-  // Unit vector towards the partner; in 2D the last is 0.
-  double towards[3];
-  // Zero.
-  uint64_t reserved[4];
-} fmc_multiplier;
-
-// Position, rotation and scale of an obstacle: a point X of the shape is at position + scale rotation X.
-//
-// In 2D the first two entries of the position and the upper left two by two of the rotation are read.
-typedef struct {
-  // Position of the shape's origin.
-  double position[3];
-  // Rotation matrix, 3 by 3, row after row; orthonormal with determinant +1 to 1e-8.
-  double rotation[9];
-  // Uniform scale, positive.
-  double scale;
-} fmc_pose;
-
-// Signed distance of a body in the obstacle's own frame, for `n` points at once.
-//
-// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
-// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
-// unwritten counts as not finite. `user` is the pointer of the same name in the shape.
-//
-// Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
-// for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a
-// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
-typedef int32_t (*fmc_signed_distance)(void *user, size_t n, const double *x, double *phi, double *grad);
-
-// A rigid shape in its own frame, as data. `fmc_shape_init` sets all fields; then set those that its kind has, as
-// `fmc_shape_kind` says. Others are not read.
-typedef struct {
-  // Set by `fmc_shape_init`, so that a struct that was not initialised is recognised.
-  size_t struct_size;
-  // A value of `fmc_shape_kind`.
-  int32_t kind;
-  // Bytes of a number in `facets`: 4, the default, or 8.
-  int32_t index_size;
-  // Radius.
-  double radius;
-  // Half of the height.
-  double half_height;
-  // Halves of the sides, of which the first `dim` are read.
-  double half_extents[3];
-  // Points, or corners.
-  fmc_coords points;
-  // Numbers of corners, (facet_count, dim), of `index_size` bytes each, counted from the option `index_base`.
-  const void *facets;
-  // Number of facets.
-  size_t facet_count;
-  // Heights along the last axis, over a grid across it that is centred on the origin. The index along the grid's last
-  // axis runs fastest. In 3D every cell is split along the diagonal from its corner of least x and y.
-  const double *heights;
-  // Numbers of points of the grid along its `dim` - 1 axes, at least 2 each; their product is the number of heights.
-  size_t counts[2];
-  // Lengths of the grid along its `dim` - 1 axes.
-  double lengths[2];
-  // How far below the lowest height the flat bottom of the solid lies; its walls are vertical.
-  double thickness;
-  // `fmc_part`s of a compound, of any kind, which may overlap. Its signed distance is the least of those of its parts: exact
-  // outside, and inside a single part; where parts overlap, the depth of a point is its largest depth in any part.
-  const void *parts;
-  // Number of parts.
-  size_t part_count;
-  // Signed distance of a body. It and `user` must outlive the context, or the obstacle if it is removed before.
-  fmc_signed_distance signed_distance;
-  // Passed to `signed_distance`.
-  void *user;
-} fmc_shape;
-
-// A part of a compound.
-typedef struct {
-  // Its shape.
-  const fmc_shape *shape;
-  // Its pose in the frame of the compound.
-  fmc_pose pose;
-} fmc_part;
-
-#ifdef __cplusplus
-extern "C" {
-#endif // __cplusplus
-
-// Version of the library, such as "0.1.0". The text is constant and never freed. Threads: any.
-const char *fmc_version(void);
-
-// Version of the binary interface of the library: `FMC_ABI_VERSION` of the header it was built with. Threads: any.
-int32_t fmc_abi_version(void);
-
-// 1 if this build of the library has a feature that a build can lack, else 0: "shapes" (convex hulls and compounds),
-// "solver" (`fmc_condensation`). 0 for any other name and for NULL. Threads: any.
-int32_t fmc_has_feature(const char *name);
-
-// Name of a status, such as "FMC_ERROR_NULL_POINTER"; "FMC_UNKNOWN_STATUS" for any other number.
-//
-// The text is constant and never freed. Threads: any.
-const char *fmc_status_name(int32_t status);
-
-// Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is no status. A host that
-// branches on classes bears statuses of later versions of the library. Threads: any.
-int32_t fmc_status_class(int32_t status);
-
-// Text of the last call that failed on this thread, "" if none did; never NULL. It names the offending indices.
-//
-// The text is valid until the next call fails on this thread; successful calls do not change it. Threads: each has its
-// own.
-const char *fmc_last_error(void);
-
-// Sets all options to their defaults. Afterwards set at least `stiffness`.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_options_init(fmc_options *options);
-
-// Sets one option by the name of its field, both as text: ("stiffness", "2.5e6"), ("estimator", "exact"),
-// ("momentum_correction", "0"). Blanks around them are ignored, and numbers may be written as in Fortran, "2.5d6".
-//
-// Errors: `FMC_ERROR_UNKNOWN_OPTION` for an unknown key, `FMC_ERROR_BAD_VALUE` for an unknown value; ranges are checked
-// where the options are used.
-// Threads: any, on different structs.
-fmc_status fmc_options_set(fmc_options *options, const char *key, const char *value);
-
-// Sets every field to its default.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_friction_step_init(fmc_friction_step *step);
-
-// Contact forces between the bodies of a mesh, in one call.
-//
-// `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `blocks` are the cells, in one block for each
-// type; `body_ids`, one for every cell counted over the blocks, may be NULL: bodies are the connected components by faces.
-// `options` must have been initialised and have `stiffness` set. `step` may be NULL; with friction it says where the step began that
-// ends at `coords`, and receives the elastic slip that is carried into the next.
-//
-// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be
-// NULL, the overlap volume (2D: area), summed over the pairs. All are written only on success. The result is that of
-// a context, bit for bit, and with a step that of a context made at `step->reference` that goes through `fmc_context_begin_step`,
-// `fmc_context_set_slip`, `fmc_context_evaluate` and `fmc_context_commit_step`; a context finds the boundary facets once for many
-// evaluations, accepts strides and obstacles, and reports forces per body, pairs and warnings.
-//
-// Errors: those of `fmc_context_new_from_cells`, of `fmc_context_evaluate`, and with a step of the calls above; with friction and
-// without a step `FMC_ERROR_NO_STEP`; the text, with the offending indices, is given by `fmc_last_error`. Threads: any, also at once.
-fmc_status fmc_contact_force(int32_t dim,
-                             const double *coords,
-                             size_t node_count,
-                             const fmc_cell_block *blocks,
-                             size_t block_count,
-                             const void *body_ids,
-                             const fmc_options *options,
-                             const fmc_friction_step *step,
-                             double *forces,
-                             double *volume);
-
-// Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
-//
-// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of
-// them. Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, as wide as node
-// numbers, say which body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and
-// not kept (topology is copied). `options`, with `stiffness` set, must have been initialised.
-//
-// `context` receives the new context, to be freed by `fmc_context_free`.
-//
-// Errors, all with the offending indices in `fmc_last_error`: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`,
-// `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
-// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_REPEATED_NODE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`,
-// `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_OPTIONS_CONFLICT`,
-// `FMC_ERROR_RESERVED_FIELD`,
-// `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`. Threads: any, also at once.
-fmc_status fmc_context_new_from_cells(int32_t dim,
-                                      const fmc_coords *coords,
-                                      const fmc_cell_block *blocks,
-                                      size_t block_count,
-                                      const void *body_ids,
-                                      const fmc_options *options,
-                                      fmc_context **context);
-
-// Frees a context and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
-//
-// Errors: none. Threads: no other call on the context may be running or follow.
-fmc_status fmc_context_free(fmc_context **context);
-
-// Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.
-//
-// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
-// faces of cells of second order are, and give the same forces. In space a straight edge and one with a node in its middle do not
-// fit. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
-// components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
-// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
-// facet a part of which faces away from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it,
-// along the edge.
-fmc_status fmc_context_new_from_facets(int32_t dim,
-                                       const fmc_coords *coords,
-                                       const fmc_facet_block *blocks,
-                                       size_t block_count,
-                                       const void *body_ids,
-                                       const fmc_options *options,
-                                       fmc_context **context);
-
-// Replaces the options. They apply from the next evaluation on; results of the last one are kept.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`,
-// `FMC_ERROR_OPTIONS_CONFLICT`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_set_options(fmc_context *context,
-                                   const fmc_options *options);
-
-// The options in force: those of the creation or of the last `fmc_context_set_options`, with the stiffness that
-// `fmc_context_stiffen` has made of theirs.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
-// changes it.
-fmc_status fmc_context_options(const fmc_context *context, fmc_options *options);
-
-// Sets the callback that receives messages; NULL, the default: none. The library never prints.
-//
-// The callback and `user` must outlive the context, or be replaced before they end. They are called on the thread that
-// evaluates the context. Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_set_log(fmc_context *context, fmc_log_callback callback, void *user);
-
-// Number of nodes of the mesh, of its boundary facets, and of its bodies. A quadrilateral face in 3D counts as four facets;
-// of second order an edge counts as two, a triangle as four, a quadrilateral as sixteen. Any of the outputs may be NULL.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
-// changes it.
-fmc_status fmc_context_counts(const fmc_context *context,
-                              size_t *node_count,
-                              size_t *facet_count,
-                              size_t *body_count);
-
 // Contact forces at `coords`, the current coordinates of all nodes of the mesh.
 //
 // `forces`, which may be NULL, receives the nodal forces in the order of the nodes: the negative derivative of the
@@ -1311,148 +1053,40 @@ fmc_status fmc_context_evaluate(fmc_context *context,
                                 uint32_t flags,
                                 fmc_result *result);
 
-// The boundary facets in the order in which `fmc_context_slip` has them, body after body.
+// Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
 //
-// `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+// `index` counts from 0 to `body_count` of `fmc_result`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
-// once on one context, as long as no call changes it.
-fmc_status fmc_context_boundary_facets(const fmc_context *context,
-                                       fmc_boundary_facet *facets,
-                                       size_t capacity,
-                                       size_t *count);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_BUSY`. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_body_resultant(const fmc_context *context, size_t index, fmc_resultant *body);
 
-// The matrix P that takes nodes to points, X = P x, in compressed rows: the entries of point p are those from `row_offsets[p]`
-// to `row_offsets[p + 1]`, `nodes` with their `weights`. Offsets and nodes count from the option `index_base`.
-//
-// Cells of second order are divided into straight ones, whose points are fixed linear combinations of the nodes.
-// `fmc_boundary_facet`, `fmc_contact_side` and `fmc_gap_constraint` tell of points: their numbers, less the option
-// `index_base`, are rows. What is known at nodes is brought to points by P, forces and other derivatives from points to nodes by
-// its transpose. A point that is a node, or stands for one in the middle of an edge, face or cell, has the node's
-// number; middles of faces without a node come after the nodes. The weights of a row add up to 1, and some are
-// negative. Without cells of second order, and nodes that hang, P is the identity. With a basis (`fmc_context_set_basis`) its
-// columns are unknowns, and rows add up to what those of the basis do.
-//
-// There are at least as many points as nodes; numbers change with a basis only. `offset_count` becomes the number of offsets, one
-// more than there are points, and `count` that of entries. `row_offsets` has room for `offset_capacity`, `nodes` and `weights` for
-// `capacity`. An array that is NULL with capacity 0 is not written: its number alone is asked for.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-// several at once on one context, as long as no call changes it.
-fmc_status fmc_context_point_weights(const fmc_context *context,
-                                     void *row_offsets,
-                                     size_t offset_capacity,
-                                     size_t *offset_count,
-                                     void *nodes,
-                                     double *weights,
-                                     size_t capacity,
-                                     size_t *count);
+// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body_resultant`.
+fmc_status fmc_context_obstacle_resultant(const fmc_context *context,
+                                          size_t index,
+                                          fmc_resultant *obstacle);
 
-// Sets all fields to zero and NULL.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_csr_init(fmc_csr *matrix);
+// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body_resultant`.
+fmc_status fmc_context_pair_result(const fmc_context *context, size_t index, fmc_pair_result *pair);
 
-// Has the nodes of the mesh moved by unknowns of the host: control points of splines, coefficients of hierarchical shape
-// functions, nodes of another mesh. `weights` has a row for every node of the mesh, and a column for every unknown: node n lies at
-// the sum over the entries of its row of the value times the coordinates of the unknown. It counts as it says itself, whatever the
-// context's `index_base`.
-//
-// From then on every `fmc_coords` and `fmc_forces` has `unknown_count` rows, tangents and the columns of gap gradients are
-// those of unknowns, and so are masses and the columns of `fmc_context_point_weights`. The mesh and its coordinates without
-// deformation stay, and so do the nodes of `fmc_context_nodal_contact` and `fmc_context_set_symmetry_nodes`. A pattern that
-// is kept (`fmc_context_keep_pattern`) is released.
-// `weights` NULL: nodes move by themselves again.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
-// `FMC_ERROR_LENGTH` for another number of rows and for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that
-// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite; nothing changes then. Threads: one call at a time on a
-// context.
-fmc_status fmc_context_set_basis(fmc_context *context,
-                                 const fmc_csr *weights,
-                                 size_t unknown_count);
+// One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
+// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body_resultant`.
+fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t *code, const char **text);
 
-// Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
-// later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
-// are found at every evaluation again, which is the default.
-//
-// Call it at the start of a load step. Patches of pairs that do not overlap at `coords` are not kept, but found at
-// every evaluation. `direction_count`, which may be NULL, receives the number of directions kept: 0 with other laws.
-//
-// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
-fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coords, size_t *direction_count);
+// ---- Tangent ---------------------------------------------------------------------------------------------
 
-// Begins a step with friction at `coords`, with the obstacles where they are: slip is counted from here. With friction
-// this comes before the first evaluation, and `fmc_context_commit_step` after every step that is accepted, which begins
-// the next. A step may be tried as often as the host likes: nothing has to be undone.
-//
-// Elastic slip that was carried so far stays; there is none at first. Where friction is on, what touches here is measured:
-// a facet that touches later counts its slip from then on.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
-// `FMC_ERROR_BUSY`; with friction as `fmc_context_evaluate`. Nothing has changed then. Threads: one call at a time on a context.
-fmc_status fmc_context_begin_step(fmc_context *context,
-                                  const fmc_coords *coords);
+// Flag of `fmc_context_tangent` and `fmc_context_evaluate_tangent`: without the terms that can be indefinite, for use
+// far from a solution.
+#define FMC_TANGENT_SEMIDEFINITE 2
 
-// Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
-// Frozen friction is released. Call it with the coordinates that the host has accepted, and never within an iteration.
-//
-// Errors: `FMC_ERROR_NO_STEP` before `fmc_context_begin_step`; else as `fmc_context_evaluate`. Nothing has changed then.
-// Threads: one call at a time on a context.
-fmc_status fmc_context_commit_step(fmc_context *context,
-                                   const fmc_coords *coords);
+// Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
+#define FMC_TANGENT_SYMMETRIC 32
 
-// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
-// called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
-// symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the solution with
-// the current pressure, and goes on where Newton's method on that fails, at large coefficients of friction.
-//
-// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. What was frozen before then stays. Threads: one call at a
-// time on a context.
-fmc_status fmc_context_freeze_friction(fmc_context *context,
-                                       const fmc_coords *coords);
+// Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
+#define FMC_CSR_BLOCKS 4
 
-// The elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
-// of `fmc_context_boundary_facets`: that of the facet against what it faces. With the
-// coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
-// `fmc_context_set_slip`, gives the bits of the unbroken run.
-//
-// `count` becomes how many numbers there are; `slip` has room for `capacity`. NULL with capacity 0: that alone is asked for.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then.
-// Threads: several at once on one context, as long as no call changes it.
-fmc_status fmc_context_slip(const fmc_context *context,
-                            double *slip,
-                            size_t capacity,
-                            size_t *count);
-
-// Sets the elastic slip that was carried into the step that has begun: `count` numbers, as `fmc_context_slip` writes
-// them.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another count than `dim` times the
-// number of facets, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
-// time on a context.
-fmc_status fmc_context_set_slip(fmc_context *context, const double *slip, size_t count);
-
-// Sets the coordinates of all nodes without deformation, from which the law "depth" has its depths; those at which the
-// context was created are the default.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a surface without cells, `FMC_ERROR_LENGTH`,
-// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates then stay. Threads:
-// one call at a time on a context.
-fmc_status fmc_context_set_reference(fmc_context *context,
-                                     const fmc_coords *coords);
-
-// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
-// surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are named too.
-// The host holds such nodes in their plane. Replaces what was named before;
-// `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
-// that would have no surface left; what was named before then stays. Threads: one call at a time on a context.
-fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
-                                          const void *nodes,
-                                          size_t count);
+// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
+#define FMC_CSR_OBSTACLES 8
 
 // Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
 // to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
@@ -1550,6 +1184,19 @@ fmc_status fmc_context_tangent_csr(const fmc_context *context,
 // at a time on a context.
 fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
 
+// `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
+// bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
+//
+// `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on success.
+//
+// Errors: those of the two. Threads: one call at a time on a context.
+fmc_status fmc_context_evaluate_tangent(fmc_context *context,
+                                        const fmc_coords *coords,
+                                        uint32_t flags,
+                                        const fmc_forces *forces,
+                                        fmc_result *result,
+                                        size_t *rank_one_count);
+
 // Gives tangents rows and columns for the rotations of the obstacles, with `on` 1, from the next one on; 0, the default:
 // none. With n nodes and m obstacles, removed ones included, the rotation of obstacle o is node n + m + o: a rotation
 // vector about the position of its pose, which moves along; in 2D its first entry is the angle, and the second has only
@@ -1565,18 +1212,47 @@ fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
 fmc_status fmc_context_set_obstacle_rotations(fmc_context *context,
                                               int32_t on);
 
-// `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
-// bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
+// ---- Steps: friction, patches, the longest step of explicit dynamics -------------------------------------
+
+// Begins a step with friction at `coords`, with the obstacles where they are: slip is counted from here. With friction
+// this comes before the first evaluation, and `fmc_context_commit_step` after every step that is accepted, which begins
+// the next. A step may be tried as often as the host likes: nothing has to be undone.
 //
-// `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on success.
+// Elastic slip that was carried so far stays; there is none at first. Where friction is on, what touches here is measured:
+// a facet that touches later counts its slip from then on.
 //
-// Errors: those of the two. Threads: one call at a time on a context.
-fmc_status fmc_context_evaluate_tangent(fmc_context *context,
-                                        const fmc_coords *coords,
-                                        uint32_t flags,
-                                        const fmc_forces *forces,
-                                        fmc_result *result,
-                                        size_t *rank_one_count);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
+// `FMC_ERROR_BUSY`; with friction as `fmc_context_evaluate`. Nothing has changed then. Threads: one call at a time on a context.
+fmc_status fmc_context_begin_step(fmc_context *context,
+                                  const fmc_coords *coords);
+
+// Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
+// Frozen friction is released. Call it with the coordinates that the host has accepted, and never within an iteration.
+//
+// Errors: `FMC_ERROR_NO_STEP` before `fmc_context_begin_step`; else as `fmc_context_evaluate`. Nothing has changed then.
+// Threads: one call at a time on a context.
+fmc_status fmc_context_commit_step(fmc_context *context,
+                                   const fmc_coords *coords);
+
+// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
+// called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
+// symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the solution with
+// the current pressure, and goes on where Newton's method on that fails, at large coefficients of friction.
+//
+// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. What was frozen before then stays. Threads: one call at a
+// time on a context.
+fmc_status fmc_context_freeze_friction(fmc_context *context,
+                                       const fmc_coords *coords);
+
+// Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
+// later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
+// are found at every evaluation again, which is the default.
+//
+// Call it at the start of a load step. Patches of pairs that do not overlap at `coords` are not kept, but found at
+// every evaluation. `direction_count`, which may be NULL, receives the number of directions kept: 0 with other laws.
+//
+// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coords, size_t *direction_count);
 
 // Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q), q
 // being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, a few per cent above it. Infinite where
@@ -1594,118 +1270,164 @@ fmc_status fmc_context_stable_step(fmc_context *context,
                                    const double *masses,
                                    double *step);
 
-// Sets a communicator of one rank without a function.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_communicator_init(fmc_communicator *communicator);
+// ---- As little penetration as is wanted ------------------------------------------------------------------
 
-// Shares the work of the context's evaluations with other ranks; NULL: no more. The struct is copied. From then on all ranks
-// make the same calls on their contexts with the same coordinates, options, obstacles and history, and each gets the whole
-// result, with the bits of one rank alone, for any number of ranks. The number of threads may differ. What is divided is the
-// measuring of facets, lines and cells; pairs with a signed distance function are measured on every rank. Where there is too
-// little to be worth sending, every rank does all.
-//
-// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there; ranks that were given different things
-// are all told so, by `FMC_ERROR_RANKS_DIFFER`.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
-// context.
-fmc_status fmc_context_set_communicator(fmc_context *context,
-                                        const fmc_communicator *communicator);
+// What `fmc_context_augment` says of the coordinates that it was called with.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers.
+  double penetration;
+  // Largest change of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner, inside or outside.
+  double change;
+  // Number of multipliers, for `fmc_context_multipliers`.
+  size_t multiplier_count;
+  // Whether both are no more than the tolerance: the multipliers have then stayed.
+  int32_t is_converged;
+  // Zero.
+  int32_t reserved_flags;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_augmentation;
 
-// What ranks did since the communicator was set; zeros without one.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: any number at once.
-fmc_status fmc_context_rank_counts(const fmc_context *context, fmc_rank_counts *counts);
+// How far a surface is moved out at a node, against one partner.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // The node, counted from the option `index_base`; with cells of second order the point, see
+  // `fmc_context_point_weights`.
+  int64_t node;
+  // Its body, an index for `fmc_context_body_resultant`.
+  size_t body;
+  // What the partner is: a value of `fmc_partner`.
+  int32_t partner_kind;
+  // Zero.
+  int32_t reserved_flags;
+  // Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
+  size_t partner;
+  // How far, a positive length; by the law's stiffness the pressure without penetration.
+  double shift;
+  // Unit vector towards the partner; in 2D the last is 0.
+  double towards[3];
+  // Zero.
+  uint64_t reserved[4];
+} fmc_multiplier;
 
-// Sets a part to one without nodes and cells.
+// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
+// (`fmc_context_gap_constraints`) at `coords`, up to four times as far where the last update of a series has closed less than it
+// moved out, and back where it has opened. It is the method of multipliers: by the law's stiffness a shift is a pressure without
+// penetration.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_mesh_part_init(fmc_mesh_part *part);
+// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_converged`. The law's stiffness may be any,
+// but a low one takes more updates. All that is asked of the context afterwards, forces, tangents, steps, is that of the surfaces
+// moved out, whose penetration is pressure by stiffness; weighted gaps are those of the true ones. What is moved out stays for the
+// next load step; `fmc_context_set_multipliers` with none moves it back. Of two bodies the one with more nodes near the other has the
+// multipliers, of equals the first.
+//
+// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`: the penetration and
+// the change that are left alone, a length. `result` receives what there was.
+//
+// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
+// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
+// `fmc_context_evaluate`. The multipliers have then stayed. Threads: one call at a time on a context.
+fmc_status fmc_context_augment(fmc_context *context,
+                               const fmc_coords *coords,
+                               double reach,
+                               double tolerance,
+                               fmc_augmentation *result);
 
-// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
-// only those that may be in contact: `fmc_context_set_coords` takes the coordinates of the own nodes, and after it the other
-// functions of the context are used as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, by all ranks
-// together, which share the work. Results have the bits of one rank with the whole mesh, for any number of ranks.
+// Multiplies the stiffness of the law, and of those that pairs have of their own, by `factor`; what surfaces that are moved out press
+// with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, a quarter say,
+// this helps more than another one. The options of the context have the new stiffness.
 //
-// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_set_coords` is called again after it. A body that may
-// touch itself, and one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole.
-// Refused are nodes that hang, another reference, a basis, and another communicator. It begins at the coordinates of the part.
-//
-// Errors: as `fmc_context_new_from_cells` and `fmc_context_set_communicator`, naming own nodes and cells; `FMC_ERROR_ON_OTHER_RANK`
-// where it failed on another rank. Threads: any, also at once.
-fmc_status fmc_context_new_from_part(int32_t dim,
-                                     const fmc_communicator *communicator,
-                                     const fmc_mesh_part *part,
-                                     const fmc_options *options,
-                                     fmc_context **context);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; nothing has changed then. Threads: one call at a time
+// on a context.
+fmc_status fmc_context_stiffen(fmc_context *context,
+                               double factor);
 
-// Sets the coordinates of a mesh in parts: `coords` are those of this rank's own nodes, as many as were given to
-// `fmc_context_new_from_part`. Every rank calls it before it evaluates at these coordinates, after its options and obstacles
-// were set. Then the nodes, facets and cells of the context are those gathered: those that may be in contact, the same on all
-// ranks. `fmc_context_gathered_nodes` tells which and where they are.
-//
-// `renumbered`, which may be NULL, becomes 1 where other cells were gathered than before, so that their numbers have changed,
-// else 0. Slip, kept patches and frozen friction are carried over; tangents, patterns and points of the last evaluation are not.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_UNSUPPORTED`; naming own nodes and cells
-// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; `FMC_ERROR_RANKS_DIFFER` for a node in two
-// places, `FMC_ERROR_ON_OTHER_RANK`, `FMC_ERROR_COMMUNICATION`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_set_coords(fmc_context *context,
-                                  const fmc_coords *coords,
-                                  int32_t *renumbered);
+// ---- Equilibrium with condensed bodies -------------------------------------------------------------------
 
-// Sets the elastic slip that was carried into the step that has begun, of a mesh in parts: that of `count` facets, as
-// `fmc_context_carried_slip` writes them, zero for all others. All ranks give the same, after `fmc_context_begin_step`.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_UNSUPPORTED` for a facet that was not
-// gathered, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
-fmc_status fmc_context_set_carried_slip(fmc_context *context,
-                                        const fmc_carried_slip *carried,
-                                        size_t count);
+// How a step of `fmc_context_contact_step` ended.
+typedef enum {
+  // In equilibrium.
+  FMC_STEP_CONVERGED = 0,
+  // Contact acts on degrees of freedom that are neither on the list nor fixed: the displacement is what was reached when it
+  // did, and a longer list is needed.
+  FMC_STEP_OUTSIDE = 1,
+  // The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
+  FMC_STEP_NOT_CONVERGED = 2,
+} fmc_contact_step_state;
 
-// How much of a mesh in parts was gathered.
+// Factors of the stiffness K of bodies, with the equations that feel contact retained for the end. Opaque.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of a whole mesh, `FMC_ERROR_BUSY`. Threads: several at once
-// on one context, as long as no call changes it.
-fmc_status fmc_context_gathered_counts(const fmc_context *context,
-                                       fmc_gathered_counts *counts);
+// For hosts whose solver has no Schur complements: from K, which the host assembles without contact and without what is held, come
+// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is retained that of all.
+// With c the equations that are retained and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
+//
+// One thread works on it, so the same matrix has the same bits everywhere. Concurrent calls on one return `FMC_ERROR_BUSY`.
+typedef struct fmc_condensation fmc_condensation;
 
-// The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
-// `own_nodes`, which of this rank's own nodes each is, -1 where it is a node of other ranks alone; both counted from the option
-// `index_base`; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for `capacity` nodes;
-// `count` becomes their number. All three NULL with capacity 0: the number alone is asked for. Evaluations are at these coordinates;
-// forces, rows and columns are those of these nodes.
+// When a step of `fmc_context_contact_step` ends. Initialise it with `fmc_contact_step_options_init`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
-// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
-fmc_status fmc_context_gathered_nodes(const fmc_context *context,
-                                      void *numbers,
-                                      void *own_nodes,
-                                      double *coords,
-                                      size_t capacity,
-                                      size_t *count);
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_contact_step_options_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Norm of the residual, by the larger of those of the residual given and of the contact forces on the list, at which a
+  // step has converged. Default 1e-10.
+  double tolerance;
+  // Norm of the residual, a force, at which it has converged too; 0, the default: none. Bodies that are not linear need no
+  // more than a part of what their linearisation leaves.
+  double absolute_tolerance;
+  // Relative residual below which the full tangent is taken, above it the semidefinite one. Default 0.1.
+  double full_below;
+  // Iterations, at most, at least 1. Default 80.
+  int32_t max_iterations;
+  // Trials along a direction, at most, at least 1. Default 12.
+  int32_t max_trials;
+  // 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
+  // energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
+  // degree of freedom of the list, then one ten times as stiff, and so on. Each may take `max_iterations`. What is reported
+  // is that of the contact as it is. 0, the default: off.
+  int32_t soft_start;
+  // Zero. Room for switches of later versions.
+  int32_t reserved_flags;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[7];
+} fmc_contact_step_options;
 
-// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes how many they
-// are; `numbers` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+// Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
 //
-// Errors: as `fmc_context_gathered_nodes`. Threads: as that.
-fmc_status fmc_context_gathered_cells(const fmc_context *context,
-                                      void *numbers,
-                                      size_t capacity,
-                                      size_t *count);
+// Read `displacement`, (n). `coords` are dense rows, one for every node, those of the start with the displacement added on
+// the list: move the nodes that follow, and none of the list. `user` is the pointer given with the function.
+//
+// Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that asked for the step. It must
+// not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+typedef int32_t (*fmc_place)(void *user, size_t n, const double *displacement, double *coords);
 
-// The elastic slip that was carried into the step, of all facets of a mesh in parts where it is not zero: the same list on all
-// ranks, ascending by cell, face and part. `count` becomes its length; `carried` has room for `capacity`. NULL with capacity 0: the
-// length alone is asked for. With the coordinates and poses at which the step began it is all that a restart needs, on any number of
-// ranks.
+// What is said of a step.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`, `FMC_ERROR_BUSY`. Threads:
-// several at once on one context, as long as no call changes it.
-fmc_status fmc_context_carried_slip(const fmc_context *context,
-                                    fmc_carried_slip *carried,
-                                    size_t capacity,
-                                    size_t *count);
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // A value of `fmc_contact_step_state`.
+  int32_t state;
+  // Linear systems solved.
+  int32_t iterations;
+  // Evaluations of the contact, without those of its tangent.
+  size_t evaluation_count;
+  // Degrees of freedom outside the list on which contact acts.
+  size_t outside_count;
+  // Norm of the residual at the start.
+  double residual_at_start;
+  // Norm of the residual that is left.
+  double residual;
+  // What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
+  double scale;
+  // Zero.
+  uint64_t reserved[8];
+} fmc_contact_step_result;
 
 // Sets all options of a contact step to their defaults.
 //
@@ -1820,63 +1542,159 @@ fmc_status fmc_condensation_expand(const fmc_condensation *condensation,
                                    size_t capacity,
                                    size_t *count);
 
-// Contact force and moment on a body of the mesh, from the last successful evaluation. Bodies are ordered by id.
-//
-// `index` counts from 0 to `body_count` of `fmc_result`.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_BUSY`. Threads: several at once on one
-// context, as long as no call changes it.
-fmc_status fmc_context_body_resultant(const fmc_context *context, size_t index, fmc_resultant *body);
+// ---- Outputs: at nodes, at points, on facets -------------------------------------------------------------
 
-// Contact force and moment on an obstacle, from the last successful evaluation. Otherwise as `fmc_context_body_resultant`.
-fmc_status fmc_context_obstacle_resultant(const fmc_context *context,
-                                          size_t index,
-                                          fmc_resultant *obstacle);
+// Whether a node is in contact.
+typedef enum {
+  // No facet at the node is in contact.
+  FMC_NODE_APART = 0,
+  // A facet at the node is in contact, without friction.
+  FMC_NODE_TOUCHING = 1,
+  // More of the contact at the node sticks than slides, by area.
+  FMC_NODE_STICKING = 2,
+  // At least half of it slides.
+  FMC_NODE_SLIDING = 3,
+} fmc_node_status;
 
-// One overlapping pair of the last successful evaluation. Otherwise as `fmc_context_body_resultant`.
-fmc_status fmc_context_pair_result(const fmc_context *context, size_t index, fmc_pair_result *pair);
-
-// One warning of the last successful evaluation: a value of `fmc_warning`, and a sentence that is valid until the next
-// evaluation of the context or its end. Either output may be NULL. Otherwise as `fmc_context_body_resultant`.
-fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t *code, const char **text);
-
-// Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
+// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL where it is not asked for. With
+// n nodes of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_pair_options_init(fmc_pair_options *options);
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_nodal_contact_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Contact pressure: the mean of the law's over the part of the facets at the node that is in contact, weighted with the
+  // node's shape function, int N p dA / int N dA; with the law "volume" that of the pair.
+  double *pressure;
+  // Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
+  double *gap;
+  // Area (2D: length), int N dA, up to the curvature of the surface.
+  double *area;
+  // Unit vector outwards of the node's body.
+  double *normal;
+  // Traction of friction on the node's body, the mean over the same part.
+  double *friction;
+  // The part of the contact at the node that slides, of its area, between 0 and 1.
+  double *sliding;
+  // Values of `fmc_node_status`.
+  int32_t *status;
+  // Zero. Room for outputs of later versions.
+  uint64_t reserved[9];
+} fmc_nodal_contact;
 
-// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
-// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
-//
-// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
-// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
-// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
-// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
-// `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
-// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
-// estimator that does not support the law of a pair. Threads: one call at a time on a context.
-fmc_status fmc_context_set_pair_options(fmc_context *context,
-                                        int32_t a_kind,
-                                        size_t a,
-                                        int32_t b_kind,
-                                        size_t b,
-                                        const fmc_pair_options *options);
+// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second
+// order those of the straight face or cell of their division.
+typedef struct {
+  // A value of `fmc_partner`.
+  int32_t kind;
+  // How many of `nodes` and `weights` are used; 0 for an obstacle, and where no cell of the other body is.
+  int32_t node_count;
+  // Index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
+  size_t index;
+  // Cell, counted from the option `index_base` over all blocks; -1 for an obstacle and for a surface without cells.
+  int64_t cell;
+  // Nodes of the boundary face, or of the cell for a place inside it, counted from the option `index_base`. Where the cell
+  // is of second order they are points of its division: row p of `fmc_context_point_weights` takes the force at point p
+  // to the nodes.
+  int64_t nodes[8];
+  // Values of their shape functions: a force at this end goes to the nodes, or points, by these parts.
+  double weights[8];
+  // The end; in 2D the last entry is 0.
+  double position[3];
+} fmc_contact_side;
 
-// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
-// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
+// A point of the contact, and the area for which it stands.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
-// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
-// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
-fmc_status fmc_context_pair_options(const fmc_context *context,
-                                    int32_t a_kind,
-                                    size_t a,
-                                    int32_t b_kind,
-                                    size_t b,
-                                    fmc_pair_options *options);
+// With the law "fiber" it is a piece of a line inside both sides of a pair, from the boundary of one to that of the other.
+// With the law "depth" it is the centre of the pressure on what a facet has inside the other side; facets of both bodies
+// are pressed, each for half of its area, facets against an obstacle for all of it.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Number of the patch within the pair; points of one patch have one normal, up to its sign. 0 with
+  // the law "depth".
+  size_t patch;
+  // Middle of the piece, or the centre of pressure; in 2D the last entry is 0.
+  double position[3];
+  // Unit vector along the line, or that of the facet, outwards of the first side; in 2D the last entry is 0.
+  double normal[3];
+  // Minus the penetration: the length of the piece; the mean depth of the facet's part below the other surface.
+  double gap;
+  // Contact pressure.
+  double pressure;
+  // Area (2D: length) across the line, or of the facet's part.
+  double area;
+  // Traction of friction on the first side, the sum of friction * area being its resultant there; in 2D the last entry
+  // is 0.
+  double friction[3];
+  // Slip of the first side against the second since the step began, without what is elastic: that of the facets on
+  // which the point lies; in 2D the last entry is 0.
+  double slip[3];
+  // Part of the area that slides: 0 where the point sticks, 0.5 where one of its two facets does, else 1.
+  double sliding;
+  // The ends, in the order of the pair's sides; with the law "depth" the point on the facet, and the same place in a
+  // cell of the other body.
+  fmc_contact_side sides[2];
+  // Zero.
+  uint64_t reserved[8];
+} fmc_contact_point;
+
+// The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over what the facets of the
+// node have nearer than the reach and facing the partner, within 60 degrees of the way to its nearest point. N is the shape
+// function of the node, phi the distance from the partner's surface, negative inside. Contact is gap >= 0.
+//
+// With cells of second order a row is that of a point of their division, and N is its straight shape function, which is
+// positive everywhere; that of a node would not be, and its integral at the corner of a face may vanish. Multipliers are
+// then pressures at points; the derivative is that by nodes.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // The node, counted from the option `index_base`; with cells of second order the point, see
+  // `fmc_context_point_weights`: from the node count on it is no node.
+  int64_t node;
+  // Its body, an index for `fmc_context_body_resultant`.
+  size_t body;
+  // What the partner is: a value of `fmc_partner`.
+  int32_t partner_kind;
+  // Zero.
+  int32_t reserved_flags;
+  // Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
+  size_t partner;
+  // Weighted gap, in length^dim.
+  double gap;
+  // int N dA over the same part: `gap / area` is the mean gap at the node.
+  double area;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_gap_constraint;
+
+// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
+// of a cell of second order is divided first: an edge in two, a triangle or quadrilateral in four parts.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Its body, an index for `fmc_context_body_resultant`.
+  size_t body;
+  // Its cell, counted from the option `index_base` over all blocks; -1 where the context was made from facets.
+  int64_t cell;
+  // Its number among the facets that the context was made from, counted from `index_base` over all blocks; -1 where it was made
+  // from cells.
+  int64_t input_facet;
+  // Number of its face among those of the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The nodes of face 0, 1, ...
+  // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
+  // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
+  // 124, 234, 304; of cells of second order the same, by their corners.
+  int32_t local_face;
+  // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; of a face of second order of the part in which the facet lies.
+  int32_t node_count;
+  // Nodes of its face, counted from the option `index_base`; unused ones are -1. In 2D the body lies left of the way from
+  // the first to the second, in 3D they run counter-clockwise seen from outside, also where the cell is numbered the
+  // other way round. Of four, the facet is the triangle of the first two and the mean of all. Of a face of second order they
+  // are points of its division, of which `fmc_context_point_weights` tells; those from the node count on are no nodes.
+  int64_t nodes[4];
+  // Zero.
+  uint64_t reserved[4];
+} fmc_boundary_facet;
 
 // Asks for nothing: all pointers NULL.
 //
@@ -1892,8 +1710,8 @@ fmc_status fmc_nodal_contact_init(fmc_nodal_contact *nodal);
 // faces have no node in their middle, whose points are not told.
 //
 // It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
-// the context. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_STRUCT_SIZE`; nothing is written then. Threads: one call at a
-// time on a context.
+// the context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; nothing is written
+// then. Threads: one call at a time on a context.
 fmc_status fmc_context_nodal_contact(fmc_context *context,
                                      const fmc_coords *coords,
                                      const fmc_nodal_contact *nodal);
@@ -1951,37 +1769,66 @@ fmc_status fmc_context_gap_gradient(const fmc_context *context,
                                     size_t capacity,
                                     size_t *count);
 
-// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
-// (`fmc_context_gap_constraints`) at `coords`, up to four times as far where the last update of a series has closed less than it
-// moved out, and back where it has opened. It is the method of multipliers: by the law's stiffness a shift is a pressure without
-// penetration.
+// The boundary facets in the order in which `fmc_context_slip` has them, body after body.
 //
-// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_converged`. The law's stiffness may be any,
-// but a low one takes more updates. All that is asked of the context afterwards, forces, tangents, steps, is that of the surfaces
-// moved out, whose penetration is pressure by stiffness; weighted gaps are those of the true ones. What is moved out stays for the
-// next load step; `fmc_context_set_multipliers` with none moves it back. Of two bodies the one with more nodes near the other has the
-// multipliers, of equals the first.
+// `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 //
-// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`: the penetration and
-// the change that are left alone, a length. `result` receives what there was.
-//
-// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
-// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
-// `fmc_context_evaluate`. The multipliers have then stayed. Threads: one call at a time on a context.
-fmc_status fmc_context_augment(fmc_context *context,
-                               const fmc_coords *coords,
-                               double reach,
-                               double tolerance,
-                               fmc_augmentation *result);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
+// once on one context, as long as no call changes it.
+fmc_status fmc_context_boundary_facets(const fmc_context *context,
+                                       fmc_boundary_facet *facets,
+                                       size_t capacity,
+                                       size_t *count);
 
-// Multiplies the stiffness of the law, and of those that pairs have of their own, by `factor`; what surfaces that are moved out press
-// with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, a quarter say,
-// this helps more than another one. The options of the context have the new stiffness.
+// The matrix P that takes nodes to points, X = P x, in compressed rows: the entries of point p are those from `row_offsets[p]`
+// to `row_offsets[p + 1]`, `nodes` with their `weights`. Offsets and nodes count from the option `index_base`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; nothing has changed then. Threads: one call at a time
-// on a context.
-fmc_status fmc_context_stiffen(fmc_context *context,
-                               double factor);
+// Cells of second order are divided into straight ones, whose points are fixed linear combinations of the nodes.
+// `fmc_boundary_facet`, `fmc_contact_side` and `fmc_gap_constraint` tell of points: their numbers, less the option
+// `index_base`, are rows. What is known at nodes is brought to points by P, forces and other derivatives from points to nodes by
+// its transpose. A point that is a node, or stands for one in the middle of an edge, face or cell, has the node's
+// number; middles of faces without a node come after the nodes. The weights of a row add up to 1, and some are
+// negative. Without cells of second order, and nodes that hang, P is the identity. With a basis (`fmc_context_set_basis`) its
+// columns are unknowns, and rows add up to what those of the basis do.
+//
+// There are at least as many points as nodes; numbers change with a basis only. `offset_count` becomes the number of offsets, one
+// more than there are points, and `count` that of entries. `row_offsets` has room for `offset_capacity`, `nodes` and `weights` for
+// `capacity`. An array that is NULL with capacity 0 is not written: its number alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_point_weights(const fmc_context *context,
+                                     void *row_offsets,
+                                     size_t offset_capacity,
+                                     size_t *offset_count,
+                                     void *nodes,
+                                     double *weights,
+                                     size_t capacity,
+                                     size_t *count);
+
+// ---- Restart ---------------------------------------------------------------------------------------------
+
+// The elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
+// of `fmc_context_boundary_facets`: that of the facet against what it faces. With the
+// coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
+// `fmc_context_set_slip`, gives the bits of the unbroken run.
+//
+// `count` becomes how many numbers there are; `slip` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then.
+// Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_slip(const fmc_context *context,
+                            double *slip,
+                            size_t capacity,
+                            size_t *count);
+
+// Sets the elastic slip that was carried into the step that has begun: `count` numbers, as `fmc_context_slip` writes
+// them.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another count than `dim` times the
+// number of facets, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
+// time on a context.
+fmc_status fmc_context_set_slip(fmc_context *context, const double *slip, size_t count);
 
 // The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
 // again.
@@ -2004,84 +1851,309 @@ fmc_status fmc_context_set_multipliers(fmc_context *context,
                                        const fmc_multiplier *rows,
                                        size_t count);
 
-// Sets a pose to the origin, without rotation and with scale 1.
+// ---- Ranks, and a mesh in parts --------------------------------------------------------------------------
+
+// Sends bytes to all ranks, this one too, and receives what they send: rank r sends `counts[r]` bytes, and `received` gets
+// those of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
+// `fmc_mpi.h` has it.
+//
+// Return 0; any other value makes the evaluation fail with `FMC_ERROR_COMMUNICATION`. It is called on the thread that evaluates,
+// in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
+typedef int32_t (*fmc_all_gather)(void *user, const void *send, const uint64_t *counts, void *received);
+
+// Sends bytes to every rank, this one too, and receives what they have for this one: `send` has `send_counts[r]` bytes for rank r, one
+// rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
+// MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
+//
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. It is called as `fmc_all_gather` is,
+// and must not do what that must not.
+typedef int32_t (*fmc_all_to_all)(void *user,
+                                  const void *send,
+                                  const uint64_t *send_counts,
+                                  void *received,
+                                  const uint64_t *received_counts);
+
+// Ranks of a parallel program, as the host's message passing library has them. Initialise it with `fmc_communicator_init`.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_communicator_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Number of this rank, from 0, and of all ranks, at least 1.
+  int32_t rank;
+  int32_t size;
+  // Moves bytes.
+  fmc_all_gather all_gather;
+  // Handed to the functions.
+  void *user;
+  // Moves bytes to single ranks; may be NULL, on all ranks, and what is for one rank then goes to all by `all_gather`. With a mesh
+  // in parts it takes the faces between ranks to those that may have the other side.
+  fmc_all_to_all all_to_all;
+  // Zero. Room for functions of later versions.
+  uint64_t reserved[5];
+} fmc_communicator;
+
+// What ranks did since the communicator was set: of this rank, but for `item_count`.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks.
+  uint64_t item_count;
+  // Those that this rank measured.
+  uint64_t own_item_count;
+  // Calls of the communicator.
+  uint64_t call_count;
+  // Bytes that this rank sent, and received, its own too.
+  uint64_t sent_bytes;
+  uint64_t received_bytes;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_rank_counts;
+
+// The cells of one rank, with their nodes. Every cell of the mesh is given by one rank, and only by that one; nodes between
+// ranks are given by all that have a cell there. A rank may have none. Initialise it with `fmc_mesh_part_init`, then set all fields.
+typedef struct {
+  // Set by `fmc_mesh_part_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Coordinates of the rank's own nodes without deformation.
+  fmc_coords coords;
+  // Bytes of a number in the lists here and in the blocks, 4 or 8, and in all lists of the context; the same on all ranks.
+  int32_t index_size;
+  // Zero. Room for switches of later versions.
+  int32_t reserved_flags;
+  // Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are those
+  // of one rank alone whose mesh has its nodes in the order of these numbers; they need not be without gaps.
+  const void *node_numbers;
+  // Cells, of own nodes counted from the option `index_base`.
+  const fmc_cell_block *blocks;
+  // Number of blocks.
+  size_t block_count;
+  // Number of each cell in the whole mesh, over all blocks, counted from the option `index_base`. Results are those of a mesh with its
+  // cells in the order of these.
+  const void *cell_numbers;
+  // Body of each cell, as all ranks name it.
+  const void *body_ids;
+  // How far `fmc_context_gap_constraints` may reach; 0 where it is not asked for.
+  double reach;
+  // Zero. Room for later versions.
+  uint64_t reserved[4];
+} fmc_mesh_part;
+
+// Elastic slip of a boundary facet, by the numbers of the whole mesh.
+typedef struct {
+  // Number of its cell in the whole mesh, counted from the option `index_base`.
+  int64_t cell;
+  // Face of that cell, as VTK counts them, from 0 whatever the base.
+  int32_t face;
+  // Which of the facets of that face, from 0.
+  int32_t part;
+  // Elastic slip; in 2D the last is 0.
+  double slip[3];
+} fmc_carried_slip;
+
+// How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Nodes and cells that every rank has.
+  uint64_t node_count;
+  uint64_t cell_count;
+  // Boundary facets that every rank has, and those of the whole mesh.
+  uint64_t facet_count;
+  uint64_t whole_facet_count;
+  // Cells that this rank gave.
+  uint64_t own_cell_count;
+  // How often cells were gathered.
+  uint64_t gather_count;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_gathered_counts;
+
+// Sets a communicator of one rank without a function.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_pose_init(fmc_pose *pose);
+fmc_status fmc_communicator_init(fmc_communicator *communicator);
 
-// Sets a pose to `position`, with scale 1 and the shape's last axis (y in 2D, z in 3D) along `axis`.
+// Shares the work of the context's evaluations with other ranks; NULL: no more. The struct is copied. From then on all ranks
+// make the same calls on their contexts with the same coordinates, options, obstacles and history, and each gets the whole
+// result, with the bits of one rank alone, for any number of ranks. The number of threads may differ. What is divided is the
+// measuring of facets, lines and cells; pairs with a signed distance function are measured on every rank. Where there is too
+// little to be worth sending, every rank does all.
 //
-// That is the outward normal of a half-space and the axis of cylinder, cone and capsule. `position` and `axis` have
-// `dim` entries; `axis` need not have unit length.
+// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there; ranks that were given different things
+// are all told so, by `FMC_ERROR_RANKS_DIFFER`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_BAD_POSE` for an axis of length 0. Threads:
-// any, on different structs.
-fmc_status fmc_pose_along(int32_t dim, const double *position, const double *axis, fmc_pose *pose);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_set_communicator(fmc_context *context,
+                                        const fmc_communicator *communicator);
 
-// Sets a shape to a kind, a value of `fmc_shape_kind`, with sizes and counts 0 and pointers NULL.
+// What ranks did since the communicator was set; zeros without one.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number. Threads: any, on different structs.
-fmc_status fmc_shape_init(fmc_shape *shape, int32_t kind);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: any number at once.
+fmc_status fmc_context_rank_counts(const fmc_context *context, fmc_rank_counts *counts);
 
-// Adds a rigid obstacle of any shape; everything but a signed distance is copied.
+// Sets a part to one without nodes and cells.
 //
-// Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
-// `fmc_pose_along` makes that of a half-space from a point and its outward normal. `obstacle`, which may be NULL too,
-// receives the index: 0 for the first obstacle of the context, then 1, 2, ..., also after others were removed.
-//
-// Both estimators support shapes that have facets or become polytopes; half-spaces and boxes too. `fibers`, `auto`, and the
-// law "depth" support all of them.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_BAD_VALUE` for a `kind` or an `index_size` that
-// is none, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Of a polytope those of
-// `fmc_context_new_from_facets`; of a convex hull `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`; of a height
-// field `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`; of a compound `FMC_ERROR_EMPTY_COMPOUND` and those of
-// its parts. `FMC_ERROR_UNSUPPORTED` for hulls and compounds if the library lacks the feature "shapes". Threads: one call
-// at a time on a context.
-fmc_status fmc_context_add_obstacle(fmc_context *context,
-                                    const fmc_shape *shape,
-                                    const fmc_pose *pose,
-                                    size_t *obstacle);
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_mesh_part_init(fmc_mesh_part *part);
 
-// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its pose as it stands. Either output may be NULL.
+// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
+// only those that may be in contact: `fmc_context_set_coords` takes the coordinates of the own nodes, and after it the other
+// functions of the context are used as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, by all ranks
+// together, which share the work. Results have the bits of one rank with the whole mesh, for any number of ranks.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
-// Threads: several at once on one context, as long as no call changes it.
-fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacle, int32_t *kind, fmc_pose *pose);
+// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_set_coords` is called again after it. A body that may
+// touch itself, and one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole.
+// Refused are nodes that hang, another reference, a basis, and another communicator. It begins at the coordinates of the part.
+//
+// Errors: as `fmc_context_new_from_cells` and `fmc_context_set_communicator`, naming own nodes and cells; `FMC_ERROR_ON_OTHER_RANK`
+// where it failed on another rank. Threads: any, also at once.
+fmc_status fmc_context_new_from_part(int32_t dim,
+                                     const fmc_communicator *communicator,
+                                     const fmc_mesh_part *part,
+                                     const fmc_options *options,
+                                     fmc_context **context);
 
-// Moves an obstacle. Results of the last evaluation are kept.
+// Sets the coordinates of a mesh in parts: `coords` are those of this rank's own nodes, as many as were given to
+// `fmc_context_new_from_part`. Every rank calls it before it evaluates at these coordinates, after its options and obstacles
+// were set. Then the nodes, facets and cells of the context are those gathered: those that may be in contact, the same on all
+// ranks. `fmc_context_gathered_nodes` tells which and where they are.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
-// `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc_pose *pose);
+// `renumbered`, which may be NULL, becomes 1 where other cells were gathered than before, so that their numbers have changed,
+// else 0. Slip, kept patches and frozen friction are carried over; tangents, patterns and points of the last evaluation are not.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_UNSUPPORTED`; naming own nodes and cells
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; `FMC_ERROR_RANKS_DIFFER` for a node in two
+// places, `FMC_ERROR_ON_OTHER_RANK`, `FMC_ERROR_COMMUNICATION`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_set_coords(fmc_context *context,
+                                  const fmc_coords *coords,
+                                  int32_t *renumbered);
 
-// Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
-// given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
-// last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed distance any
-// more.
+// Sets the elastic slip that was carried into the step that has begun, of a mesh in parts: that of `count` facets, as
+// `fmc_context_carried_slip` writes them, zero for all others. All ranks give the same, after `fmc_context_begin_step`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED` if it was removed
-// before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_UNSUPPORTED` for a facet that was not
+// gathered, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_carried_slip(fmc_context *context,
+                                        const fmc_carried_slip *carried,
+                                        size_t count);
 
-// A stiffness k to begin with, from Young's modulus E of the softer body (Pa) and the size h of its cells in contact
-// (length). `law` is a value of `fmc_law`.
+// How much of a mesh in parts was gathered.
 //
-// For the laws "depth" and "fiber" k = 10 E / h, a pressure per length: a penetration of a tenth of a cell presses with E.
-// `dim` and `exponent` have no effect. For the law "volume" with the exponent m an overlap a tenth of a cell deep over a
-// patch one cell wide presses with E: k = E / (m V^(m - 1)), V = h^dim / 10, in Pa / (length^dim)^(m - 1); for m = 1 it is E.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of a whole mesh, `FMC_ERROR_BUSY`. Threads: several at once
+// on one context, as long as no call changes it.
+fmc_status fmc_context_gathered_counts(const fmc_context *context,
+                                       fmc_gathered_counts *counts);
+
+// The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
+// `own_nodes`, which of this rank's own nodes each is, -1 where it is a node of other ranks alone; both counted from the option
+// `index_base`; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for `capacity` nodes;
+// `count` becomes their number. All three NULL with capacity 0: the number alone is asked for. Evaluations are at these coordinates;
+// forces, rows and columns are those of these nodes.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for an unknown law, `FMC_ERROR_DIMENSION`,
-// `FMC_ERROR_NOT_POSITIVE`. Threads: any.
-fmc_status fmc_suggest_stiffness(int32_t law,
-                                 int32_t dim,
-                                 double exponent,
-                                 double modulus,
-                                 double cell_size,
-                                 double *stiffness);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
+// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_gathered_nodes(const fmc_context *context,
+                                      void *numbers,
+                                      void *own_nodes,
+                                      double *coords,
+                                      size_t capacity,
+                                      size_t *count);
+
+// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes how many they
+// are; `numbers` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+//
+// Errors: as `fmc_context_gathered_nodes`. Threads: as that.
+fmc_status fmc_context_gathered_cells(const fmc_context *context,
+                                      void *numbers,
+                                      size_t capacity,
+                                      size_t *count);
+
+// The elastic slip that was carried into the step, of all facets of a mesh in parts where it is not zero: the same list on all
+// ranks, ascending by cell, face and part. `count` becomes its length; `carried` has room for `capacity`. NULL with capacity 0: the
+// length alone is asked for. With the coordinates and poses at which the step began it is all that a restart needs, on any number of
+// ranks.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`, `FMC_ERROR_BUSY`. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_carried_slip(const fmc_context *context,
+                                    fmc_carried_slip *carried,
+                                    size_t capacity,
+                                    size_t *count);
+
+// ---- Free a context --------------------------------------------------------------------------------------
+
+// Frees a context and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
+//
+// Errors: none. Threads: no other call on the context may be running or follow.
+fmc_status fmc_context_free(fmc_context **context);
+
+// ---- All in one call, without a context ------------------------------------------------------------------
+
+// A step with friction, for `fmc_contact_force`, which does not write into it. `fmc_friction_step_init` sets what need not be given.
+//
+// The host keeps the slip that is carried into the next step; that of a step which it rejects it does not keep.
+typedef struct {
+  // Set by `fmc_friction_step_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Coordinates at which the step began, (node_count, dim).
+  const double *start;
+  // Coordinates without deformation, (node_count, dim), from which the law "depth" has its depths; NULL, the default:
+  // `start`.
+  const double *reference;
+  // Elastic slip that was carried into the step, (facets, dim); NULL, the default: none.
+  const double *slip;
+  // Numbers in `slip`: `dim` times the number of facets, or 0.
+  size_t slip_count;
+  // Where the elastic slip goes that is carried into the next step, (facets, dim), if the end of this one is accepted; may be
+  // `slip` itself. NULL, the default: not wanted.
+  double *next_slip;
+  // Numbers for which `next_slip` has room.
+  size_t next_slip_capacity;
+  // Where their number goes, `dim` times the number of facets; NULL, the default: not wanted.
+  size_t *next_slip_count;
+  // Zero. Room for later versions.
+  uint64_t reserved[8];
+} fmc_friction_step;
+
+// Sets every field to its default.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_friction_step_init(fmc_friction_step *step);
+
+// Contact forces between the bodies of a mesh, in one call.
+//
+// `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `blocks` are the cells, in one block for each
+// type; `body_ids`, one for every cell counted over the blocks, may be NULL: bodies are the connected components by faces.
+// `options` must have been initialised and have `stiffness` set. `step` may be NULL; with friction it says where the step began that
+// ends at `coords`, and receives the elastic slip that is carried into the next.
+//
+// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be
+// NULL, the overlap volume (2D: area), summed over the pairs. All are written only on success. The result is that of
+// a context, bit for bit, and with a step that of a context made at `step->reference` that goes through `fmc_context_begin_step`,
+// `fmc_context_set_slip`, `fmc_context_evaluate` and `fmc_context_commit_step`; a context finds the boundary facets once for many
+// evaluations, accepts strides and obstacles, and reports forces per body, pairs and warnings.
+//
+// Errors: those of `fmc_context_new_from_cells`, of `fmc_context_evaluate`, and with a step of the calls above; with friction and
+// without a step `FMC_ERROR_NO_STEP`; the text, with the offending indices, is given by `fmc_last_error`. Threads: any, also at once.
+fmc_status fmc_contact_force(int32_t dim,
+                             const double *coords,
+                             size_t node_count,
+                             const fmc_cell_block *blocks,
+                             size_t block_count,
+                             const void *body_ids,
+                             const fmc_options *options,
+                             const fmc_friction_step *step,
+                             double *forces,
+                             double *volume);
 
 #ifdef __cplusplus
 }  // extern "C"
-#endif  // __cplusplus
+#endif
 
-#endif  /* FMC_CONTACT_H */
+#endif  // FMC_CONTACT_H

@@ -11,14 +11,14 @@ module fmc_contact_c
   public
 
   integer(c_int32_t), parameter :: FMC_ABI_VERSION_OF_HEADER = 3
-  integer(c_int32_t), parameter :: FMC_EVALUATE_ADD = 1
   integer(c_int32_t), parameter :: FMC_LOG_WARNING = 1
+  integer(c_int32_t), parameter :: FMC_PAIR_LAW_OF_CONTEXT = -1
+  integer(c_int32_t), parameter :: FMC_PAIR_FRICTION_OF_CONTEXT = -1
+  integer(c_int32_t), parameter :: FMC_EVALUATE_ADD = 1
   integer(c_int32_t), parameter :: FMC_TANGENT_SEMIDEFINITE = 2
   integer(c_int32_t), parameter :: FMC_TANGENT_SYMMETRIC = 32
   integer(c_int32_t), parameter :: FMC_CSR_BLOCKS = 4
   integer(c_int32_t), parameter :: FMC_CSR_OBSTACLES = 8
-  integer(c_int32_t), parameter :: FMC_PAIR_LAW_OF_CONTEXT = -1
-  integer(c_int32_t), parameter :: FMC_PAIR_FRICTION_OF_CONTEXT = -1
   integer(c_int32_t), parameter :: FMC_OK = 0
   integer(c_int32_t), parameter :: FMC_ERROR_NULL_POINTER = 1
   integer(c_int32_t), parameter :: FMC_ERROR_MISALIGNED_POINTER = 2
@@ -82,6 +82,13 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_UNKNOWN_FLAG = 60
   integer(c_int32_t), parameter :: FMC_ERROR_OPTIONS_CONFLICT = 61
   integer(c_int32_t), parameter :: FMC_ERROR_RESERVED_FIELD = 62
+  integer(c_int32_t), parameter :: FMC_CLASS_OK = 0
+  integer(c_int32_t), parameter :: FMC_CLASS_INPUT = 1
+  integer(c_int32_t), parameter :: FMC_CLASS_GEOMETRY = 2
+  integer(c_int32_t), parameter :: FMC_CLASS_NUMERICAL = 3
+  integer(c_int32_t), parameter :: FMC_CLASS_RESOURCE = 4
+  integer(c_int32_t), parameter :: FMC_CLASS_PROTOCOL = 5
+  integer(c_int32_t), parameter :: FMC_CLASS_INTERNAL = 6
   integer(c_int32_t), parameter :: FMC_LAW_VOLUME = 0
   integer(c_int32_t), parameter :: FMC_LAW_FIBER = 1
   integer(c_int32_t), parameter :: FMC_LAW_DEPTH = 2
@@ -113,8 +120,6 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_FACET_TRI6 = 22
   integer(c_int32_t), parameter :: FMC_FACET_QUAD8 = 23
   integer(c_int32_t), parameter :: FMC_FACET_QUAD9 = 28
-  integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0
-  integer(c_int32_t), parameter :: FMC_PARTNER_OBSTACLE = 1
   integer(c_int32_t), parameter :: FMC_SHAPE_HALF_SPACE = 0
   integer(c_int32_t), parameter :: FMC_SHAPE_BALL = 1
   integer(c_int32_t), parameter :: FMC_SHAPE_CUBOID = 2
@@ -126,26 +131,21 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_SHAPE_HEIGHT_FIELD = 8
   integer(c_int32_t), parameter :: FMC_SHAPE_COMPOUND = 9
   integer(c_int32_t), parameter :: FMC_SHAPE_SIGNED_DISTANCE = 10
+  integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0
+  integer(c_int32_t), parameter :: FMC_PARTNER_OBSTACLE = 1
   integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FIBERS = 1
   integer(c_int32_t), parameter :: FMC_WARNING_UNRESOLVED_OVERLAP = 2
   integer(c_int32_t), parameter :: FMC_WARNING_SWALLOWED_BODY = 3
   integer(c_int32_t), parameter :: FMC_WARNING_PATCH_LEFT_OUT = 4
   integer(c_int32_t), parameter :: FMC_WARNING_UNBALANCED = 5
   integer(c_int32_t), parameter :: FMC_WARNING_FLUSH_FACES = 6
+  integer(c_int32_t), parameter :: FMC_STEP_CONVERGED = 0
+  integer(c_int32_t), parameter :: FMC_STEP_OUTSIDE = 1
+  integer(c_int32_t), parameter :: FMC_STEP_NOT_CONVERGED = 2
   integer(c_int32_t), parameter :: FMC_NODE_APART = 0
   integer(c_int32_t), parameter :: FMC_NODE_TOUCHING = 1
   integer(c_int32_t), parameter :: FMC_NODE_STICKING = 2
   integer(c_int32_t), parameter :: FMC_NODE_SLIDING = 3
-  integer(c_int32_t), parameter :: FMC_STEP_CONVERGED = 0
-  integer(c_int32_t), parameter :: FMC_STEP_OUTSIDE = 1
-  integer(c_int32_t), parameter :: FMC_STEP_NOT_CONVERGED = 2
-  integer(c_int32_t), parameter :: FMC_CLASS_OK = 0
-  integer(c_int32_t), parameter :: FMC_CLASS_INPUT = 1
-  integer(c_int32_t), parameter :: FMC_CLASS_GEOMETRY = 2
-  integer(c_int32_t), parameter :: FMC_CLASS_NUMERICAL = 3
-  integer(c_int32_t), parameter :: FMC_CLASS_RESOURCE = 4
-  integer(c_int32_t), parameter :: FMC_CLASS_PROTOCOL = 5
-  integer(c_int32_t), parameter :: FMC_CLASS_INTERNAL = 6
 
   type, bind(c) :: fmc_options
     integer(c_size_t) :: struct_size
@@ -174,16 +174,18 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(10)
   end type
 
-  type, bind(c) :: fmc_friction_step
-    integer(c_size_t) :: struct_size
-    type(c_ptr) :: start
-    type(c_ptr) :: reference
-    type(c_ptr) :: slip
-    integer(c_size_t) :: slip_count
-    type(c_ptr) :: next_slip
-    integer(c_size_t) :: next_slip_capacity
-    type(c_ptr) :: next_slip_count
-    integer(c_int64_t) :: reserved(8)
+  type, bind(c) :: fmc_coords
+    type(c_ptr) :: data
+    integer(c_size_t) :: node_count
+    integer(c_ptrdiff_t) :: node_stride
+    integer(c_ptrdiff_t) :: axis_stride
+  end type
+
+  type, bind(c) :: fmc_forces
+    type(c_ptr) :: data
+    integer(c_size_t) :: node_count
+    integer(c_ptrdiff_t) :: node_stride
+    integer(c_ptrdiff_t) :: axis_stride
   end type
 
   type, bind(c) :: fmc_cell_block
@@ -193,13 +195,6 @@ module fmc_contact_c
     integer(c_size_t) :: cell_count
   end type
 
-  type, bind(c) :: fmc_coords
-    type(c_ptr) :: data
-    integer(c_size_t) :: node_count
-    integer(c_ptrdiff_t) :: node_stride
-    integer(c_ptrdiff_t) :: axis_stride
-  end type
-
   type, bind(c) :: fmc_facet_block
     integer(c_int32_t) :: facet_type
     integer(c_int32_t) :: index_size
@@ -207,11 +202,59 @@ module fmc_contact_c
     integer(c_size_t) :: facet_count
   end type
 
-  type, bind(c) :: fmc_forces
-    type(c_ptr) :: data
-    integer(c_size_t) :: node_count
-    integer(c_ptrdiff_t) :: node_stride
-    integer(c_ptrdiff_t) :: axis_stride
+  type, bind(c) :: fmc_csr
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: row_count
+    integer(c_int32_t) :: index_size
+    integer(c_int32_t) :: index_base
+    type(c_ptr) :: row_offsets
+    type(c_ptr) :: cols
+    type(c_ptr) :: values
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_pose
+    real(c_double) :: position(3)
+    real(c_double) :: rotation(9)
+    real(c_double) :: scale
+  end type
+
+  type, bind(c) :: fmc_shape
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: kind
+    integer(c_int32_t) :: index_size
+    real(c_double) :: radius
+    real(c_double) :: half_height
+    real(c_double) :: half_extents(3)
+    type(fmc_coords) :: points
+    type(c_ptr) :: facets
+    integer(c_size_t) :: facet_count
+    type(c_ptr) :: heights
+    integer(c_size_t) :: counts(2)
+    real(c_double) :: lengths(2)
+    real(c_double) :: thickness
+    type(c_ptr) :: parts
+    integer(c_size_t) :: part_count
+    type(c_funptr) :: signed_distance
+    type(c_ptr) :: user
+    integer(c_int64_t) :: reserved(8)
+  end type
+
+  type, bind(c) :: fmc_part
+    type(c_ptr) :: shape
+    type(fmc_pose) :: pose
+  end type
+
+  type, bind(c) :: fmc_pair_options
+    integer(c_size_t) :: struct_size
+    real(c_double) :: stiffness
+    real(c_double) :: exponent
+    real(c_double) :: smoothing_length
+    real(c_double) :: gap_offset
+    real(c_double) :: friction_coefficient
+    integer(c_int32_t) :: law
+    integer(c_int32_t) :: excluded
+    integer(c_int64_t) :: reserved(10)
   end type
 
   type, bind(c) :: fmc_result
@@ -236,100 +279,8 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(3)
   end type
 
-  type, bind(c) :: fmc_boundary_facet
-    integer(c_size_t) :: struct_size
-    integer(c_size_t) :: body
-    integer(c_int64_t) :: cell
-    integer(c_int64_t) :: input_facet
-    integer(c_int32_t) :: local_face
-    integer(c_int32_t) :: node_count
-    integer(c_int64_t) :: nodes(4)
-    integer(c_int64_t) :: reserved(4)
-  end type
-
-  type, bind(c) :: fmc_csr
-    integer(c_size_t) :: struct_size
-    integer(c_size_t) :: row_count
-    integer(c_int32_t) :: index_size
-    integer(c_int32_t) :: index_base
-    type(c_ptr) :: row_offsets
-    type(c_ptr) :: cols
-    type(c_ptr) :: values
-    integer(c_int64_t) :: reserved(4)
-  end type
-
-  type, bind(c) :: fmc_communicator
-    integer(c_size_t) :: struct_size
-    integer(c_int32_t) :: rank
-    integer(c_int32_t) :: size
-    type(c_funptr) :: all_gather
-    type(c_ptr) :: user
-    type(c_funptr) :: all_to_all
-    integer(c_int64_t) :: reserved(5)
-  end type
-
-  type, bind(c) :: fmc_rank_counts
-    integer(c_int64_t) :: item_count
-    integer(c_int64_t) :: own_item_count
-    integer(c_int64_t) :: call_count
-    integer(c_int64_t) :: sent_bytes
-    integer(c_int64_t) :: received_bytes
-  end type
-
-  type, bind(c) :: fmc_mesh_part
-    integer(c_size_t) :: struct_size
-    type(fmc_coords) :: coords
-    integer(c_int32_t) :: index_size
-    type(c_ptr) :: node_numbers
-    type(c_ptr) :: blocks
-    integer(c_size_t) :: block_count
-    type(c_ptr) :: cell_numbers
-    type(c_ptr) :: body_ids
-    real(c_double) :: reach
-    integer(c_int64_t) :: reserved(4)
-  end type
-
-  type, bind(c) :: fmc_carried_slip
-    integer(c_int64_t) :: cell
-    integer(c_int32_t) :: face
-    integer(c_int32_t) :: part
-    real(c_double) :: slip(3)
-  end type
-
-  type, bind(c) :: fmc_gathered_counts
-    integer(c_int64_t) :: node_count
-    integer(c_int64_t) :: cell_count
-    integer(c_int64_t) :: facet_count
-    integer(c_int64_t) :: whole_facet_count
-    integer(c_int64_t) :: own_cell_count
-    integer(c_int64_t) :: gather_count
-  end type
-
-  type, bind(c) :: fmc_contact_step_options
-    integer(c_size_t) :: struct_size
-    real(c_double) :: tolerance
-    real(c_double) :: absolute_tolerance
-    real(c_double) :: full_below
-    integer(c_int32_t) :: max_iterations
-    integer(c_int32_t) :: max_trials
-    integer(c_int32_t) :: soft_start
-    integer(c_int32_t) :: reserved_flags
-    integer(c_int64_t) :: reserved(7)
-  end type
-
-  type, bind(c) :: fmc_contact_step_result
-    integer(c_size_t) :: struct_size
-    integer(c_int32_t) :: state
-    integer(c_int32_t) :: iterations
-    integer(c_size_t) :: evaluation_count
-    integer(c_size_t) :: outside_count
-    real(c_double) :: residual_at_start
-    real(c_double) :: residual
-    real(c_double) :: scale
-    integer(c_int64_t) :: reserved(8)
-  end type
-
   type, bind(c) :: fmc_resultant
+    integer(c_size_t) :: struct_size
     integer(c_int64_t) :: id
     real(c_double) :: force(3)
     real(c_double) :: moment(3)
@@ -358,16 +309,50 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
-  type, bind(c) :: fmc_pair_options
+  type, bind(c) :: fmc_augmentation
     integer(c_size_t) :: struct_size
-    real(c_double) :: stiffness
-    real(c_double) :: exponent
-    real(c_double) :: smoothing_length
-    real(c_double) :: gap_offset
-    real(c_double) :: friction_coefficient
-    integer(c_int32_t) :: law
-    integer(c_int32_t) :: excluded
-    integer(c_int64_t) :: reserved(10)
+    real(c_double) :: penetration
+    real(c_double) :: change
+    integer(c_size_t) :: multiplier_count
+    integer(c_int32_t) :: is_converged
+    integer(c_int32_t) :: reserved_flags
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_multiplier
+    integer(c_size_t) :: struct_size
+    integer(c_int64_t) :: node
+    integer(c_size_t) :: body
+    integer(c_int32_t) :: partner_kind
+    integer(c_int32_t) :: reserved_flags
+    integer(c_size_t) :: partner
+    real(c_double) :: shift
+    real(c_double) :: towards(3)
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_contact_step_options
+    integer(c_size_t) :: struct_size
+    real(c_double) :: tolerance
+    real(c_double) :: absolute_tolerance
+    real(c_double) :: full_below
+    integer(c_int32_t) :: max_iterations
+    integer(c_int32_t) :: max_trials
+    integer(c_int32_t) :: soft_start
+    integer(c_int32_t) :: reserved_flags
+    integer(c_int64_t) :: reserved(7)
+  end type
+
+  type, bind(c) :: fmc_contact_step_result
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: state
+    integer(c_int32_t) :: iterations
+    integer(c_size_t) :: evaluation_count
+    integer(c_size_t) :: outside_count
+    real(c_double) :: residual_at_start
+    real(c_double) :: residual
+    real(c_double) :: scale
+    integer(c_int64_t) :: reserved(8)
   end type
 
   type, bind(c) :: fmc_nodal_contact
@@ -379,6 +364,7 @@ module fmc_contact_c
     type(c_ptr) :: friction
     type(c_ptr) :: sliding
     type(c_ptr) :: status
+    integer(c_int64_t) :: reserved(9)
   end type
 
   type, bind(c) :: fmc_contact_side
@@ -418,57 +404,79 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
-  type, bind(c) :: fmc_augmentation
+  type, bind(c) :: fmc_boundary_facet
     integer(c_size_t) :: struct_size
-    real(c_double) :: penetration
-    real(c_double) :: change
-    integer(c_size_t) :: multiplier_count
-    integer(c_int32_t) :: is_converged
-    integer(c_int32_t) :: reserved_flags
-    integer(c_int64_t) :: reserved(4)
-  end type
-
-  type, bind(c) :: fmc_multiplier
-    integer(c_size_t) :: struct_size
-    integer(c_int64_t) :: node
     integer(c_size_t) :: body
-    integer(c_int32_t) :: partner_kind
-    integer(c_int32_t) :: reserved_flags
-    integer(c_size_t) :: partner
-    real(c_double) :: shift
-    real(c_double) :: towards(3)
+    integer(c_int64_t) :: cell
+    integer(c_int64_t) :: input_facet
+    integer(c_int32_t) :: local_face
+    integer(c_int32_t) :: node_count
+    integer(c_int64_t) :: nodes(4)
     integer(c_int64_t) :: reserved(4)
   end type
 
-  type, bind(c) :: fmc_pose
-    real(c_double) :: position(3)
-    real(c_double) :: rotation(9)
-    real(c_double) :: scale
-  end type
-
-  type, bind(c) :: fmc_shape
+  type, bind(c) :: fmc_communicator
     integer(c_size_t) :: struct_size
-    integer(c_int32_t) :: kind
-    integer(c_int32_t) :: index_size
-    real(c_double) :: radius
-    real(c_double) :: half_height
-    real(c_double) :: half_extents(3)
-    type(fmc_coords) :: points
-    type(c_ptr) :: facets
-    integer(c_size_t) :: facet_count
-    type(c_ptr) :: heights
-    integer(c_size_t) :: counts(2)
-    real(c_double) :: lengths(2)
-    real(c_double) :: thickness
-    type(c_ptr) :: parts
-    integer(c_size_t) :: part_count
-    type(c_funptr) :: signed_distance
+    integer(c_int32_t) :: rank
+    integer(c_int32_t) :: size
+    type(c_funptr) :: all_gather
     type(c_ptr) :: user
+    type(c_funptr) :: all_to_all
+    integer(c_int64_t) :: reserved(5)
   end type
 
-  type, bind(c) :: fmc_part
-    type(c_ptr) :: shape
-    type(fmc_pose) :: pose
+  type, bind(c) :: fmc_rank_counts
+    integer(c_size_t) :: struct_size
+    integer(c_int64_t) :: item_count
+    integer(c_int64_t) :: own_item_count
+    integer(c_int64_t) :: call_count
+    integer(c_int64_t) :: sent_bytes
+    integer(c_int64_t) :: received_bytes
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_mesh_part
+    integer(c_size_t) :: struct_size
+    type(fmc_coords) :: coords
+    integer(c_int32_t) :: index_size
+    integer(c_int32_t) :: reserved_flags
+    type(c_ptr) :: node_numbers
+    type(c_ptr) :: blocks
+    integer(c_size_t) :: block_count
+    type(c_ptr) :: cell_numbers
+    type(c_ptr) :: body_ids
+    real(c_double) :: reach
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_carried_slip
+    integer(c_int64_t) :: cell
+    integer(c_int32_t) :: face
+    integer(c_int32_t) :: part
+    real(c_double) :: slip(3)
+  end type
+
+  type, bind(c) :: fmc_gathered_counts
+    integer(c_size_t) :: struct_size
+    integer(c_int64_t) :: node_count
+    integer(c_int64_t) :: cell_count
+    integer(c_int64_t) :: facet_count
+    integer(c_int64_t) :: whole_facet_count
+    integer(c_int64_t) :: own_cell_count
+    integer(c_int64_t) :: gather_count
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_friction_step
+    integer(c_size_t) :: struct_size
+    type(c_ptr) :: start
+    type(c_ptr) :: reference
+    type(c_ptr) :: slip
+    integer(c_size_t) :: slip_count
+    type(c_ptr) :: next_slip
+    integer(c_size_t) :: next_slip_capacity
+    type(c_ptr) :: next_slip_count
+    integer(c_int64_t) :: reserved(8)
   end type
 
   abstract interface
@@ -478,6 +486,23 @@ module fmc_contact_c
       integer(c_int32_t), value :: level
       character(kind=c_char), intent(in) :: text(*)
     end subroutine
+    function fmc_signed_distance(user, n, x, phi, grad) bind(c)
+      import
+      type(c_ptr), value :: user
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: x(*)
+      real(c_double), intent(inout) :: phi(*)
+      real(c_double), intent(inout) :: grad(*)
+      integer(c_int32_t) :: fmc_signed_distance
+    end function
+    function fmc_place(user, n, displacement, coords) bind(c)
+      import
+      type(c_ptr), value :: user
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: displacement(*)
+      real(c_double), intent(inout) :: coords(*)
+      integer(c_int32_t) :: fmc_place
+    end function
     function fmc_all_gather(user, send, counts, received) bind(c)
       import
       type(c_ptr), value :: user
@@ -494,23 +519,6 @@ module fmc_contact_c
       type(c_ptr), value :: received
       integer(c_int64_t), intent(in) :: received_counts(*)
       integer(c_int32_t) :: fmc_all_to_all
-    end function
-    function fmc_place(user, n, displacement, coords) bind(c)
-      import
-      type(c_ptr), value :: user
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: displacement(*)
-      real(c_double), intent(inout) :: coords(*)
-      integer(c_int32_t) :: fmc_place
-    end function
-    function fmc_signed_distance(user, n, x, phi, grad) bind(c)
-      import
-      type(c_ptr), value :: user
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: phi(*)
-      real(c_double), intent(inout) :: grad(*)
-      integer(c_int32_t) :: fmc_signed_distance
     end function
   end interface
 
@@ -554,25 +562,22 @@ module fmc_contact_c
       character(kind=c_char), intent(in) :: value(*)
       integer(c_int32_t) :: fmc_options_set
     end function
-    function fmc_friction_step_init(step) bind(c)
+    function fmc_suggest_stiffness(law, dim, exponent, modulus, cell_size, stiffness) bind(c)
       import
-      type(fmc_friction_step), intent(inout), optional :: step
-      integer(c_int32_t) :: fmc_friction_step_init
-    end function
-    function fmc_contact_force(dim, coords, node_count, blocks, block_count, body_ids, options, &
-        step, forces, volume) bind(c)
-      import
+      integer(c_int32_t), value :: law
       integer(c_int32_t), value :: dim
-      real(c_double), intent(in), optional :: coords(*)
-      integer(c_size_t), value :: node_count
-      type(fmc_cell_block), intent(in), optional :: blocks(*)
-      integer(c_size_t), value :: block_count
-      type(*), intent(in), optional :: body_ids(*)
-      type(fmc_options), intent(in), optional :: options
-      type(fmc_friction_step), intent(in), optional :: step
-      real(c_double), intent(inout), optional :: forces(*)
-      real(c_double), intent(inout), optional :: volume
-      integer(c_int32_t) :: fmc_contact_force
+      real(c_double), value :: exponent
+      real(c_double), value :: modulus
+      real(c_double), value :: cell_size
+      real(c_double), intent(inout), optional :: stiffness
+      integer(c_int32_t) :: fmc_suggest_stiffness
+    end function
+    function fmc_context_set_log(context, callback, user) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(c_funptr), value :: callback
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: fmc_context_set_log
     end function
     function fmc_context_new_from_cells(dim, coords, blocks, block_count, body_ids, options, &
         context) bind(c)
@@ -585,11 +590,6 @@ module fmc_contact_c
       type(fmc_options), intent(in), optional :: options
       type(c_ptr), intent(inout), optional :: context
       integer(c_int32_t) :: fmc_context_new_from_cells
-    end function
-    function fmc_context_free(context) bind(c)
-      import
-      type(c_ptr), intent(inout), optional :: context
-      integer(c_int32_t) :: fmc_context_free
     end function
     function fmc_context_new_from_facets(dim, coords, blocks, block_count, body_ids, options, &
         context) bind(c)
@@ -615,13 +615,6 @@ module fmc_contact_c
       type(fmc_options), intent(inout), optional :: options
       integer(c_int32_t) :: fmc_context_options
     end function
-    function fmc_context_set_log(context, callback, user) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(c_funptr), value :: callback
-      type(c_ptr), value :: user
-      integer(c_int32_t) :: fmc_context_set_log
-    end function
     function fmc_context_counts(context, node_count, facet_count, body_count) bind(c)
       import
       type(c_ptr), value :: context
@@ -629,88 +622,6 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: facet_count
       integer(c_size_t), intent(inout), optional :: body_count
       integer(c_int32_t) :: fmc_context_counts
-    end function
-    function fmc_context_evaluate(context, coords, forces, flags, result) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      type(fmc_forces), intent(in), optional :: forces
-      integer(c_int32_t), value :: flags
-      type(fmc_result), intent(inout), optional :: result
-      integer(c_int32_t) :: fmc_context_evaluate
-    end function
-    function fmc_context_boundary_facets(context, facets, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_boundary_facet), intent(inout), optional :: facets(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_boundary_facets
-    end function
-    function fmc_context_point_weights(context, row_offsets, offset_capacity, offset_count, &
-        nodes, weights, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(*), intent(inout), optional :: row_offsets(*)
-      integer(c_size_t), value :: offset_capacity
-      integer(c_size_t), intent(inout), optional :: offset_count
-      type(*), intent(inout), optional :: nodes(*)
-      real(c_double), intent(inout), optional :: weights(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_point_weights
-    end function
-    function fmc_csr_init(matrix) bind(c)
-      import
-      type(fmc_csr), intent(inout), optional :: matrix
-      integer(c_int32_t) :: fmc_csr_init
-    end function
-    function fmc_context_set_basis(context, weights, unknown_count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_csr), intent(in), optional :: weights
-      integer(c_size_t), value :: unknown_count
-      integer(c_int32_t) :: fmc_context_set_basis
-    end function
-    function fmc_context_keep_patches(context, coords, direction_count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      integer(c_size_t), intent(inout), optional :: direction_count
-      integer(c_int32_t) :: fmc_context_keep_patches
-    end function
-    function fmc_context_begin_step(context, coords) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      integer(c_int32_t) :: fmc_context_begin_step
-    end function
-    function fmc_context_commit_step(context, coords) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      integer(c_int32_t) :: fmc_context_commit_step
-    end function
-    function fmc_context_freeze_friction(context, coords) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      integer(c_int32_t) :: fmc_context_freeze_friction
-    end function
-    function fmc_context_slip(context, slip, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      real(c_double), intent(inout), optional :: slip(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_slip
-    end function
-    function fmc_context_set_slip(context, slip, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      real(c_double), intent(in), optional :: slip(*)
-      integer(c_size_t), value :: count
-      integer(c_int32_t) :: fmc_context_set_slip
     end function
     function fmc_context_set_reference(context, coords) bind(c)
       import
@@ -724,6 +635,129 @@ module fmc_contact_c
       type(*), intent(in), optional :: nodes(*)
       integer(c_size_t), value :: count
       integer(c_int32_t) :: fmc_context_set_symmetry_nodes
+    end function
+    function fmc_csr_init(matrix) bind(c)
+      import
+      type(fmc_csr), intent(inout), optional :: matrix
+      integer(c_int32_t) :: fmc_csr_init
+    end function
+    function fmc_context_set_basis(context, weights, unknown_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_csr), intent(in), optional :: weights
+      integer(c_size_t), value :: unknown_count
+      integer(c_int32_t) :: fmc_context_set_basis
+    end function
+    function fmc_pose_init(pose) bind(c)
+      import
+      type(fmc_pose), intent(inout), optional :: pose
+      integer(c_int32_t) :: fmc_pose_init
+    end function
+    function fmc_pose_along(dim, position, axis, pose) bind(c)
+      import
+      integer(c_int32_t), value :: dim
+      real(c_double), intent(in), optional :: position(*)
+      real(c_double), intent(in), optional :: axis(*)
+      type(fmc_pose), intent(inout), optional :: pose
+      integer(c_int32_t) :: fmc_pose_along
+    end function
+    function fmc_shape_init(shape, kind) bind(c)
+      import
+      type(fmc_shape), intent(inout), optional :: shape
+      integer(c_int32_t), value :: kind
+      integer(c_int32_t) :: fmc_shape_init
+    end function
+    function fmc_context_add_obstacle(context, shape, pose, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_shape), intent(in), optional :: shape
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_size_t), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_add_obstacle
+    end function
+    function fmc_context_obstacle_shape(context, obstacle, kind, pose) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: obstacle
+      integer(c_int32_t), intent(inout), optional :: kind(*)
+      type(fmc_pose), intent(inout), optional :: pose
+      integer(c_int32_t) :: fmc_context_obstacle_shape
+    end function
+    function fmc_context_set_pose(context, obstacle, pose) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: obstacle
+      type(fmc_pose), intent(in), optional :: pose
+      integer(c_int32_t) :: fmc_context_set_pose
+    end function
+    function fmc_context_remove_obstacle(context, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: obstacle
+      integer(c_int32_t) :: fmc_context_remove_obstacle
+    end function
+    function fmc_pair_options_init(options) bind(c)
+      import
+      type(fmc_pair_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_pair_options_init
+    end function
+    function fmc_context_set_pair_options(context, a_kind, a, b_kind, b, options) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_pair_options), intent(in), optional :: options
+      integer(c_int32_t) :: fmc_context_set_pair_options
+    end function
+    function fmc_context_pair_options(context, a_kind, a, b_kind, b, options) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_pair_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_context_pair_options
+    end function
+    function fmc_context_evaluate(context, coords, forces, flags, result) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_forces), intent(in), optional :: forces
+      integer(c_int32_t), value :: flags
+      type(fmc_result), intent(inout), optional :: result
+      integer(c_int32_t) :: fmc_context_evaluate
+    end function
+    function fmc_context_body_resultant(context, index, body) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      type(fmc_resultant), intent(inout), optional :: body
+      integer(c_int32_t) :: fmc_context_body_resultant
+    end function
+    function fmc_context_obstacle_resultant(context, index, obstacle) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      type(fmc_resultant), intent(inout), optional :: obstacle
+      integer(c_int32_t) :: fmc_context_obstacle_resultant
+    end function
+    function fmc_context_pair_result(context, index, pair) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      type(fmc_pair_result), intent(inout), optional :: pair
+      integer(c_int32_t) :: fmc_context_pair_result
+    end function
+    function fmc_context_warning(context, index, code, text) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: index
+      integer(c_int32_t), intent(inout), optional :: code
+      type(c_ptr), intent(inout), optional :: text
+      integer(c_int32_t) :: fmc_context_warning
     end function
     function fmc_context_tangent(context, coords, flags, rank_one_count) bind(c)
       import
@@ -780,12 +814,6 @@ module fmc_contact_c
       integer(c_int32_t), value :: keep
       integer(c_int32_t) :: fmc_context_keep_pattern
     end function
-    function fmc_context_set_obstacle_rotations(context, on) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_int32_t), value :: on
-      integer(c_int32_t) :: fmc_context_set_obstacle_rotations
-    end function
     function fmc_context_evaluate_tangent(context, coords, flags, forces, result, &
         rank_one_count) bind(c)
       import
@@ -797,6 +825,37 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: rank_one_count
       integer(c_int32_t) :: fmc_context_evaluate_tangent
     end function
+    function fmc_context_set_obstacle_rotations(context, on) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: on
+      integer(c_int32_t) :: fmc_context_set_obstacle_rotations
+    end function
+    function fmc_context_begin_step(context, coords) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t) :: fmc_context_begin_step
+    end function
+    function fmc_context_commit_step(context, coords) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t) :: fmc_context_commit_step
+    end function
+    function fmc_context_freeze_friction(context, coords) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t) :: fmc_context_freeze_friction
+    end function
+    function fmc_context_keep_patches(context, coords, direction_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_size_t), intent(inout), optional :: direction_count
+      integer(c_int32_t) :: fmc_context_keep_patches
+    end function
     function fmc_context_stable_step(context, coords, masses, step) bind(c)
       import
       type(c_ptr), value :: context
@@ -804,6 +863,189 @@ module fmc_contact_c
       real(c_double), intent(in), optional :: masses(*)
       real(c_double), intent(inout), optional :: step
       integer(c_int32_t) :: fmc_context_stable_step
+    end function
+    function fmc_context_augment(context, coords, reach, tolerance, result) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), value :: reach
+      real(c_double), value :: tolerance
+      type(fmc_augmentation), intent(inout), optional :: result
+      integer(c_int32_t) :: fmc_context_augment
+    end function
+    function fmc_context_stiffen(context, factor) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: factor
+      integer(c_int32_t) :: fmc_context_stiffen
+    end function
+    function fmc_contact_step_options_init(options) bind(c)
+      import
+      type(fmc_contact_step_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_contact_step_options_init
+    end function
+    function fmc_context_contact_step(context, coords, options, dofs, dof_count, fixed_dofs, &
+        fixed_count, stiffness, residual, place, user, displacement, result) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_contact_step_options), intent(in), optional :: options
+      type(*), intent(in), optional :: dofs(*)
+      integer(c_size_t), value :: dof_count
+      type(*), intent(in), optional :: fixed_dofs(*)
+      integer(c_size_t), value :: fixed_count
+      real(c_double), intent(in), optional :: stiffness(*)
+      real(c_double), intent(in), optional :: residual(*)
+      type(c_funptr), value :: place
+      type(c_ptr), value :: user
+      real(c_double), intent(inout), optional :: displacement(*)
+      type(fmc_contact_step_result), intent(inout), optional :: result
+      integer(c_int32_t) :: fmc_context_contact_step
+    end function
+    function fmc_condensation_new(condensation) bind(c)
+      import
+      type(c_ptr), intent(inout), optional :: condensation
+      integer(c_int32_t) :: fmc_condensation_new
+    end function
+    function fmc_condensation_free(condensation) bind(c)
+      import
+      type(c_ptr), intent(inout), optional :: condensation
+      integer(c_int32_t) :: fmc_condensation_free
+    end function
+    function fmc_condensation_factorise(condensation, matrix, retained, retained_count) bind(c)
+      import
+      type(c_ptr), value :: condensation
+      type(fmc_csr), intent(in), optional :: matrix
+      type(*), intent(in), optional :: retained(*)
+      integer(c_size_t), value :: retained_count
+      integer(c_int32_t) :: fmc_condensation_factorise
+    end function
+    function fmc_condensation_complement(condensation, complement, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: condensation
+      real(c_double), intent(inout), optional :: complement(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_condensation_complement
+    end function
+    function fmc_condensation_condense(condensation, right, right_count, condensed, capacity, &
+        count) bind(c)
+      import
+      type(c_ptr), value :: condensation
+      real(c_double), intent(in), optional :: right(*)
+      integer(c_size_t), value :: right_count
+      real(c_double), intent(inout), optional :: condensed(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_condensation_condense
+    end function
+    function fmc_condensation_expand(condensation, right, right_count, retained, retained_count, &
+        solution, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: condensation
+      real(c_double), intent(in), optional :: right(*)
+      integer(c_size_t), value :: right_count
+      real(c_double), intent(in), optional :: retained(*)
+      integer(c_size_t), value :: retained_count
+      real(c_double), intent(inout), optional :: solution(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_condensation_expand
+    end function
+    function fmc_nodal_contact_init(nodal) bind(c)
+      import
+      type(fmc_nodal_contact), intent(inout), optional :: nodal
+      integer(c_int32_t) :: fmc_nodal_contact_init
+    end function
+    function fmc_context_nodal_contact(context, coords, nodal) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_nodal_contact), intent(in), optional :: nodal
+      integer(c_int32_t) :: fmc_context_nodal_contact
+    end function
+    function fmc_context_contact_points(context, coords, points, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_contact_point), intent(inout), optional :: points(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_contact_points
+    end function
+    function fmc_context_gap_constraints(context, coords, reach, rows, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), value :: reach
+      type(fmc_gap_constraint), intent(inout), optional :: rows(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_gap_constraints
+    end function
+    function fmc_context_gap_gradient(context, row_offsets, offset_capacity, offset_count, cols, &
+        values, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(*), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: offset_capacity
+      integer(c_size_t), intent(inout), optional :: offset_count
+      type(*), intent(inout), optional :: cols(*)
+      real(c_double), intent(inout), optional :: values(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_gap_gradient
+    end function
+    function fmc_context_boundary_facets(context, facets, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_boundary_facet), intent(inout), optional :: facets(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_boundary_facets
+    end function
+    function fmc_context_point_weights(context, row_offsets, offset_capacity, offset_count, &
+        nodes, weights, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(*), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: offset_capacity
+      integer(c_size_t), intent(inout), optional :: offset_count
+      type(*), intent(inout), optional :: nodes(*)
+      real(c_double), intent(inout), optional :: weights(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_point_weights
+    end function
+    function fmc_context_slip(context, slip, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: slip(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_slip
+    end function
+    function fmc_context_set_slip(context, slip, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: slip(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_slip
+    end function
+    function fmc_context_multipliers(context, rows, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_multiplier), intent(inout), optional :: rows(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_multipliers
+    end function
+    function fmc_context_set_multipliers(context, rows, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_multiplier), intent(in), optional :: rows(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_multipliers
     end function
     function fmc_communicator_init(communicator) bind(c)
       import
@@ -883,264 +1125,30 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_carried_slip
     end function
-    function fmc_contact_step_options_init(options) bind(c)
+    function fmc_context_free(context) bind(c)
       import
-      type(fmc_contact_step_options), intent(inout), optional :: options
-      integer(c_int32_t) :: fmc_contact_step_options_init
+      type(c_ptr), intent(inout), optional :: context
+      integer(c_int32_t) :: fmc_context_free
     end function
-    function fmc_context_contact_step(context, coords, options, dofs, dof_count, fixed_dofs, &
-        fixed_count, stiffness, residual, place, user, displacement, result) bind(c)
+    function fmc_friction_step_init(step) bind(c)
       import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      type(fmc_contact_step_options), intent(in), optional :: options
-      type(*), intent(in), optional :: dofs(*)
-      integer(c_size_t), value :: dof_count
-      type(*), intent(in), optional :: fixed_dofs(*)
-      integer(c_size_t), value :: fixed_count
-      real(c_double), intent(in), optional :: stiffness(*)
-      real(c_double), intent(in), optional :: residual(*)
-      type(c_funptr), value :: place
-      type(c_ptr), value :: user
-      real(c_double), intent(inout), optional :: displacement(*)
-      type(fmc_contact_step_result), intent(inout), optional :: result
-      integer(c_int32_t) :: fmc_context_contact_step
+      type(fmc_friction_step), intent(inout), optional :: step
+      integer(c_int32_t) :: fmc_friction_step_init
     end function
-    function fmc_condensation_new(condensation) bind(c)
-      import
-      type(c_ptr), intent(inout), optional :: condensation
-      integer(c_int32_t) :: fmc_condensation_new
-    end function
-    function fmc_condensation_free(condensation) bind(c)
-      import
-      type(c_ptr), intent(inout), optional :: condensation
-      integer(c_int32_t) :: fmc_condensation_free
-    end function
-    function fmc_condensation_factorise(condensation, matrix, retained, retained_count) bind(c)
-      import
-      type(c_ptr), value :: condensation
-      type(fmc_csr), intent(in), optional :: matrix
-      type(*), intent(in), optional :: retained(*)
-      integer(c_size_t), value :: retained_count
-      integer(c_int32_t) :: fmc_condensation_factorise
-    end function
-    function fmc_condensation_complement(condensation, complement, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: condensation
-      real(c_double), intent(inout), optional :: complement(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_condensation_complement
-    end function
-    function fmc_condensation_condense(condensation, right, right_count, condensed, capacity, &
-        count) bind(c)
-      import
-      type(c_ptr), value :: condensation
-      real(c_double), intent(in), optional :: right(*)
-      integer(c_size_t), value :: right_count
-      real(c_double), intent(inout), optional :: condensed(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_condensation_condense
-    end function
-    function fmc_condensation_expand(condensation, right, right_count, retained, retained_count, &
-        solution, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: condensation
-      real(c_double), intent(in), optional :: right(*)
-      integer(c_size_t), value :: right_count
-      real(c_double), intent(in), optional :: retained(*)
-      integer(c_size_t), value :: retained_count
-      real(c_double), intent(inout), optional :: solution(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_condensation_expand
-    end function
-    function fmc_context_body_resultant(context, index, body) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_size_t), value :: index
-      type(fmc_resultant), intent(inout), optional :: body
-      integer(c_int32_t) :: fmc_context_body_resultant
-    end function
-    function fmc_context_obstacle_resultant(context, index, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_size_t), value :: index
-      type(fmc_resultant), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_obstacle_resultant
-    end function
-    function fmc_context_pair_result(context, index, pair) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_size_t), value :: index
-      type(fmc_pair_result), intent(inout), optional :: pair
-      integer(c_int32_t) :: fmc_context_pair_result
-    end function
-    function fmc_context_warning(context, index, code, text) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_size_t), value :: index
-      integer(c_int32_t), intent(inout), optional :: code
-      type(c_ptr), intent(inout), optional :: text
-      integer(c_int32_t) :: fmc_context_warning
-    end function
-    function fmc_pair_options_init(options) bind(c)
-      import
-      type(fmc_pair_options), intent(inout), optional :: options
-      integer(c_int32_t) :: fmc_pair_options_init
-    end function
-    function fmc_context_set_pair_options(context, a_kind, a, b_kind, b, options) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_int32_t), value :: a_kind
-      integer(c_size_t), value :: a
-      integer(c_int32_t), value :: b_kind
-      integer(c_size_t), value :: b
-      type(fmc_pair_options), intent(in), optional :: options
-      integer(c_int32_t) :: fmc_context_set_pair_options
-    end function
-    function fmc_context_pair_options(context, a_kind, a, b_kind, b, options) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_int32_t), value :: a_kind
-      integer(c_size_t), value :: a
-      integer(c_int32_t), value :: b_kind
-      integer(c_size_t), value :: b
-      type(fmc_pair_options), intent(inout), optional :: options
-      integer(c_int32_t) :: fmc_context_pair_options
-    end function
-    function fmc_nodal_contact_init(nodal) bind(c)
-      import
-      type(fmc_nodal_contact), intent(inout), optional :: nodal
-      integer(c_int32_t) :: fmc_nodal_contact_init
-    end function
-    function fmc_context_nodal_contact(context, coords, nodal) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      type(fmc_nodal_contact), intent(in), optional :: nodal
-      integer(c_int32_t) :: fmc_context_nodal_contact
-    end function
-    function fmc_context_contact_points(context, coords, points, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      type(fmc_contact_point), intent(inout), optional :: points(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_contact_points
-    end function
-    function fmc_context_gap_constraints(context, coords, reach, rows, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      real(c_double), value :: reach
-      type(fmc_gap_constraint), intent(inout), optional :: rows(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_gap_constraints
-    end function
-    function fmc_context_gap_gradient(context, row_offsets, offset_capacity, offset_count, cols, &
-        values, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(*), intent(inout), optional :: row_offsets(*)
-      integer(c_size_t), value :: offset_capacity
-      integer(c_size_t), intent(inout), optional :: offset_count
-      type(*), intent(inout), optional :: cols(*)
-      real(c_double), intent(inout), optional :: values(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_gap_gradient
-    end function
-    function fmc_context_augment(context, coords, reach, tolerance, result) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      real(c_double), value :: reach
-      real(c_double), value :: tolerance
-      type(fmc_augmentation), intent(inout), optional :: result
-      integer(c_int32_t) :: fmc_context_augment
-    end function
-    function fmc_context_stiffen(context, factor) bind(c)
-      import
-      type(c_ptr), value :: context
-      real(c_double), value :: factor
-      integer(c_int32_t) :: fmc_context_stiffen
-    end function
-    function fmc_context_multipliers(context, rows, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_multiplier), intent(inout), optional :: rows(*)
-      integer(c_size_t), value :: capacity
-      integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_multipliers
-    end function
-    function fmc_context_set_multipliers(context, rows, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_multiplier), intent(in), optional :: rows(*)
-      integer(c_size_t), value :: count
-      integer(c_int32_t) :: fmc_context_set_multipliers
-    end function
-    function fmc_pose_init(pose) bind(c)
-      import
-      type(fmc_pose), intent(inout), optional :: pose
-      integer(c_int32_t) :: fmc_pose_init
-    end function
-    function fmc_pose_along(dim, position, axis, pose) bind(c)
+    function fmc_contact_force(dim, coords, node_count, blocks, block_count, body_ids, options, &
+        step, forces, volume) bind(c)
       import
       integer(c_int32_t), value :: dim
-      real(c_double), intent(in), optional :: position(*)
-      real(c_double), intent(in), optional :: axis(*)
-      type(fmc_pose), intent(inout), optional :: pose
-      integer(c_int32_t) :: fmc_pose_along
-    end function
-    function fmc_shape_init(shape, kind) bind(c)
-      import
-      type(fmc_shape), intent(inout), optional :: shape
-      integer(c_int32_t), value :: kind
-      integer(c_int32_t) :: fmc_shape_init
-    end function
-    function fmc_context_add_obstacle(context, shape, pose, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_shape), intent(in), optional :: shape
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_size_t), intent(inout), optional :: obstacle
-      integer(c_int32_t) :: fmc_context_add_obstacle
-    end function
-    function fmc_context_obstacle_shape(context, obstacle, kind, pose) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_size_t), value :: obstacle
-      integer(c_int32_t), intent(inout), optional :: kind(*)
-      type(fmc_pose), intent(inout), optional :: pose
-      integer(c_int32_t) :: fmc_context_obstacle_shape
-    end function
-    function fmc_context_set_pose(context, obstacle, pose) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_size_t), value :: obstacle
-      type(fmc_pose), intent(in), optional :: pose
-      integer(c_int32_t) :: fmc_context_set_pose
-    end function
-    function fmc_context_remove_obstacle(context, obstacle) bind(c)
-      import
-      type(c_ptr), value :: context
-      integer(c_size_t), value :: obstacle
-      integer(c_int32_t) :: fmc_context_remove_obstacle
-    end function
-    function fmc_suggest_stiffness(law, dim, exponent, modulus, cell_size, stiffness) bind(c)
-      import
-      integer(c_int32_t), value :: law
-      integer(c_int32_t), value :: dim
-      real(c_double), value :: exponent
-      real(c_double), value :: modulus
-      real(c_double), value :: cell_size
-      real(c_double), intent(inout), optional :: stiffness
-      integer(c_int32_t) :: fmc_suggest_stiffness
+      real(c_double), intent(in), optional :: coords(*)
+      integer(c_size_t), value :: node_count
+      type(fmc_cell_block), intent(in), optional :: blocks(*)
+      integer(c_size_t), value :: block_count
+      type(*), intent(in), optional :: body_ids(*)
+      type(fmc_options), intent(in), optional :: options
+      type(fmc_friction_step), intent(in), optional :: step
+      real(c_double), intent(inout), optional :: forces(*)
+      real(c_double), intent(inout), optional :: volume
+      integer(c_int32_t) :: fmc_contact_force
     end function
   end interface
 end module

@@ -5,10 +5,12 @@
 mod declarations;
 mod fortran;
 mod generated;
+mod growth;
 mod header;
 mod histories;
 mod hosts;
 mod install;
+mod order;
 mod pages;
 mod program;
 mod readme;

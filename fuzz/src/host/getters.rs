@@ -12,6 +12,7 @@ use std::ptr::{null, null_mut};
 impl Host {
     pub(super) fn getters(&self, index: usize, hole: Hole) {
         let mut resultant = fmc_resultant {
+            struct_size: 77,
             id: 77,
             force: [0.5; 3],
             moment: [0.5; 3],

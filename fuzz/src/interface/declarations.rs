@@ -6,14 +6,14 @@ use std::ffi::{c_char, c_void};
 
 pub type fmc_status = i32;
 pub const FMC_ABI_VERSION: i32 = 3;
-pub const FMC_EVALUATE_ADD: u32 = 1;
 pub const FMC_LOG_WARNING: i32 = 1;
+pub const FMC_PAIR_LAW_OF_CONTEXT: i32 = -1;
+pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
+pub const FMC_EVALUATE_ADD: u32 = 1;
 pub const FMC_TANGENT_SEMIDEFINITE: u32 = 2;
 pub const FMC_TANGENT_SYMMETRIC: u32 = 32;
 pub const FMC_CSR_BLOCKS: u32 = 4;
 pub const FMC_CSR_OBSTACLES: u32 = 8;
-pub const FMC_PAIR_LAW_OF_CONTEXT: i32 = -1;
-pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
 pub const FMC_OK: i32 = 0;
 pub const FMC_ERROR_NULL_POINTER: i32 = 1;
 pub const FMC_ERROR_MISALIGNED_POINTER: i32 = 2;
@@ -77,6 +77,13 @@ pub const FMC_ERROR_BAD_VALUE: i32 = 59;
 pub const FMC_ERROR_UNKNOWN_FLAG: i32 = 60;
 pub const FMC_ERROR_OPTIONS_CONFLICT: i32 = 61;
 pub const FMC_ERROR_RESERVED_FIELD: i32 = 62;
+pub const FMC_CLASS_OK: i32 = 0;
+pub const FMC_CLASS_INPUT: i32 = 1;
+pub const FMC_CLASS_GEOMETRY: i32 = 2;
+pub const FMC_CLASS_NUMERICAL: i32 = 3;
+pub const FMC_CLASS_RESOURCE: i32 = 4;
+pub const FMC_CLASS_PROTOCOL: i32 = 5;
+pub const FMC_CLASS_INTERNAL: i32 = 6;
 pub const FMC_LAW_VOLUME: i32 = 0;
 pub const FMC_LAW_FIBER: i32 = 1;
 pub const FMC_LAW_DEPTH: i32 = 2;
@@ -108,8 +115,6 @@ pub const FMC_FACET_LINE3: i32 = 21;
 pub const FMC_FACET_TRI6: i32 = 22;
 pub const FMC_FACET_QUAD8: i32 = 23;
 pub const FMC_FACET_QUAD9: i32 = 28;
-pub const FMC_PARTNER_BODY: i32 = 0;
-pub const FMC_PARTNER_OBSTACLE: i32 = 1;
 pub const FMC_SHAPE_HALF_SPACE: i32 = 0;
 pub const FMC_SHAPE_BALL: i32 = 1;
 pub const FMC_SHAPE_CUBOID: i32 = 2;
@@ -121,46 +126,41 @@ pub const FMC_SHAPE_CONVEX_HULL: i32 = 7;
 pub const FMC_SHAPE_HEIGHT_FIELD: i32 = 8;
 pub const FMC_SHAPE_COMPOUND: i32 = 9;
 pub const FMC_SHAPE_SIGNED_DISTANCE: i32 = 10;
+pub const FMC_PARTNER_BODY: i32 = 0;
+pub const FMC_PARTNER_OBSTACLE: i32 = 1;
 pub const FMC_WARNING_COARSE_FIBERS: i32 = 1;
 pub const FMC_WARNING_UNRESOLVED_OVERLAP: i32 = 2;
 pub const FMC_WARNING_SWALLOWED_BODY: i32 = 3;
 pub const FMC_WARNING_PATCH_LEFT_OUT: i32 = 4;
 pub const FMC_WARNING_UNBALANCED: i32 = 5;
 pub const FMC_WARNING_FLUSH_FACES: i32 = 6;
+pub const FMC_STEP_CONVERGED: i32 = 0;
+pub const FMC_STEP_OUTSIDE: i32 = 1;
+pub const FMC_STEP_NOT_CONVERGED: i32 = 2;
 pub const FMC_NODE_APART: i32 = 0;
 pub const FMC_NODE_TOUCHING: i32 = 1;
 pub const FMC_NODE_STICKING: i32 = 2;
 pub const FMC_NODE_SLIDING: i32 = 3;
-pub const FMC_STEP_CONVERGED: i32 = 0;
-pub const FMC_STEP_OUTSIDE: i32 = 1;
-pub const FMC_STEP_NOT_CONVERGED: i32 = 2;
-pub const FMC_CLASS_OK: i32 = 0;
-pub const FMC_CLASS_INPUT: i32 = 1;
-pub const FMC_CLASS_GEOMETRY: i32 = 2;
-pub const FMC_CLASS_NUMERICAL: i32 = 3;
-pub const FMC_CLASS_RESOURCE: i32 = 4;
-pub const FMC_CLASS_PROTOCOL: i32 = 5;
-pub const FMC_CLASS_INTERNAL: i32 = 6;
-
-#[repr(C)]
-pub struct fmc_condensation {
-    _private: [u8; 0],
-}
 
 #[repr(C)]
 pub struct fmc_context {
     _private: [u8; 0],
 }
 
+#[repr(C)]
+pub struct fmc_condensation {
+    _private: [u8; 0],
+}
+
 pub type fmc_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, level: i32, text: *const c_char)>;
+
+pub type fmc_signed_distance = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32>;
+
+pub type fmc_place = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, displacement: *const f64, coords: *mut f64) -> i32>;
 
 pub type fmc_all_gather = Option<unsafe extern "C" fn(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32>;
 
 pub type fmc_all_to_all = Option<unsafe extern "C" fn(user: *mut c_void, send: *const c_void, send_counts: *const u64, received: *mut c_void, received_counts: *const u64) -> i32>;
-
-pub type fmc_place = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, displacement: *const f64, coords: *mut f64) -> i32>;
-
-pub type fmc_signed_distance = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32>;
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -193,16 +193,20 @@ pub struct fmc_options {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_friction_step {
-    pub struct_size: usize,
-    pub start: *const f64,
-    pub reference: *const f64,
-    pub slip: *const f64,
-    pub slip_count: usize,
-    pub next_slip: *mut f64,
-    pub next_slip_capacity: usize,
-    pub next_slip_count: *mut usize,
-    pub reserved: [u64; 8],
+pub struct fmc_coords {
+    pub data: *const f64,
+    pub node_count: usize,
+    pub node_stride: isize,
+    pub axis_stride: isize,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_forces {
+    pub data: *mut f64,
+    pub node_count: usize,
+    pub node_stride: isize,
+    pub axis_stride: isize,
 }
 
 #[repr(C)]
@@ -216,15 +220,6 @@ pub struct fmc_cell_block {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_coords {
-    pub data: *const f64,
-    pub node_count: usize,
-    pub node_stride: isize,
-    pub axis_stride: isize,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_facet_block {
     pub facet_type: i32,
     pub index_size: i32,
@@ -234,11 +229,67 @@ pub struct fmc_facet_block {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_forces {
-    pub data: *mut f64,
-    pub node_count: usize,
-    pub node_stride: isize,
-    pub axis_stride: isize,
+pub struct fmc_csr {
+    pub struct_size: usize,
+    pub row_count: usize,
+    pub index_size: i32,
+    pub index_base: i32,
+    pub row_offsets: *const c_void,
+    pub cols: *const c_void,
+    pub values: *const f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_pose {
+    pub position: [f64; 3],
+    pub rotation: [f64; 9],
+    pub scale: f64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct fmc_shape {
+    pub struct_size: usize,
+    pub kind: i32,
+    pub index_size: i32,
+    pub radius: f64,
+    pub half_height: f64,
+    pub half_extents: [f64; 3],
+    pub points: fmc_coords,
+    pub facets: *const c_void,
+    pub facet_count: usize,
+    pub heights: *const f64,
+    pub counts: [usize; 2],
+    pub lengths: [f64; 2],
+    pub thickness: f64,
+    pub parts: *const c_void,
+    pub part_count: usize,
+    pub signed_distance: fmc_signed_distance,
+    pub user: *mut c_void,
+    pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_part {
+    pub shape: *const fmc_shape,
+    pub pose: fmc_pose,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_pair_options {
+    pub struct_size: usize,
+    pub stiffness: f64,
+    pub exponent: f64,
+    pub smoothing_length: f64,
+    pub gap_offset: f64,
+    pub friction_coefficient: f64,
+    pub law: i32,
+    pub excluded: i32,
+    pub reserved: [u64; 10],
 }
 
 #[repr(C)]
@@ -267,118 +318,8 @@ pub struct fmc_result {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_boundary_facet {
-    pub struct_size: usize,
-    pub body: usize,
-    pub cell: i64,
-    pub input_facet: i64,
-    pub local_face: i32,
-    pub node_count: i32,
-    pub nodes: [i64; 4],
-    pub reserved: [u64; 4],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_csr {
-    pub struct_size: usize,
-    pub row_count: usize,
-    pub index_size: i32,
-    pub index_base: i32,
-    pub row_offsets: *const c_void,
-    pub cols: *const c_void,
-    pub values: *const f64,
-    pub reserved: [u64; 4],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct fmc_communicator {
-    pub struct_size: usize,
-    pub rank: i32,
-    pub size: i32,
-    pub all_gather: fmc_all_gather,
-    pub user: *mut c_void,
-    pub all_to_all: fmc_all_to_all,
-    pub reserved: [u64; 5],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_rank_counts {
-    pub item_count: u64,
-    pub own_item_count: u64,
-    pub call_count: u64,
-    pub sent_bytes: u64,
-    pub received_bytes: u64,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_mesh_part {
-    pub struct_size: usize,
-    pub coords: fmc_coords,
-    pub index_size: i32,
-    pub node_numbers: *const c_void,
-    pub blocks: *const fmc_cell_block,
-    pub block_count: usize,
-    pub cell_numbers: *const c_void,
-    pub body_ids: *const c_void,
-    pub reach: f64,
-    pub reserved: [u64; 4],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_carried_slip {
-    pub cell: i64,
-    pub face: i32,
-    pub part: i32,
-    pub slip: [f64; 3],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_gathered_counts {
-    pub node_count: u64,
-    pub cell_count: u64,
-    pub facet_count: u64,
-    pub whole_facet_count: u64,
-    pub own_cell_count: u64,
-    pub gather_count: u64,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_contact_step_options {
-    pub struct_size: usize,
-    pub tolerance: f64,
-    pub absolute_tolerance: f64,
-    pub full_below: f64,
-    pub max_iterations: i32,
-    pub max_trials: i32,
-    pub soft_start: i32,
-    pub reserved_flags: i32,
-    pub reserved: [u64; 7],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_contact_step_result {
-    pub struct_size: usize,
-    pub state: i32,
-    pub iterations: i32,
-    pub evaluation_count: usize,
-    pub outside_count: usize,
-    pub residual_at_start: f64,
-    pub residual: f64,
-    pub scale: f64,
-    pub reserved: [u64; 8],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_resultant {
+    pub struct_size: usize,
     pub id: i64,
     pub force: [f64; 3],
     pub moment: [f64; 3],
@@ -411,16 +352,56 @@ pub struct fmc_pair_result {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_pair_options {
+pub struct fmc_augmentation {
     pub struct_size: usize,
-    pub stiffness: f64,
-    pub exponent: f64,
-    pub smoothing_length: f64,
-    pub gap_offset: f64,
-    pub friction_coefficient: f64,
-    pub law: i32,
-    pub excluded: i32,
-    pub reserved: [u64; 10],
+    pub penetration: f64,
+    pub change: f64,
+    pub multiplier_count: usize,
+    pub is_converged: i32,
+    pub reserved_flags: i32,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_multiplier {
+    pub struct_size: usize,
+    pub node: i64,
+    pub body: usize,
+    pub partner_kind: i32,
+    pub reserved_flags: i32,
+    pub partner: usize,
+    pub shift: f64,
+    pub towards: [f64; 3],
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_contact_step_options {
+    pub struct_size: usize,
+    pub tolerance: f64,
+    pub absolute_tolerance: f64,
+    pub full_below: f64,
+    pub max_iterations: i32,
+    pub max_trials: i32,
+    pub soft_start: i32,
+    pub reserved_flags: i32,
+    pub reserved: [u64; 7],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_contact_step_result {
+    pub struct_size: usize,
+    pub state: i32,
+    pub iterations: i32,
+    pub evaluation_count: usize,
+    pub outside_count: usize,
+    pub residual_at_start: f64,
+    pub residual: f64,
+    pub scale: f64,
+    pub reserved: [u64; 8],
 }
 
 #[repr(C)]
@@ -434,6 +415,7 @@ pub struct fmc_nodal_contact {
     pub friction: *mut f64,
     pub sliding: *mut f64,
     pub status: *mut i32,
+    pub reserved: [u64; 9],
 }
 
 #[repr(C)]
@@ -481,65 +463,91 @@ pub struct fmc_gap_constraint {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_augmentation {
+pub struct fmc_boundary_facet {
     pub struct_size: usize,
-    pub penetration: f64,
-    pub change: f64,
-    pub multiplier_count: usize,
-    pub is_converged: i32,
-    pub reserved_flags: i32,
-    pub reserved: [u64; 4],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_multiplier {
-    pub struct_size: usize,
-    pub node: i64,
     pub body: usize,
-    pub partner_kind: i32,
-    pub reserved_flags: i32,
-    pub partner: usize,
-    pub shift: f64,
-    pub towards: [f64; 3],
+    pub cell: i64,
+    pub input_facet: i64,
+    pub local_face: i32,
+    pub node_count: i32,
+    pub nodes: [i64; 4],
     pub reserved: [u64; 4],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_pose {
-    pub position: [f64; 3],
-    pub rotation: [f64; 9],
-    pub scale: f64,
 }
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
-pub struct fmc_shape {
+pub struct fmc_communicator {
     pub struct_size: usize,
-    pub kind: i32,
-    pub index_size: i32,
-    pub radius: f64,
-    pub half_height: f64,
-    pub half_extents: [f64; 3],
-    pub points: fmc_coords,
-    pub facets: *const c_void,
-    pub facet_count: usize,
-    pub heights: *const f64,
-    pub counts: [usize; 2],
-    pub lengths: [f64; 2],
-    pub thickness: f64,
-    pub parts: *const c_void,
-    pub part_count: usize,
-    pub signed_distance: fmc_signed_distance,
+    pub rank: i32,
+    pub size: i32,
+    pub all_gather: fmc_all_gather,
     pub user: *mut c_void,
+    pub all_to_all: fmc_all_to_all,
+    pub reserved: [u64; 5],
 }
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_part {
-    pub shape: *const fmc_shape,
-    pub pose: fmc_pose,
+pub struct fmc_rank_counts {
+    pub struct_size: usize,
+    pub item_count: u64,
+    pub own_item_count: u64,
+    pub call_count: u64,
+    pub sent_bytes: u64,
+    pub received_bytes: u64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_mesh_part {
+    pub struct_size: usize,
+    pub coords: fmc_coords,
+    pub index_size: i32,
+    pub reserved_flags: i32,
+    pub node_numbers: *const c_void,
+    pub blocks: *const fmc_cell_block,
+    pub block_count: usize,
+    pub cell_numbers: *const c_void,
+    pub body_ids: *const c_void,
+    pub reach: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_carried_slip {
+    pub cell: i64,
+    pub face: i32,
+    pub part: i32,
+    pub slip: [f64; 3],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_gathered_counts {
+    pub struct_size: usize,
+    pub node_count: u64,
+    pub cell_count: u64,
+    pub facet_count: u64,
+    pub whole_facet_count: u64,
+    pub own_cell_count: u64,
+    pub gather_count: u64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_friction_step {
+    pub struct_size: usize,
+    pub start: *const f64,
+    pub reference: *const f64,
+    pub slip: *const f64,
+    pub slip_count: usize,
+    pub next_slip: *mut f64,
+    pub next_slip_capacity: usize,
+    pub next_slip_count: *mut usize,
+    pub reserved: [u64; 8],
 }
 
 unsafe extern "C" {
@@ -551,37 +559,66 @@ unsafe extern "C" {
     pub fn fmc_last_error() -> *const c_char;
     pub fn fmc_options_init(options: *mut fmc_options) -> fmc_status;
     pub fn fmc_options_set(options: *mut fmc_options, key: *const c_char, value: *const c_char) -> fmc_status;
-    pub fn fmc_friction_step_init(step: *mut fmc_friction_step) -> fmc_status;
-    pub fn fmc_contact_force(dim: i32, coords: *const f64, node_count: usize, blocks: *const fmc_cell_block, block_count: usize, body_ids: *const c_void, options: *const fmc_options, step: *const fmc_friction_step, forces: *mut f64, volume: *mut f64) -> fmc_status;
+    pub fn fmc_suggest_stiffness(law: i32, dim: i32, exponent: f64, modulus: f64, cell_size: f64, stiffness: *mut f64) -> fmc_status;
+    pub fn fmc_context_set_log(context: *mut fmc_context, callback: fmc_log_callback, user: *mut c_void) -> fmc_status;
     pub fn fmc_context_new_from_cells(dim: i32, coords: *const fmc_coords, blocks: *const fmc_cell_block, block_count: usize, body_ids: *const c_void, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
-    pub fn fmc_context_free(context: *mut *mut fmc_context) -> fmc_status;
     pub fn fmc_context_new_from_facets(dim: i32, coords: *const fmc_coords, blocks: *const fmc_facet_block, block_count: usize, body_ids: *const c_void, options: *const fmc_options, context: *mut *mut fmc_context) -> fmc_status;
     pub fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status;
     pub fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status;
-    pub fn fmc_context_set_log(context: *mut fmc_context, callback: fmc_log_callback, user: *mut c_void) -> fmc_status;
     pub fn fmc_context_counts(context: *const fmc_context, node_count: *mut usize, facet_count: *mut usize, body_count: *mut usize) -> fmc_status;
-    pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
-    pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_csr_init(matrix: *mut fmc_csr) -> fmc_status;
-    pub fn fmc_context_set_basis(context: *mut fmc_context, weights: *const fmc_csr, unknown_count: usize) -> fmc_status;
-    pub fn fmc_context_keep_patches(context: *mut fmc_context, coords: *const fmc_coords, direction_count: *mut usize) -> fmc_status;
-    pub fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
-    pub fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
-    pub fn fmc_context_freeze_friction(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
-    pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const c_void, count: usize) -> fmc_status;
+    pub fn fmc_csr_init(matrix: *mut fmc_csr) -> fmc_status;
+    pub fn fmc_context_set_basis(context: *mut fmc_context, weights: *const fmc_csr, unknown_count: usize) -> fmc_status;
+    pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_pose_along(dim: i32, position: *const f64, axis: *const f64, pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_shape_init(shape: *mut fmc_shape, kind: i32) -> fmc_status;
+    pub fn fmc_context_add_obstacle(context: *mut fmc_context, shape: *const fmc_shape, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
+    pub fn fmc_context_obstacle_shape(context: *const fmc_context, obstacle: usize, kind: *mut i32, pose: *mut fmc_pose) -> fmc_status;
+    pub fn fmc_context_set_pose(context: *mut fmc_context, obstacle: usize, pose: *const fmc_pose) -> fmc_status;
+    pub fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status;
+    pub fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status;
+    pub fn fmc_context_set_pair_options(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options) -> fmc_status;
+    pub fn fmc_context_pair_options(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *mut fmc_pair_options) -> fmc_status;
+    pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
+    pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
+    pub fn fmc_context_obstacle_resultant(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
+    pub fn fmc_context_pair_result(context: *const fmc_context, index: usize, pair: *mut fmc_pair_result) -> fmc_status;
+    pub fn fmc_context_warning(context: *const fmc_context, index: usize, code: *mut i32, text: *mut *const c_char) -> fmc_status;
     pub fn fmc_context_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, rank_one_count: *mut usize) -> fmc_status;
     pub fn fmc_context_tangent_entries(context: *const fmc_context, rows: *mut c_void, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_tangent_product(context: *const fmc_context, x: *const f64, y: *mut f64, length: usize) -> fmc_status;
     pub fn fmc_context_tangent_rank_one(context: *const fmc_context, index: usize, factor: *mut f64, vector: *mut f64, length: usize) -> fmc_status;
     pub fn fmc_context_tangent_csr(context: *const fmc_context, flags: u32, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_keep_pattern(context: *mut fmc_context, keep: i32) -> fmc_status;
-    pub fn fmc_context_set_obstacle_rotations(context: *mut fmc_context, on: i32) -> fmc_status;
     pub fn fmc_context_evaluate_tangent(context: *mut fmc_context, coords: *const fmc_coords, flags: u32, forces: *const fmc_forces, result: *mut fmc_result, rank_one_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_obstacle_rotations(context: *mut fmc_context, on: i32) -> fmc_status;
+    pub fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
+    pub fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
+    pub fn fmc_context_freeze_friction(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
+    pub fn fmc_context_keep_patches(context: *mut fmc_context, coords: *const fmc_coords, direction_count: *mut usize) -> fmc_status;
     pub fn fmc_context_stable_step(context: *mut fmc_context, coords: *const fmc_coords, masses: *const f64, step: *mut f64) -> fmc_status;
+    pub fn fmc_context_augment(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, tolerance: f64, result: *mut fmc_augmentation) -> fmc_status;
+    pub fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status;
+    pub fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status;
+    pub fn fmc_context_contact_step(context: *mut fmc_context, coords: *const fmc_coords, options: *const fmc_contact_step_options, dofs: *const c_void, dof_count: usize, fixed_dofs: *const c_void, fixed_count: usize, stiffness: *const f64, residual: *const f64, place: fmc_place, user: *mut c_void, displacement: *mut f64, result: *mut fmc_contact_step_result) -> fmc_status;
+    pub fn fmc_condensation_new(condensation: *mut *mut fmc_condensation) -> fmc_status;
+    pub fn fmc_condensation_free(condensation: *mut *mut fmc_condensation) -> fmc_status;
+    pub fn fmc_condensation_factorise(condensation: *mut fmc_condensation, matrix: *const fmc_csr, retained: *const c_void, retained_count: usize) -> fmc_status;
+    pub fn fmc_condensation_complement(condensation: *const fmc_condensation, complement: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_condensation_condense(condensation: *const fmc_condensation, right: *const f64, right_count: usize, condensed: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_condensation_expand(condensation: *const fmc_condensation, right: *const f64, right_count: usize, retained: *const f64, retained_count: usize, solution: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_nodal_contact_init(nodal: *mut fmc_nodal_contact) -> fmc_status;
+    pub fn fmc_context_nodal_contact(context: *mut fmc_context, coords: *const fmc_coords, nodal: *const fmc_nodal_contact) -> fmc_status;
+    pub fn fmc_context_contact_points(context: *mut fmc_context, coords: *const fmc_coords, points: *mut fmc_contact_point, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_gap_constraints(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, rows: *mut fmc_gap_constraint, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status;
+    pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_multipliers(context: *mut fmc_context, rows: *const fmc_multiplier, count: usize) -> fmc_status;
     pub fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status;
     pub fn fmc_context_set_communicator(context: *mut fmc_context, communicator: *const fmc_communicator) -> fmc_status;
     pub fn fmc_context_rank_counts(context: *const fmc_context, counts: *mut fmc_rank_counts) -> fmc_status;
@@ -593,36 +630,7 @@ unsafe extern "C" {
     pub fn fmc_context_gathered_nodes(context: *const fmc_context, numbers: *mut c_void, own_nodes: *mut c_void, coords: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_gathered_cells(context: *const fmc_context, numbers: *mut c_void, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_carried_slip(context: *const fmc_context, carried: *mut fmc_carried_slip, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status;
-    pub fn fmc_context_contact_step(context: *mut fmc_context, coords: *const fmc_coords, options: *const fmc_contact_step_options, dofs: *const c_void, dof_count: usize, fixed_dofs: *const c_void, fixed_count: usize, stiffness: *const f64, residual: *const f64, place: fmc_place, user: *mut c_void, displacement: *mut f64, result: *mut fmc_contact_step_result) -> fmc_status;
-    pub fn fmc_condensation_new(condensation: *mut *mut fmc_condensation) -> fmc_status;
-    pub fn fmc_condensation_free(condensation: *mut *mut fmc_condensation) -> fmc_status;
-    pub fn fmc_condensation_factorise(condensation: *mut fmc_condensation, matrix: *const fmc_csr, retained: *const c_void, retained_count: usize) -> fmc_status;
-    pub fn fmc_condensation_complement(condensation: *const fmc_condensation, complement: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_condensation_condense(condensation: *const fmc_condensation, right: *const f64, right_count: usize, condensed: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_condensation_expand(condensation: *const fmc_condensation, right: *const f64, right_count: usize, retained: *const f64, retained_count: usize, solution: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
-    pub fn fmc_context_obstacle_resultant(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
-    pub fn fmc_context_pair_result(context: *const fmc_context, index: usize, pair: *mut fmc_pair_result) -> fmc_status;
-    pub fn fmc_context_warning(context: *const fmc_context, index: usize, code: *mut i32, text: *mut *const c_char) -> fmc_status;
-    pub fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status;
-    pub fn fmc_context_set_pair_options(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options) -> fmc_status;
-    pub fn fmc_context_pair_options(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *mut fmc_pair_options) -> fmc_status;
-    pub fn fmc_nodal_contact_init(nodal: *mut fmc_nodal_contact) -> fmc_status;
-    pub fn fmc_context_nodal_contact(context: *mut fmc_context, coords: *const fmc_coords, nodal: *const fmc_nodal_contact) -> fmc_status;
-    pub fn fmc_context_contact_points(context: *mut fmc_context, coords: *const fmc_coords, points: *mut fmc_contact_point, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_gap_constraints(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, rows: *mut fmc_gap_constraint, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_augment(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, tolerance: f64, result: *mut fmc_augmentation) -> fmc_status;
-    pub fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status;
-    pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_set_multipliers(context: *mut fmc_context, rows: *const fmc_multiplier, count: usize) -> fmc_status;
-    pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;
-    pub fn fmc_pose_along(dim: i32, position: *const f64, axis: *const f64, pose: *mut fmc_pose) -> fmc_status;
-    pub fn fmc_shape_init(shape: *mut fmc_shape, kind: i32) -> fmc_status;
-    pub fn fmc_context_add_obstacle(context: *mut fmc_context, shape: *const fmc_shape, pose: *const fmc_pose, obstacle: *mut usize) -> fmc_status;
-    pub fn fmc_context_obstacle_shape(context: *const fmc_context, obstacle: usize, kind: *mut i32, pose: *mut fmc_pose) -> fmc_status;
-    pub fn fmc_context_set_pose(context: *mut fmc_context, obstacle: usize, pose: *const fmc_pose) -> fmc_status;
-    pub fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status;
-    pub fn fmc_suggest_stiffness(law: i32, dim: i32, exponent: f64, modulus: f64, cell_size: f64, stiffness: *mut f64) -> fmc_status;
+    pub fn fmc_context_free(context: *mut *mut fmc_context) -> fmc_status;
+    pub fn fmc_friction_step_init(step: *mut fmc_friction_step) -> fmc_status;
+    pub fn fmc_contact_force(dim: i32, coords: *const f64, node_count: usize, blocks: *const fmc_cell_block, block_count: usize, body_ids: *const c_void, options: *const fmc_options, step: *const fmc_friction_step, forces: *mut f64, volume: *mut f64) -> fmc_status;
 }

@@ -2,5 +2,7 @@
 
 pub(super) mod augmentation;
 pub(super) mod friction;
+pub(super) mod multipliers;
 pub(super) mod patches;
+pub(super) mod slip;
 pub(super) mod stable_step;

@@ -5,10 +5,12 @@ use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::last_error::fmc_last_error;
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::*;
-use crate::capi::calls::mesh::creation::{fmc_context_free, fmc_context_new_from_cells};
+use crate::capi::calls::evaluation::evaluate::fmc_context_evaluate;
+use crate::capi::calls::mesh::creation::fmc_context_new_from_cells;
+use crate::capi::calls::mesh::release::fmc_context_free;
 use crate::capi::calls::results::getters::fmc_context_body_resultant;
 use crate::capi::context::session::{Counts, Session};
-use crate::capi::context::state::{State, fmc_context, fmc_context_evaluate};
+use crate::capi::context::state::{State, fmc_context};
 use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 use crate::capi::structs::contact_point::fmc_contact_point;
 use crate::capi::structs::evaluation::{Evaluation, fmc_result, fmc_resultant};
@@ -76,7 +78,15 @@ fn forces_are_those_of_the_rust_api_to_the_bit() {
     assert_eq!((result.fiber_count, result.crossing_count), (expected.fiber_count, expected.crossing_count));
 
     let zero = [0.0; 3];
-    let mut body = fmc_resultant { id: -1, force: zero, moment: zero, node_count: 0, friction: zero, reserved: [0; 4] };
+    let mut body = fmc_resultant {
+        struct_size: 0,
+        id: -1,
+        force: zero,
+        moment: zero,
+        node_count: 0,
+        friction: zero,
+        reserved: [0; 4],
+    };
     // SAFETY: a living context and an output.
     assert_eq!(unsafe { fmc_context_body_resultant(context, 1, &mut body) }, FMC_OK);
     assert_eq!((body.id, body.force[0], body.force[2]), (1, expected.bodies[1].force[0], 0.0));

@@ -5,22 +5,18 @@ use super::session::Session;
 use crate::capi::boundary::entry::{entry, guarded};
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::index::IndexSize;
-use crate::capi::boundary::pointer::{Output, optional, reference};
+use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_UNKNOWN_FLAG};
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_BUSY;
 use crate::capi::structs::contact_point::fmc_contact_point;
 use crate::capi::structs::evaluation::{Evaluation, fmc_result};
 use crate::capi::structs::gap_constraint::KeptGaps;
 use crate::capi::structs::kept_tangent::Kept;
 use crate::capi::structs::options::fmc_options;
-use crate::capi::structs::view::{fmc_coords, fmc_forces};
+use crate::capi::structs::view::fmc_coords;
 use crate::contact::Pattern;
 use std::ffi::{c_char, c_void};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
-
-/// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
-/// instead of overwriting it.
-pub const FMC_EVALUATE_ADD: u32 = 1;
 
 /// Level of a log message: something the user should know about a result that is an answer all the same.
 pub const FMC_LOG_WARNING: i32 = 1;
@@ -54,7 +50,7 @@ pub(crate) struct State {
     pub(crate) index_size: IndexSize,
     pub(crate) index_base: i32,
     /// As they were set; the stiffness in force is the session's.
-    options: fmc_options,
+    pub(crate) options: fmc_options,
     log: fmc_log_callback,
     log_user: LogUser,
 }
@@ -180,43 +176,6 @@ pub(crate) unsafe fn write<T>(
     guarded(|| body(&mut state)).map_err(|failure| failure.in_numbers_from(state.index_base))
 }
 
-/// Replaces the options. They apply from the next evaluation on; results of the last one are kept.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`,
-/// `FMC_ERROR_OPTIONS_CONFLICT`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status {
-    entry(|| {
-        // SAFETY: the host passes a context and options.
-        unsafe {
-            write(context, |state| {
-                let options = reference("options", options)?;
-                state.session.set_options(options.to_options()?)?;
-                (state.index_base, state.options) = (options.index_base, *options);
-                Ok(())
-            })
-        }
-    })
-}
-
-/// The options in force: those of the creation or of the last `fmc_context_set_options`, with the stiffness that
-/// `fmc_context_stiffen` has made of theirs.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
-/// changes it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status {
-    entry(|| {
-        let output = Output::required("options", options)?;
-        // SAFETY: the host passes a context, and an output that may be written.
-        unsafe {
-            let state = read(context)?;
-            output.write(fmc_options { stiffness: state.session.stiffness(), ..state.options });
-        }
-        Ok(())
-    })
-}
-
 /// Sets the callback that receives messages; NULL, the default: none. The library never prints.
 ///
 /// The callback and `user` must outlive the context, or be replaced before they end. They are called on the thread that
@@ -233,69 +192,6 @@ pub unsafe extern "C" fn fmc_context_set_log(
             write(context, |state| {
                 (state.log, state.log_user) = (callback, LogUser(user));
                 Ok(())
-            })
-        }
-    })
-}
-
-/// Number of nodes of the mesh, of its boundary facets, and of its bodies. A quadrilateral face in 3D counts as four facets;
-/// of second order an edge counts as two, a triangle as four, a quadrilateral as sixteen. Any of the outputs may be NULL.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
-/// changes it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_counts(
-    context: *const fmc_context,
-    node_count: *mut usize,
-    facet_count: *mut usize,
-    body_count: *mut usize,
-) -> fmc_status {
-    entry(|| {
-        let nodes = Output::optional("node_count", node_count)?;
-        let facets = Output::optional("facet_count", facet_count)?;
-        let bodies = Output::optional("body_count", body_count)?;
-        // SAFETY: the host passes a context.
-        let counts = unsafe { read(context) }?.session.counts();
-        // SAFETY: the outputs, where given, may be written.
-        unsafe {
-            nodes.write(counts.nodes);
-            facets.write(counts.facets);
-            bodies.write(counts.bodies);
-        }
-        Ok(())
-    })
-}
-
-/// Contact forces at `coords`, the current coordinates of all nodes of the mesh.
-///
-/// `forces`, which may be NULL, receives the nodal forces in the order of the nodes: the negative derivative of the
-/// contact energy, which pushes bodies apart. They overwrite the array, or are added to it with the flag `FMC_EVALUATE_ADD`.
-/// Nodes that are not in contact get 0. `result`, which may be NULL too, receives the overlap volume and the other
-/// totals; forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
-///
-/// Both are written only on success. The arrays may overlap one another. Units are those of `fmc_result`.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
-/// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
-/// `FMC_ERROR_SIGNED_DISTANCE`, `FMC_ERROR_UNFINISHED_LINES`, `FMC_ERROR_TOO_MANY_FIBERS`, `FMC_ERROR_TOO_MANY_PIECES`,
-/// `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_evaluate(
-    context: *mut fmc_context,
-    coords: *const fmc_coords,
-    forces: *const fmc_forces,
-    flags: u32,
-    result: *mut fmc_result,
-) -> fmc_status {
-    entry(|| {
-        // SAFETY: the host passes a context, both views and an output, or NULL where it may.
-        unsafe {
-            evaluated(context, result, |state| {
-                if flags & !FMC_EVALUATE_ADD != 0 {
-                    return Err(Failure::new(FMC_ERROR_UNKNOWN_FLAG, format!("unknown flag in {flags:#x}")));
-                }
-                let (coords, forces) = (reference("coords", coords)?, optional("forces", forces)?);
-                state.session.evaluate(coords, forces, flags & FMC_EVALUATE_ADD != 0, state.index_base)
             })
         }
     })

@@ -54,9 +54,13 @@ pub struct fmc_result {
 }
 
 /// Contact force and moment on one body or obstacle.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_resultant {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
     /// Id of the body as given, or its number among the connected components; index of the obstacle.
     pub id: i64,
     /// Sum of the forces; in 2D the last entry is 0.
@@ -206,6 +210,7 @@ impl<const D: usize> From<&ContactForces<D>> for Evaluation {
 
 fn resultant<const D: usize>(found: &Resultant<D>) -> fmc_resultant {
     fmc_resultant {
+        struct_size: size_of::<fmc_resultant>(),
         id: found.id,
         force: padded(&found.force),
         moment: found.moment,

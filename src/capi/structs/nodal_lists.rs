@@ -18,11 +18,11 @@ pub enum fmc_node_status {
 /// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL where it is not asked for. With
 /// n nodes of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
 ///
-/// New fields are added at the end, and `fmc_nodal_contact_init` sets them to NULL: the library reads no more than `struct_size`.
+/// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_nodal_contact {
-    /// Set by `fmc_nodal_contact_init`.
+    /// Set by `fmc_nodal_contact_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
     /// Contact pressure: the mean of the law's over the part of the facets at the node that is in contact, weighted with the
     /// node's shape function, int N p dA / int N dA; with the law "volume" that of the pair.
@@ -39,6 +39,8 @@ pub struct fmc_nodal_contact {
     pub sliding: *mut f64,
     /// Values of `fmc_node_status`.
     pub status: *mut i32,
+    /// Zero. Room for outputs of later versions.
+    pub reserved: [u64; 9],
 }
 
 impl Default for fmc_nodal_contact {
@@ -53,6 +55,7 @@ impl Default for fmc_nodal_contact {
             friction: none,
             sliding: none,
             status: std::ptr::null_mut(),
+            reserved: [0; 9],
         }
     }
 }

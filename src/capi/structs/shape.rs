@@ -20,6 +20,8 @@ const NESTED: usize = 8;
 
 /// A rigid shape in its own frame, as data. `fmc_shape_init` sets all fields; then set those that its kind has, as
 /// `fmc_shape_kind` says. Others are not read.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_shape {
@@ -59,6 +61,8 @@ pub struct fmc_shape {
     pub signed_distance: fmc_signed_distance,
     /// Passed to `signed_distance`.
     pub user: *mut c_void,
+    /// Zero. Room for measures of later versions.
+    pub reserved: [u64; 8],
 }
 
 /// A part of a compound.
@@ -97,6 +101,7 @@ pub unsafe extern "C" fn fmc_shape_init(shape: *mut fmc_shape, kind: i32) -> fmc
             part_count: 0,
             signed_distance: None,
             user: null_mut(),
+            reserved: [0; 8],
         };
         // SAFETY: the host passes a shape that may be written.
         unsafe { output.write(empty) };
@@ -130,7 +135,7 @@ struct Fields<'a> {
 
 impl Fields<'_> {
     fn read_shape<const D: usize>(mut self) -> Result<Shape<D>, Failure> {
-        check_struct::<fmc_shape>("fmc_shape", self.shape.struct_size, [])?;
+        check_struct::<fmc_shape>("fmc_shape", self.shape.struct_size, self.shape.reserved)?;
         Shape::read(kind_of(self.shape.kind)?, &mut self)
     }
 }

@@ -6,14 +6,14 @@ Generated from the header by ``make header``; do not edit.
 from __future__ import annotations
 
 FMC_ABI_VERSION = 3
-FMC_EVALUATE_ADD = 1
 FMC_LOG_WARNING = 1
+FMC_PAIR_LAW_OF_CONTEXT = -1
+FMC_PAIR_FRICTION_OF_CONTEXT = -1
+FMC_EVALUATE_ADD = 1
 FMC_TANGENT_SEMIDEFINITE = 2
 FMC_TANGENT_SYMMETRIC = 32
 FMC_CSR_BLOCKS = 4
 FMC_CSR_OBSTACLES = 8
-FMC_PAIR_LAW_OF_CONTEXT = -1
-FMC_PAIR_FRICTION_OF_CONTEXT = -1
 FMC_OK = 0
 FMC_ERROR_NULL_POINTER = 1
 FMC_ERROR_MISALIGNED_POINTER = 2
@@ -77,6 +77,13 @@ FMC_ERROR_BAD_VALUE = 59
 FMC_ERROR_UNKNOWN_FLAG = 60
 FMC_ERROR_OPTIONS_CONFLICT = 61
 FMC_ERROR_RESERVED_FIELD = 62
+FMC_CLASS_OK = 0
+FMC_CLASS_INPUT = 1
+FMC_CLASS_GEOMETRY = 2
+FMC_CLASS_NUMERICAL = 3
+FMC_CLASS_RESOURCE = 4
+FMC_CLASS_PROTOCOL = 5
+FMC_CLASS_INTERNAL = 6
 FMC_LAW_VOLUME = 0
 FMC_LAW_FIBER = 1
 FMC_LAW_DEPTH = 2
@@ -108,8 +115,6 @@ FMC_FACET_LINE3 = 21
 FMC_FACET_TRI6 = 22
 FMC_FACET_QUAD8 = 23
 FMC_FACET_QUAD9 = 28
-FMC_PARTNER_BODY = 0
-FMC_PARTNER_OBSTACLE = 1
 FMC_SHAPE_HALF_SPACE = 0
 FMC_SHAPE_BALL = 1
 FMC_SHAPE_CUBOID = 2
@@ -121,26 +126,21 @@ FMC_SHAPE_CONVEX_HULL = 7
 FMC_SHAPE_HEIGHT_FIELD = 8
 FMC_SHAPE_COMPOUND = 9
 FMC_SHAPE_SIGNED_DISTANCE = 10
+FMC_PARTNER_BODY = 0
+FMC_PARTNER_OBSTACLE = 1
 FMC_WARNING_COARSE_FIBERS = 1
 FMC_WARNING_UNRESOLVED_OVERLAP = 2
 FMC_WARNING_SWALLOWED_BODY = 3
 FMC_WARNING_PATCH_LEFT_OUT = 4
 FMC_WARNING_UNBALANCED = 5
 FMC_WARNING_FLUSH_FACES = 6
+FMC_STEP_CONVERGED = 0
+FMC_STEP_OUTSIDE = 1
+FMC_STEP_NOT_CONVERGED = 2
 FMC_NODE_APART = 0
 FMC_NODE_TOUCHING = 1
 FMC_NODE_STICKING = 2
 FMC_NODE_SLIDING = 3
-FMC_STEP_CONVERGED = 0
-FMC_STEP_OUTSIDE = 1
-FMC_STEP_NOT_CONVERGED = 2
-FMC_CLASS_OK = 0
-FMC_CLASS_INPUT = 1
-FMC_CLASS_GEOMETRY = 2
-FMC_CLASS_NUMERICAL = 3
-FMC_CLASS_RESOURCE = 4
-FMC_CLASS_PROTOCOL = 5
-FMC_CLASS_INTERNAL = 6
 
 FMC_STATUS: dict[int, str] = {
     0: "ok",
@@ -208,6 +208,16 @@ FMC_STATUS: dict[int, str] = {
     62: "error_reserved_field",
 }
 
+FMC_STATUS_CLASS_VALUE: dict[int, str] = {
+    0: "ok",
+    1: "input",
+    2: "geometry",
+    3: "numerical",
+    4: "resource",
+    5: "protocol",
+    6: "internal",
+}
+
 FMC_LAW: dict[int, str] = {0: "volume", 1: "fiber", 2: "depth"}
 
 FMC_ESTIMATOR: dict[int, str] = {0: "fibers", 1: "exact", 2: "auto"}
@@ -235,8 +245,6 @@ FMC_CELL_TYPE: dict[int, str] = {
 
 FMC_FACET_TYPE: dict[int, str] = {3: "line2", 5: "tri3", 9: "quad4", 21: "line3", 22: "tri6", 23: "quad8", 28: "quad9"}
 
-FMC_PARTNER: dict[int, str] = {0: "body", 1: "obstacle"}
-
 FMC_SHAPE_KIND: dict[int, str] = {
     0: "half_space",
     1: "ball",
@@ -251,6 +259,8 @@ FMC_SHAPE_KIND: dict[int, str] = {
     10: "signed_distance",
 }
 
+FMC_PARTNER: dict[int, str] = {0: "body", 1: "obstacle"}
+
 FMC_WARNING: dict[int, str] = {
     1: "coarse_fibers",
     2: "unresolved_overlap",
@@ -260,16 +270,6 @@ FMC_WARNING: dict[int, str] = {
     6: "flush_faces",
 }
 
-FMC_NODE_STATUS: dict[int, str] = {0: "apart", 1: "touching", 2: "sticking", 3: "sliding"}
-
 FMC_CONTACT_STEP_STATE: dict[int, str] = {0: "converged", 1: "outside", 2: "not_converged"}
 
-FMC_STATUS_CLASS_VALUE: dict[int, str] = {
-    0: "ok",
-    1: "input",
-    2: "geometry",
-    3: "numerical",
-    4: "resource",
-    5: "protocol",
-    6: "internal",
-}
+FMC_NODE_STATUS: dict[int, str] = {0: "apart", 1: "touching", 2: "sticking", 3: "sliding"}

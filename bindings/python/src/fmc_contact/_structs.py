@@ -20,23 +20,23 @@ from ctypes import (
 )
 
 
-class fmc_condensation(c_void_p):
-    """``fmc_condensation *``"""
-
-
 class fmc_context(c_void_p):
     """``fmc_context *``"""
 
 
+class fmc_condensation(c_void_p):
+    """``fmc_condensation *``"""
+
+
 fmc_log_callback = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
+
+fmc_signed_distance = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double), POINTER(c_double))
+
+fmc_place = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double))
 
 fmc_all_gather = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_uint64), c_void_p)
 
 fmc_all_to_all = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_uint64), c_void_p, POINTER(c_uint64))
-
-fmc_place = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double))
-
-fmc_signed_distance = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double), POINTER(c_double))
 
 
 class fmc_options(Structure):
@@ -68,17 +68,21 @@ class fmc_options(Structure):
     ]
 
 
-class fmc_friction_step(Structure):
+class fmc_coords(Structure):
     _fields_ = [
-        ("struct_size", c_size_t),
-        ("start", c_void_p),
-        ("reference", c_void_p),
-        ("slip", c_void_p),
-        ("slip_count", c_size_t),
-        ("next_slip", c_void_p),
-        ("next_slip_capacity", c_size_t),
-        ("next_slip_count", c_void_p),
-        ("reserved", c_uint64 * 8),
+        ("data", c_void_p),
+        ("node_count", c_size_t),
+        ("node_stride", c_ssize_t),
+        ("axis_stride", c_ssize_t),
+    ]
+
+
+class fmc_forces(Structure):
+    _fields_ = [
+        ("data", c_void_p),
+        ("node_count", c_size_t),
+        ("node_stride", c_ssize_t),
+        ("axis_stride", c_ssize_t),
     ]
 
 
@@ -91,15 +95,6 @@ class fmc_cell_block(Structure):
     ]
 
 
-class fmc_coords(Structure):
-    _fields_ = [
-        ("data", c_void_p),
-        ("node_count", c_size_t),
-        ("node_stride", c_ssize_t),
-        ("axis_stride", c_ssize_t),
-    ]
-
-
 class fmc_facet_block(Structure):
     _fields_ = [
         ("facet_type", c_int32),
@@ -109,12 +104,68 @@ class fmc_facet_block(Structure):
     ]
 
 
-class fmc_forces(Structure):
+class fmc_csr(Structure):
     _fields_ = [
-        ("data", c_void_p),
-        ("node_count", c_size_t),
-        ("node_stride", c_ssize_t),
-        ("axis_stride", c_ssize_t),
+        ("struct_size", c_size_t),
+        ("row_count", c_size_t),
+        ("index_size", c_int32),
+        ("index_base", c_int32),
+        ("row_offsets", c_void_p),
+        ("cols", c_void_p),
+        ("values", c_void_p),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_pose(Structure):
+    _fields_ = [
+        ("position", c_double * 3),
+        ("rotation", c_double * 9),
+        ("scale", c_double),
+    ]
+
+
+class fmc_shape(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("kind", c_int32),
+        ("index_size", c_int32),
+        ("radius", c_double),
+        ("half_height", c_double),
+        ("half_extents", c_double * 3),
+        ("points", fmc_coords),
+        ("facets", c_void_p),
+        ("facet_count", c_size_t),
+        ("heights", c_void_p),
+        ("counts", c_size_t * 2),
+        ("lengths", c_double * 2),
+        ("thickness", c_double),
+        ("parts", c_void_p),
+        ("part_count", c_size_t),
+        ("signed_distance", fmc_signed_distance),
+        ("user", c_void_p),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_part(Structure):
+    _fields_ = [
+        ("shape", POINTER(fmc_shape)),
+        ("pose", fmc_pose),
+    ]
+
+
+class fmc_pair_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("stiffness", c_double),
+        ("exponent", c_double),
+        ("smoothing_length", c_double),
+        ("gap_offset", c_double),
+        ("friction_coefficient", c_double),
+        ("law", c_int32),
+        ("excluded", c_int32),
+        ("reserved", c_uint64 * 10),
     ]
 
 
@@ -142,119 +193,9 @@ class fmc_result(Structure):
     ]
 
 
-class fmc_boundary_facet(Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("body", c_size_t),
-        ("cell", c_int64),
-        ("input_facet", c_int64),
-        ("local_face", c_int32),
-        ("node_count", c_int32),
-        ("nodes", c_int64 * 4),
-        ("reserved", c_uint64 * 4),
-    ]
-
-
-class fmc_csr(Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("row_count", c_size_t),
-        ("index_size", c_int32),
-        ("index_base", c_int32),
-        ("row_offsets", c_void_p),
-        ("cols", c_void_p),
-        ("values", c_void_p),
-        ("reserved", c_uint64 * 4),
-    ]
-
-
-class fmc_communicator(Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("rank", c_int32),
-        ("size", c_int32),
-        ("all_gather", fmc_all_gather),
-        ("user", c_void_p),
-        ("all_to_all", fmc_all_to_all),
-        ("reserved", c_uint64 * 5),
-    ]
-
-
-class fmc_rank_counts(Structure):
-    _fields_ = [
-        ("item_count", c_uint64),
-        ("own_item_count", c_uint64),
-        ("call_count", c_uint64),
-        ("sent_bytes", c_uint64),
-        ("received_bytes", c_uint64),
-    ]
-
-
-class fmc_mesh_part(Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("coords", fmc_coords),
-        ("index_size", c_int32),
-        ("node_numbers", c_void_p),
-        ("blocks", POINTER(fmc_cell_block)),
-        ("block_count", c_size_t),
-        ("cell_numbers", c_void_p),
-        ("body_ids", c_void_p),
-        ("reach", c_double),
-        ("reserved", c_uint64 * 4),
-    ]
-
-
-class fmc_carried_slip(Structure):
-    _fields_ = [
-        ("cell", c_int64),
-        ("face", c_int32),
-        ("part", c_int32),
-        ("slip", c_double * 3),
-    ]
-
-
-class fmc_gathered_counts(Structure):
-    _fields_ = [
-        ("node_count", c_uint64),
-        ("cell_count", c_uint64),
-        ("facet_count", c_uint64),
-        ("whole_facet_count", c_uint64),
-        ("own_cell_count", c_uint64),
-        ("gather_count", c_uint64),
-    ]
-
-
-class fmc_contact_step_options(Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("tolerance", c_double),
-        ("absolute_tolerance", c_double),
-        ("full_below", c_double),
-        ("max_iterations", c_int32),
-        ("max_trials", c_int32),
-        ("soft_start", c_int32),
-        ("reserved_flags", c_int32),
-        ("reserved", c_uint64 * 7),
-    ]
-
-
-class fmc_contact_step_result(Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("state", c_int32),
-        ("iterations", c_int32),
-        ("evaluation_count", c_size_t),
-        ("outside_count", c_size_t),
-        ("residual_at_start", c_double),
-        ("residual", c_double),
-        ("scale", c_double),
-        ("reserved", c_uint64 * 8),
-    ]
-
-
 class fmc_resultant(Structure):
     _fields_ = [
+        ("struct_size", c_size_t),
         ("id", c_int64),
         ("force", c_double * 3),
         ("moment", c_double * 3),
@@ -286,17 +227,57 @@ class fmc_pair_result(Structure):
     ]
 
 
-class fmc_pair_options(Structure):
+class fmc_augmentation(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
-        ("stiffness", c_double),
-        ("exponent", c_double),
-        ("smoothing_length", c_double),
-        ("gap_offset", c_double),
-        ("friction_coefficient", c_double),
-        ("law", c_int32),
-        ("excluded", c_int32),
-        ("reserved", c_uint64 * 10),
+        ("penetration", c_double),
+        ("change", c_double),
+        ("multiplier_count", c_size_t),
+        ("is_converged", c_int32),
+        ("reserved_flags", c_int32),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_multiplier(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("node", c_int64),
+        ("body", c_size_t),
+        ("partner_kind", c_int32),
+        ("reserved_flags", c_int32),
+        ("partner", c_size_t),
+        ("shift", c_double),
+        ("towards", c_double * 3),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_contact_step_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("tolerance", c_double),
+        ("absolute_tolerance", c_double),
+        ("full_below", c_double),
+        ("max_iterations", c_int32),
+        ("max_trials", c_int32),
+        ("soft_start", c_int32),
+        ("reserved_flags", c_int32),
+        ("reserved", c_uint64 * 7),
+    ]
+
+
+class fmc_contact_step_result(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("state", c_int32),
+        ("iterations", c_int32),
+        ("evaluation_count", c_size_t),
+        ("outside_count", c_size_t),
+        ("residual_at_start", c_double),
+        ("residual", c_double),
+        ("scale", c_double),
+        ("reserved", c_uint64 * 8),
     ]
 
 
@@ -310,6 +291,7 @@ class fmc_nodal_contact(Structure):
         ("friction", c_void_p),
         ("sliding", c_void_p),
         ("status", c_void_p),
+        ("reserved", c_uint64 * 9),
     ]
 
 
@@ -356,64 +338,90 @@ class fmc_gap_constraint(Structure):
     ]
 
 
-class fmc_augmentation(Structure):
+class fmc_boundary_facet(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
-        ("penetration", c_double),
-        ("change", c_double),
-        ("multiplier_count", c_size_t),
-        ("is_converged", c_int32),
-        ("reserved_flags", c_int32),
-        ("reserved", c_uint64 * 4),
-    ]
-
-
-class fmc_multiplier(Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("node", c_int64),
         ("body", c_size_t),
-        ("partner_kind", c_int32),
-        ("reserved_flags", c_int32),
-        ("partner", c_size_t),
-        ("shift", c_double),
-        ("towards", c_double * 3),
+        ("cell", c_int64),
+        ("input_facet", c_int64),
+        ("local_face", c_int32),
+        ("node_count", c_int32),
+        ("nodes", c_int64 * 4),
         ("reserved", c_uint64 * 4),
     ]
 
 
-class fmc_pose(Structure):
-    _fields_ = [
-        ("position", c_double * 3),
-        ("rotation", c_double * 9),
-        ("scale", c_double),
-    ]
-
-
-class fmc_shape(Structure):
+class fmc_communicator(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
-        ("kind", c_int32),
-        ("index_size", c_int32),
-        ("radius", c_double),
-        ("half_height", c_double),
-        ("half_extents", c_double * 3),
-        ("points", fmc_coords),
-        ("facets", c_void_p),
-        ("facet_count", c_size_t),
-        ("heights", c_void_p),
-        ("counts", c_size_t * 2),
-        ("lengths", c_double * 2),
-        ("thickness", c_double),
-        ("parts", c_void_p),
-        ("part_count", c_size_t),
-        ("signed_distance", fmc_signed_distance),
+        ("rank", c_int32),
+        ("size", c_int32),
+        ("all_gather", fmc_all_gather),
         ("user", c_void_p),
+        ("all_to_all", fmc_all_to_all),
+        ("reserved", c_uint64 * 5),
     ]
 
 
-class fmc_part(Structure):
+class fmc_rank_counts(Structure):
     _fields_ = [
-        ("shape", POINTER(fmc_shape)),
-        ("pose", fmc_pose),
+        ("struct_size", c_size_t),
+        ("item_count", c_uint64),
+        ("own_item_count", c_uint64),
+        ("call_count", c_uint64),
+        ("sent_bytes", c_uint64),
+        ("received_bytes", c_uint64),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_mesh_part(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("coords", fmc_coords),
+        ("index_size", c_int32),
+        ("reserved_flags", c_int32),
+        ("node_numbers", c_void_p),
+        ("blocks", POINTER(fmc_cell_block)),
+        ("block_count", c_size_t),
+        ("cell_numbers", c_void_p),
+        ("body_ids", c_void_p),
+        ("reach", c_double),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_carried_slip(Structure):
+    _fields_ = [
+        ("cell", c_int64),
+        ("face", c_int32),
+        ("part", c_int32),
+        ("slip", c_double * 3),
+    ]
+
+
+class fmc_gathered_counts(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("node_count", c_uint64),
+        ("cell_count", c_uint64),
+        ("facet_count", c_uint64),
+        ("whole_facet_count", c_uint64),
+        ("own_cell_count", c_uint64),
+        ("gather_count", c_uint64),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_friction_step(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("start", c_void_p),
+        ("reference", c_void_p),
+        ("slip", c_void_p),
+        ("slip_count", c_size_t),
+        ("next_slip", c_void_p),
+        ("next_slip_capacity", c_size_t),
+        ("next_slip_count", c_void_p),
+        ("reserved", c_uint64 * 8),
     ]

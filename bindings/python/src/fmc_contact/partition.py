@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import POINTER, byref, c_int32, c_size_t, cast
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Optional
 
 import numpy as np
@@ -283,7 +283,7 @@ class PartitionedContact(Contact):
         counts = fmc_gathered_counts()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_gathered_counts, byref(counts))
-        return GatheredCounts(*(getattr(counts, field[0]) for field in counts._fields_))
+        return GatheredCounts(*(getattr(counts, field.name) for field in fields(GatheredCounts)))
 
     def gathered_cells(self) -> np.ndarray:
         """Numbers in the whole mesh of the cells gathered.

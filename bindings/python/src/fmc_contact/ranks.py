@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import byref, c_uint8
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Callable, Optional, Protocol
 
 import numpy as np
@@ -127,7 +127,7 @@ class Ranks:
         counts = fmc_rank_counts()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_rank_counts, byref(counts))
-        return RankCounts(*(getattr(counts, field[0]) for field in counts._fields_))
+        return RankCounts(*(getattr(counts, field.name) for field in fields(RankCounts)))
 
 
 def described(comm: Communicator, guard: Callable[[Callable[..., None]], Callable[..., int]]) -> fmc_communicator:

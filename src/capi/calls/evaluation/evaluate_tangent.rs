@@ -3,8 +3,9 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, optional, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::calls::evaluation::evaluate::FMC_EVALUATE_ADD;
 use crate::capi::calls::tangent::entries::{FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC, part_of};
-use crate::capi::context::state::{FMC_EVALUATE_ADD, evaluated, fmc_context};
+use crate::capi::context::state::{evaluated, fmc_context};
 use crate::capi::structs::evaluation::fmc_result;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
 

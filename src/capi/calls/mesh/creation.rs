@@ -1,4 +1,4 @@
-//! How a context begins and ends.
+//! How a context begins.
 
 use crate::capi::boundary::dimension::checked_dimension;
 use crate::capi::boundary::entry::entry;
@@ -69,8 +69,7 @@ pub(crate) unsafe fn session_of_cells<const D: usize>(
 /// `FMC_ERROR_STRIDE`, `FMC_ERROR_DIMENSION`, `FMC_ERROR_UNKNOWN_CELL_TYPE`, `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`,
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_REPEATED_NODE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`,
 /// `FMC_ERROR_NON_MANIFOLD`, `FMC_ERROR_EMPTY`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_OPTIONS_CONFLICT`,
-/// `FMC_ERROR_RESERVED_FIELD`,
-/// `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`. Threads: any, also at once.
+/// `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`. Threads: any, also at once.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_new_from_cells(
     dim: i32,
@@ -92,24 +91,4 @@ pub unsafe extern "C" fn fmc_context_new_from_cells(
             }
         })
     }
-}
-
-/// Frees a context and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
-///
-/// Errors: none. Threads: no other call on the context may be running or follow.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_free(context: *mut *mut fmc_context) -> fmc_status {
-    entry(|| {
-        if context.is_null() {
-            return Ok(());
-        }
-        // SAFETY: the host passes its pointer to a context that came from `create`, or to NULL; it is taken out, so
-        // that a second call finds NULL.
-        let taken = unsafe { context.replace(std::ptr::null_mut()) };
-        if !taken.is_null() {
-            // SAFETY: made by `Box::into_raw` in `create`, and not freed yet, or the pointer would have been NULL.
-            drop(unsafe { Box::from_raw(taken) });
-        }
-        Ok(())
-    })
 }

@@ -16,8 +16,8 @@ use crate::capi::structs::shape::fmc_shape;
 /// Both estimators support shapes that have facets or become polytopes; half-spaces and boxes too. `fibers`, `auto`, and the
 /// law "depth" support all of them.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_BAD_VALUE` for a `kind` or an `index_size` that
-/// is none, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Of a polytope those of
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a
+/// `kind` or an `index_size` that is none, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Of a polytope those of
 /// `fmc_context_new_from_facets`; of a convex hull `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`; of a height
 /// field `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`; of a compound `FMC_ERROR_EMPTY_COMPOUND` and those of
 /// its parts. `FMC_ERROR_UNSUPPORTED` for hulls and compounds if the library lacks the feature "shapes". Threads: one call

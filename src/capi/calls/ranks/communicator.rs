@@ -59,9 +59,13 @@ pub struct fmc_communicator {
 }
 
 /// What ranks did since the communicator was set: of this rank, but for `item_count`.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct fmc_rank_counts {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
     /// Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks.
     pub item_count: u64,
     /// Those that this rank measured.
@@ -71,6 +75,8 @@ pub struct fmc_rank_counts {
     /// Bytes that this rank sent, and received, its own too.
     pub sent_bytes: u64,
     pub received_bytes: u64,
+    /// Zero.
+    pub reserved: [u64; 4],
 }
 
 /// Sets a communicator of one rank without a function.
@@ -136,11 +142,13 @@ pub unsafe extern "C" fn fmc_context_rank_counts(
         // SAFETY: the host passes a context.
         let found = unsafe { read(context) }?.session.rank_counts();
         let counts = fmc_rank_counts {
+            struct_size: size_of::<fmc_rank_counts>(),
             item_count: found.item_count,
             own_item_count: found.own_item_count,
             call_count: found.call_count,
             sent_bytes: found.sent_bytes,
             received_bytes: found.received_bytes,
+            reserved: [0; 4],
         };
         // SAFETY: the host guarantees room for a struct.
         unsafe { output.write(counts) };

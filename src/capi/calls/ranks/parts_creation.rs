@@ -31,6 +31,8 @@ pub struct fmc_mesh_part {
     pub coords: fmc_coords,
     /// Bytes of a number in the lists here and in the blocks, 4 or 8, and in all lists of the context; the same on all ranks.
     pub index_size: i32,
+    /// Zero. Room for switches of later versions.
+    pub reserved_flags: i32,
     /// Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are those
     /// of one rank alone whose mesh has its nodes in the order of these numbers; they need not be without gaps.
     pub node_numbers: *const c_void,
@@ -55,6 +57,7 @@ impl Default for fmc_mesh_part {
             struct_size: size_of::<Self>(),
             coords: fmc_coords { data: null(), node_count: 0, node_stride: 0, axis_stride: 0 },
             index_size: 0,
+            reserved_flags: 0,
             node_numbers: null(),
             blocks: null(),
             block_count: 0,
@@ -135,7 +138,11 @@ unsafe fn read<'a, const D: usize>(
 ) -> Result<Given<'a, D>, Failure> {
     // SAFETY: passed on to the caller.
     let part = unsafe { reference("part", part) }?;
-    check_struct::<fmc_mesh_part>("fmc_mesh_part", part.struct_size, part.reserved)?;
+    check_struct::<fmc_mesh_part>(
+        "fmc_mesh_part",
+        part.struct_size,
+        part.reserved.into_iter().chain([part.reserved_flags as u64]),
+    )?;
     let size = IndexSize::new("the part", part.index_size)?;
     // SAFETY: as above.
     unsafe {

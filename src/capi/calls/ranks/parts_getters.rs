@@ -10,9 +10,13 @@ use crate::capi::structs::in_parts::{fmc_carried_slip, no_parts};
 use std::ffi::c_void;
 
 /// How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct fmc_gathered_counts {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
     /// Nodes and cells that every rank has.
     pub node_count: u64,
     pub cell_count: u64,
@@ -23,6 +27,8 @@ pub struct fmc_gathered_counts {
     pub own_cell_count: u64,
     /// How often cells were gathered.
     pub gather_count: u64,
+    /// Zero.
+    pub reserved: [u64; 4],
 }
 
 /// How much of a mesh in parts was gathered.
@@ -41,12 +47,14 @@ pub unsafe extern "C" fn fmc_context_gathered_counts(
         let parts = state.session.parts().ok_or_else(no_parts)?;
         let found = parts.counts();
         let counts = fmc_gathered_counts {
+            struct_size: size_of::<fmc_gathered_counts>(),
             node_count: parts.node_numbers().len() as u64,
             cell_count: found.gathered_cell_count as u64,
             facet_count: found.gathered_facet_count as u64,
             whole_facet_count: found.facet_count as u64,
             own_cell_count: found.own_cell_count as u64,
             gather_count: found.gather_count,
+            reserved: [0; 4],
         };
         // SAFETY: the host guarantees room for a struct.
         unsafe { output.write(counts) };

@@ -30,8 +30,8 @@ pub unsafe extern "C" fn fmc_nodal_contact_init(nodal: *mut fmc_nodal_contact) -
 /// faces have no node in their middle, whose points are not told.
 ///
 /// It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
-/// the context. Errors: as `fmc_context_evaluate`, and `FMC_ERROR_STRUCT_SIZE`; nothing is written then. Threads: one call at a
-/// time on a context.
+/// the context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; nothing is written
+/// then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_nodal_contact(
     context: *mut fmc_context,
@@ -41,7 +41,7 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
     entry(|| {
         // SAFETY: the host passes a struct.
         let to = *unsafe { reference("nodal", nodal) }?;
-        check_struct::<fmc_nodal_contact>("fmc_nodal_contact", to.struct_size, [])?;
+        check_struct::<fmc_nodal_contact>("fmc_nodal_contact", to.struct_size, to.reserved)?;
         let numbers = [("pressure", to.pressure), ("gap", to.gap), ("area", to.area), ("normal", to.normal)];
         for (name, output) in numbers.into_iter().chain([("friction", to.friction), ("sliding", to.sliding)]) {
             Output::optional(name, output)?;

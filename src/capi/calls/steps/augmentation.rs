@@ -1,11 +1,10 @@
 //! As little penetration as is wanted, whatever iterates the bodies.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::list::Room;
-use crate::capi::boundary::pointer::{Output, reference, slice};
+use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::context::state::{fmc_context, read, write};
-use crate::capi::structs::multiplier::{fmc_augmentation, fmc_multiplier};
+use crate::capi::context::state::{fmc_context, write};
+use crate::capi::structs::multiplier::fmc_augmentation;
 use crate::capi::structs::view::fmc_coords;
 
 /// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
@@ -57,48 +56,5 @@ pub unsafe extern "C" fn fmc_context_stiffen(context: *mut fmc_context, factor: 
     entry(|| {
         // SAFETY: the host passes a context.
         unsafe { write(context, |state| state.session.stiffen(factor)) }
-    })
-}
-
-/// The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
-/// again.
-///
-/// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
-/// context, as long as no call changes it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_multipliers(
-    context: *const fmc_context,
-    rows: *mut fmc_multiplier,
-    capacity: usize,
-    count: *mut usize,
-) -> fmc_status {
-    entry(|| {
-        let room = Room::new(capacity, count)?;
-        // SAFETY: the host passes a context, and room for `capacity` structs.
-        unsafe {
-            let state = read(context)?;
-            room.write("multipliers", "rows", &state.session.multipliers(state.index_base), rows)
-        }
-    })
-}
-
-/// Sets the multipliers, `count` structs as `fmc_context_multipliers` writes them; none: surfaces are where they are again.
-///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`, `FMC_ERROR_BAD_VALUE` for a kind of
-/// partner that there is not, `FMC_ERROR_NOT_POSITIVE` for a shift or a direction that is none, `FMC_ERROR_UNSUPPORTED` as
-/// `fmc_context_augment`, `FMC_ERROR_BUSY`; what was moved out then stays. Threads: one call at a time on a context.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmc_context_set_multipliers(
-    context: *mut fmc_context,
-    rows: *const fmc_multiplier,
-    count: usize,
-) -> fmc_status {
-    entry(|| {
-        // SAFETY: the host passes a context and `count` structs.
-        unsafe {
-            write(context, |state| state.session.set_multipliers(slice("rows", rows, count, 1)?, state.index_base))
-        }
     })
 }

@@ -1,0 +1,45 @@
+//! The options of a context, replaced and asked for.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::pointer::{Output, reference};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::options::fmc_options;
+
+/// Replaces the options. They apply from the next evaluation on; results of the last one are kept.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_OPTIONS_CONFLICT`,
+/// `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_THREADS`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+/// context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and options.
+        unsafe {
+            write(context, |state| {
+                let options = reference("options", options)?;
+                state.session.set_options(options.to_options()?)?;
+                (state.index_base, state.options) = (options.index_base, *options);
+                Ok(())
+            })
+        }
+    })
+}
+
+/// The options in force: those of the creation or of the last `fmc_context_set_options`, with the stiffness that
+/// `fmc_context_stiffen` has made of theirs.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+/// changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status {
+    entry(|| {
+        let output = Output::required("options", options)?;
+        // SAFETY: the host passes a context, and an output that may be written.
+        unsafe {
+            let state = read(context)?;
+            output.write(fmc_options { stiffness: state.session.stiffness(), ..state.options });
+        }
+        Ok(())
+    })
+}
