@@ -31,6 +31,15 @@ fn what_may_grow_begins_with_its_size_and_ends_with_room() {
     }
 }
 
+/// The page names those that are frozen, and no others.
+#[test]
+fn the_page_says_what_is_frozen() {
+    let page = fs::read_to_string(root().join("docs/abi.md")).expect("the page");
+    let row = page.lines().find(|line| line.starts_with("| structs that are frozen")).expect("a row");
+    let named: Vec<&str> = row.split('`').filter(|text| text.starts_with("fmc_")).collect();
+    assert_eq!(named, FROZEN);
+}
+
 /// One that the host fills has an `_init`; of the others the library writes the size.
 #[test]
 fn every_struct_that_may_grow_gets_its_size_from_the_library() {
