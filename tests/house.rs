@@ -315,3 +315,25 @@ fn every_crate_is_in_the_table() {
         assert!(CRATES.contains(&sources.as_str()), "the house test does not look at {member}");
     }
 }
+
+/// What `ARCHITECTURE.md` says that one more law, cell type, … takes: the files by hand, counted, and there.
+#[test]
+fn recipes_name_files_that_exist() {
+    let page = fs::read_to_string(at("ARCHITECTURE.md")).expect("a page");
+    let recipes = page.split("\n### One more\n").nth(1).and_then(|rest| rest.split("\n### ").next()).expect("recipes");
+    let mut counts = Vec::new();
+    for recipe in recipes.split("\n**").skip(1).filter(|recipe| !recipe.starts_with("Others")) {
+        let steps = recipe.lines().filter(|line| line.starts_with(|first: char| first.is_ascii_digit()));
+        let files: Vec<&str> = steps.map(|step| step.split('`').nth(1).expect("a file first")).collect();
+        let missing: Vec<&&str> = files.iter().filter(|file| !at(file).is_file()).collect();
+        assert!(missing.is_empty(), "no such files: {missing:?}");
+        let said = recipe.split(" files").next().and_then(|before| before.split(['(', ' ']).next_back());
+        assert_eq!(said, Some(files.len().to_string().as_str()), "{recipe}");
+        counts.push(files.len());
+    }
+    assert_eq!(
+        counts,
+        [4, 8, 8, 4, 5, 2],
+        "law, cell type, one that is divided, rigid shape, output per node, default"
+    );
+}

@@ -304,12 +304,7 @@ class Context : public AddsShapes<Context> {
     const auto x = coords.as_c(dim_);
     const auto nodes = counts().nodes;
     NodalContact at;
-    for (auto *field : {&at.pressure, &at.gap, &at.area, &at.sliding}) field->resize(nodes);
-    at.normal.resize(nodes * axes()), at.friction.resize(nodes * axes()), at.status.resize(nodes);
-    fmc_nodal_contact to;
-    check(fmc_nodal_contact_init(&to));
-    to.pressure = at.pressure.data(), to.gap = at.gap.data(), to.area = at.area.data(), to.normal = at.normal.data();
-    to.friction = at.friction.data(), to.sliding = at.sliding.data(), to.status = at.status.data();
+    const auto to = at.as_c(nodes, axes());
     call(fmc_context_nodal_contact(get(), &x, &to));
     return at;
   }

@@ -3,12 +3,14 @@
 //! A struct that one function alone takes stands beside it, in `calls`.
 
 pub(super) mod boundary_facet;
+pub(super) mod choice;
 pub(super) mod contact_point;
 pub(super) mod csr;
 pub(super) mod evaluation;
 pub(super) mod gap_constraint;
 pub(super) mod in_parts;
 pub(super) mod kept_tangent;
+pub(super) mod law;
 pub(super) mod mesh;
 pub(super) mod multiplier;
 pub(super) mod nodal_lists;

@@ -10,7 +10,7 @@ pub(crate) type Section = (&'static str, &'static [&'static str]);
 pub(crate) const SECTIONS: [Section; 18] = [
     ("Version", &["calls/version"]),
     ("Statuses, and the text of an error", &["boundary/status", "boundary/status_class", "boundary/last_error"]),
-    ("Options", &["structs/options", "calls/options/option_keys", "calls/options/stiffness"]),
+    ("Options", &["structs/law", "structs/options", "calls/options/option_keys", "calls/options/stiffness"]),
     ("Arrays of the host, and its mesh", &["structs/view", "structs/mesh"]),
     (
         "Create a context",

@@ -18,8 +18,8 @@ use crate::capi::structs::view::{check_node_count, fmc_coords, fmc_forces};
 use crate::contact::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
 use crate::overlap::Partner;
 use crate::{
-    Basis, Communicator, Contact, ContactForces, EnergyLaw, Error, Obstacle, Options, PartitionedContact, PointWeights,
-    Pose, RankCounts, ShapeKind, Surface,
+    Basis, Communicator, Contact, ContactForces, Error, Obstacle, Options, PartitionedContact, PointWeights, Pose,
+    RankCounts, ShapeKind, Surface,
 };
 
 /// A contact, and room for coordinates that do not lie in dense rows.
@@ -150,10 +150,7 @@ impl<const D: usize> Session for Resident<D> {
     }
 
     fn stiffness(&self) -> f64 {
-        match self.held.contact().options().law {
-            EnergyLaw::Volume { stiffness, .. } | EnergyLaw::Depth { stiffness } => stiffness,
-            EnergyLaw::Fiber(law) => law.stiffness,
-        }
+        self.held.contact().options().law.stiffness()
     }
 
     fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure> {

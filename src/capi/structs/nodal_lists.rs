@@ -1,5 +1,8 @@
 //! The contact at the nodes: where a host wants it, and as plain lists.
 
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::given_struct::check_struct;
+use crate::capi::boundary::pointer::Output;
 use crate::contact::{NodalContact, NodeStatus};
 
 /// Whether a node is in contact.
@@ -57,6 +60,46 @@ impl Default for fmc_nodal_contact {
             status: std::ptr::null_mut(),
             reserved: [0; 9],
         }
+    }
+}
+
+impl fmc_nodal_contact {
+    /// Whether it was initialised, and its pointers are those of arrays.
+    pub(crate) fn check(&self) -> Result<(), Failure> {
+        check_struct::<Self>("fmc_nodal_contact", self.struct_size, self.reserved)?;
+        let numbers = [("pressure", self.pressure), ("gap", self.gap), ("area", self.area), ("normal", self.normal)];
+        for (name, output) in numbers.into_iter().chain([("friction", self.friction), ("sliding", self.sliding)]) {
+            Output::optional(name, output)?;
+        }
+        Output::optional("status", self.status).map(|_| ())
+    }
+
+    /// Writes what is asked for.
+    ///
+    /// # Safety
+    /// The host guarantees that its arrays, where given, have room for the lists.
+    pub(crate) unsafe fn write(&self, lists: &NodalLists) {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            copy(&lists.pressure, self.pressure);
+            copy(&lists.gap, self.gap);
+            copy(&lists.area, self.area);
+            copy(&lists.normal, self.normal);
+            copy(&lists.friction, self.friction);
+            copy(&lists.sliding, self.sliding);
+            copy(&lists.status, self.status);
+        }
+    }
+}
+
+/// Writes a list, unless the host declined it.
+///
+/// # Safety
+/// The host guarantees that `output`, if it is not NULL, has room for the list.
+unsafe fn copy<T: Copy>(list: &[T], output: *mut T) {
+    if !output.is_null() {
+        // SAFETY: passed on to the caller; the list is our own and cannot overlap it.
+        unsafe { std::ptr::copy_nonoverlapping(list.as_ptr(), output, list.len()) };
     }
 }
 

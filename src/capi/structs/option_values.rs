@@ -1,31 +1,16 @@
 //! Values of the options, checked, and as options of the crate.
 
-use super::options::{fmc_estimator, fmc_law, fmc_options, fmc_pattern, fmc_weights};
+use super::choice::Choice;
+use super::law::{LAW, LawFields};
+use super::options::{fmc_estimator, fmc_options, fmc_pattern, fmc_weights};
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_OPTIONS_CONFLICT};
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
 use crate::contact::Friction;
-use crate::{
-    EnergyLaw, EnergyProfile, Error, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw,
-    Resolution,
-};
-
-/// An option that takes one of a few values, each with its number and name.
-pub(crate) struct Choice {
-    pub(crate) key: &'static str,
-    pub(crate) values: &'static [(i32, &'static str)],
-}
+use crate::{EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, LineWeights, Options, Resolution};
 
 const SWITCH: &[(i32, &str)] = &[(0, "0"), (1, "1")];
 
-pub(crate) const LAW: Choice = Choice {
-    key: "law",
-    values: &[
-        (fmc_law::FMC_LAW_VOLUME as i32, "volume"),
-        (fmc_law::FMC_LAW_FIBER as i32, "fiber"),
-        (fmc_law::FMC_LAW_DEPTH as i32, "depth"),
-    ],
-};
 pub(crate) const ESTIMATOR: Choice = Choice {
     key: "estimator",
     values: &[
@@ -55,21 +40,6 @@ pub(crate) const AXISYMMETRIC: Choice = Choice { key: "axisymmetric", values: SW
 pub(crate) const INDEX_BASE: Choice = Choice { key: "index_base", values: SWITCH };
 /// Of a pair.
 pub(crate) const EXCLUDED: Choice = Choice { key: "excluded", values: SWITCH };
-
-impl Choice {
-    /// Name of a value, or the failure that there is none.
-    pub(crate) fn name(&self, value: i32) -> Result<&'static str, Failure> {
-        self.values
-            .iter()
-            .find(|(number, _)| *number == value)
-            .map(|(_, name)| *name)
-            .ok_or_else(|| Failure::new(FMC_ERROR_BAD_VALUE, format!("option '{}' has no value {value}", self.key)))
-    }
-
-    pub(crate) fn is_on(&self, value: i32) -> Result<bool, Failure> {
-        Ok(self.name(value)? == "1")
-    }
-}
 
 impl fmc_options {
     /// Whether the struct was initialised, and asks for nothing that only a later version knows.
@@ -146,16 +116,8 @@ impl fmc_options {
     }
 
     fn law(&self) -> Result<EnergyLaw, Failure> {
-        let k = self.stiffness;
-        let profile = match self.smoothing_length {
-            0.0 => EnergyProfile::Quadratic,
-            smoothing_length => EnergyProfile::Linear { smoothing_length },
-        };
-        Ok(match LAW.name(self.law)? {
-            "fiber" => EnergyLaw::Fiber(PenetrationLaw { stiffness: k, profile }),
-            "depth" => EnergyLaw::Depth { stiffness: k },
-            _ => EnergyLaw::Volume { stiffness: k, exponent: self.exponent },
-        })
+        let &Self { law, stiffness, exponent, smoothing_length, .. } = self;
+        LawFields { law, stiffness, exponent, smoothing_length }.read()
     }
 
     fn fibers(&self) -> Result<FiberOptions, Failure> {
@@ -189,6 +151,7 @@ impl fmc_options {
 mod tests {
     use super::*;
     use crate::capi::boundary::status::fmc_status;
+    use crate::{EnergyProfile, PenetrationLaw};
     use fmc_status::*;
 
     fn refused(change: impl FnOnce(&mut fmc_options)) -> (fmc_status, String) {

@@ -1,26 +1,9 @@
 //! Options of an evaluation.
 
+use super::law::fmc_law;
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::Output;
 use crate::capi::boundary::status::fmc_status;
-
-/// Contact energy.
-#[repr(C)]
-pub enum fmc_law {
-    /// w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
-    FMC_LAW_VOLUME = 0,
-    /// w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
-    /// `smoothing_length`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with a
-    /// smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key value
-    /// "fiber".
-    FMC_LAW_FIBER = 1,
-    /// w = k/2 times the integral over the overlap of g_A + g_B, the depths of both bodies' material below their own
-    /// surfaces; against an obstacle k times that of the depth below its surface. Flat faces press with k times their
-    /// penetration, as with "fiber", and k is a pressure per length; but there are no directions and no patches, and
-    /// the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. It is measured
-    /// without lines under every estimator. Key value "depth".
-    FMC_LAW_DEPTH = 2,
-}
 
 /// How the overlap is measured.
 #[repr(C)]

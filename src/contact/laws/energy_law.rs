@@ -50,6 +50,14 @@ impl EnergyLaw {
         EnergyLaw::Depth { stiffness: k }
     }
 
+    /// k.
+    pub fn stiffness(&self) -> f64 {
+        let (EnergyLaw::Volume { stiffness, .. }
+        | EnergyLaw::Fiber(PenetrationLaw { stiffness, .. })
+        | EnergyLaw::Depth { stiffness }) = *self;
+        stiffness
+    }
+
     /// The same with another stiffness: k by a factor.
     pub fn stiffened(mut self, factor: f64) -> Self {
         let (EnergyLaw::Volume { stiffness, .. }

@@ -11,8 +11,7 @@ use crate::overlap::{
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-/// Energy of a pair and its derivatives. A new law is a type of this kind, and its line in
-/// `by_options.rs`.
+/// Energy of a pair and its derivatives. A new law is a type of this kind, and its line in `laws.rs`.
 pub(crate) trait PairLaw<const D: usize>: Send + Sync {
     /// What is asked for, from one measurement; what is asked for beside changes no bit of any part. `None` where the
     /// sides are apart.

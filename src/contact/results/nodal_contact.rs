@@ -68,6 +68,18 @@ struct NodeTotals<const D: usize> {
 pub(crate) type NodalParts<const D: usize> = (PairEnergy<D>, Option<Vec<NodalSum>>, Vec<NodalFriction<D>>);
 
 impl<const D: usize> NodalContact<D> {
+    /// What is at the first `count` nodes.
+    pub(crate) fn truncated(mut self, count: usize) -> Self {
+        let Self { pressure, gap, area, normal, friction, sliding, status } = &mut self;
+        for field in [pressure, gap, area, sliding] {
+            field.truncate(count);
+        }
+        normal.truncate(count);
+        friction.truncate(count);
+        status.truncate(count);
+        self
+    }
+
     /// NodeTotals up, in the order of the pairs; pairs whose law does not act at contact points come without sums.
     pub(crate) fn assemble(node_count: usize, pairs: &[NodalParts<D>]) -> Result<Self, Error> {
         let mut nodes = vec![NodeTotals::new(); node_count];

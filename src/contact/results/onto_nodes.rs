@@ -68,15 +68,8 @@ impl<const D: usize> OntoNodes for Vec<Overlap<D>> {
 /// At a node what is at the point that stands for it: shape functions of second order have no mean at a corner, where their
 /// integral vanishes, or is negative.
 impl<const D: usize> OntoNodes for NodalContact<D> {
-    fn onto_nodes(mut self, division: &Division) -> Self {
-        let count = division.interpolation.node_count();
-        for field in [&mut self.pressure, &mut self.gap, &mut self.area, &mut self.sliding] {
-            field.truncate(count);
-        }
-        self.normal.truncate(count);
-        self.friction.truncate(count);
-        self.status.truncate(count);
-        self
+    fn onto_nodes(self, division: &Division) -> Self {
+        self.truncated(division.interpolation.node_count())
     }
 }
 

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from . import _constants as c
 
-_CELLS = {
-    "triangle": (c.FMC_TRI3, 3, 2),
-    "quad": (c.FMC_QUAD4, 4, 2),
-    "tetra": (c.FMC_TET4, 4, 3),
-    "hexahedron": (c.FMC_HEX8, 8, 3),
-    "wedge": (c.FMC_WEDGE6, 6, 3),
-    "pyramid": (c.FMC_PYRAMID5, 5, 3),
-    "triangle6": (c.FMC_TRI6, 6, 2),
-    "quad8": (c.FMC_QUAD8, 8, 2),
-    "tetra10": (c.FMC_TET10, 10, 3),
-    "hexahedron20": (c.FMC_HEX20, 20, 3),
-    "wedge15": (c.FMC_WEDGE15, 15, 3),
-    "pyramid13": (c.FMC_PYRAMID13, 13, 3),
-    "quad9": (c.FMC_QUAD9, 9, 2),
-    "hexahedron27": (c.FMC_HEX27, 27, 3),
-}
+_FAMILIES = {
+    "tri": ("triangle", 3, 2), "quad": ("quad", 4, 2), "tet": ("tetra", 4, 3), "hex": ("hexahedron", 8, 3),
+    "wedge": ("wedge", 6, 3), "pyramid": ("pyramid", 5, 3),
+}  # fmt: skip
+"""Name, number of corners and dimension of the cells whose names in C begin with the key and end with the number of nodes."""
+
+
+def _cells() -> Iterator[tuple[str, tuple[int, int, int]]]:
+    for number, in_c in c.FMC_CELL_TYPE.items():
+        name, corners, dim = _FAMILIES[in_c.rstrip("0123456789")]
+        nodes = int(in_c[len(in_c.rstrip("0123456789")) :])
+        yield name if nodes == corners else f"{name}{nodes}", (number, nodes, dim)
+
+
+_CELLS = dict(_cells())
 _FACETS = {
     "line": (c.FMC_FACET_LINE2, 2, 2),
     "triangle": (c.FMC_FACET_TRI3, 3, 3),

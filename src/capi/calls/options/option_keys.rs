@@ -5,8 +5,10 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, reference, text};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_UNKNOWN_OPTION};
+use crate::capi::structs::choice::Choice;
+use crate::capi::structs::law::LAW;
 use crate::capi::structs::option_values::{
-    AXISYMMETRIC, CHECK_CELLS, Choice, ESTIMATOR, INDEX_BASE, LAW, MOMENTUM_CORRECTION, PATTERN, SELF_CONTACT, WEIGHTS,
+    AXISYMMETRIC, CHECK_CELLS, ESTIMATOR, INDEX_BASE, MOMENTUM_CORRECTION, PATTERN, SELF_CONTACT, WEIGHTS,
 };
 use crate::capi::structs::options::fmc_options;
 use std::ffi::c_char;

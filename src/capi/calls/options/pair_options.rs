@@ -1,5 +1,6 @@
 //! Options of single pairs.
 
+use crate::EnergyLaw;
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
@@ -7,11 +8,11 @@ use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
 use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::law::LawFields;
 use crate::capi::structs::option_values::EXCLUDED;
-use crate::capi::structs::options::{fmc_estimator, fmc_law, fmc_options};
+use crate::capi::structs::options::{fmc_estimator, fmc_options};
 use crate::capi::structs::partner::partner;
 use crate::contact::PairOptions;
-use crate::{EnergyLaw, EnergyProfile, PenetrationLaw};
 
 /// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 /// after they change.
@@ -76,18 +77,10 @@ impl From<PairOptions> for fmc_pair_options {
         let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_PAIR_FRICTION_OF_CONTEXT.into());
         let (excluded, gap_offset) = (options.excluded.into(), options.gap_offset);
         let own = Self { excluded, friction_coefficient, gap_offset, ..Self::default() };
-        match options.law {
+        match options.law.map(LawFields::from) {
             None => own,
-            Some(EnergyLaw::Volume { stiffness, exponent }) => {
-                Self { law: fmc_law::FMC_LAW_VOLUME as i32, stiffness, exponent, ..own }
-            }
-            Some(EnergyLaw::Depth { stiffness }) => Self { law: fmc_law::FMC_LAW_DEPTH as i32, stiffness, ..own },
-            Some(EnergyLaw::Fiber(PenetrationLaw { stiffness, profile })) => {
-                let smoothing_length = match profile {
-                    EnergyProfile::Quadratic => 0.0,
-                    EnergyProfile::Linear { smoothing_length } => smoothing_length,
-                };
-                Self { law: fmc_law::FMC_LAW_FIBER as i32, stiffness, smoothing_length, ..own }
+            Some(LawFields { law, stiffness, exponent, smoothing_length }) => {
+                Self { law, stiffness, exponent, smoothing_length, ..own }
             }
         }
     }
@@ -206,6 +199,7 @@ pub unsafe extern "C" fn fmc_context_pair_options(
 mod tests {
     use super::*;
     use crate::capi::boundary::status::fmc_status::{FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
+    use crate::{EnergyProfile, PenetrationLaw};
 
     fn refused(change: impl FnOnce(&mut fmc_pair_options)) -> (fmc_status, String) {
         let mut options = fmc_pair_options::default();

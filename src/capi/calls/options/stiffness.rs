@@ -5,7 +5,7 @@ use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::Output;
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::structs::option_values::LAW;
+use crate::capi::structs::law::LAW;
 use crate::contact::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 
 /// A stiffness k to begin with, from Young's modulus E of the softer body (Pa) and the size h of its cells in contact

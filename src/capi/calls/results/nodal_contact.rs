@@ -1,7 +1,6 @@
 //! The contact at the nodes, for output and for the host's own use.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::state::{fmc_context, write};
@@ -41,37 +40,13 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
     entry(|| {
         // SAFETY: the host passes a struct.
         let to = *unsafe { reference("nodal", nodal) }?;
-        check_struct::<fmc_nodal_contact>("fmc_nodal_contact", to.struct_size, to.reserved)?;
-        let numbers = [("pressure", to.pressure), ("gap", to.gap), ("area", to.area), ("normal", to.normal)];
-        for (name, output) in numbers.into_iter().chain([("friction", to.friction), ("sliding", to.sliding)]) {
-            Output::optional(name, output)?;
-        }
-        Output::optional("status", to.status)?;
+        to.check()?;
         // SAFETY: the host passes a context and a view.
         let lists = unsafe {
             write(context, |state| state.session.nodal_contact(reference("coords", coords)?, state.index_base))
         }?;
         // SAFETY: the host guarantees that the outputs, where given, have room for the nodes of the mesh.
-        unsafe {
-            copy(&lists.pressure, to.pressure);
-            copy(&lists.gap, to.gap);
-            copy(&lists.area, to.area);
-            copy(&lists.normal, to.normal);
-            copy(&lists.friction, to.friction);
-            copy(&lists.sliding, to.sliding);
-            copy(&lists.status, to.status);
-        }
+        unsafe { to.write(&lists) };
         Ok(())
     })
-}
-
-/// Writes a list, unless the host declined it.
-///
-/// # Safety
-/// The host guarantees that `output`, if it is not NULL, has room for the list.
-unsafe fn copy<T: Copy>(list: &[T], output: *mut T) {
-    if !output.is_null() {
-        // SAFETY: passed on to the caller; the list is our own and cannot overlap it.
-        unsafe { std::ptr::copy_nonoverlapping(list.as_ptr(), output, list.len()) };
-    }
 }
