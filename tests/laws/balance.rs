@@ -2,7 +2,7 @@
 //! corrected so that theirs does not either.
 
 use crate::pairs::{plane_scene, solid_scene};
-use crate::scene::table::{by_laws, laws};
+use crate::scene::table::{by_laws, is_depth, laws};
 use crate::scene::{Scene, cross, exact, fibers, isotropic, lines, size_sum};
 use fmc_contact::{
     Contact, ContactForces, Estimator, FiberOptions, LineWeights, Obstacle, Options, Pose, Resolution, Shape,
@@ -112,8 +112,8 @@ fn obstacles_balance<const D: usize>(scene: &Scene<D>, polytope: Shape<D>, poses
         Shape::Capsule { radius: 0.4, half_height: 0.5 },
     ];
     for options in estimators(1.0) {
-        let exact = options.estimator == Estimator::Exact;
-        let shapes = flat.iter().chain(if exact { &[] } else { round.as_slice() });
+        let takes_round = options.estimator != Estimator::Exact || is_depth(&options.law);
+        let shapes = flat.iter().chain(if takes_round { round.as_slice() } else { &[] });
         let obstacles: Vec<Obstacle<D>> =
             shapes.zip(poses.iter().cycle()).map(|(s, &pose)| Obstacle { shape: s.clone(), pose }).collect();
         // One by one, so that no obstacle hides another's imbalance, and all together.

@@ -1,19 +1,46 @@
 //! Pressure, gap, area and normal at nodes, and contact points: against the forces, and against what the geometry says.
 
 use crate::pairs::{plane_scene, solid_scene};
-use crate::scene::table::{by_laws, estimators, exactly, laws, local_laws, table};
-use crate::scene::{Scene, by_lines, norm};
+use crate::scene::table::{by_laws, estimators, exactly, is_depth, laws, local_laws, table};
+use crate::scene::{Scene, by_lines, distance, norm, size_sum};
 use fmc_contact::contact::{NodalContact, NodeStatus};
 use fmc_contact::overlap::Partner;
-use fmc_contact::{ContactForces, EnergyLaw, Obstacle, Pose, Shape};
+use fmc_contact::{Contact, ContactForces, EnergyLaw, Obstacle, Pose, Shape};
 use fmc_shapes::{Diagonals, Mesh, cuboid_hex8, cuboid_tet4, disc_tri3, rectangle_quad4, rectangle_tri3};
 
 /// F = −p A n at every node; normals are unit vectors, or zero where there is no force.
 fn carry_the_forces<const D: usize>(field: &NodalContact<D>, found: &ContactForces<D>) {
     let scale = norm(&found.forces);
     for (node, force) in found.forces.iter().enumerate() {
-        let carried: [f64; D] = field.normal[node].map(|n| -field.pressure[node] * field.area[node] * n);
+        let carried = carried(field, node);
         assert!((0..D).all(|i| (carried[i] - force[i]).abs() <= 1e-14 * scale), "node {node}: {carried:?} {force:?}");
+    }
+}
+
+/// −p A n.
+fn carried<const D: usize>(field: &NodalContact<D>, node: usize) -> [f64; D] {
+    field.normal[node].map(|n| -field.pressure[node] * field.area[node] * n)
+}
+
+/// The law `depth` has forces on inner nodes as well, which fields have at the surface above: their sum is that of the body.
+fn carry_the_resultants<const D: usize>(scene: &Scene<D>, field: &NodalContact<D>, contact: &Contact<D>) {
+    let found = contact.evaluate(&scene.coords).unwrap();
+    let on_surface: Vec<u32> = contact.boundary_facets().into_iter().flat_map(|facet| facet.nodes).collect();
+    for (body, resultant) in found.bodies.iter().enumerate() {
+        let mut sum = [0.0; D];
+        for node in scene.nodes_of(body) {
+            (0..D).for_each(|i| sum[i] += carried(field, node)[i]);
+            let is_inner = !on_surface.contains(&(node as u32));
+            assert!(!is_inner || (field.pressure[node], field.area[node]) == (0.0, 0.0), "inner node {node}");
+        }
+        let off = distance(&[sum], &[resultant.force]);
+        assert!(off <= 1e-14 * size_sum(&found.forces), "{sum:?} {:?}", resultant.force);
+    }
+}
+
+/// Values at nodes are those of a contact, or none.
+fn make_sense<const D: usize>(field: &NodalContact<D>) {
+    for node in 0..field.pressure.len() {
         let length = field.normal[node].iter().map(|n| n * n).sum::<f64>().sqrt();
         assert!(length == 0.0 || (length - 1.0).abs() < 1e-14, "node {node}: {length}");
         let touches = field.status[node] == NodeStatus::Touching;
@@ -28,7 +55,12 @@ fn of_scenes<const D: usize>(scene: impl Fn(u64) -> Scene<D>, seeds: u64) {
         for options in table(1.0) {
             let contact = scene.contact(options);
             let found = contact.evaluate(&scene.coords).unwrap();
-            carry_the_forces(&contact.nodal_contact(&scene.coords).unwrap(), &found);
+            let field = contact.nodal_contact(&scene.coords).unwrap();
+            make_sense(&field);
+            match is_depth(&options.law) {
+                true => carry_the_resultants(&scene, &field, &contact),
+                false => carry_the_forces(&field, &found),
+            }
         }
     }
 }
@@ -52,8 +84,8 @@ fn on_a_flat<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
         let field = contact.nodal_contact(&scene.coords).unwrap();
         let pressure = match options.law {
             EnergyLaw::Volume { stiffness, .. } => stiffness,
-            EnergyLaw::Fiber(_) => contact.evaluate(&scene.coords).unwrap().pairs[0].pressure,
-            _ => unreachable!("a law of the tests"),
+            EnergyLaw::Depth { stiffness } => stiffness * depth,
+            _ => contact.evaluate(&scene.coords).unwrap().pairs[0].pressure,
         };
         // Bottom nodes of the upper block that are not on its side walls, which the law "volume" presses as well.
         let mut count = 0;
@@ -65,7 +97,8 @@ fn on_a_flat<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
                 assert!((field.pressure[node] / pressure - 1.0).abs() < 1e-9, "{options:?}: {}", field.pressure[node]);
                 let off = (field.gap[node] + depth).abs() / depth;
                 // The mean over a pair knows walls too, and lines.
-                assert!(off < if options.law.is_fiber() { 1e-9 } else { 0.1 }, "{options:?}: {}", field.gap[node]);
+                let is_of_pair = matches!(options.law, EnergyLaw::Volume { .. });
+                assert!(off < if is_of_pair { 0.1 } else { 1e-9 }, "{options:?}: {}", field.gap[node]);
                 // Sampling turns the force of the law "volume" a little.
                 assert!((field.normal[node][D - 1] + 1.0).abs() < 1e-4, "{options:?}: {:?}", field.normal[node]);
                 assert_eq!(field.status[node], NodeStatus::Touching);

@@ -1,8 +1,9 @@
 //! The exact overlap does not see where the bodies are, which way they are turned and in which unit they are measured.
 
 use crate::pairs::{plane_scene, solid_scene};
-use crate::scene::table::{exactly, is_quadrature, local_laws};
+use crate::scene::table::{exactly, has_pressure_by_length, is_depth, is_quadrature, laws};
 use crate::scene::{Scene, distance, exact, norm, size_sum};
+use fmc_contact::EnergyLaw;
 use fmc_shapes::{Splitmix, random_rotation};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -98,19 +99,24 @@ fn flat_contact<const D: usize>(depth: f64) -> Scene<D> {
     Scene::of(&[&solid(-1.0, 0.0, 4), &upper])
 }
 
-/// A local law, on patches that are found and kept where the bodies are: energies by pressure and volume, forces by
-/// pressure and area, and turned.
-fn local_laws_move_along<const D: usize>(scene: &Scene<D>, seed: u64, size: f64, tolerance: f64) {
+/// Laws of which this holds, local ones on patches that are found and kept where the bodies are: energies by pressure and
+/// volume, forces by pressure and area, and turned.
+fn laws_move_along<const D: usize>(
+    is_meant: impl Fn(&EnergyLaw) -> bool,
+    (scene, seed): (&Scene<D>, u64),
+    size: f64,
+    tolerance: f64,
+) {
     let r = random_rotation::<D>(seed);
     let turn = |v: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| (0..D).map(|j| r[i][j] * v[j]).sum()) };
     let moved = scene.clone().mapped(|x| turn(&x).map(|x| size * (x + 0.3)));
-    for (here, there) in local_laws(1.0).into_iter().zip(local_laws(size)) {
+    for (here, there) in laws(1.0).into_iter().zip(laws(size)).filter(|(law, _)| is_meant(law)) {
         let found = |scene: &Scene<D>, law| {
             let mut contact = scene.contact(exactly(law));
             contact.keep_patches(&scene.coords).unwrap();
             contact.evaluate(&scene.coords).unwrap()
         };
-        let pressure = if here == there { size } else { 1.0 };
+        let pressure = if has_pressure_by_length(&here) { size } else { 1.0 };
         // Along the ramps at the rim points of a quadrature lie elsewhere, where pieces fall into other triangles.
         let tolerance = if D == 3 && is_quadrature(&exactly(here)) { 1e-5 } else { tolerance };
         let (here, there) = (found(scene, here), found(&moved, there));
@@ -126,11 +132,21 @@ fn local_laws_move_along<const D: usize>(scene: &Scene<D>, seed: u64, size: f64,
 
 /// Coordinates of size 1 are rounded to 2⁻⁵³, depths of a hundredth to a hundred times that, their normals likewise.
 #[test]
-fn flat_contact_moves_with_the_bodies_under_local_laws() {
+fn flat_contact_moves_with_the_bodies() {
     for seed in 0..10 {
         let size = [1.0, 1e-4, 1e3][seed as usize % 3];
-        local_laws_move_along(&flat_contact::<2>(0.01), seed, size, 1e-11);
-        local_laws_move_along(&flat_contact::<3>(0.01), seed, size, 1e-11);
+        laws_move_along(|_| true, (&flat_contact::<2>(0.01), seed), size, 1e-11);
+        laws_move_along(|_| true, (&flat_contact::<3>(0.01), seed), size, 1e-11);
+    }
+}
+
+/// Nothing is sampled.
+#[test]
+fn any_contact_moves_with_the_bodies_under_the_law_depth() {
+    for seed in 0..10 {
+        let size = [1.0, 1e-4, 1e3][seed as usize % 3];
+        laws_move_along(is_depth, (&plane_scene(seed), seed), size, 1e-11);
+        laws_move_along(is_depth, (&solid_scene(seed), seed), size, 1e-11);
     }
 }
 
@@ -138,7 +154,7 @@ fn flat_contact_moves_with_the_bodies_under_local_laws() {
 #[ignore = "the mean normal of a contact that is not flat is sampled, by lines that stay when the bodies turn"]
 fn any_contact_moves_with_the_bodies_under_local_laws() {
     for seed in 0..10 {
-        local_laws_move_along(&plane_scene(seed), seed, 1.0, 1e-9);
-        local_laws_move_along(&solid_scene(seed), seed, 1.0, 1e-9);
+        laws_move_along(EnergyLaw::is_fiber, (&plane_scene(seed), seed), 1.0, 1e-9);
+        laws_move_along(EnergyLaw::is_fiber, (&solid_scene(seed), seed), 1.0, 1e-9);
     }
 }

@@ -3,20 +3,24 @@
 use crate::scene::table::exactly;
 use crate::scene::{Scene, distance, norm};
 use fmc_contact::contact::TangentPart;
-use fmc_contact::{Contact, ContactForces, EnergyLaw, EnergyProfile, Obstacle, PenetrationLaw, Pose, Shape};
+use fmc_contact::{Contact, ContactForces, EnergyLaw, Obstacle, Pose, Shape};
 use fmc_shapes::{cuboid_hex8, rectangle_quad4};
 
-const LAW: EnergyLaw = EnergyLaw::Fiber(PenetrationLaw { stiffness: 1e6, profile: EnergyProfile::Quadratic });
+const K: f64 = 1e6;
+
+fn laws() -> [EnergyLaw; 2] {
+    [EnergyLaw::depth(K), EnergyLaw::fiber(K)]
+}
 
 /// A mesh with the upper face of a half-space, or of a wide cuboid, in it.
-fn on<const D: usize>(scene: &Scene<D>, as_cuboid: bool) -> Contact<D> {
+fn on<const D: usize>(scene: &Scene<D>, law: EnergyLaw, as_cuboid: bool) -> Contact<D> {
     let (shape, height) = match as_cuboid {
         true => (Shape::Cuboid { half_extents: [4.0; D] }, -4.0),
         false => (Shape::HalfSpace, 0.0),
     };
     let mut position = [0.0; D];
     position[D - 1] = height;
-    let mut contact = scene.contact(exactly(LAW));
+    let mut contact = scene.contact(exactly(law));
     contact.add_obstacle(Obstacle { shape, pose: Pose::at(position) }).expect("a valid obstacle");
     contact
 }
@@ -34,8 +38,12 @@ fn tilted_3d(depth: f64, part: f64) -> Scene<3> {
 
 /// Along the plane nothing acts but rounding by the block's width over the penetration, and both shapes give the same forces, which their obstacles feel with the other sign.
 fn pushes_along_its_normal<const D: usize>(scene: &Scene<D>) {
+    laws().into_iter().for_each(|law| pushes_along_its_normal_under(scene, law));
+}
+
+fn pushes_along_its_normal_under<const D: usize>(scene: &Scene<D>, law: EnergyLaw) {
     let [plane, cuboid]: [ContactForces<D>; 2] =
-        [false, true].map(|as_cuboid| on(scene, as_cuboid).evaluate(&scene.coords).expect("valid coordinates"));
+        [false, true].map(|as_cuboid| on(scene, law, as_cuboid).evaluate(&scene.coords).expect("valid coordinates"));
     for found in [&plane, &cuboid] {
         let (force, back) = (found.bodies[0].force, found.obstacles[0].force);
         let normal = force[D - 1];
@@ -61,7 +69,11 @@ fn of_a_tilted_block() {
 
 /// On kept patches the tangent is the derivative of the force, also where walls of the block reach through the plane.
 fn tangent_is_the_derivative_of_the_force<const D: usize>(scene: &Scene<D>) {
-    let mut contact = on(scene, false);
+    laws().into_iter().for_each(|law| tangent_is_the_derivative_under(scene, law));
+}
+
+fn tangent_is_the_derivative_under<const D: usize>(scene: &Scene<D>, law: EnergyLaw) {
+    let mut contact = on(scene, law, false);
     contact.keep_patches(&scene.coords).expect("valid coordinates");
     let tangent = contact.tangent(&scene.coords, TangentPart::Full).expect("a tangent");
     // Truncation is the square of the step by the depth; rounding 1e-16 of the forces over the step.

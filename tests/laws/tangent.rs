@@ -1,7 +1,7 @@
 //! The tangent is the derivative of the force.
 
 use crate::pairs::{plane_scene, solid_scene};
-use crate::scene::table::{exactly, local_laws, uncorrected};
+use crate::scene::table::{exactly, laws, local_laws, uncorrected};
 use crate::scene::{Scene, consistent_lines};
 use fmc_contact::contact::{Tangent, TangentPart};
 use fmc_contact::{Contact, EnergyLaw, Obstacle, Options, Pose, Shape};
@@ -55,10 +55,18 @@ fn is_symmetric<const D: usize>(tangent: &Tangent<D>) -> bool {
     })
 }
 
-/// With one patch kept; `None` where there are several, whose borders these deep overlaps reach.
+/// With one patch kept by a local law; `None` where there are several, whose borders these deep overlaps reach.
 fn kept<const D: usize>(scene: &Scene<D>, options: Options) -> Option<Contact<D>> {
     let mut contact = scene.contact(options);
-    (contact.keep_patches(&scene.coords).unwrap() == 1).then_some(contact)
+    let patches = usize::from(options.law.is_fiber());
+    (contact.keep_patches(&scene.coords).unwrap() == patches).then_some(contact)
+}
+
+/// The default and the local law with a quadratic profile, for bodies of this size: those whose exact integral has an exact
+/// second derivative at every depth.
+fn smooth(size: f64) -> [EnergyLaw; 2] {
+    let [depth, _, quadratic, _] = laws(size);
+    [depth, quadratic]
 }
 
 #[test]
@@ -83,10 +91,12 @@ fn of_the_exact_integral_in_2d() {
     for seed in 0..12 {
         let size = [1.0, 1e-3, 1e3][seed as usize % 3];
         let scene = plane_scene(seed).mapped(|x| x.map(|x| x * size));
-        let Some(contact) = kept(&scene, exactly(local_laws(size)[0])) else { continue };
-        let found = deviation(&contact, &scene.coords, size, 1);
-        assert!(found < 1e-6, "seed {seed}: {found}");
-        tried += 1;
+        for law in smooth(size) {
+            let Some(contact) = kept(&scene, exactly(law)) else { continue };
+            let found = deviation(&contact, &scene.coords, size, 1);
+            assert!(found < 1e-6, "seed {seed}, {law:?}: {found}");
+            tried += usize::from(law.is_fiber());
+        }
     }
     assert!(tried > 3);
 }
@@ -101,10 +111,11 @@ fn in_3d() {
             assert!(found < 1e-6, "seed {seed}, lines: {found}");
             tried += 1;
         }
-        if let Some(contact) = kept(&scene, exactly(local_laws(1.0)[0])) {
+        for law in smooth(1.0) {
+            let Some(contact) = kept(&scene, exactly(law)) else { continue };
             let found = deviation(&contact, &scene.coords, 1.0, 3);
-            assert!(found < 1e-6, "seed {seed}, exact: {found}");
-            tried += 1;
+            assert!(found < 1e-6, "seed {seed}, {law:?}: {found}");
+            tried += usize::from(law.is_fiber());
         }
     }
     assert!(tried >= 2, "only {tried} of 6 have one patch");
@@ -112,10 +123,11 @@ fn in_3d() {
         &ball_tet4(0.5, 2, 3),
         &cuboid_tet4([-0.6, -0.6, 0.0], [0.6, 0.6, 0.5], [4; 3]).translated([0.03, 0.02, 0.4]),
     ]);
-    for options in [exactly(local_laws(1.0)[0]), uncorrected(local_laws(1.0)[0], 0.02, 1)] {
+    let [depth, quadratic] = smooth(1.0);
+    for options in [exactly(depth), exactly(quadratic), uncorrected(quadratic, 0.02, 1)] {
         let contact = kept(&scene, options).unwrap();
         let found = deviation(&contact, &scene.coords, 1.0, 3);
-        assert!(found < 1e-6, "ball, {:?}: {found}", options.estimator);
+        assert!(found < 1e-6, "ball, {options:?}: {found}");
     }
 }
 
@@ -128,10 +140,11 @@ fn with_curved_faces() {
     b.coords.iter_mut().for_each(|x| *x = [0.4 + (x[0] - 0.4) * (0.7 + x[2]), 0.4 + (x[1] - 0.4) * (0.7 + x[2]), x[2]]);
     let b = b.translated([0.1, 0.12, 0.95]);
     let scene = Scene::of(&[&a, &b]);
-    for options in [exactly(local_laws(1.0)[0]), uncorrected(local_laws(1.0)[0], 0.03, 1)] {
+    let [depth, quadratic] = smooth(1.0);
+    for options in [exactly(depth), exactly(quadratic), uncorrected(quadratic, 0.03, 1)] {
         let contact = kept(&scene, options).unwrap();
         let found = deviation(&contact, &scene.coords, 1.0, 2);
-        assert!(found < 1e-6, "{:?}: {found}", options.estimator);
+        assert!(found < 1e-6, "{options:?}: {found}");
     }
 }
 
@@ -144,7 +157,8 @@ fn of_obstacles() {
         Shape::Polytope { points: vec![[-1.0, -1.0], [1.0, -1.0], [0.1, 0.05]], facets: vec![[0, 1], [1, 2], [2, 0]] };
     for shape in [Shape::HalfSpace, triangle] {
         let volume = EnergyLaw::Volume { stiffness: 2.0, exponent: 2.0 };
-        for options in [exactly(EnergyLaw::fiber(2.0)), uncorrected(EnergyLaw::fiber(2.0), 1e-2, 5), exactly(volume)] {
+        let [depth, quadratic] = smooth(1.0);
+        for options in [exactly(depth), exactly(quadratic), uncorrected(quadratic, 1e-2, 5), exactly(volume)] {
             let mut contact = Scene::of(&[&block]).contact(options);
             let at = |x: [f64; 2]| Pose::at([x[0], x[1] + 0.1]);
             contact.add_obstacle(Obstacle { shape: shape.clone(), pose: at([0.0; 2]) }).unwrap();
@@ -229,7 +243,8 @@ fn the_semidefinite_part_is() {
     let mut random = Splitmix::new(7);
     for seed in 0..6 {
         let scene = plane_scene(seed);
-        for options in [exactly(EnergyLaw::fiber(1.0)), uncorrected(EnergyLaw::fiber(1.0), 0.01, seed)] {
+        let [depth, quadratic] = smooth(1.0);
+        for options in [exactly(depth), exactly(quadratic), uncorrected(quadratic, 0.01, seed)] {
             let tangent = scene.contact(options).tangent(&scene.coords, TangentPart::Semidefinite).unwrap();
             assert!(is_symmetric(&tangent));
             for _ in 0..20 {

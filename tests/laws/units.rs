@@ -1,9 +1,9 @@
 //! The unit of length does not matter: with one that is a power of 2, not a bit changes.
 
 use crate::pairs::{plane_scene, solid_scene};
-use crate::scene::table::{by_laws, laws};
+use crate::scene::table::{by_laws, has_pressure_by_length, laws};
 use crate::scene::{Scene, exact, fibers};
-use fmc_contact::{EnergyLaw, FiberOptions, FiberPattern, LineWeights, Options};
+use fmc_contact::{FiberOptions, FiberPattern, LineWeights, Options};
 
 /// With laws whose lengths are in that unit.
 fn estimators(unit: f64) -> Vec<Options> {
@@ -21,9 +21,8 @@ fn unit_does_not_matter<const D: usize>(scene: &Scene<D>) {
         for (options, of_one) in estimators(unit).into_iter().zip(estimators(1.0)) {
             let (found, expected) = (scaled.evaluate(options), scene.evaluate(of_one));
             let (volume, area) = (unit.powi(D as i32), unit.powi(D as i32 - 1));
-            // The pressure of the quadratic law is k times a length, all others are k.
-            let is_quadratic = options.law == EnergyLaw::fiber(3.0);
-            let pressure = if is_quadratic { unit } else { 1.0 };
+            // All other pressures are k.
+            let pressure = if has_pressure_by_length(&options.law) { unit } else { 1.0 };
             assert_eq!(found.energy, expected.energy * pressure * volume);
             assert_eq!(found.volume, expected.volume * volume, "{options:?}");
             assert_eq!(found.standard_error, expected.standard_error * volume);

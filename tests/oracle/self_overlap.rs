@@ -55,8 +55,16 @@ fn body_against_itself_is_like_two_bodies() {
     // One body by its id, though its parts do not hang together.
     let mut one = two.clone();
     one.ids.fill(7);
+    // Depth is that of pieces that are apart, else the surface of the one would lie within the other.
+    let mut apart = two.coords.clone();
+    apart[two.nodes_of(1)].iter_mut().for_each(|x| x[2] += 5.0);
+    let evaluate = |scene: &Scene<3>, options: Options| {
+        let mut contact = scene.contact(options);
+        contact.set_reference(&apart).unwrap();
+        contact.evaluate(&scene.coords).unwrap()
+    };
     for options in by_laws([exact(), lines(0.02, 3)], &laws(1.0)) {
-        let (two, one) = (two.evaluate(options), one.evaluate(with_self_contact(options)));
+        let (two, one) = (evaluate(&two, options), evaluate(&one, with_self_contact(options)));
         assert!((one.energy / two.energy - 1.0).abs() < 1e-12);
         assert_eq!(one.bodies.len(), 1);
         // The lines are the same, but the momentum correction and the sums run otherwise.

@@ -7,10 +7,11 @@ use fmc_contact::{
     EnergyLaw, EnergyProfile, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw, Resolution,
 };
 
-/// Laws for bodies of this size, whose energies are of the order of 1 at the size of 1: local laws beside the global one.
-pub(crate) fn laws(size: f64) -> [EnergyLaw; 3] {
+/// Laws for bodies of this size, whose energies are of the order of 1 at the size of 1: the default first, then the global one
+/// and local laws.
+pub(crate) fn laws(size: f64) -> [EnergyLaw; 4] {
     let [quadratic, linear] = local_laws(size);
-    [EnergyLaw::volume(1.0), quadratic, linear]
+    [EnergyLaw::depth(3.0), EnergyLaw::volume(1.0), quadratic, linear]
 }
 
 /// Those whose energy is a sum over lines, each by its own length.
@@ -24,6 +25,34 @@ pub(crate) fn local_laws(size: f64) -> [EnergyLaw; 2] {
     ]
 }
 
+/// Whether forces follow from depths below surfaces, which no estimator measures.
+pub(crate) fn is_depth(law: &EnergyLaw) -> bool {
+    matches!(law, EnergyLaw::Depth { .. })
+}
+
+/// Whether the bodies of a scene have what the law needs: depth is that of cells.
+pub(crate) fn suits<const D: usize>(scene: &Scene<D>, options: &Options) -> bool {
+    !is_depth(&options.law) || scene.facets.is_empty()
+}
+
+/// Whether pressure is the stiffness times a length, so that it has the unit of both.
+pub(crate) fn has_pressure_by_length(law: &EnergyLaw) -> bool {
+    is_depth(law) || matches!(law, EnergyLaw::Fiber(PenetrationLaw { profile: EnergyProfile::Quadratic, .. }))
+}
+
+/// Whether two bodies that change places change no bit. Local laws add up in the order of the sides; so does the law `depth`,
+/// whose moments of two pieces are those of the first cut by the second.
+pub(crate) fn knows_no_order(law: &EnergyLaw) -> bool {
+    matches!(law, EnergyLaw::Volume { .. })
+}
+
+/// How much energy and force is taken for none where facets coincide, of bodies of size 1. Clipped facets and lines decide with
+/// all digits on which side they lie. The law `depth` cuts pieces of cells by planes with rounded coefficients, and slivers as
+/// thin as rounding are left.
+pub(crate) fn none_at_a_seam(law: &EnergyLaw) -> f64 {
+    if is_depth(law) { 1e-15 } else { 0.0 }
+}
+
 /// Whether the estimator takes the law: isotropic fibers have no direction along which a depth could be measured.
 fn takes(options: &Options, law: &EnergyLaw) -> bool {
     let is_isotropic =
@@ -31,10 +60,12 @@ fn takes(options: &Options, law: &EnergyLaw) -> bool {
     !(law.is_fiber() && is_isotropic)
 }
 
-/// Every one of these with every law that it takes.
+/// Every one of these with every law that it takes; first the law `depth`, once, since estimators have no part in it.
 pub(crate) fn by_laws(estimators: impl IntoIterator<Item = Options>, laws: &[EnergyLaw]) -> Vec<Options> {
-    let of_laws = |options: Options| laws.iter().map(move |&law| Options { law, ..options });
-    estimators.into_iter().flat_map(of_laws).filter(|options| takes(options, &options.law)).collect()
+    let (of_depth, measured): (Vec<_>, Vec<_>) = laws.iter().copied().partition(is_depth);
+    let of_laws = |options: Options| measured.iter().map(move |&law| Options { law, ..options });
+    let measured = estimators.into_iter().flat_map(of_laws).filter(|options| takes(options, &options.law));
+    of_depth.into_iter().map(exactly).chain(measured).collect()
 }
 
 /// Every estimator: the exact one, the default lines, lines that are given, and isotropic segments.

@@ -24,7 +24,8 @@ pub enum NodeStatus {
 /// The contact at every node of the mesh, in the order of the coordinates; zero where nothing touches.
 ///
 /// Pressure, area and normal are those of the nodal force without friction: F = −p A n, to rounding, so that their sum is
-/// the resultant. With cells of second order a node has what is at the point of their division that stands for it, with that
+/// the resultant. The law `depth` has forces on inner nodes too, which come at the nearest points of the surface first. With cells of
+/// second order a node has what is at the point of their division that stands for it, with that
 /// point's straight shape function; the sum is then the resultant only with those of the points that are no nodes, which
 /// are not told.
 #[derive(Clone, Debug, PartialEq)]
