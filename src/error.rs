@@ -239,6 +239,9 @@ pub enum Error {
     },
     /// Friction is asked for, but no step has begun from which slip could be counted.
     NoStep,
+    /// The law has no stiffness, and none was found from that of the bodies
+    /// ([`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness)).
+    NoStiffness,
     /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
     DegenerateHull {
         /// Number of points.

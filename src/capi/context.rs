@@ -2,5 +2,6 @@
 
 pub(super) mod found;
 pub(super) mod resident;
+pub(super) mod search;
 pub(super) mod session;
 pub(super) mod state;

@@ -6,6 +6,8 @@ pub(super) mod boundary_facet;
 pub(super) mod choice;
 pub(super) mod contact_point;
 pub(super) mod csr;
+pub(super) mod equilibrium;
+pub(super) mod equilibrium_result;
 pub(super) mod evaluation;
 pub(super) mod gap_constraint;
 pub(super) mod in_parts;

@@ -7,6 +7,9 @@
 mod augmentation;
 mod contact_step;
 pub mod descent;
+mod driver;
+mod layer_stiffness;
 
 pub use augmentation::Augmentation;
 pub use contact_step::{CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
+pub use driver::{Answer, DriverOptions, Equilibrium, Found, Next, Refusal, Request, StepLimit, Unheld, Unknowns, Way};

@@ -1,8 +1,10 @@
 //! What bodies may touch: the obstacles, and the options of single pairs.
 //!
-//! `list` (both together) · `obstacles` (added, moved, removed) · `rigid` (as estimators take them) · `parallel` (at a gap offset) ·
-//! `pair_options`, `pair_table` (pairs that are left out, or follow a law of their own)
+//! `list` (all together) · `obstacles` (added, moved, removed) · `rigid` (as estimators take them) · `parallel` (at a gap offset) ·
+//! `pair_options`, `pair_table` (pairs that are left out, or follow a law of their own) ·
+//! `layers` (stiffness from that of the bodies)
 
+mod layers;
 mod list;
 mod obstacles;
 mod pair_options;
@@ -10,6 +12,7 @@ mod pair_table;
 mod parallel;
 mod rigid;
 
+pub use layers::LayerStiffness;
 pub(crate) use list::Partners;
 pub(crate) use obstacles::Poses;
 pub use pair_options::PairOptions;

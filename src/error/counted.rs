@@ -69,6 +69,7 @@ impl Error {
             | Error::NotFactorised
             | Error::Place { code: _ }
             | Error::NoStep
+            | Error::NoStiffness
             | Error::EmptyCompound
             | Error::Unsupported { what: _ }
             | Error::TooManyFibers { needed: _, limit: _ }

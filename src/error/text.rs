@@ -116,6 +116,13 @@ impl fmt::Display for Error {
                      contact_force_step"
                 )
             }
+            Error::NoStiffness => {
+                write!(
+                    f,
+                    "the contact has no stiffness: give one, or have it found from the bodies' matrix, as the equilibrium driver \
+                     does at its start"
+                )
+            }
             Error::DegenerateHull { point_count } => {
                 write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")
             }

@@ -137,6 +137,8 @@ pub enum fmc_status {
     FMC_ERROR_OPTIONS_CONFLICT = 61,
     /// A reserved field is not zero: an option of a later version of the library.
     FMC_ERROR_RESERVED_FIELD = 62,
+    /// The contact has no stiffness: option `stiffness` is 0, and none was found from the bodies' matrix.
+    FMC_ERROR_NO_STIFFNESS = 63,
 }
 
 use fmc_status::*;
@@ -206,6 +208,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_UNKNOWN_FLAG, c"FMC_ERROR_UNKNOWN_FLAG"),
     (FMC_ERROR_OPTIONS_CONFLICT, c"FMC_ERROR_OPTIONS_CONFLICT"),
     (FMC_ERROR_RESERVED_FIELD, c"FMC_ERROR_RESERVED_FIELD"),
+    (FMC_ERROR_NO_STIFFNESS, c"FMC_ERROR_NO_STIFFNESS"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -245,6 +248,7 @@ impl From<&Error> for fmc_status {
             Error::NonFiniteStiffness { .. } => FMC_ERROR_NON_FINITE_STIFFNESS,
             Error::Place { .. } => FMC_ERROR_PLACE,
             Error::NoStep => FMC_ERROR_NO_STEP,
+            Error::NoStiffness => FMC_ERROR_NO_STIFFNESS,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
             Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
             Error::NonFiniteHeight { .. } => FMC_ERROR_NON_FINITE_HEIGHT,
@@ -288,7 +292,7 @@ mod tests {
         for (code, name) in NAMES {
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_RESERVED_FIELD);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NO_STIFFNESS);
     }
 
     #[test]
@@ -314,6 +318,7 @@ mod tests {
             Error::BodyOutOfRange { body: 0, count: 0 },
             Error::ObstacleRemoved { obstacle: 0 },
             Error::NoStep,
+            Error::NoStiffness,
             Error::NonFiniteSlip { facet: 0 },
             Error::NegativeRadius { node: 0, radius: -1.0 },
             Error::NonConforming { cells: [0, 1] },

@@ -82,6 +82,7 @@ fn class_of(status: fmc_status) -> fmc_status_class_value {
         }
         FMC_ERROR_BUSY
         | FMC_ERROR_NO_STEP
+        | FMC_ERROR_NO_STIFFNESS
         | FMC_ERROR_NOT_FACTORISED
         | FMC_ERROR_COMMUNICATION
         | FMC_ERROR_ON_OTHER_RANK

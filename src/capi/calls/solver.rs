@@ -2,3 +2,4 @@
 
 pub(super) mod condensation;
 pub(super) mod contact_step;
+pub(super) mod equilibrium;

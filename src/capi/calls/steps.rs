@@ -6,3 +6,4 @@ pub(super) mod multipliers;
 pub(super) mod patches;
 pub(super) mod slip;
 pub(super) mod stable_step;
+pub(super) mod step_limit;

@@ -244,6 +244,19 @@ impl Session for Brittle {
         Ok(KeptGaps::default())
     }
 
+    fn contact_mut(&mut self) -> Result<&mut dyn std::any::Any, Failure> {
+        panic!("no contact")
+    }
+
+    unsafe fn step_limit(
+        &mut self,
+        _: &fmc_coords,
+        _: &fmc_coords,
+        _: i32,
+    ) -> Result<crate::contact::equilibrium::StepLimit, Failure> {
+        panic!("no limit")
+    }
+
     unsafe fn stable_step(&mut self, _: &fmc_coords, _: &[f64], _: i32) -> Result<f64, Failure> {
         Ok(f64::INFINITY)
     }

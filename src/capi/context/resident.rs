@@ -15,12 +15,16 @@ use crate::capi::structs::placement::Placement;
 use crate::capi::structs::pose::fmc_pose;
 use crate::capi::structs::shape::fmc_shape;
 use crate::capi::structs::view::{check_node_count, fmc_coords, fmc_forces};
+use crate::contact::equilibrium::StepLimit;
 use crate::contact::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, PairOptions, Place, TangentPart};
 use crate::overlap::Partner;
 use crate::{
     Basis, Communicator, Contact, ContactForces, Error, Obstacle, Options, PartitionedContact, PointWeights, Pose,
     RankCounts, ShapeKind, Surface,
 };
+use std::any::Any;
+
+const IN_PARTS: &str = "the equilibrium of a mesh in parts";
 
 /// A contact, and room for coordinates that do not lie in dense rows.
 pub(crate) struct Resident<const D: usize> {
@@ -129,6 +133,13 @@ impl<const D: usize> Session for Resident<D> {
         match &mut self.held {
             Held::Whole(_) => None,
             Held::InParts(parts) => Some(&mut **parts),
+        }
+    }
+
+    fn contact_mut(&mut self) -> Result<&mut dyn Any, Failure> {
+        match &mut self.held {
+            Held::Whole(contact) => Ok(&mut **contact),
+            Held::InParts(_) => Err(Error::Unsupported { what: IN_PARTS }.into()),
         }
     }
 
@@ -259,6 +270,21 @@ impl<const D: usize> Session for Resident<D> {
     unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure> {
         // SAFETY: passed on to the caller.
         unsafe { self.at(coords, index_base, |contact, rows| contact.stable_step(rows, masses)) }
+    }
+
+    unsafe fn step_limit(
+        &mut self,
+        coords: &fmc_coords,
+        step: &fmc_coords,
+        index_base: i32,
+    ) -> Result<StepLimit, Failure> {
+        check_node_count(step.node_count, self.held.contact().surface().unknown_count())?;
+        let mut scratch = Vec::new();
+        // SAFETY: passed on to the caller.
+        unsafe {
+            let step = step.rows("step", &mut scratch)?;
+            self.at(coords, index_base, |contact, rows| contact.step_limit(rows, step))
+        }
     }
 
     unsafe fn contact_step(

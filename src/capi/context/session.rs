@@ -13,9 +13,11 @@ use crate::capi::structs::placement::Placement;
 use crate::capi::structs::pose::fmc_pose;
 use crate::capi::structs::shape::fmc_shape;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
+use crate::contact::equilibrium::StepLimit;
 use crate::contact::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, PairOptions, TangentPart};
 use crate::overlap::Partner;
 use crate::{Basis, Communicator, Options, PointWeights, RankCounts, ShapeKind};
+use std::any::Any;
 
 /// Number of nodes, facets and bodies.
 pub(crate) struct Counts {
@@ -34,6 +36,12 @@ pub(crate) trait Session: Send + Sync {
     /// The mesh in parts, if it is.
     fn parts(&self) -> Option<&dyn InParts>;
     fn parts_mut(&mut self) -> Option<&mut dyn InParts>;
+
+    /// The contact, for a search that knows its dimension.
+    ///
+    /// # Errors
+    /// `FMC_ERROR_UNSUPPORTED` for a mesh in parts.
+    fn contact_mut(&mut self) -> Result<&mut dyn Any, Failure>;
 
     /// The boundary facets.
     fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet>;
@@ -175,6 +183,17 @@ pub(crate) trait Session: Send + Sync {
     /// # Safety
     /// The host guarantees the view.
     unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure>;
+
+    /// How far a step may go.
+    ///
+    /// # Safety
+    /// The host guarantees both views.
+    unsafe fn step_limit(
+        &mut self,
+        coords: &fmc_coords,
+        step: &fmc_coords,
+        index_base: i32,
+    ) -> Result<StepLimit, Failure>;
 
     /// Equilibrium with condensed bodies.
     ///

@@ -36,7 +36,7 @@ pub enum fmc_weights {
     FMC_WEIGHTS_CONSISTENT = 1,
 }
 
-/// Options of an evaluation. `fmc_options_init` sets all of them; only `stiffness` has no default.
+/// Options of an evaluation. `fmc_options_init` sets all of them.
 ///
 /// New options take the place of reserved fields; the size of the struct does not change, and compiled hosts keep
 /// working. Every option can also be set by the name of its field, through `fmc_options_set`.
@@ -45,7 +45,8 @@ pub enum fmc_weights {
 pub struct fmc_options {
     /// Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// k > 0, no default. For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
+    /// k > 0. 0, the default, with the laws "depth" and "fiber": `fmc_equilibrium_next` finds it from the bodies' matrix; until then nothing can
+    /// be evaluated (`FMC_ERROR_NO_STIFFNESS`). For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
     /// see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
     /// and must exceed the peak contact pressure; in general energy / (length^dim)^m.
     pub stiffness: f64,
@@ -136,7 +137,7 @@ impl Default for fmc_options {
     }
 }
 
-/// Sets all options to their defaults. Afterwards set at least `stiffness`.
+/// Sets all options to their defaults. Afterwards set `stiffness`, unless it is to be found.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]

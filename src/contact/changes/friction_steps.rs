@@ -14,7 +14,9 @@ pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]
     let none = || vec![[0.0; D]; surface.facets.len()];
     let slip = before.as_ref().map_or_else(none, |step| step.slip.clone());
     let mut begun = step_at(contact, coords, slip)?;
-    if has_friction(contact) {
+    // Without a stiffness nothing bears yet.
+    let bears = contact.partners.check_stiffness(contact.method.options()).is_ok();
+    if has_friction(contact) && bears {
         contact.history.step = Some(begun.clone());
         match kernels::slip_facets(contact, coords) {
             Ok(pairs) => begun.bearings = Some(bearings(&pairs)),

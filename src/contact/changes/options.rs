@@ -4,7 +4,7 @@ use crate::Error;
 use crate::contact::evaluation::Contact;
 use crate::contact::friction::Friction;
 use crate::contact::method::{Method, Options};
-use crate::contact::partners::PairOptions;
+use crate::contact::partners::{LayerStiffness, PairOptions};
 use crate::geometry::Pose;
 use crate::overlap::Partner;
 
@@ -15,6 +15,9 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) ->
     partners.table.check(&options)?;
     history.multipliers.check(&options.law, options.friction.is_active() || options.self_contact)?;
     let (new, old) = (method.with(options)?, *method.options());
+    if options.law != old.law {
+        partners.take_law(&options.law)?;
+    }
     if options.threads != old.threads {
         work.set_threads(options.threads)?;
     }
@@ -65,6 +68,17 @@ pub(crate) fn set_pair<const D: usize>(
     if options.is_some_and(|options| options.excluded) {
         contact.history.release_frozen(|partners| *partners == pair);
     }
+    contact.state.forget_found();
+    Ok(())
+}
+
+/// Sets the stiffness of layers, or forgets it. On an error the old one stays.
+pub(crate) fn set_layer_stiffness<const D: usize>(
+    contact: &mut Contact<D>,
+    stiffness: Option<LayerStiffness>,
+) -> Result<(), Error> {
+    let (body_count, law) = (contact.mesh.surface.body_count(), contact.method.options().law);
+    contact.partners.set_layer_stiffness(stiffness, body_count, &law)?;
     contact.state.forget_found();
     Ok(())
 }

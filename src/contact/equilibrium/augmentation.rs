@@ -22,7 +22,9 @@ pub struct Augmentation {
     /// Largest change that the gaps ask of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner,
     /// inside or outside.
     pub change: f64,
-    /// Whether both are no more than what was enough: the multipliers have then stayed.
+    /// Mean of the penetration by the pressures: what forces are too small by is the work on it.
+    pub mean_penetration: f64,
+    /// Whether the penetration and the change are no more than what was enough: the multipliers have then stayed.
     pub is_enough: bool,
     /// Number of multipliers.
     pub count: usize,
@@ -48,8 +50,18 @@ impl<const D: usize> Contact<D> {
     /// multipliers have then stayed.
     pub fn augment(&mut self, coords: &[[f64; D]], reach: f64, enough: f64) -> Result<Augmentation, Error> {
         check("penetration", enough)?;
+        self.augment_unless(coords, reach, |found| found.penetration.max(found.change) <= enough)
+    }
+
+    /// The same, unless what is found is enough.
+    pub(crate) fn augment_unless(
+        &mut self,
+        coords: &[[f64; D]],
+        reach: f64,
+        is_enough: impl Fn(&Augmentation) -> bool,
+    ) -> Result<Augmentation, Error> {
         let (next, mut found) = self.measured(coords, reach)?;
-        found.is_enough = found.penetration.max(found.change) <= enough;
+        found.is_enough = is_enough(&found);
         match found.is_enough {
             true => self.history.multipliers.end_series(),
             false => self.history.multipliers = next,
@@ -122,10 +134,13 @@ impl<const D: usize> Contact<D> {
         }
         let options = Options { law: self.method.options().law.stiffened(factor), ..*self.method.options() };
         let of_pairs = self.partners.table.own_laws().map(|law| law.stiffened(factor));
-        std::iter::once(options.law).chain(of_pairs).try_for_each(|law| law.check())?;
+        Options { law: options.law, ..options }.check()?;
+        of_pairs.into_iter().try_for_each(|law| law.check())?;
         self.partners.table.stiffen(factor)?;
         changes::options::set(self, options)?;
+        self.partners.stiffen_layers(factor, &options.law)?;
         self.history.multipliers.stiffen(factor);
+        self.history.stiffened *= factor;
         Ok(())
     }
 
@@ -146,6 +161,7 @@ impl<const D: usize> Multipliers<D> {
     fn moved_out(&self, gaps: &GapConstraints<D>) -> (Self, Augmentation) {
         let sides = self.sides(gaps);
         let (mut next, mut past, mut found) = (Vec::new(), Vec::new(), Augmentation::default());
+        let (mut work, mut force) = (0.0, 0.0);
         let mut open: BTreeMap<_, f64> = self.list().iter().map(|one| ((one.node, one.partners), one.shift)).collect();
         for row in 0..gaps.gaps.len() {
             let (node, partners, area) = (gaps.nodes[row], gaps.partners[row], gaps.areas[row]);
@@ -162,10 +178,12 @@ impl<const D: usize> Multipliers<D> {
                 past.push(((node, partners), (before, mean)));
             }
             open.remove(&(node, partners));
+            (work, force) = (work + shift * area * (-mean).max(0.0), force + shift * area);
             if shift > 0.0 {
                 next.push(Multiplier { node, partners, shift, towards: (-away.normalize()).into() });
             }
         }
+        found.mean_penetration = if force > 0.0 { work / force } else { 0.0 };
         // What is out of reach has opened.
         found.change = open.into_values().fold(found.change, f64::max);
         let mut next: Self = next.into_iter().collect();

@@ -1,7 +1,7 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
 use super::parts::Contact;
-use super::sliding::{check_step, sliding};
+use super::sliding::{check_ready, sliding};
 use super::walk::{for_each_pair, for_each_pair_within};
 use crate::Error;
 use crate::contact::explicit::largest_step;
@@ -124,7 +124,7 @@ fn measured_pairs<const D: usize>(
     coords: &[[f64; D]],
     asked: &Asked,
 ) -> Result<(Vec<Answer<D>>, Vec<Tractions<D>>), Error> {
-    check_step(contact)?;
+    check_ready(contact)?;
     let found = for_each_pair(contact, coords, |measured| {
         let slides = if contact.history.frozen.is_none() { sliding(contact, measured)? } else { None };
         let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
@@ -226,6 +226,7 @@ fn evaluate_tangent_in<const D: usize>(
 
 /// All facets on which friction acts, by pair.
 fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<SlipFacetsByPair<D>, Error> {
+    check_ready(contact)?;
     let asked = Asked { slides: true, ..Asked::default() };
     for_each_pair(contact, coords, |measured| {
         let Some(sliding) = sliding(contact, measured)? else { return Ok(None) };
@@ -260,7 +261,7 @@ fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result
 }
 
 fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
-    check_step(contact)?;
+    check_ready(contact)?;
     let pairs = for_each_pair(contact, coords, |measured| {
         let sliding = sliding(contact, measured)?;
         let asked = Asked { energy: true, nodal_sums: true, slides: sliding.is_some(), ..Asked::default() };
@@ -277,7 +278,7 @@ fn contact_points_in<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
 ) -> Result<Vec<PointOfContact<D>>, Error> {
-    check_step(contact)?;
+    check_ready(contact)?;
     let points = for_each_pair(contact, coords, |measured| {
         let sliding = sliding(contact, measured)?;
         let asked = Asked { points: true, slides: sliding.is_some(), ..Asked::default() };

@@ -5,8 +5,9 @@ use crate::Error;
 use crate::contact::friction::{Sliding, Stick};
 use crate::contact::laws::Measured;
 
-/// Refuses friction before a step has begun.
-pub(crate) fn check_step<const D: usize>(contact: &Contact<D>) -> Result<(), Error> {
+/// Refuses a law without a stiffness, and friction before a step has begun.
+pub(crate) fn check_ready<const D: usize>(contact: &Contact<D>) -> Result<(), Error> {
+    contact.partners.check_stiffness(contact.method.options())?;
     let has_friction = contact.partners.has_friction(contact.method.options());
     if has_friction && contact.history.step.is_none() { Err(Error::NoStep) } else { Ok(()) }
 }

@@ -83,7 +83,7 @@ fn with_pair<const D: usize, T>(
     partners: [Partner; 2],
     work: impl Fn(&Measured<D>) -> Result<Option<T>, Error>,
 ) -> Result<Option<T>, Error> {
-    let Contact { mesh, partners: Partners { obstacles, table }, method, history, .. } = contact;
+    let Contact { mesh, partners: Partners { obstacles, table, .. }, method, history, .. } = contact;
     let State { configuration, placed, found } = state;
     let Partner::Body(first) = partners[0] else { return Ok(None) };
     let a = configuration.body(&mesh.surface, first);

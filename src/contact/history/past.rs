@@ -17,11 +17,19 @@ pub(crate) struct History<const D: usize> {
     pub(crate) patches: KeptPatches<D>,
     /// How far surfaces are moved out so that they press without penetration.
     pub(crate) multipliers: Multipliers<D>,
+    /// Factor by which the contact was made stiffer since it was made.
+    pub(crate) stiffened: f64,
 }
 
 impl<const D: usize> History<D> {
     pub(crate) fn new() -> Self {
-        Self { step: None, frozen: None, patches: KeptPatches::none(), multipliers: Multipliers::default() }
+        Self {
+            step: None,
+            frozen: None,
+            patches: KeptPatches::none(),
+            multipliers: Multipliers::default(),
+            stiffened: 1.0,
+        }
     }
 
     /// Begins a step; frozen friction is released.

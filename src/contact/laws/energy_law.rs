@@ -52,19 +52,30 @@ impl EnergyLaw {
 
     /// k.
     pub fn stiffness(&self) -> f64 {
-        let (EnergyLaw::Volume { stiffness, .. }
-        | EnergyLaw::Fiber(PenetrationLaw { stiffness, .. })
-        | EnergyLaw::Depth { stiffness }) = *self;
-        stiffness
+        match self {
+            EnergyLaw::Volume { stiffness, .. } | EnergyLaw::Depth { stiffness } => *stiffness,
+            EnergyLaw::Fiber(law) => law.stiffness,
+        }
     }
 
-    /// The same with another stiffness: k by a factor.
-    pub fn stiffened(mut self, factor: f64) -> Self {
+    /// The same with this k.
+    pub fn with_stiffness(mut self, k: f64) -> Self {
         let (EnergyLaw::Volume { stiffness, .. }
         | EnergyLaw::Fiber(PenetrationLaw { stiffness, .. })
         | EnergyLaw::Depth { stiffness }) = &mut self;
-        *stiffness *= factor;
+        *stiffness = k;
         self
+    }
+
+    /// Whether k is 0, which stands for the one that the stiffness of the bodies gives: see
+    /// [`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness).
+    pub fn is_without_stiffness(&self) -> bool {
+        self.stiffness() == 0.0
+    }
+
+    /// The same with another stiffness: k by a factor.
+    pub fn stiffened(self, factor: f64) -> Self {
+        self.with_stiffness(factor * self.stiffness())
     }
 
     /// Energy of `measure`: of the overlap volume V; for the fiber law ψ of a length L; for the depth law of a

@@ -64,7 +64,13 @@ impl Options {
 
     /// Checks every value.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        self.law.check()?;
+        match self.law {
+            // The stiffness comes later.
+            EnergyLaw::Depth { .. } | EnergyLaw::Fiber(_) if self.law.is_without_stiffness() => {
+                self.law.with_stiffness(1.0).check()?;
+            }
+            law => law.check()?,
+        }
         self.friction.check()?;
         self.check_axisymmetry()?;
         let is_rubbed_volume = self.friction.is_active() && matches!(self.law, EnergyLaw::Volume { .. });

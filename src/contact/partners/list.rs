@@ -1,5 +1,6 @@
 //! The partners of a contact.
 
+use super::layers::{LayerLaws, LayerStiffness};
 use super::obstacles::Obstacles;
 use super::pair_options::PairOptions;
 use super::pair_table::PairTable;
@@ -16,11 +17,13 @@ use crate::overlap::Partner;
 pub(crate) struct Partners<const D: usize> {
     pub(crate) obstacles: Obstacles<D>,
     pub(crate) table: PairTable<D>,
+    /// Laws of the pairs that have no stiffness of their own, where the options have none either.
+    layers: Option<LayerLaws<D>>,
 }
 
 impl<const D: usize> Partners<D> {
     pub(crate) fn new() -> Self {
-        Self { obstacles: Obstacles::new(), table: PairTable::new() }
+        Self { obstacles: Obstacles::new(), table: PairTable::new(), layers: None }
     }
 
     /// Takes an obstacle out, with the options of its pairs.
@@ -75,12 +78,57 @@ impl<const D: usize> Partners<D> {
 
     /// The law that a pair follows.
     pub(crate) fn law_of<'a>(&'a self, pair: &[Partner; 2], method: &'a Method<D>) -> &'a dyn PairLaw<D> {
-        self.table.law(pair).unwrap_or(&*method.law)
+        match (self.table.law(pair), &self.layers) {
+            (Some(own), _) => own,
+            (None, Some(layers)) if method.options().law.is_without_stiffness() => layers.law(pair),
+            (None, _) => &*method.law,
+        }
+    }
+
+    /// Refuses a law whose stiffness nobody has given or found yet.
+    pub(crate) fn check_stiffness(&self, options: &Options) -> Result<(), Error> {
+        let is_unknown = options.law.is_without_stiffness() && self.layers.is_none();
+        if is_unknown { Err(Error::NoStiffness) } else { Ok(()) }
+    }
+
+    /// Stiffness of the layers below the surfaces, where it was set.
+    pub(crate) fn layer_stiffness(&self) -> Option<&LayerStiffness> {
+        self.layers.as_ref().map(LayerLaws::stiffness)
+    }
+
+    /// Sets it, or forgets it.
+    pub(crate) fn set_layer_stiffness(
+        &mut self,
+        stiffness: Option<LayerStiffness>,
+        body_count: usize,
+        law: &EnergyLaw,
+    ) -> Result<(), Error> {
+        if let Some(near) = &stiffness {
+            for (body, partner) in near.near.keys() {
+                self.checked_pair([Partner::Body(*body), *partner], body_count)?;
+            }
+        }
+        self.layers = stiffness.map(|stiffness| LayerLaws::new(stiffness, body_count, law)).transpose()?;
+        Ok(())
+    }
+
+    /// Multiplies it.
+    pub(crate) fn stiffen_layers(&mut self, factor: f64, law: &EnergyLaw) -> Result<(), Error> {
+        let stiffened = self.layers.as_ref().map(|layers| layers.stiffness().times(factor));
+        self.layers = stiffened.map(|layers| LayerLaws::new(layers.clone(), layers.bodies.len(), law)).transpose()?;
+        Ok(())
+    }
+
+    /// Has the laws of layers follow a law of the options.
+    pub(crate) fn take_law(&mut self, law: &EnergyLaw) -> Result<(), Error> {
+        self.layers = self.layers.as_ref().map(|layers| layers.with_law(law)).transpose()?;
+        Ok(())
     }
 
     /// The laws that pairs may follow.
     pub(crate) fn laws<'a>(&'a self, method: &'a Method<D>) -> impl Iterator<Item = &'a dyn PairLaw<D>> {
-        std::iter::once(&*method.law).chain(self.table.laws())
+        let of_layers = self.layers.iter().flat_map(LayerLaws::laws);
+        std::iter::once(&*method.law).chain(self.table.laws()).chain(of_layers)
     }
 
     /// What these laws are.

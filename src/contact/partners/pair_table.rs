@@ -123,14 +123,14 @@ impl<const D: usize> PairTable<D> {
 
 fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Result<(), Error> {
     let coefficient = options.friction_coefficient.unwrap_or(defaults.friction.coefficient);
+    let own = options.law.map_or(Ok(()), |law| law.check());
     let (law, friction) = (options.law.unwrap_or(defaults.law), Friction { coefficient, ..defaults.friction });
     let side = |partner| match partner {
         Partner::Body(body) => ("body", body),
         Partner::Obstacle(obstacle) => ("obstacle", obstacle),
     };
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
-    Options { law, friction, ..*defaults }
-        .check()
+    own.and_then(|()| Options { law, friction, ..*defaults }.check())
         .and_then(|()| check_offset(pair, options, law.needs_depth()))
         .map_err(of_pair)
 }

@@ -1,0 +1,343 @@
+//! What hosts tell and are told of a search for an equilibrium.
+
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::index::IndexSize;
+use crate::capi::boundary::pointer::{check, slice, text};
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
+use crate::contact::TangentPart;
+use crate::contact::equilibrium::{Answer, DriverOptions, Request, Unknowns};
+use std::ffi::{c_char, c_void};
+
+/// `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`.
+const SEMIDEFINITE: u32 = 2;
+const SYMMETRIC: u32 = 32;
+
+/// The unknowns of a host, and where a load step begins. Initialise it with `fmc_equilibrium_problem_init`.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_equilibrium_problem {
+    /// Set by `fmc_equilibrium_problem_init`, so that a struct that was not initialised is recognised.
+    pub struct_size: usize,
+    /// Number of unknowns, those that are not free included.
+    pub unknown_count: usize,
+    /// Number of rows of coordinates, as the context has them.
+    pub row_count: usize,
+    /// Unknown of every coordinate, `row_count * dim` numbers by row, wide as `index_size` of the mesh says and counted from
+    /// `index_base`; any number below that for a coordinate that never moves.
+    pub unknown_of_coordinate: *const c_void,
+    /// Coordinates where all unknowns are zero, `row_count * dim` numbers by row.
+    pub base: *const f64,
+    /// `unknown_count` marks: 0 for an unknown that is not solved for.
+    pub free: *const u8,
+    /// Where the load step begins, `unknown_count` numbers: best the last equilibrium.
+    pub x: *const f64,
+    /// Where unknowns that are not free are at its end, `unknown_count` numbers; others are not read. NULL: where they are.
+    pub prescribed: *const f64,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+impl Default for fmc_equilibrium_problem {
+    fn default() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            unknown_count: 0,
+            row_count: 0,
+            unknown_of_coordinate: std::ptr::null(),
+            base: std::ptr::null(),
+            free: std::ptr::null(),
+            x: std::ptr::null(),
+            prescribed: std::ptr::null(),
+            reserved: [0; 4],
+        }
+    }
+}
+
+impl Default for fmc_equilibrium_answer {
+    fn default() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            vector: std::ptr::null(),
+            refusal: std::ptr::null(),
+            energy: std::ptr::null(),
+            definite: 0,
+            reserved_flags: 0,
+            reserved: [0; 4],
+        }
+    }
+}
+
+/// Unknowns, where the step begins, and where those that are not free end.
+type Given<const D: usize> = (Unknowns<D>, Vec<f64>, Option<Vec<f64>>);
+
+impl fmc_equilibrium_problem {
+    /// # Safety
+    /// The host guarantees the arrays.
+    pub(crate) unsafe fn read<const D: usize>(&self, size: IndexSize, index_base: i32) -> Result<Given<D>, Failure> {
+        if self.struct_size != size_of::<Self>() {
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, "a problem was not set by fmc_equilibrium_problem_init"));
+        }
+        if self.reserved != [0; 4] {
+            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, "a reserved field of a problem is not zero"));
+        }
+        let (count, rows) = (self.unknown_count, self.row_count);
+        // SAFETY: passed on to the caller.
+        unsafe {
+            let numbers = size.list("unknown_of_coordinate", self.unknown_of_coordinate, rows, D)?;
+            let (base, _) = slice("base", self.base, rows, D)?.as_chunks::<D>();
+            let unknowns = Unknowns {
+                count,
+                of_coordinate: numbers.iter().map(|&n| usize::try_from(n - i64::from(index_base)).ok()).collect(),
+                base: base.to_vec(),
+                free: slice("free", self.free, count, 1)?.iter().map(|&mark| mark != 0).collect(),
+            };
+            let x = slice("x", self.x, count, 1)?.to_vec();
+            let prescribed = match self.prescribed.is_null() {
+                true => None,
+                false => Some(slice("prescribed", self.prescribed, count, 1)?.to_vec()),
+            };
+            Ok((unknowns, x, prescribed))
+        }
+    }
+}
+
+/// When a search ends, and how. Initialise it with `fmc_equilibrium_options_init`; nothing has to be chosen.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_equilibrium_options {
+    /// Set by `fmc_equilibrium_options_init`, so that a struct that was not initialised is recognised.
+    pub struct_size: usize,
+    /// Norm of the residual at free unknowns by that of the forces of the bodies or of the contact, whichever are larger. Default 1e-9.
+    pub tolerance: f64,
+    /// Linear solves, at most. Default 100.
+    pub max_solves: usize,
+    /// Largest mean penetration of a node that is wanted, a length. 0, the default: a thousandth of the largest elastic displacement,
+    /// where the stiffness was found by the search, and what the law leaves where it was given.
+    pub penetration: f64,
+    /// How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
+    pub reach: f64,
+    /// Updates of multipliers, at most; that a penetration asked for needs more is an error. Default 20.
+    pub max_updates: usize,
+    /// 1: the host answers `FMC_REQUEST_CONDENSED`. Default 0.
+    pub condensed: i32,
+    /// 1: friction is frozen, solved for, and frozen again, all the way. Default 0.
+    pub lagged: i32,
+    /// 1: patches of the law "fiber" are kept at the start, follow the contact far from its equilibrium, and are found again near it.
+    /// 0, the default: they are left to the host.
+    pub find_patches: i32,
+    /// 1: the host is checked at the start, and nothing is solved: the residual beside the matrix, signs, symmetry, rigid motions. The search
+    /// ends with `FMC_REQUEST_FOUND`, and `fmc_equilibrium_text` has a sentence for each. Default 0.
+    pub check: i32,
+    /// Zero. Room for options of later versions.
+    pub reserved: [u64; 5],
+}
+
+impl Default for fmc_equilibrium_options {
+    fn default() -> Self {
+        let defaults = DriverOptions::default();
+        Self {
+            struct_size: size_of::<Self>(),
+            tolerance: defaults.tolerance,
+            max_solves: defaults.max_solves,
+            penetration: defaults.penetration,
+            reach: defaults.reach,
+            max_updates: defaults.max_updates,
+            condensed: defaults.is_condensed.into(),
+            lagged: defaults.is_lagged.into(),
+            find_patches: defaults.finds_patches.into(),
+            check: defaults.is_check.into(),
+            reserved: [0; 5],
+        }
+    }
+}
+
+impl fmc_equilibrium_options {
+    pub(crate) fn to_options(self) -> Result<DriverOptions, Failure> {
+        if self.struct_size != size_of::<Self>() {
+            let text = "the options of an equilibrium were not set by fmc_equilibrium_options_init";
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
+        }
+        if self.reserved != [0; 5] {
+            return Err(Failure::new(
+                FMC_ERROR_RESERVED_FIELD,
+                "a reserved field of the options of an equilibrium is not zero",
+            ));
+        }
+        let switch = |name, value: i32| match value {
+            0 => Ok(false),
+            1 => Ok(true),
+            other => Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("'{name}' is {other}, not 0 or 1"))),
+        };
+        Ok(DriverOptions {
+            tolerance: self.tolerance,
+            max_solves: self.max_solves,
+            penetration: self.penetration,
+            reach: self.reach,
+            max_updates: self.max_updates,
+            is_condensed: switch("condensed", self.condensed)?,
+            is_lagged: switch("lagged", self.lagged)?,
+            finds_patches: switch("find_patches", self.find_patches)?,
+            is_check: switch("check", self.check)?,
+        })
+    }
+}
+
+/// What `fmc_equilibrium_next` asks for, or that the search has ended. K is the derivative of the forces where they were last asked for
+/// with `matrix`, T the tangent of the contact at `x`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum fmc_equilibrium_request_kind {
+    /// Internal less external forces at `x`, without contact.
+    FMC_REQUEST_FORCES = 0,
+    /// K `vector`, rows and columns of unknowns that are not free included.
+    FMC_REQUEST_PRODUCT = 1,
+    /// The diagonal of K.
+    FMC_REQUEST_DIAGONAL = 2,
+    /// d with (K + `shift` diag K + T) d = `vector` in the rows of free unknowns, and d = 0 at the others.
+    FMC_REQUEST_SOLVE = 3,
+    /// A step from `x` to the equilibrium of the contact with bodies that are linear, by K and the forces `forces`, as
+    /// `fmc_context_contact_step` finds it, while unknowns that are not free move by `vector`.
+    FMC_REQUEST_CONDENSED = 4,
+    /// The equilibrium was found: see `fmc_equilibrium_result`.
+    FMC_REQUEST_FOUND = 5,
+    /// There is none, or none was found: see `fmc_equilibrium_result`.
+    FMC_REQUEST_REFUSED = 6,
+}
+
+/// A request. Its arrays have `unknown_count` numbers, and are valid until the next call with the search.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_equilibrium_request {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// A value of `fmc_equilibrium_request_kind`.
+    pub kind: i32,
+    /// 1: K is that of this `x` from now on.
+    pub matrix: i32,
+    /// 1: entries of K count by their magnitudes.
+    pub magnitudes: i32,
+    /// Flag of `fmc_context_tangent` for T: 0, `FMC_TANGENT_SYMMETRIC` or `FMC_TANGENT_SEMIDEFINITE`.
+    pub tangent_flags: u32,
+    /// A state, or NULL.
+    pub x: *const f64,
+    /// A vector, or NULL.
+    pub vector: *const f64,
+    /// Forces, or NULL.
+    pub forces: *const f64,
+    /// Part of the diagonal of K that is added.
+    pub shift: f64,
+    /// Residual that a condensed step may leave, by the forces.
+    pub tolerance: f64,
+    /// Residual that it may leave, a force.
+    pub absolute_tolerance: f64,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+/// An answer. Initialise it with `fmc_equilibrium_answer_init`.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmc_equilibrium_answer {
+    /// Set by `fmc_equilibrium_answer_init`, so that a struct that was not initialised is recognised.
+    pub struct_size: usize,
+    /// What was asked for, `unknown_count` numbers. NULL: it is not there, as where a cell is inverted or a matrix singular.
+    pub vector: *const f64,
+    /// Why it is not there, or NULL.
+    pub refusal: *const c_char,
+    /// With forces: strain energy less the work of loads, or NULL where the host does not know it.
+    pub energy: *const f64,
+    /// With a condensed step: 1 if K was found to be symmetric and positive definite where nothing touches.
+    pub definite: i32,
+    /// Zero. Room for switches of later versions.
+    pub reserved_flags: u32,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+impl fmc_equilibrium_answer {
+    /// # Safety
+    /// The host guarantees the arrays.
+    pub(crate) unsafe fn read(&self, request: &Request, count: usize) -> Result<Answer, Failure> {
+        if self.struct_size != size_of::<Self>() {
+            return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, "an answer was not set by fmc_equilibrium_answer_init"));
+        }
+        if self.reserved != [0; 4] || self.reserved_flags != 0 {
+            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, "a reserved field of an answer is not zero"));
+        }
+        if self.vector.is_null() {
+            let why = match self.refusal.is_null() {
+                true => "the host has refused",
+                // SAFETY: passed on to the caller.
+                false => unsafe { text("refusal", self.refusal) }?,
+            };
+            return Ok(Answer::Refused(why.to_owned()));
+        }
+        // SAFETY: passed on to the caller.
+        let vector = unsafe { slice("vector", self.vector, count, 1) }?.to_vec();
+        Ok(match request {
+            Request::Forces { .. } if self.energy.is_null() => Answer::Forces { forces: vector, energy: None },
+            Request::Forces { .. } => {
+                check("energy", self.energy)?;
+                // SAFETY: neither NULL nor misaligned; passed on to the caller.
+                Answer::Forces { forces: vector, energy: Some(unsafe { *self.energy }) }
+            }
+            Request::Condensed { .. } => Answer::Step { step: vector, is_definite: self.definite != 0 },
+            Request::Product { .. } | Request::Diagonal | Request::Solve { .. } => Answer::Vector(vector),
+        })
+    }
+}
+
+impl Default for fmc_equilibrium_request {
+    fn default() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            kind: 0,
+            matrix: 0,
+            magnitudes: 0,
+            tangent_flags: 0,
+            x: std::ptr::null(),
+            vector: std::ptr::null(),
+            forces: std::ptr::null(),
+            shift: 0.0,
+            tolerance: 0.0,
+            absolute_tolerance: 0.0,
+            reserved: [0; 4],
+        }
+    }
+}
+
+impl From<&Request> for fmc_equilibrium_request {
+    fn from(request: &Request) -> Self {
+        use fmc_equilibrium_request_kind::*;
+        let of = |kind: fmc_equilibrium_request_kind| Self { kind: kind as i32, ..Self::default() };
+        match request {
+            Request::Forces { x, matrix } => Self { x: x.as_ptr(), matrix: (*matrix).into(), ..of(FMC_REQUEST_FORCES) },
+            Request::Product { vector, magnitudes } => {
+                Self { vector: vector.as_ptr(), magnitudes: (*magnitudes).into(), ..of(FMC_REQUEST_PRODUCT) }
+            }
+            Request::Diagonal => of(FMC_REQUEST_DIAGONAL),
+            Request::Solve { x, part, shift, right } => {
+                let tangent_flags = match part {
+                    TangentPart::Full => 0,
+                    TangentPart::Symmetric => SYMMETRIC,
+                    TangentPart::Semidefinite => SEMIDEFINITE,
+                };
+                Self { x: x.as_ptr(), vector: right.as_ptr(), shift: *shift, tangent_flags, ..of(FMC_REQUEST_SOLVE) }
+            }
+            Request::Condensed { x, moved, forces, tolerance, absolute_tolerance } => Self {
+                x: x.as_ptr(),
+                vector: moved.as_ptr(),
+                forces: forces.as_ptr(),
+                tolerance: *tolerance,
+                absolute_tolerance: *absolute_tolerance,
+                ..of(FMC_REQUEST_CONDENSED)
+            },
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The equilibrium from a place: each way from the same start.
+
+use super::balance::Verdict;
+use super::downhill::downhill;
+use super::levels::levels;
+use super::nearest::nearest;
+use super::options::DriverOptions;
+use super::outcome::Way;
+use super::search::Search;
+use super::settle::settle;
+use super::state::State;
+use super::trouble::Trouble;
+use super::unknowns::Unknowns;
+
+/// Where a load step begins, and what it moves.
+pub(super) struct LoadStep<const D: usize> {
+    pub(super) unknowns: Unknowns<D>,
+    pub(super) x: Vec<f64>,
+    /// How unknowns that are not free move.
+    pub(super) moved: Vec<f64>,
+    pub(super) options: DriverOptions,
+}
+
+/// What a part of a load step has found.
+pub(super) struct Reached<const D: usize> {
+    pub(super) state: State<D>,
+    pub(super) verdict: Verdict,
+    pub(super) way: Way,
+}
+
+/// The equilibrium from a place, with what is prescribed where it is.
+pub(super) async fn equilibrium<const D: usize>(
+    search: &mut Search<D>,
+    x: &[f64],
+    rigid_steps: &mut usize,
+) -> Result<Reached<D>, Trouble> {
+    let settled = settle(&search.host, &search.assembly, &search.motions, x, search.has_friction).await?;
+    *rigid_steps += settled.steps;
+    if search.has_friction && settled.steps > 0 {
+        let coords = search.host.unknowns.coords(&settled.x);
+        search.host.contact(move |contact| contact.begin_step(&coords)).await?;
+    }
+    balanced(search, &settled.x).await
+}
+
+/// The same without settling: each way from the same start.
+pub(super) async fn balanced<const D: usize>(search: &mut Search<D>, x: &[f64]) -> Result<Reached<D>, Trouble> {
+    if search.is_condensed()
+        && let Some((state, verdict)) = levels(search, x).await?
+    {
+        return Ok(Reached { state, verdict, way: Way::Condensed });
+    }
+    if !search.options.is_lagged
+        && let Some((state, verdict)) = nearest(search, x).await?
+    {
+        return Ok(Reached { state, verdict, way: Way::Nearest });
+    }
+    let (state, verdict) = downhill(search, x).await?;
+    Ok(Reached { state, verdict, way: Way::Downhill })
+}

@@ -1,0 +1,93 @@
+//! When bodies and contact are in equilibrium.
+
+use super::assembly::Assembly;
+use super::host::Host;
+use super::state::State;
+use super::trouble::Trouble;
+
+/// Part of the forces above which rounding is never taken for an answer.
+const TOO_MUCH: f64 = 1e-3;
+
+/// A residual of which more than this part is left by an iteration hardly falls.
+const HARDLY: f64 = 0.5;
+
+/// Iterations that hardly fall, one after the other, before rounding of coordinates counts.
+const STALLED: usize = 2;
+
+/// Residual by the forces below which a start is an equilibrium itself.
+const BALANCED: f64 = 1e-2;
+
+/// How nearly a state is in equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Verdict {
+    Balanced,
+    /// As far as the rounding of the host's own forces lets it be.
+    Rounded,
+    Not,
+}
+
+/// What a search judges its states by.
+pub(super) struct Balance {
+    tolerance: f64,
+    /// Stiffness of the contact by area.
+    pressed: f64,
+    /// Forces at the start, if it was an equilibrium.
+    at_start: f64,
+    last: f64,
+    stalled: usize,
+    /// Residual by the forces, state by state.
+    pub(super) history: Vec<f64>,
+}
+
+impl Balance {
+    pub(super) fn new(tolerance: f64, pressed: f64) -> Self {
+        Self { tolerance, pressed, at_start: 0.0, last: f64::INFINITY, stalled: 0, history: Vec::new() }
+    }
+
+    /// The scale of a step that begins in equilibrium is that of the forces there: an unloaded end has none of its own.
+    pub(super) async fn begin<const D: usize>(
+        &mut self,
+        host: &Host<D>,
+        assembly: &Assembly<D>,
+        start: &State<D>,
+    ) -> Result<(), Trouble> {
+        let rounding = start.rounding(host, assembly, self.pressed).await?;
+        let scale = start.scale(&rounding.of_state);
+        if start.beyond(host, &rounding.of_state) <= BALANCED * scale {
+            self.at_start = scale;
+        }
+        Ok(())
+    }
+
+    /// Another attempt begins.
+    pub(super) fn again(&mut self) {
+        (self.last, self.stalled) = (f64::INFINITY, 0);
+    }
+
+    /// Relative residual of the last state that was judged.
+    pub(super) fn relative(&self) -> f64 {
+        self.history.last().copied().unwrap_or(f64::NAN)
+    }
+
+    pub(super) async fn judge<const D: usize>(
+        &mut self,
+        host: &Host<D>,
+        assembly: &Assembly<D>,
+        state: &State<D>,
+    ) -> Result<Verdict, Trouble> {
+        let rounding = state.rounding(host, assembly, self.pressed).await?;
+        let scale = state.scale(&rounding.of_state).max(self.at_start);
+        let beyond = state.beyond(host, &rounding.of_state);
+        self.history.push(if beyond > 0.0 { beyond / scale.max(f64::MIN_POSITIVE) } else { 0.0 });
+        self.stalled = if beyond > HARDLY * self.last { self.stalled + 1 } else { 0 };
+        self.last = beyond;
+        if beyond <= self.tolerance * scale {
+            return Ok(Verdict::Balanced);
+        }
+        // Where no force is more than what coordinates are rounded to, there is no load.
+        let is_unloaded = state.scale(&rounding.of_coordinates).max(self.at_start) == 0.0;
+        let left = state.beyond(host, &rounding.of_coordinates);
+        let may_be = is_unloaded || (self.stalled >= STALLED && state.norm(host) <= TOO_MUCH * scale);
+        Ok(if may_be && left <= self.tolerance * scale { Verdict::Rounded } else { Verdict::Not })
+    }
+}

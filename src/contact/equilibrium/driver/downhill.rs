@@ -1,0 +1,165 @@
+//! Down the energy, by steps that a part of the diagonal keeps short, with friction frozen as long as it is far from the end.
+
+use super::balance::Verdict;
+use super::host::System;
+use super::search::Search;
+use super::state::State;
+use super::trouble::Trouble;
+use super::unknowns::{dot, largest, moved};
+use crate::contact::tangents::TangentPart;
+
+/// Steps, at most.
+const MOST: usize = 60;
+
+/// Trials along a step, at most.
+const TRIALS: usize = 12;
+
+/// Least and largest part of the diagonal.
+const SHIFTS: [f64; 2] = [1e-9, 1e-2];
+
+/// Residual by the forces below which the full tangent comes first.
+const FULL_BELOW: f64 = 0.1;
+
+/// Residual by the forces below which friction has the pressure of now.
+const CURRENT_BELOW: f64 = 0.05;
+
+/// Steps with frozen friction after one with that of now has led nowhere.
+const FROZEN: usize = 3;
+
+/// From a place on.
+pub(super) async fn downhill<const D: usize>(
+    search: &mut Search<D>,
+    start: &[f64],
+) -> Result<(State<D>, Verdict), Trouble> {
+    search.balance.again();
+    let mut state = State::at(&search.host, start.to_vec(), true).await?;
+    let mut shift = first_shift(search, &state);
+    let (mut trail, mut frozen_for) = (Vec::new(), 0usize);
+    for tried in 0..=MOST {
+        let verdict;
+        (state, verdict) = search.judged(state).await?;
+        if verdict != Verdict::Not {
+            return Ok((state, verdict));
+        }
+        trail.push(state.x.clone());
+        if tried == MOST || !search.may_go_on() {
+            break;
+        }
+        let is_current = search.has_friction && search.balance.relative() < CURRENT_BELOW && frozen_for == 0;
+        let is_frozen = search.has_friction && !is_current;
+        if is_frozen {
+            state = search.frozen_at(state).await?;
+        }
+        let stepped = step(search, &state, &mut shift, is_current).await;
+        if is_frozen {
+            search.host.contact(|contact| contact.release_friction()).await;
+        }
+        frozen_for = frozen_for.saturating_sub(1);
+        match stepped? {
+            Some(x) => state = State::at(&search.host, x, true).await?,
+            None => frozen_for = FROZEN,
+        }
+    }
+    Err(exhausted(search, &trail))
+}
+
+/// A load as large as all of it moves a free body by a tenth of its thickness.
+fn first_shift<const D: usize>(search: &Search<D>, state: &State<D>) -> f64 {
+    let motions = &search.motions;
+    let all = motions.magnitudes(&state.inside) + motions.magnitudes(&state.forces);
+    let worst = all.iter().zip(&motions.diagonal).map(|(load, k)| load / k).fold(0.0, f64::max);
+    (worst / (0.1 * search.assembly.thinnest())).clamp(SHIFTS[0], SHIFTS[1])
+}
+
+/// A direction with a tangent of which the energy falls, and its slope.
+async fn direction<const D: usize>(
+    search: &Search<D>,
+    state: &State<D>,
+    shift: f64,
+    is_current: bool,
+) -> Result<(Vec<f64>, f64), Trouble> {
+    let mut parts = [TangentPart::Semidefinite, TangentPart::Full];
+    if is_current || search.balance.relative() < FULL_BELOW {
+        parts.reverse();
+    }
+    let (mut found, mut why) = (None, String::new());
+    for part in parts {
+        if found.is_some() && !search.may_go_on() {
+            break;
+        }
+        let system = System { x: &state.x, part, shift };
+        let right = state.residual.iter().map(|force| -force).collect();
+        let step = match search.host.solve(system, right).await {
+            Ok(step) => step,
+            Err(trouble) => {
+                why = trouble.to_string();
+                continue;
+            }
+        };
+        let slope = dot(&search.host.unknowns.freed(state.residual.clone()), &step);
+        found = Some((step, slope));
+        if slope < 0.0 || is_current {
+            break;
+        }
+    }
+    found.ok_or_else(|| Trouble::Hopeless(format!("{why}: is every body held?")))
+}
+
+/// Where a step leads; `None` where one with the friction of now leads nowhere.
+async fn step<const D: usize>(
+    search: &Search<D>,
+    state: &State<D>,
+    shift: &mut f64,
+    is_current: bool,
+) -> Result<Option<Vec<f64>>, Trouble> {
+    let norm = state.norm(&search.host);
+    let (step, slope) = direction(search, state, *shift, is_current).await?;
+    let most = search.allowed(&state.x, &step).await?;
+    let (mut part, mut last, mut why) = (most, None, String::new());
+    for _ in 0..TRIALS {
+        let next = match State::at(&search.host, moved(&state.x, part, &step), false).await {
+            Ok(next) => next,
+            Err(trouble @ (Trouble::Contact(_) | Trouble::Host(_))) => {
+                (part, why) = (0.5 * part, trouble.to_string());
+                continue;
+            }
+            Err(other) => return Err(other),
+        };
+        let there = next.norm(&search.host);
+        let is_better = if is_current {
+            there < norm
+        } else {
+            let (here, ahead) = state.descents(&search.host, &next, &moved(&next.x, -1.0, &state.x));
+            here.is_lowered_by(part, slope, &ahead) || there < 0.5 * norm
+        };
+        if is_better {
+            *shift = match part {
+                part if part == most && there < norm => (0.1 * *shift).max(SHIFTS[0]),
+                part if part > 0.1 * most => *shift,
+                _ => (10.0 * *shift).min(SHIFTS[1]),
+            };
+            return Ok(Some(next.x));
+        }
+        last = Some(next.x);
+        part *= 0.5;
+    }
+    if is_current {
+        return Ok(None);
+    }
+    *shift = (10.0 * *shift).min(SHIFTS[1]);
+    last.map(Some).ok_or_else(|| Trouble::Failed(format!("bodies cannot be evaluated along any part of a step: {why}")))
+}
+
+/// What has gone further than a part of a facet in the second half of the iterations is not held.
+fn exhausted<const D: usize>(search: &Search<D>, trail: &[Vec<f64>]) -> Trouble {
+    let (last, middle) = (&trail[trail.len() - 1], &trail[trail.len() / 2]);
+    let way = moved(last, -1.0, middle);
+    let mover = search.assembly.mover(&search.host.unknowns.spread(&way));
+    match mover.filter(|mover| largest(&way) > 0.1 * search.assembly.finest() && mover.way > 0.0) {
+        Some(mover) if !search.motions.is_empty() => Trouble::unheld(&mover, "it does not come to rest"),
+        _ => {
+            let (left, solves) = (search.balance.relative(), search.host.solves());
+            Trouble::Failed(format!("the residual is {left:.1e} of the forces after {solves} linear solves"))
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! How bodies are deformed.
+
+use crate::Error;
+use crate::contact::evaluation::Contact;
+use crate::geometry::Vector;
+use nalgebra::DMatrix;
+
+/// Displacement of every row of coordinates beyond the rigid motion of its body; `None` without cells, whose undeformed place is not
+/// known, and where unknowns are no nodes.
+pub(super) fn elastic_displacement<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+) -> Result<Option<Vec<[f64; D]>>, Error> {
+    let surface = contact.surface();
+    let points = surface.mesh_points(coords)?;
+    let Some(cells) = surface.cells.as_ref().filter(|_| surface.node_count() == coords.len()) else { return Ok(None) };
+    let mut of_body: Vec<Vec<usize>> = vec![Vec::new(); surface.body_count()];
+    for cell in 0..cells.len() {
+        of_body[cells.body[cell] as usize].extend(cells.nodes(cell).iter().map(|&n| n as usize));
+    }
+    let mut found = vec![[0.0; D]; coords.len()];
+    for mut nodes in of_body {
+        nodes.sort_unstable();
+        nodes.dedup();
+        let here: Vec<Vector<D>> = nodes.iter().map(|&n| Vector::from(points[n])).collect();
+        let there: Vec<Vector<D>> = nodes.iter().map(|&n| Vector::from(surface.reference()[n])).collect();
+        for (&node, displacement) in nodes.iter().zip(beyond_rigid(&there, &here)) {
+            // The middle of a face without a node is none.
+            if let Some(row) = found.get_mut(node) {
+                *row = displacement.into();
+            }
+        }
+    }
+    Ok(Some(found))
+}
+
+/// How far points are from where the rigid motion nearest to theirs would have brought them.
+fn beyond_rigid<const D: usize>(before: &[Vector<D>], now: &[Vector<D>]) -> Vec<Vector<D>> {
+    let mean =
+        |points: &[Vector<D>]| points.iter().fold(Vector::<D>::zeros(), |sum, x| sum + x) / points.len().max(1) as f64;
+    let (from, to) = (mean(before), mean(now));
+    let mut spread = DMatrix::<f64>::zeros(D, D);
+    for (a, b) in before.iter().zip(now) {
+        let (a, b) = (a - from, b - to);
+        (0..D).for_each(|i| (0..D).for_each(|j| spread[(i, j)] += b[i] * a[j]));
+    }
+    let svd = spread.svd(true, true);
+    let turn = match (svd.u, svd.v_t) {
+        (Some(left), Some(right)) => left * right,
+        _ => DMatrix::identity(D, D),
+    };
+    let distance = |(a, b): (&Vector<D>, &Vector<D>)| {
+        let (a, b) = (a - from, b - to);
+        Vector::<D>::from_fn(|i, _| b[i] - (0..D).map(|j| turn[(i, j)] * a[j]).sum::<f64>())
+    };
+    before.iter().zip(now).map(distance).collect()
+}

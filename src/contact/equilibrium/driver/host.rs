@@ -1,0 +1,114 @@
+//! The host as the search asks it, and what was asked so far.
+
+use super::conversation::Asking;
+use super::request::{Answer, Request};
+use super::trouble::Trouble;
+use super::unknowns::{Unknowns, dot};
+use crate::contact::evaluation::Contact;
+use crate::contact::tangents::TangentPart;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
+
+/// A host.
+pub(super) struct Host<const D: usize> {
+    asking: Asking<D>,
+    pub(super) unknowns: Unknowns<D>,
+    solves: AtomicUsize,
+    /// Forces that are not there yet: they are taken off those of the host.
+    offset: Mutex<Vec<f64>>,
+}
+
+/// A linear system with the contact at a state.
+pub(super) struct System<'a> {
+    pub(super) x: &'a [f64],
+    pub(super) part: TangentPart,
+    pub(super) shift: f64,
+}
+
+impl<const D: usize> Host<D> {
+    pub(super) fn new(asking: Asking<D>, unknowns: Unknowns<D>) -> Self {
+        Self { asking, unknowns, solves: AtomicUsize::new(0), offset: Mutex::new(Vec::new()) }
+    }
+
+    /// Has forces taken off those of the host.
+    pub(super) fn set_offset(&self, offset: Vec<f64>) {
+        let offset = if offset.iter().all(|force| *force == 0.0) { Vec::new() } else { offset };
+        *self.offset.lock().unwrap_or_else(PoisonError::into_inner) = offset;
+    }
+
+    /// Linear systems solved so far.
+    pub(super) fn solves(&self) -> usize {
+        self.solves.load(Relaxed)
+    }
+
+    /// What `work` makes of the contact.
+    pub(super) async fn contact<R: Send + 'static>(
+        &self,
+        work: impl FnOnce(&mut Contact<D>) -> R + Send + 'static,
+    ) -> R {
+        self.asking.contact(work).await
+    }
+
+    /// Internal less external forces, and an energy where the host has one.
+    pub(super) async fn forces(&self, x: &[f64], matrix: bool) -> Result<(Vec<f64>, Option<f64>), Trouble> {
+        match self.asking.host(Request::Forces { x: x.to_vec(), matrix }).await {
+            Answer::Forces { mut forces, energy } => {
+                let offset = self.offset.lock().unwrap_or_else(PoisonError::into_inner);
+                forces.iter_mut().zip(&*offset).for_each(|(force, off)| *force -= off);
+                Ok((forces, energy.map(|energy| energy - dot(&offset, x))))
+            }
+            other => Err(refused(other)),
+        }
+    }
+
+    pub(super) async fn product(&self, vector: Vec<f64>, magnitudes: bool) -> Result<Vec<f64>, Trouble> {
+        vector_of(self.asking.host(Request::Product { vector, magnitudes }).await)
+    }
+
+    pub(super) async fn diagonal(&self) -> Result<Vec<f64>, Trouble> {
+        vector_of(self.asking.host(Request::Diagonal).await)
+    }
+
+    /// Solution of a system, zero at unknowns that are not free.
+    pub(super) async fn solve(&self, system: System<'_>, right: Vec<f64>) -> Result<Vec<f64>, Trouble> {
+        self.solves.fetch_add(1, Relaxed);
+        let System { x, part, shift } = system;
+        let right = self.unknowns.freed(right);
+        let found = vector_of(self.asking.host(Request::Solve { x: x.to_vec(), part, shift, right }).await)?;
+        match found.iter().all(|entry| entry.is_finite()) {
+            true => Ok(self.unknowns.freed(found)),
+            false => Err(Trouble::Host("the solution of a linear system is not finite".into())),
+        }
+    }
+
+    /// A step to the equilibrium of the contact with linear bodies, and whether these have an energy that is least there.
+    pub(super) async fn condensed(
+        &self,
+        x: &[f64],
+        forces: &[f64],
+        moved: &[f64],
+        [tolerance, absolute_tolerance]: [f64; 2],
+    ) -> Result<(Vec<f64>, bool), Trouble> {
+        self.solves.fetch_add(1, Relaxed);
+        let (x, moved, forces) = (x.to_vec(), moved.to_vec(), forces.to_vec());
+        let request = Request::Condensed { x, moved, forces, tolerance, absolute_tolerance };
+        match self.asking.host(request).await {
+            Answer::Step { step, is_definite } if step.iter().all(|entry| entry.is_finite()) => Ok((step, is_definite)),
+            other => Err(refused(other)),
+        }
+    }
+}
+
+fn vector_of(answer: Answer) -> Result<Vec<f64>, Trouble> {
+    match answer {
+        Answer::Vector(vector) => Ok(vector),
+        other => Err(refused(other)),
+    }
+}
+
+fn refused(answer: Answer) -> Trouble {
+    Trouble::Host(match answer {
+        Answer::Refused(why) => why,
+        _ => "an answer of another kind than was asked for, or one that is not finite".into(),
+    })
+}

@@ -1,0 +1,79 @@
+//! How far a step may go so that no body passes through another.
+
+use super::assembly::Assembly;
+use crate::Error;
+use crate::contact::evaluation::Contact;
+use crate::geometry::Vector;
+
+/// Part of a facet by which surfaces may come to overlap in one step beyond what they do.
+const ROOM: f64 = 0.5;
+
+/// How far a step may go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepLimit {
+    /// Part of the step, at most 1, that no body passes another by.
+    pub part: f64,
+    /// Part of it at which the first gap closes, as far as gaps change with the slopes of now; infinite where none does.
+    pub first_touch: f64,
+}
+
+impl<const D: usize> Contact<D> {
+    /// How far the nodes at `coords` may go along `step` so that nothing passes through anything: surfaces come to overlap by half a facet at
+    /// most, beyond what they do, and no body moves by more than half its thickness against the others.
+    ///
+    /// # Errors
+    /// [`Error::Length`] for a step of another length than the coordinates; else as [`Self::gap_constraints`].
+    pub fn step_limit(&self, coords: &[[f64; D]], step: &[[f64; D]]) -> Result<StepLimit, Error> {
+        let expected = self.mesh.surface.unknown_count();
+        for (array, found) in [("coords", coords.len()), ("step", step.len())] {
+            if found != expected {
+                return Err(Error::Length { array, expected, found });
+            }
+        }
+        limit(self, &Assembly::new(self, coords)?, coords, step)
+    }
+}
+
+/// The same with what is known of the bodies.
+pub(super) fn limit<const D: usize>(
+    contact: &Contact<D>,
+    assembly: &Assembly<D>,
+    coords: &[[f64; D]],
+    step: &[[f64; D]],
+) -> Result<StepLimit, Error> {
+    let mut found = StepLimit { part: 1.0, first_touch: f64::INFINITY };
+    let all = step.iter().zip(&assembly.body).filter(|(_, body)| body.is_some()).map(|(d, _)| Vector::<D>::from(*d));
+    // A motion of all bodies as one does not count against one another, but against obstacles, which stay.
+    let has_obstacles = contact.obstacle_count() > 0;
+    let count = if has_obstacles { f64::INFINITY } else { assembly.body.iter().flatten().count().max(1) as f64 };
+    let mean = all.clone().fold(Vector::<D>::zeros(), |sum, d| sum + d) / count;
+    let most = all.map(|d| (d - mean).norm()).fold(0.0, f64::max);
+    if most == 0.0 {
+        return Ok(found);
+    }
+    let part = (0.5 * assembly.thinnest() / most).min(1.0);
+    found.part = part;
+    let gaps = contact.gap_constraints(coords, (2.0 * part * most).max(1e-12 * assembly.size))?;
+    for row in (0..gaps.gaps.len()).filter(|&row| gaps.areas[row] > 0.0) {
+        let area = gaps.areas[row];
+        let range = gaps.row_starts[row]..gaps.row_starts[row + 1];
+        let slopes = gaps.columns[range.clone()].iter().zip(&gaps.slopes[range]);
+        let change: f64 =
+            slopes.map(|(&node, slope)| (0..D).map(|i| slope[i] * step[node as usize][i]).sum::<f64>()).sum();
+        let (gap, closing) = (gaps.gaps[row] / area, -change / area);
+        let room = gap.max(0.0) + ROOM * area.powf(1.0 / (D as f64 - 1.0));
+        if closing * part > room {
+            found.part = found.part.min(room / closing);
+        }
+        if gap > 0.0 && closing > gap {
+            found.first_touch = found.first_touch.min(gap / closing);
+        }
+    }
+    Ok(found)
+}
+
+/// Whether a step is so short beside facets and thicknesses that nothing has to be looked at.
+pub(super) fn is_short<const D: usize>(assembly: &Assembly<D>, step: &[[f64; D]]) -> bool {
+    let most = step.iter().map(|d| Vector::<D>::from(*d).norm()).fold(0.0, f64::max);
+    2.0 * most <= 0.25 * ROOM * assembly.finest() && 2.0 * most <= 0.5 * assembly.thinnest()
+}

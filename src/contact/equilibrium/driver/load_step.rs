@@ -1,0 +1,73 @@
+//! The order of things in a load step.
+
+use super::assembly::Assembly;
+use super::attempt::LoadStep;
+use super::balance::Balance;
+use super::conversation::Asking;
+use super::host::Host;
+use super::layers;
+use super::motions::Motions;
+use super::outcome::{Found, Refusal};
+use super::parts::in_parts;
+use super::patches::Patches;
+use super::search::Search;
+use super::trouble::Trouble;
+use super::updates::Updates;
+use std::sync::Arc;
+
+/// All of it. After a refusal the contact's history is as it was.
+pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<D>) -> Result<Found<D>, Refusal> {
+    let host = Host::new(asking, step.unknowns.clone());
+    let (before, stiffened) = host.contact(|contact| (contact.multipliers(), contact.history.stiffened)).await;
+    let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
+    let mut search = match prepared(&host, &step).await {
+        Ok((assembly, motions, has_friction, pressed)) => Search {
+            host,
+            assembly: Arc::new(assembly),
+            motions,
+            balance: Balance::new(step.options.tolerance, pressed),
+            patches: step.options.finds_patches.then(Patches::default),
+            updates: Updates::new(&step.options, is_found, stiffened),
+            options: step.options,
+            has_friction,
+            warnings: Vec::new(),
+        },
+        Err(trouble) => return Err(Refusal::new(trouble, Vec::new(), host.solves())),
+    };
+    match in_parts(&mut search, &step).await {
+        Ok(found) => Ok(found),
+        Err(trouble) => {
+            let (start, has_friction) = (search.host.unknowns.coords(&step.x), search.has_friction);
+            let undo = search.host.contact(move |contact| {
+                contact.release_friction();
+                if contact.history.stiffened != stiffened {
+                    let _ = contact.stiffen(stiffened / contact.history.stiffened);
+                }
+                // What was there before the step was accepted then, and is now.
+                let _ = contact.set_multipliers(&before);
+                let _ = if has_friction { contact.begin_step(&start) } else { Ok(()) };
+            });
+            undo.await;
+            Err(Refusal::new(trouble, search.balance.history, search.host.solves()))
+        }
+    }
+}
+
+/// What a search needs to know of bodies and contact.
+async fn prepared<const D: usize>(
+    host: &Host<D>,
+    step: &LoadStep<D>,
+) -> Result<(Assembly<D>, Motions, bool, f64), Trouble> {
+    let coords = host.unknowns.coords(&step.x);
+    let at = coords.clone();
+    let assembly = host.contact(move |contact| Assembly::new(contact, &at)).await?;
+    host.forces(&step.x, true).await?;
+    let is_new = layers::complete(host, &assembly, &step.x).await?;
+    let (has_friction, has_begun) = host.contact(|contact| (contact.has_friction(), contact.slip().is_ok())).await;
+    if has_friction && (is_new || !has_begun) {
+        host.contact(move |contact| contact.begin_step(&coords)).await?;
+    }
+    let motions = Motions::loose(host, &assembly).await?;
+    let pressed = host.contact(|contact| contact.largest_stiffness()).await;
+    Ok((assembly, motions, has_friction, pressed))
+}

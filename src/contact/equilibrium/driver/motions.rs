@@ -1,0 +1,206 @@
+//! Rigid motions of bodies that the host's matrix does not hold, or hardly.
+
+use super::assembly::Assembly;
+use super::host::Host;
+use super::trouble::Trouble;
+use super::unknowns::{dot, largest};
+use crate::geometry::Vector;
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+/// Energy of a motion, by that of the same motion of every node alone, below which a body is hardly held: by weak springs, by a large
+/// body's one node, or by nothing.
+const HARDLY: f64 = 1e-4;
+
+/// The same, below which nothing holds it.
+const FREE: f64 = 1e-11;
+
+/// Part of the terms of a sum that is more than rounding.
+const ROUNDED: f64 = 1e-9;
+
+/// Directions that only rounding tells apart.
+const DEPENDENT: f64 = 1e-12;
+
+/// Motions that are not held, each scaled to a largest entry of 1.
+pub(super) struct Motions {
+    pub(super) fields: Vec<Vec<f64>>,
+    /// Φᵀ K Φ.
+    pub(super) stiffness: DMatrix<f64>,
+    /// The diagonal of Φᵀ diag(K) Φ.
+    pub(super) diagonal: Vec<f64>,
+    /// Whether nothing at all holds some of them.
+    pub(super) are_free: bool,
+}
+
+impl Motions {
+    pub(super) fn count(&self) -> usize {
+        self.fields.len()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.fields.is_empty()
+    }
+
+    /// Σ q Φ.
+    pub(super) fn combined(&self, q: &DVector<f64>) -> Vec<f64> {
+        combined(&self.fields, q)
+    }
+
+    /// Φᵀ v.
+    pub(super) fn along(&self, v: &[f64]) -> DVector<f64> {
+        DVector::from_iterator(self.count(), self.fields.iter().map(|field| dot(field, v)))
+    }
+
+    /// |Φ|ᵀ |v|.
+    pub(super) fn magnitudes(&self, v: &[f64]) -> DVector<f64> {
+        let of = |field: &Vec<f64>| field.iter().zip(v).map(|(a, b)| (a * b).abs()).sum::<f64>();
+        DVector::from_iterator(self.count(), self.fields.iter().map(of))
+    }
+
+    /// Those of all bodies, at a state whose matrix the host has.
+    pub(super) async fn loose<const D: usize>(host: &Host<D>, assembly: &Assembly<D>) -> Result<Self, Trouble> {
+        let diagonal = host.diagonal().await?;
+        let weighted = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(&diagonal).map(|((a, b), k)| a * b * k).sum::<f64>();
+        let mut fields = Vec::new();
+        for body in 0..assembly.rows.len() {
+            fields.extend(of_body(host, assembly, body).into_iter().filter(|field| weighted(field, field) > 0.0));
+        }
+        let count = fields.len();
+        let mut products = Vec::with_capacity(count);
+        for field in &fields {
+            products.push(host.product(field.clone(), false).await?);
+        }
+        let gram = |of: &dyn Fn(usize, usize) -> f64| {
+            let full = DMatrix::from_fn(count, count, of);
+            0.5 * (&full + full.transpose())
+        };
+        let alone = gram(&|row, col| weighted(&fields[row], &fields[col]));
+        let mut stiffness = gram(&|row, col| dot(&fields[row], &products[col]));
+        let constrained = constraints(host, &fields, &products).await?;
+        let size: f64 = constrained.iter().map(|row| dot(row, row)).sum();
+        if size > 0.0 {
+            // Multipliers of the host hold a motion as springs as stiff as the bodies do.
+            stiffness += (alone.trace() / size) * gram(&|row, col| dot(&constrained[row], &constrained[col]));
+        }
+        let (values, vectors) = pencil(&stiffness, &alone);
+        let picked: Vec<usize> = (0..values.len()).filter(|&k| values[k] <= HARDLY).collect();
+        let (mut found, mut combinations) = (Vec::new(), DMatrix::zeros(count, picked.len()));
+        for (place, &k) in picked.iter().enumerate() {
+            let field = combined(&fields, &vectors.column(k).into_owned());
+            let scale = 1.0 / largest(&field).max(f64::MIN_POSITIVE);
+            combinations.set_column(place, &(vectors.column(k) * scale));
+            found.push(field.into_iter().map(|entry| entry * scale).collect::<Vec<f64>>());
+        }
+        let stiffness = combinations.transpose() * &stiffness * &combinations;
+        let diagonal = found.iter().map(|field| weighted(field, field)).collect();
+        let are_free = picked.iter().any(|&k| values[k] <= FREE);
+        Ok(Self { fields: found, stiffness, diagonal, are_free })
+    }
+
+    /// How far bodies go by these motions, by mean, and how much they turn, as quadratic forms.
+    pub(super) fn ways<const D: usize>(&self, host: &Host<D>, assembly: &Assembly<D>) -> (DMatrix<f64>, DMatrix<f64>) {
+        let count = self.count();
+        let (mut mean, mut rest) = (DMatrix::zeros(count, count), DMatrix::zeros(count, count));
+        let motions: Vec<_> = self.fields.iter().map(|field| host.unknowns.spread(field)).collect();
+        for rows in assembly.rows.iter().filter(|rows| !rows.is_empty()) {
+            let by = 1.0 / rows.len() as f64;
+            let mean_of = |motion: &Vec<[f64; D]>| {
+                rows.iter().fold(Vector::<D>::zeros(), |sum, &row| sum + Vector::from(motion[row])) * by
+            };
+            let means: Vec<Vector<D>> = motions.iter().map(mean_of).collect();
+            let moves: Vec<usize> =
+                (0..count).filter(|&k| rows.iter().any(|&row| motions[k][row] != [0.0; D])).collect();
+            for &i in &moves {
+                for &j in &moves {
+                    mean[(i, j)] += means[i].dot(&means[j]);
+                    let apart = |k: usize, row: usize| Vector::<D>::from(motions[k][row]) - means[k];
+                    let turn: f64 = rows.iter().map(|&row| apart(i, row).dot(&apart(j, row))).sum();
+                    rest[(i, j)] += D as f64 * by * turn;
+                }
+            }
+        }
+        (mean, rest)
+    }
+}
+
+/// What motions ask of unknowns that move no coordinate, such as multipliers by which a host holds bodies; zero where it is rounding.
+async fn constraints<const D: usize>(
+    host: &Host<D>,
+    fields: &[Vec<f64>],
+    products: &[Vec<f64>],
+) -> Result<Vec<Vec<f64>>, Trouble> {
+    let mut others = vec![true; host.unknowns.count];
+    host.unknowns.of_coordinate.iter().flatten().for_each(|&unknown| others[unknown] = false);
+    if fields.is_empty() || !others.contains(&true) {
+        return Ok(Vec::new());
+    }
+    let mut all = vec![0.0; host.unknowns.count];
+    fields.iter().for_each(|field| all.iter_mut().zip(field).for_each(|(sum, entry)| *sum += entry.abs()));
+    let terms = host.product(all, true).await?;
+    let asked = |product: &Vec<f64>| -> Vec<f64> {
+        let of = |k: usize| if others[k] && product[k].abs() > ROUNDED * terms[k] { product[k] } else { 0.0 };
+        (0..product.len()).map(of).collect()
+    };
+    Ok(products.iter().map(asked).collect())
+}
+
+/// Σ q v.
+pub(super) fn combined(fields: &[Vec<f64>], q: &DVector<f64>) -> Vec<f64> {
+    let mut sum = vec![0.0; fields.first().map_or(0, Vec::len)];
+    for (field, part) in fields.iter().zip(q.iter()).filter(|(_, part)| **part != 0.0) {
+        sum.iter_mut().zip(field).for_each(|(entry, value)| *entry += part * value);
+    }
+    sum
+}
+
+/// Translations and rotations of a body, as far as its unknowns are free.
+fn of_body<const D: usize>(host: &Host<D>, assembly: &Assembly<D>, body: usize) -> Vec<Vec<f64>> {
+    let rows = &assembly.rows[body];
+    let sum = rows.iter().fold(Vector::<D>::zeros(), |sum, &row| sum + assembly.position[row]);
+    let centre = sum / rows.len().max(1) as f64;
+    let arm = |row: usize| assembly.position[row] - centre;
+    let reach = rows.iter().map(|&row| arm(row).amax()).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+    let field = |motion: &dyn Fn(usize) -> Vector<D>| {
+        let mut field = vec![0.0; host.unknowns.count];
+        for &row in rows {
+            let here = motion(row);
+            for axis in 0..D {
+                if let Some(unknown) = host.unknowns.of_coordinate[row * D + axis] {
+                    field[unknown] = here[axis];
+                }
+            }
+        }
+        host.unknowns.freed(field)
+    };
+    let unit = |axis: usize| Vector::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 });
+    let mut fields: Vec<_> = (0..D).map(|axis| field(&|_| unit(axis))).collect();
+    let planes: &[[usize; 2]] = if D == 2 { &[[0, 1]] } else { &[[1, 2], [2, 0], [0, 1]] };
+    for &[i, j] in planes {
+        fields.push(field(&|row| {
+            let mut turned = Vector::zeros();
+            (turned[i], turned[j]) = (-arm(row)[j] / reach, arm(row)[i] / reach);
+            turned
+        }));
+    }
+    fields
+}
+
+/// Eigenvalues, ascending, and vectors of A v = λ B v, on what B does not take for nothing.
+pub(super) fn pencil(a: &DMatrix<f64>, b: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
+    let count = a.nrows();
+    if count == 0 {
+        return (Vec::new(), DMatrix::zeros(0, 0));
+    }
+    let of_b = SymmetricEigen::new(b.clone());
+    let most = of_b.eigenvalues.iter().copied().fold(0.0, f64::max);
+    let kept: Vec<usize> = (0..count).filter(|&k| of_b.eigenvalues[k] > DEPENDENT * most).collect();
+    let basis = DMatrix::from_fn(count, kept.len(), |row, col| {
+        of_b.eigenvectors[(row, kept[col])] / of_b.eigenvalues[kept[col]].sqrt()
+    });
+    let small = basis.transpose() * a * &basis;
+    let of_small = SymmetricEigen::new(0.5 * (&small + small.transpose()));
+    let mut order: Vec<usize> = (0..kept.len()).collect();
+    order.sort_by(|i, j| of_small.eigenvalues[*i].total_cmp(&of_small.eigenvalues[*j]));
+    let vectors = basis * of_small.eigenvectors;
+    let sorted = DMatrix::from_fn(count, order.len(), |row, col| vectors[(row, order[col])]);
+    (order.iter().map(|&k| of_small.eigenvalues[k]).collect(), sorted)
+}

@@ -1,0 +1,61 @@
+//! The equilibrium beside the start, stable or not: Newton's method with the full tangent and whole steps, as far as none is too long.
+
+use super::balance::Verdict;
+use super::host::System;
+use super::search::Search;
+use super::state::State;
+use super::trouble::Trouble;
+use super::unknowns::moved;
+use crate::contact::tangents::TangentPart;
+
+/// Steps, at most.
+const MOST: usize = 12;
+
+/// Times running that the residual may stay above its smallest.
+const ABOVE: usize = 2;
+
+/// Part of the diagonal that holds what nothing else holds.
+const SHIFT: f64 = 1e-12;
+
+/// Part of a step below which it leads nowhere.
+const SHORTEST: f64 = 1e-3;
+
+/// The equilibrium, or `None` where it does not come nearer.
+pub(super) async fn nearest<const D: usize>(
+    search: &mut Search<D>,
+    start: &[f64],
+) -> Result<Option<(State<D>, Verdict)>, Trouble> {
+    search.balance.again();
+    let mut state = State::at(&search.host, start.to_vec(), true).await?;
+    let (mut least, mut above, mut updates) = (f64::INFINITY, 0, search.updates.count);
+    for tried in 0..=MOST {
+        let verdict;
+        (state, verdict) = search.judged(state).await?;
+        if verdict != Verdict::Not {
+            return Ok(Some((state, verdict)));
+        }
+        let norm = state.norm(&search.host);
+        if search.updates.count > updates {
+            (least, updates) = (f64::INFINITY, search.updates.count);
+        }
+        above = if norm > least { above + 1 } else { 0 };
+        least = least.min(norm);
+        if tried == MOST || above > ABOVE || !search.may_go_on() {
+            return Ok(None);
+        }
+        let shift = if search.motions.is_empty() { 0.0 } else { SHIFT };
+        let system = System { x: &state.x, part: TangentPart::Full, shift };
+        let right = state.residual.iter().map(|force| -force).collect();
+        let Ok(step) = search.host.solve(system, right).await else { return Ok(None) };
+        let Ok(part) = search.allowed(&state.x, &step).await else { return Ok(None) };
+        if part < SHORTEST {
+            return Ok(None);
+        }
+        match State::at(&search.host, moved(&state.x, part, &step), true).await {
+            Ok(next) => state = next,
+            Err(Trouble::Contact(_) | Trouble::Host(_)) => return Ok(None),
+            Err(other) => return Err(other),
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,156 @@
+//! A load step in one part, or, where that fails, in several.
+
+use super::attempt::{LoadStep, Reached, equilibrium};
+use super::balance::Verdict;
+use super::host::System;
+use super::levels::FINER;
+
+use super::outcome::Found;
+use super::search::Search;
+use super::standing::standing;
+use super::state::State;
+use super::trouble::Trouble;
+use super::unknowns::{largest, moved};
+use crate::Error;
+use crate::contact::tangents::TangentPart;
+
+/// Smallest part of a load step.
+const SMALLEST: f64 = 1.0 / 64.0;
+
+/// Times that a step of what is prescribed is halved, where it turns a cell inside out.
+const HALVINGS: usize = 8;
+
+/// Part of the diagonal that holds loose bodies while what is prescribed moves.
+const SHIFT: f64 = 1e-9;
+
+/// How often something was done.
+#[derive(Default)]
+struct Counts {
+    parts: usize,
+    rigid_steps: usize,
+}
+
+/// All of a load step.
+pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &LoadStep<D>) -> Result<Found<D>, Trouble> {
+    let start = State::at(&search.host, step.x.clone(), true).await?;
+    search.balance.begin(&search.host, &search.assembly, &start).await?;
+    let (mut x, mut done, mut part, mut counts) = (step.x.clone(), 0.0, 1.0, Counts::default());
+    loop {
+        let until = if done + part > 1.0 - 1e-9 { 1.0 } else { done + part };
+        // What did not balance at the start is taken off little by little.
+        search.host.set_offset(start.residual.iter().map(|force| (1.0 - until) * force).collect());
+        let target = moved(&step.x, until, &step.moved);
+        match led(search, &x, &target, &mut counts).await {
+            Ok(reached) if until == 1.0 => return finished(search, reached, &counts).await,
+            Ok(reached) => {
+                (x, done) = (reached.state.x, until);
+                part = (2.0 * part).min(1.0 - done);
+            }
+            Err(trouble @ (Trouble::Unheld(..) | Trouble::Hopeless(_))) => return Err(trouble),
+            Err(trouble) if part <= SMALLEST || !search.may_go_on() => return Err(trouble),
+            Err(_) => part *= 0.5,
+        }
+    }
+}
+
+/// The equilibrium with unknowns that are not free at their targets, from x.
+async fn led<const D: usize>(
+    search: &mut Search<D>,
+    x: &[f64],
+    target: &[f64],
+    counts: &mut Counts,
+) -> Result<Reached<D>, Trouble> {
+    let mut x = x.to_vec();
+    loop {
+        counts.parts += 1;
+        let free = &search.host.unknowns.free;
+        let way: Vec<f64> = (0..x.len()).map(|k| if free[k] { 0.0 } else { target[k] - x[k] }).collect();
+        let part = if largest(&way) == 0.0 { 1.0 } else { carried(search, &mut x, &way).await? };
+        if part == 1.0 {
+            let free = &search.host.unknowns.free;
+            x = (0..x.len()).map(|k| if free[k] { x[k] } else { target[k] }).collect();
+            return equilibrium(search, &x, &mut counts.rigid_steps).await;
+        }
+        if !search.may_go_on() {
+            let solves = search.host.solves();
+            return Err(Trouble::Failed(format!("what is prescribed was not reached after {solves} linear solves")));
+        }
+        x = equilibrium(search, &x, &mut counts.rigid_steps).await?.state.x;
+    }
+}
+
+/// Moves what is prescribed, and the bodies with it as their tangent says, as far as nothing passes through anything: which part.
+async fn carried<const D: usize>(search: &mut Search<D>, x: &mut Vec<f64>, way: &[f64]) -> Result<f64, Trouble> {
+    let state = State::at(&search.host, x.clone(), true).await?;
+    let mut step = None;
+    if search.is_condensed() {
+        let tolerances = [FINER * search.options.tolerance, 0.0];
+        step = search.host.condensed(&state.x, &state.inside, way, tolerances).await.ok().map(|(step, _)| step);
+    }
+    let step = match step {
+        Some(step) => step,
+        None => predicted(search, &state, way).await?,
+    };
+    if let Some(patches) = &mut search.patches {
+        patches.begin();
+    }
+    let mut part = search.allowed(&state.x, &step).await?;
+    if part <= 0.0 {
+        return Err(Trouble::Failed("no part of what is prescribed can be moved: bodies overlap too far".into()));
+    }
+    let mut why = String::new();
+    for _ in 0..HALVINGS {
+        let next = moved(&state.x, part, &step);
+        match State::at(&search.host, next.clone(), true).await {
+            Ok(_) => {
+                *x = next;
+                return Ok(part);
+            }
+            Err(trouble @ (Trouble::Contact(_) | Trouble::Host(_))) => (part, why) = (0.5 * part, trouble.to_string()),
+            Err(other) => return Err(other),
+        }
+    }
+    Err(Trouble::Failed(format!("bodies cannot be evaluated after any part of what is prescribed: {why}")))
+}
+
+/// The step that the tangent gives.
+async fn predicted<const D: usize>(search: &Search<D>, state: &State<D>, way: &[f64]) -> Result<Vec<f64>, Trouble> {
+    let host = &search.host;
+    let driven = host.product(way.to_vec(), false).await?;
+    let (coords, motion) = (host.unknowns.coords(&state.x), host.unknowns.spread(way));
+    let push = host
+        .contact(move |contact| Ok::<_, Error>(contact.tangent(&coords, TangentPart::Semidefinite)?.product(&motion)));
+    let pushed = host.unknowns.gather(&push.await?);
+    let right = (0..way.len()).map(|k| -(state.residual[k] + driven[k] + pushed[k])).collect();
+    let shift = if search.motions.is_empty() { 0.0 } else { SHIFT };
+    let system = System { x: &state.x, part: TangentPart::Semidefinite, shift };
+    Ok(moved(&host.solve(system, right).await?, 1.0, way))
+}
+
+async fn finished<const D: usize>(
+    search: &mut Search<D>,
+    reached: Reached<D>,
+    counts: &Counts,
+) -> Result<Found<D>, Trouble> {
+    let (solves, left) = (search.host.solves(), search.balance.relative());
+    if reached.verdict == Verdict::Rounded && left > search.options.tolerance {
+        let text = format!("the residual stays at {left:.1e} of the forces: the host's own forces are rounded so far");
+        search.warn(text);
+    }
+    standing(search, &reached.state).await?;
+    let State { x, contact, residual, .. } = reached.state;
+    Ok(Found {
+        x,
+        contact,
+        reactions: residual,
+        way: reached.way,
+        solves,
+        rigid_steps: counts.rigid_steps,
+        parts: counts.parts,
+        loose_count: search.motions.count(),
+        updates: search.updates.count,
+        penetration: search.updates.found,
+        residuals: std::mem::take(&mut search.balance.history),
+        warnings: std::mem::take(&mut search.warnings),
+    })
+}

@@ -1,0 +1,84 @@
+//! One load step under way.
+
+use super::assembly::Assembly;
+use super::balance::{Balance, Verdict};
+use super::host::Host;
+use super::limit::{is_short, limit};
+use super::motions::Motions;
+use super::options::DriverOptions;
+use super::patches::Patches;
+use super::state::State;
+use super::trouble::Trouble;
+use super::updates::Updates;
+use std::sync::Arc;
+
+/// What the parts of a search share.
+pub(super) struct Search<const D: usize> {
+    pub(super) host: Host<D>,
+    pub(super) assembly: Arc<Assembly<D>>,
+    pub(super) motions: Motions,
+    pub(super) balance: Balance,
+    pub(super) updates: Updates,
+    /// Those of the law `fiber`, where the search looks after them.
+    pub(super) patches: Option<Patches>,
+    pub(super) options: DriverOptions,
+    pub(super) has_friction: bool,
+    /// What the user should know.
+    pub(super) warnings: Vec<String>,
+}
+
+impl<const D: usize> Search<D> {
+    /// Whether another linear solve may be made.
+    pub(super) fn may_go_on(&self) -> bool {
+        self.host.solves() < self.options.max_solves
+    }
+
+    /// Whether steps go to the equilibrium of the contact with linear bodies.
+    pub(super) fn is_condensed(&self) -> bool {
+        self.options.is_condensed && !self.motions.are_free && !self.options.is_lagged
+    }
+
+    /// How nearly a state is in equilibrium, with surfaces moved out where it is near one.
+    pub(super) async fn judged(&mut self, mut state: State<D>) -> Result<(State<D>, Verdict), Trouble> {
+        let mut verdict = self.balance.judge(&self.host, &self.assembly, &state).await?;
+        let relative = self.balance.relative();
+        if let Some(patches) = &mut self.patches
+            && patches.found(&self.host, &state, relative).await?
+        {
+            state = state.again(&self.host).await?;
+            verdict = self.balance.judge(&self.host, &self.assembly, &state).await?;
+        }
+        let relative = self.balance.relative();
+        if !self.updates.made(&self.host, &state, verdict, relative).await? {
+            return Ok((state, verdict));
+        }
+        let state = state.again(&self.host).await?;
+        self.balance.again();
+        let verdict = self.balance.judge(&self.host, &self.assembly, &state).await?;
+        Ok((state, verdict))
+    }
+
+    /// The part of a step that may be taken.
+    pub(super) async fn allowed(&self, x: &[f64], step: &[f64]) -> Result<f64, Trouble> {
+        let (assembly, coords) = (Arc::clone(&self.assembly), self.host.unknowns.coords(x));
+        let step = self.host.unknowns.spread(step);
+        if is_short(&assembly, &step) {
+            return Ok(1.0);
+        }
+        let found = self.host.contact(move |contact| limit(contact, &assembly, &coords, &step)).await?;
+        Ok(found.part)
+    }
+
+    /// The state with its friction frozen there.
+    pub(super) async fn frozen_at(&self, state: State<D>) -> Result<State<D>, Trouble> {
+        let coords = self.host.unknowns.coords(&state.x);
+        self.host.contact(move |contact| contact.freeze_friction(&coords)).await?;
+        state.again(&self.host).await
+    }
+
+    pub(super) fn warn(&mut self, text: String) {
+        if !self.warnings.contains(&text) {
+            self.warnings.push(text);
+        }
+    }
+}

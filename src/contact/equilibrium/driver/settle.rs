@@ -1,0 +1,194 @@
+//! Rigid motions of loose bodies until contact balances their loads.
+
+use super::assembly::Assembly;
+use super::host::Host;
+use super::motions::Motions;
+use super::quadratic::Quadratic;
+use super::rows::{Rows, along};
+use super::state::State;
+use super::trouble::Trouble;
+use super::unknowns::{dot, largest, moved};
+use crate::Error;
+use crate::contact::tangents::TangentPart;
+use nalgebra::{DMatrix, DVector};
+
+/// Steps, at most, and for every body: those of a stack fall on one another in turn.
+const MOST: usize = 150;
+const BY_BODY: usize = 50;
+
+/// Resultants that are left, by the magnitudes of the forces. Smaller ones make bodies creep along directions that nothing holds.
+const LEFT: f64 = 1e-2;
+
+/// Resultants of bodies that are on their way still.
+const ON_ITS_WAY: f64 = 0.5;
+
+/// How much dearer the way becomes where a step goes back on the one before: bodies rock to and fro on what they stand on.
+const STRICTER: f64 = 4.0;
+
+/// Part of the usual length beyond which a body is on its way, and does not nearly rest.
+const FAR: f64 = 1e-2;
+
+/// How much dearer than moving a body its turning is, while it is on its way.
+const TURN: f64 = 100.0;
+
+/// Sizes of the assembly that a body may go before nothing stops it.
+const FARTHEST: f64 = 10.0;
+
+/// Part of the stiffness of a pair with which bodies that are about to touch stick.
+const STICK: f64 = 0.1;
+
+/// What settling has led to.
+pub(super) struct Settled {
+    pub(super) x: Vec<f64>,
+    pub(super) steps: usize,
+}
+
+/// From x, whose matrix the host has.
+pub(super) async fn settle<const D: usize>(
+    host: &Host<D>,
+    assembly: &Assembly<D>,
+    motions: &Motions,
+    start: &[f64],
+    has_friction: bool,
+) -> Result<Settled, Trouble> {
+    let first = attempt(host, assembly, motions, start, [has_friction, true]).await;
+    if first.is_ok() || !has_friction {
+        return first;
+    }
+    // Another way from the same start: what is about to touch does not slip.
+    let coords = host.unknowns.coords(start);
+    host.contact(move |contact| contact.begin_step(&coords)).await?;
+    attempt(host, assembly, motions, start, [true, false]).await.or(first)
+}
+
+/// With friction bodies on their way have none; where `slips`, nor have those that nearly rest.
+async fn attempt<const D: usize>(
+    host: &Host<D>,
+    assembly: &Assembly<D>,
+    motions: &Motions,
+    start: &[f64],
+    [has_friction, slips]: [bool; 2],
+) -> Result<Settled, Trouble> {
+    let mut x = start.to_vec();
+    if motions.is_empty() {
+        return Ok(Settled { x, steps: 0 });
+    }
+    let (mean, turn) = motions.ways(host, assembly);
+    let usual = 0.25 * assembly.thinnest();
+    let (mut length, mut trail, mut worst, mut caution) = (usual, vec![x.clone()], f64::INFINITY, 1.0);
+    let mut last = vec![0.0; x.len()];
+    for steps in 0..MOST.max(BY_BODY * assembly.rows.len()) {
+        let mut state = State::at(host, x.clone(), false).await?;
+        let mut load;
+        (load, worst) = resultants(motions, &state);
+        if worst <= LEFT {
+            return Ok(Settled { x, steps });
+        }
+        let is_moving = largest(&last) > if slips { 0.0 } else { FAR * usual };
+        if has_friction && worst > ON_ITS_WAY && is_moving {
+            // A body on its way has no friction yet.
+            let coords = host.unknowns.coords(&x);
+            host.contact(move |contact| contact.begin_step(&coords)).await?;
+            state = state.again(host).await?;
+            load = resultants(motions, &state).0;
+        }
+        if largest(&moved(&x, -1.0, start)) > FARTHEST * assembly.size {
+            let text = format!("nothing stops it within {FARTHEST} sizes of the assembly");
+            return Err(lost(host, assembly, &trail, &text));
+        }
+        let near = Rows::near(host, &x, 2.0 * length).await?;
+        let dear = if worst > ON_ITS_WAY { TURN } else { 1.0 };
+        let way = &mean + dear * &turn + 1e-6 * DMatrix::identity(motions.count(), motions.count());
+        let stiffness =
+            &motions.stiffness + tangent_on(host, motions, &x).await? + (0.5 * caution * load.amax() / length) * way;
+        let close = has_friction.then_some(1e-3 * length);
+        let quadratic = energy(motions, near.as_ref(), (load, stiffness), close, 1e-12 * assembly.size);
+        let step = motions.combined(&quadratic.least());
+        let most = largest(&step);
+        if most == 0.0 || !most.is_finite() {
+            break;
+        }
+        // As long as nothing that moves has anything in sight, twice as far the next time.
+        let part = (length / most).min(1.0);
+        let is_seen = near.is_some_and(|rows| rows.along(&step).iter().any(|change| part * change.abs() > 1e-6 * most));
+        length = if is_seen { usual } else { 2.0 * length };
+        x = moved(&x, part, &step);
+        trail.push(x.clone());
+        caution = if dot(&step, &last) < 0.0 { STRICTER * caution } else { f64::max(1.0, 0.5 * caution) };
+        last = step;
+    }
+    let (late, steps) = (moved(&x, -1.0, &trail[trail.len() / 2]), trail.len() - 1);
+    if worst <= 0.1 && largest(&late) < usual {
+        return Ok(Settled { x, steps });
+    }
+    let text = format!(
+        "no rigid motion balances its load after {steps} steps: it is driven on for ever, or held by friction alone"
+    );
+    Err(lost(host, assembly, &trail, &text))
+}
+
+/// Resultants of the residual on every motion, and the largest by the magnitudes of the forces.
+fn resultants<const D: usize>(motions: &Motions, state: &State<D>) -> (DVector<f64>, f64) {
+    let load = -motions.along(&state.residual);
+    let all = motions.magnitudes(&state.inside) + motions.magnitudes(&state.forces);
+    let parts = load.iter().zip(all.iter()).map(|(load, all)| if *all > 0.0 { load.abs() / all } else { 0.0 });
+    let worst = parts.fold(0.0, f64::max);
+    (load, worst)
+}
+
+/// Energy of the next step: what touches is in the load and the stiffness, what is near in the gaps. Bodies closer than `close` stick.
+fn energy(
+    motions: &Motions,
+    near: Option<&Rows>,
+    (load, mut stiffness): (DVector<f64>, DMatrix<f64>),
+    close: Option<f64>,
+    touching: f64,
+) -> Quadratic {
+    let count = motions.count();
+    let Some(rows) = near else {
+        let (none, slopes) = (DVector::zeros(0), DMatrix::zeros(0, count));
+        return Quadratic { load, stiffness, gaps: none.clone(), slopes, weights: none };
+    };
+    let apart: Vec<usize> = (0..rows.gap.len()).filter(|&row| rows.gap[row] > -touching).collect();
+    let changes: Vec<Vec<f64>> = motions.fields.iter().map(|field| rows.along(field)).collect();
+    if let Some(close) = close {
+        for (row, slopes) in &rows.tangential {
+            if rows.gap[*row].max(0.0) <= close && apart.binary_search(row).is_ok() {
+                let jump = DVector::from_iterator(count, motions.fields.iter().map(|field| along(slopes, field)));
+                stiffness += STICK * rows.weight[*row] * &jump * jump.transpose();
+            }
+        }
+    }
+    Quadratic {
+        load,
+        stiffness,
+        gaps: DVector::from_iterator(apart.len(), apart.iter().map(|&row| rows.gap[row].max(0.0))),
+        slopes: DMatrix::from_fn(apart.len(), count, |row, col| changes[col][apart[row]]),
+        weights: DVector::from_iterator(apart.len(), apart.iter().map(|&row| rows.weight[row])),
+    }
+}
+
+/// Φᵀ T Φ, semidefinite.
+async fn tangent_on<const D: usize>(host: &Host<D>, motions: &Motions, x: &[f64]) -> Result<DMatrix<f64>, Trouble> {
+    let coords = host.unknowns.coords(x);
+    let fields: Vec<_> = motions.fields.iter().map(|field| host.unknowns.spread(field)).collect();
+    let found = host.contact(move |contact| {
+        let tangent = contact.tangent(&coords, TangentPart::Semidefinite)?;
+        let products: Vec<_> = fields.iter().map(|field| tangent.product(field)).collect();
+        let dot = |row: usize, col: usize| -> f64 {
+            fields[row].as_flattened().iter().zip(products[col].as_flattened()).map(|(a, b)| a * b).sum()
+        };
+        Ok::<_, Error>(DMatrix::from_fn(fields.len(), fields.len(), dot))
+    });
+    let full = found.await?;
+    Ok(0.5 * (&full + full.transpose()))
+}
+
+/// A refusal that names the body that moved most in the last half of the steps.
+fn lost<const D: usize>(host: &Host<D>, assembly: &Assembly<D>, trail: &[Vec<f64>], what: &str) -> Trouble {
+    let (last, middle) = (&trail[trail.len() - 1], &trail[trail.len() / 2]);
+    match assembly.mover(&host.unknowns.spread(&moved(last, -1.0, middle))) {
+        Some(mover) => Trouble::unheld(&mover, what),
+        None => Trouble::Failed(what.to_owned()),
+    }
+}

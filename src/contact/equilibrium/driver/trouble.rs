@@ -1,0 +1,60 @@
+//! Why a part of a search ended without an equilibrium.
+
+use super::assembly::Mover;
+use crate::Error;
+
+/// Why.
+#[derive(Debug)]
+pub(super) enum Trouble {
+    /// The contact could not be evaluated.
+    Contact(Error),
+    /// The host could not do what was asked.
+    Host(String),
+    /// No part of a load step helps.
+    Hopeless(String),
+    /// A body that nothing stops, or that comes to no rest.
+    Unheld(Unheld, String),
+    /// Anything else.
+    Failed(String),
+}
+
+/// A body that contact and the host's supports do not hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unheld {
+    /// Id of the body, as the host gave it.
+    pub body: i64,
+    /// Unit vector along which it goes; zeros where it turns.
+    pub direction: Vec<f64>,
+    /// Whether it turns.
+    pub is_rotation: bool,
+}
+
+impl<const D: usize> From<&Mover<D>> for Unheld {
+    fn from(mover: &Mover<D>) -> Self {
+        let direction = mover.direction.iter().copied().collect();
+        Self { body: mover.id, direction, is_rotation: mover.is_rotation }
+    }
+}
+
+impl Trouble {
+    pub(super) fn unheld<const D: usize>(mover: &Mover<D>, what: &str) -> Self {
+        Trouble::Unheld(mover.into(), format!("{mover}: {what}"))
+    }
+}
+
+impl std::fmt::Display for Trouble {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Trouble::Contact(error) => error.fmt(f),
+            Trouble::Host(text) | Trouble::Unheld(_, text) | Trouble::Failed(text) | Trouble::Hopeless(text) => {
+                text.fmt(f)
+            }
+        }
+    }
+}
+
+impl From<Error> for Trouble {
+    fn from(error: Error) -> Self {
+        Trouble::Contact(error)
+    }
+}

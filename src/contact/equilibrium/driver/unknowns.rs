@@ -1,0 +1,110 @@
+//! Which unknown of a host moves which coordinate of the contact.
+
+use crate::Error;
+
+/// The unknowns of a host, in the contact's eyes: x = base + the unknown, coordinate by coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unknowns<const D: usize> {
+    /// Number of the host's unknowns.
+    pub count: usize,
+    /// Unknown of every coordinate of the contact, `row * D + axis`; `None` for one that never moves.
+    pub of_coordinate: Vec<Option<usize>>,
+    /// Coordinates of the contact where all unknowns are zero.
+    pub base: Vec<[f64; D]>,
+    /// Whether an unknown is solved for, by unknown.
+    pub free: Vec<bool>,
+}
+
+impl<const D: usize> Unknowns<D> {
+    /// # Errors
+    /// [`Error::Length`], [`Error::UnknownOutOfRange`], [`Error::NonFiniteCoordinate`].
+    pub(super) fn check(&self, row_count: usize) -> Result<(), Error> {
+        let lengths = [
+            ("base", row_count, self.base.len()),
+            ("of_coordinate", row_count * D, self.of_coordinate.len()),
+            ("free", self.count, self.free.len()),
+        ];
+        for (array, expected, found) in lengths {
+            if expected != found {
+                return Err(Error::Length { array, expected, found });
+            }
+        }
+        for (place, unknown) in self.of_coordinate.iter().enumerate() {
+            if let Some(unknown) = unknown.filter(|unknown| *unknown >= self.count) {
+                return Err(Error::UnknownOutOfRange { row: place / D, unknown: unknown as i64, count: self.count });
+            }
+        }
+        match self.base.as_flattened().iter().position(|x| !x.is_finite()) {
+            Some(place) => Err(Error::NonFiniteCoordinate { node: place / D, axis: place % D }),
+            None => Ok(()),
+        }
+    }
+
+    /// Coordinates of the contact.
+    pub(super) fn coords(&self, x: &[f64]) -> Vec<[f64; D]> {
+        let mut coords = self.base.clone();
+        for (coordinate, unknown) in coords.as_flattened_mut().iter_mut().zip(&self.of_coordinate) {
+            *coordinate += unknown.map_or(0.0, |unknown| x[unknown]);
+        }
+        coords
+    }
+
+    /// Motion of the coordinates.
+    pub(super) fn spread(&self, step: &[f64]) -> Vec<[f64; D]> {
+        let mut motion = vec![[0.0; D]; self.base.len()];
+        for (entry, unknown) in motion.as_flattened_mut().iter_mut().zip(&self.of_coordinate) {
+            *entry = unknown.map_or(0.0, |unknown| step[unknown]);
+        }
+        motion
+    }
+
+    /// Displacements of the coordinates as those of the unknowns.
+    pub(super) fn gathered(&self, rows: &[[f64; D]]) -> Vec<f64> {
+        let mut all = vec![0.0; self.count];
+        for (entry, unknown) in rows.as_flattened().iter().zip(&self.of_coordinate) {
+            if let Some(unknown) = unknown {
+                all[*unknown] = *entry;
+            }
+        }
+        all
+    }
+
+    /// Forces on the coordinates, or what else is a derivative, on the unknowns.
+    pub(super) fn gather(&self, rows: &[[f64; D]]) -> Vec<f64> {
+        let mut all = vec![0.0; self.count];
+        for (entry, unknown) in rows.as_flattened().iter().zip(&self.of_coordinate) {
+            if let Some(unknown) = unknown {
+                all[*unknown] += entry;
+            }
+        }
+        all
+    }
+
+    /// A vector with zeros at unknowns that are not free.
+    pub(super) fn freed(&self, mut vector: Vec<f64>) -> Vec<f64> {
+        vector.iter_mut().zip(&self.free).for_each(|(entry, free)| *entry = if *free { *entry } else { 0.0 });
+        vector
+    }
+
+    /// Euclidean norm over the free unknowns.
+    pub(super) fn free_norm(&self, vector: &[f64]) -> f64 {
+        vector.iter().zip(&self.free).map(|(entry, free)| if *free { entry * entry } else { 0.0 }).sum::<f64>().sqrt()
+    }
+}
+
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+pub(super) fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+pub(super) fn largest(a: &[f64]) -> f64 {
+    a.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()))
+}
+
+/// a + t b.
+pub(super) fn moved(a: &[f64], t: f64, b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + t * b).collect()
+}
