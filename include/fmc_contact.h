@@ -193,6 +193,8 @@ typedef enum {
   FMC_ERROR_OPTIONS_CONFLICT = 61,
   // A reserved field is not zero: an option of a later version of the library.
   FMC_ERROR_RESERVED_FIELD = 62,
+  // The contact has no stiffness: option `stiffness` is 0, and none was found from the bodies' matrix.
+  FMC_ERROR_NO_STIFFNESS = 63,
 } fmc_status;
 
 // Class of a status: what a host does about it.
@@ -275,14 +277,15 @@ typedef enum {
   FMC_WEIGHTS_CONSISTENT = 1,
 } fmc_weights;
 
-// Options of an evaluation. `fmc_options_init` sets all of them; only `stiffness` has no default.
+// Options of an evaluation. `fmc_options_init` sets all of them.
 //
 // New options take the place of reserved fields; the size of the struct does not change, and compiled hosts keep
 // working. Every option can also be set by the name of its field, through `fmc_options_set`.
 typedef struct {
   // Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // k > 0, no default. For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
+  // k > 0. 0, the default, with the laws "depth" and "fiber": `fmc_equilibrium_next` finds it from the bodies' matrix; until then nothing can
+  // be evaluated (`FMC_ERROR_NO_STIFFNESS`). For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
   // see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
   // and must exceed the peak contact pressure; in general energy / (length^dim)^m.
   double stiffness;
@@ -342,7 +345,7 @@ typedef struct {
   uint64_t reserved[10];
 } fmc_options;
 
-// Sets all options to their defaults. Afterwards set at least `stiffness`.
+// Sets all options to their defaults. Afterwards set `stiffness`, unless it is to be found.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_options_init(fmc_options *options);
@@ -1214,6 +1217,21 @@ fmc_status fmc_context_set_obstacle_rotations(fmc_context *context,
 
 // ---- Steps: friction, patches, the longest step of explicit dynamics -------------------------------------
 
+// How far a step may go.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Part of the step, at most 1, that no body passes another by: a factor for a step of Newton's method.
+  double part;
+  // Part of it at which the first gap closes, as far as gaps change with the slopes of now: what a host linearises holds up to
+  // there. Infinite where none does.
+  double first_touch;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_step_limit;
+
 // Begins a step with friction at `coords`, with the obstacles where they are: slip is counted from here. With friction
 // this comes before the first evaluation, and `fmc_context_commit_step` after every step that is accepted, which begins
 // the next. A step may be tried as often as the host likes: nothing has to be undone.
@@ -1269,6 +1287,16 @@ fmc_status fmc_context_stable_step(fmc_context *context,
                                    const fmc_coords *coords,
                                    const double *masses,
                                    double *step);
+
+// How far the nodes at `coords` may go along `step`, a motion of every node in the same form, so that nothing passes through anything:
+// surfaces come to overlap by half a facet at most, beyond what they do, and no body moves by more than half its thickness against the
+// others. For hosts with an iteration of their own.
+//
+// Errors: as `fmc_context_gap_constraints`. Threads: one call at a time on a context.
+fmc_status fmc_context_step_limit(fmc_context *context,
+                                  const fmc_coords *coords,
+                                  const fmc_coords *step,
+                                  fmc_step_limit *limit);
 
 // ---- As little penetration as is wanted ------------------------------------------------------------------
 
@@ -1344,6 +1372,248 @@ fmc_status fmc_context_augment(fmc_context *context,
 // on a context.
 fmc_status fmc_context_stiffen(fmc_context *context,
                                double factor);
+
+// ---- Equilibrium at the end of a load step ---------------------------------------------------------------
+
+// What `fmc_equilibrium_next` asks for, or that the search has ended. K is the derivative of the forces where they were last asked for
+// with `matrix`, T the tangent of the contact at `x`.
+typedef enum {
+  // Internal less external forces at `x`, without contact.
+  FMC_REQUEST_FORCES = 0,
+  // K `vector`, rows and columns of unknowns that are not free included.
+  FMC_REQUEST_PRODUCT = 1,
+  // The diagonal of K.
+  FMC_REQUEST_DIAGONAL = 2,
+  // d with (K + `shift` diag K + T) d = `vector` in the rows of free unknowns, and d = 0 at the others.
+  FMC_REQUEST_SOLVE = 3,
+  // A step from `x` to the equilibrium of the contact with bodies that are linear, by K and the forces `forces`, as
+  // `fmc_context_contact_step` finds it, while unknowns that are not free move by `vector`.
+  FMC_REQUEST_CONDENSED = 4,
+  // The equilibrium was found: see `fmc_equilibrium_result`.
+  FMC_REQUEST_FOUND = 5,
+  // There is none, or none was found: see `fmc_equilibrium_result`.
+  FMC_REQUEST_REFUSED = 6,
+} fmc_equilibrium_request_kind;
+
+// How an equilibrium was found.
+typedef enum {
+  // None was.
+  FMC_WAY_NONE = 0,
+  // By steps to the equilibrium of the contact with linear bodies.
+  FMC_WAY_CONDENSED = 1,
+  // By whole steps of Newton's method: it is the one beside the start.
+  FMC_WAY_NEAREST = 2,
+  // Down the energy.
+  FMC_WAY_DOWNHILL = 3,
+} fmc_equilibrium_way;
+
+// A search for the equilibrium of a host's bodies in contact at the end of one load step. Opaque.
+//
+// It finds the stiffness of the contact from the host's matrix where the option `stiffness` is 0; moves bodies that nothing holds until
+// contact balances their loads, or names those that nothing stops; keeps steps so short that nothing passes through anything; and
+// tries several ways to the equilibrium from the same start. The host keeps its vectors, matrices and solvers, and answers.
+// Concurrent calls on one return `FMC_ERROR_BUSY`.
+typedef struct fmc_equilibrium fmc_equilibrium;
+
+// When a search ends, and how. Initialise it with `fmc_equilibrium_options_init`; nothing has to be chosen.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_equilibrium_options_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Norm of the residual at free unknowns by that of the forces of the bodies or of the contact, whichever are larger. Default 1e-9.
+  double tolerance;
+  // Linear solves, at most. Default 100.
+  size_t max_solves;
+  // Largest mean penetration of a node that is wanted, a length. 0, the default: a thousandth of the largest elastic displacement,
+  // where the stiffness was found by the search, and what the law leaves where it was given.
+  double penetration;
+  // How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
+  double reach;
+  // Updates of multipliers, at most; that a penetration asked for needs more is an error. Default 20.
+  size_t max_updates;
+  // 1: the host answers `FMC_REQUEST_CONDENSED`. Default 0.
+  int32_t condensed;
+  // 1: friction is frozen, solved for, and frozen again, all the way. Default 0.
+  int32_t lagged;
+  // 1: patches of the law "fiber" are kept at the start, follow the contact far from its equilibrium, and are found again near it.
+  // 0, the default: they are left to the host.
+  int32_t find_patches;
+  // 1: the host is checked at the start, and nothing is solved: the residual beside the matrix, signs, symmetry, rigid motions. The search
+  // ends with `FMC_REQUEST_FOUND`, and `fmc_equilibrium_text` has a sentence for each. Default 0.
+  int32_t check;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[5];
+} fmc_equilibrium_options;
+
+// The unknowns of a host, and where a load step begins. Initialise it with `fmc_equilibrium_problem_init`.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_equilibrium_problem_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Number of unknowns, those that are not free included.
+  size_t unknown_count;
+  // Number of rows of coordinates, as the context has them.
+  size_t row_count;
+  // Unknown of every coordinate, `row_count * dim` numbers by row, wide as `index_size` of the mesh says and counted from
+  // `index_base`; any number below that for a coordinate that never moves.
+  const void *unknown_of_coordinate;
+  // Coordinates where all unknowns are zero, `row_count * dim` numbers by row.
+  const double *base;
+  // `unknown_count` marks: 0 for an unknown that is not solved for.
+  const uint8_t *free;
+  // Where the load step begins, `unknown_count` numbers: best the last equilibrium.
+  const double *x;
+  // Where unknowns that are not free are at its end, `unknown_count` numbers; others are not read. NULL: where they are.
+  const double *prescribed;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_equilibrium_problem;
+
+// An answer. Initialise it with `fmc_equilibrium_answer_init`.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_equilibrium_answer_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // What was asked for, `unknown_count` numbers. NULL: it is not there, as where a cell is inverted or a matrix singular.
+  const double *vector;
+  // Why it is not there, or NULL.
+  const char *refusal;
+  // With forces: strain energy less the work of loads, or NULL where the host does not know it.
+  const double *energy;
+  // With a condensed step: 1 if K was found to be symmetric and positive definite where nothing touches.
+  int32_t definite;
+  // Zero. Room for switches of later versions.
+  uint32_t reserved_flags;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_equilibrium_answer;
+
+// A request. Its arrays have `unknown_count` numbers, and are valid until the next call with the search.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // A value of `fmc_equilibrium_request_kind`.
+  int32_t kind;
+  // 1: K is that of this `x` from now on.
+  int32_t matrix;
+  // 1: entries of K count by their magnitudes.
+  int32_t magnitudes;
+  // Flag of `fmc_context_tangent` for T: 0, `FMC_TANGENT_SYMMETRIC` or `FMC_TANGENT_SEMIDEFINITE`.
+  uint32_t tangent_flags;
+  // A state, or NULL.
+  const double *x;
+  // A vector, or NULL.
+  const double *vector;
+  // Forces, or NULL.
+  const double *forces;
+  // Part of the diagonal of K that is added.
+  double shift;
+  // Residual that a condensed step may leave, by the forces.
+  double tolerance;
+  // Residual that it may leave, a force.
+  double absolute_tolerance;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_equilibrium_request;
+
+// What a search has led to. Its arrays belong to the search, and are valid until it is freed.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // A value of `fmc_equilibrium_way`; `FMC_WAY_NONE` for a refusal.
+  int32_t way;
+  // Of a refusal: 1 if `unheld_body` is why.
+  int32_t unheld;
+  // The equilibrium, `unknown_count` numbers; NULL for a refusal.
+  const double *x;
+  // Internal less external less contact forces there: at unknowns that are not free, what holds them. NULL for a refusal.
+  const double *reactions;
+  // Residual by the forces, state by state.
+  const double *residuals;
+  // Their number.
+  size_t residual_count;
+  // Linear systems solved, without those that tell whether loose bodies stand.
+  size_t solve_count;
+  // Rigid steps in which loose bodies came to rest.
+  size_t rigid_step_count;
+  // Parts in which the step was made.
+  size_t part_count;
+  // Rigid motions that K does not hold, or hardly.
+  size_t loose_count;
+  // Updates of the multipliers.
+  size_t update_count;
+  // Number of texts of `fmc_equilibrium_text`: warnings, or one sentence for a refusal.
+  size_t text_count;
+  // Largest mean penetration of a node, a length; negative where it was not measured.
+  double penetration;
+  // Id of a body that nothing holds.
+  int64_t unheld_body;
+  // Unit vector along which it goes; zeros where it turns.
+  double unheld_direction[3];
+  // Zero.
+  uint64_t reserved[6];
+} fmc_equilibrium_result;
+
+// Sets all options of a search to their defaults.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_equilibrium_options_init(fmc_equilibrium_options *options);
+
+// Sets a problem to zero, and its size.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_equilibrium_problem_init(fmc_equilibrium_problem *problem);
+
+// Sets an answer to zero, and its size.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_equilibrium_answer_init(fmc_equilibrium_answer *answer);
+
+// Makes a search, to be freed by `fmc_equilibrium_free`. `options` may be NULL: the defaults.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_LENGTH`,
+// `FMC_ERROR_INDEX_OUT_OF_RANGE`, `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`,
+// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_equilibrium_new(fmc_context *context,
+                               const fmc_equilibrium_problem *problem,
+                               const fmc_equilibrium_options *options,
+                               fmc_equilibrium **equilibrium);
+
+// Takes the answer to the last request, and says what is asked for next, or that the search has ended.
+//
+// `answer`: NULL for the first call; without an answer the same is asked again. Between the calls the host may call the context, as to
+// get the tangent; it does not change obstacles, options or friction before the search has ended. After a refusal, friction and
+// multipliers of the context are what they were before.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_UNSUPPORTED` for a context of
+// another dimension, `FMC_ERROR_BUSY`; the request then stays. Threads: one call at a time on a search and its context.
+fmc_status fmc_equilibrium_next(fmc_context *context,
+                                fmc_equilibrium *equilibrium,
+                                const fmc_equilibrium_answer *answer,
+                                fmc_equilibrium_request *request);
+
+// What a search that has ended has led to.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` while it goes on, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
+fmc_status fmc_equilibrium_found(fmc_equilibrium *equilibrium,
+                                 fmc_equilibrium_result *result);
+
+// A sentence of a search that has ended: its warnings, or why there is no equilibrium; after `fmc_equilibrium_found`. NULL for a number
+// that is too large. Valid until the search is freed.
+//
+// Errors: none. Threads: one call at a time on a search.
+const char *fmc_equilibrium_text(const fmc_equilibrium *equilibrium,
+                                 size_t number);
+
+// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
+//
+// Errors: none. Threads: no other call on it may be running or follow.
+fmc_status fmc_equilibrium_free(fmc_equilibrium **equilibrium);
 
 // ---- Equilibrium with condensed bodies -------------------------------------------------------------------
 

@@ -14,6 +14,7 @@
 
 #include "fmc_contact/condensation.hpp"
 #include "fmc_contact/context.hpp"
+#include "fmc_contact/equilibrium.hpp"
 
 namespace fmc {
 

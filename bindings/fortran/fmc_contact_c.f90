@@ -82,6 +82,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_UNKNOWN_FLAG = 60
   integer(c_int32_t), parameter :: FMC_ERROR_OPTIONS_CONFLICT = 61
   integer(c_int32_t), parameter :: FMC_ERROR_RESERVED_FIELD = 62
+  integer(c_int32_t), parameter :: FMC_ERROR_NO_STIFFNESS = 63
   integer(c_int32_t), parameter :: FMC_CLASS_OK = 0
   integer(c_int32_t), parameter :: FMC_CLASS_INPUT = 1
   integer(c_int32_t), parameter :: FMC_CLASS_GEOMETRY = 2
@@ -139,6 +140,17 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_WARNING_PATCH_LEFT_OUT = 4
   integer(c_int32_t), parameter :: FMC_WARNING_UNBALANCED = 5
   integer(c_int32_t), parameter :: FMC_WARNING_FLUSH_FACES = 6
+  integer(c_int32_t), parameter :: FMC_REQUEST_FORCES = 0
+  integer(c_int32_t), parameter :: FMC_REQUEST_PRODUCT = 1
+  integer(c_int32_t), parameter :: FMC_REQUEST_DIAGONAL = 2
+  integer(c_int32_t), parameter :: FMC_REQUEST_SOLVE = 3
+  integer(c_int32_t), parameter :: FMC_REQUEST_CONDENSED = 4
+  integer(c_int32_t), parameter :: FMC_REQUEST_FOUND = 5
+  integer(c_int32_t), parameter :: FMC_REQUEST_REFUSED = 6
+  integer(c_int32_t), parameter :: FMC_WAY_NONE = 0
+  integer(c_int32_t), parameter :: FMC_WAY_CONDENSED = 1
+  integer(c_int32_t), parameter :: FMC_WAY_NEAREST = 2
+  integer(c_int32_t), parameter :: FMC_WAY_DOWNHILL = 3
   integer(c_int32_t), parameter :: FMC_STEP_CONVERGED = 0
   integer(c_int32_t), parameter :: FMC_STEP_OUTSIDE = 1
   integer(c_int32_t), parameter :: FMC_STEP_NOT_CONVERGED = 2
@@ -309,6 +321,13 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_step_limit
+    integer(c_size_t) :: struct_size
+    real(c_double) :: part
+    real(c_double) :: first_touch
+    integer(c_int64_t) :: reserved(4)
+  end type
+
   type, bind(c) :: fmc_augmentation
     integer(c_size_t) :: struct_size
     real(c_double) :: penetration
@@ -329,6 +348,77 @@ module fmc_contact_c
     real(c_double) :: shift
     real(c_double) :: towards(3)
     integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_equilibrium_options
+    integer(c_size_t) :: struct_size
+    real(c_double) :: tolerance
+    integer(c_size_t) :: max_solves
+    real(c_double) :: penetration
+    real(c_double) :: reach
+    integer(c_size_t) :: max_updates
+    integer(c_int32_t) :: condensed
+    integer(c_int32_t) :: lagged
+    integer(c_int32_t) :: find_patches
+    integer(c_int32_t) :: check
+    integer(c_int64_t) :: reserved(5)
+  end type
+
+  type, bind(c) :: fmc_equilibrium_problem
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: unknown_count
+    integer(c_size_t) :: row_count
+    type(c_ptr) :: unknown_of_coordinate
+    type(c_ptr) :: base
+    type(c_ptr) :: free
+    type(c_ptr) :: x
+    type(c_ptr) :: prescribed
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_equilibrium_answer
+    integer(c_size_t) :: struct_size
+    type(c_ptr) :: vector
+    type(c_ptr) :: refusal
+    type(c_ptr) :: energy
+    integer(c_int32_t) :: definite
+    integer(c_int32_t) :: reserved_flags
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_equilibrium_request
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: kind
+    integer(c_int32_t) :: matrix
+    integer(c_int32_t) :: magnitudes
+    integer(c_int32_t) :: tangent_flags
+    type(c_ptr) :: x
+    type(c_ptr) :: vector
+    type(c_ptr) :: forces
+    real(c_double) :: shift
+    real(c_double) :: tolerance
+    real(c_double) :: absolute_tolerance
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_equilibrium_result
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: way
+    integer(c_int32_t) :: unheld
+    type(c_ptr) :: x
+    type(c_ptr) :: reactions
+    type(c_ptr) :: residuals
+    integer(c_size_t) :: residual_count
+    integer(c_size_t) :: solve_count
+    integer(c_size_t) :: rigid_step_count
+    integer(c_size_t) :: part_count
+    integer(c_size_t) :: loose_count
+    integer(c_size_t) :: update_count
+    integer(c_size_t) :: text_count
+    real(c_double) :: penetration
+    integer(c_int64_t) :: unheld_body
+    real(c_double) :: unheld_direction(3)
+    integer(c_int64_t) :: reserved(6)
   end type
 
   type, bind(c) :: fmc_contact_step_options
@@ -864,6 +954,14 @@ module fmc_contact_c
       real(c_double), intent(inout), optional :: step
       integer(c_int32_t) :: fmc_context_stable_step
     end function
+    function fmc_context_step_limit(context, coords, step, limit) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_coords), intent(in), optional :: step
+      type(fmc_step_limit), intent(inout), optional :: limit
+      integer(c_int32_t) :: fmc_context_step_limit
+    end function
     function fmc_context_augment(context, coords, reach, tolerance, result) bind(c)
       import
       type(c_ptr), value :: context
@@ -878,6 +976,54 @@ module fmc_contact_c
       type(c_ptr), value :: context
       real(c_double), value :: factor
       integer(c_int32_t) :: fmc_context_stiffen
+    end function
+    function fmc_equilibrium_options_init(options) bind(c)
+      import
+      type(fmc_equilibrium_options), intent(inout), optional :: options
+      integer(c_int32_t) :: fmc_equilibrium_options_init
+    end function
+    function fmc_equilibrium_problem_init(problem) bind(c)
+      import
+      type(fmc_equilibrium_problem), intent(inout), optional :: problem
+      integer(c_int32_t) :: fmc_equilibrium_problem_init
+    end function
+    function fmc_equilibrium_answer_init(answer) bind(c)
+      import
+      type(fmc_equilibrium_answer), intent(inout), optional :: answer
+      integer(c_int32_t) :: fmc_equilibrium_answer_init
+    end function
+    function fmc_equilibrium_new(context, problem, options, equilibrium) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_equilibrium_problem), intent(in), optional :: problem
+      type(fmc_equilibrium_options), intent(in), optional :: options
+      type(c_ptr), intent(inout), optional :: equilibrium
+      integer(c_int32_t) :: fmc_equilibrium_new
+    end function
+    function fmc_equilibrium_next(context, equilibrium, answer, request) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(c_ptr), value :: equilibrium
+      type(fmc_equilibrium_answer), intent(in), optional :: answer
+      type(fmc_equilibrium_request), intent(inout), optional :: request
+      integer(c_int32_t) :: fmc_equilibrium_next
+    end function
+    function fmc_equilibrium_found(equilibrium, result) bind(c)
+      import
+      type(c_ptr), value :: equilibrium
+      type(fmc_equilibrium_result), intent(inout), optional :: result
+      integer(c_int32_t) :: fmc_equilibrium_found
+    end function
+    function fmc_equilibrium_text(equilibrium, number) bind(c)
+      import
+      type(c_ptr), value :: equilibrium
+      integer(c_size_t), value :: number
+      type(c_ptr) :: fmc_equilibrium_text
+    end function
+    function fmc_equilibrium_free(equilibrium) bind(c)
+      import
+      type(c_ptr), intent(inout), optional :: equilibrium
+      integer(c_int32_t) :: fmc_equilibrium_free
     end function
     function fmc_contact_step_options_init(options) bind(c)
       import

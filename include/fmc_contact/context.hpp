@@ -56,6 +56,8 @@ class Context : public AddsShapes<Context> {
   }
 
   int dim() const noexcept { return dim_; }
+  // Bytes of the numbers of nodes, cells and degrees of freedom.
+  int32_t index_size() const noexcept { return index_size_; }
   // For calls of the C interface. The context stays owned; callbacks that throw are for the methods here.
   fmc_context *get() const noexcept { return context_.get(); }
 
@@ -232,6 +234,14 @@ class Context : public AddsShapes<Context> {
     const auto x = coords.as_c(dim_);
     call(fmc_context_stable_step(get(), &x, detail::one_for_each(masses, x.node_count, "masses"), &step));
     return step;
+  }
+
+  // How far the nodes may go along a step so that nothing passes through anything.
+  fmc_step_limit step_limit(Coords coords, Coords step) {
+    fmc_step_limit limit;
+    const auto x = coords.as_c(dim_), d = step.as_c(dim_);
+    call(fmc_context_step_limit(get(), &x, &d, &limit));
+    return limit;
   }
 
   // The law "fiber": keeps the patches found at `coords`, and returns the number of directions; or releases them.

@@ -7,7 +7,7 @@ use std::fs;
 pub(crate) type Section = (&'static str, &'static [&'static str]);
 
 /// In the order in which a host meets them. Within a section types come before functions.
-pub(crate) const SECTIONS: [Section; 18] = [
+pub(crate) const SECTIONS: [Section; 19] = [
     ("Version", &["calls/version"]),
     ("Statuses, and the text of an error", &["boundary/status", "boundary/status_class", "boundary/last_error"]),
     ("Options", &["structs/law", "structs/options", "calls/options/option_keys", "calls/options/stiffness"]),
@@ -53,9 +53,13 @@ pub(crate) const SECTIONS: [Section; 18] = [
     ),
     (
         "Steps: friction, patches, the longest step of explicit dynamics",
-        &["calls/steps/friction", "calls/steps/patches", "calls/steps/stable_step"],
+        &["calls/steps/friction", "calls/steps/patches", "calls/steps/stable_step", "calls/steps/step_limit"],
     ),
     ("As little penetration as is wanted", &["structs/multiplier", "calls/steps/augmentation"]),
+    (
+        "Equilibrium at the end of a load step",
+        &["structs/equilibrium", "structs/equilibrium_result", "calls/solver/equilibrium"],
+    ),
     (
         "Equilibrium with condensed bodies",
         &["structs/placement", "calls/solver/contact_step", "calls/solver/condensation"],

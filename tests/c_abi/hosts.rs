@@ -94,6 +94,14 @@ fn approach_of_a_tetrahedron_in_cpp() {
     assert!(printed.starts_with("tip at  1.05  volume 0.000000  area 0.0000  force     0.00\n"));
 }
 
+/// A block that only its floor holds comes to rest.
+#[test]
+fn equilibrium_of_a_loose_block_in_c() {
+    let printed = output("equilibrium.c", Link::Shared);
+    assert!(printed.ends_with("the floor bears 4.000000000 of 4\n"), "{printed}");
+    assert!(printed.contains("free: body 0 along ("), "{printed}");
+}
+
 #[test]
 fn arrays_of_cpp_hosts_in_any_container() {
     assert_eq!(output("arrays.cpp", Link::Shared), "0 failures\n");

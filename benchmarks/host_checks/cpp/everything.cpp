@@ -212,6 +212,13 @@ void tangents() {
   EXPECT(limit > 0 && limit < 1 && close(contact.stable_step(coords, Numbers(8, 4.0)), 2 * limit, 1e-12));
   EXPECT(refused(FMC_ERROR_LENGTH, "masses", [&] { contact.stable_step(coords, Numbers(7, 1.0)); }));
 
+  // A step of nothing may be taken whole; one of twenty sizes, not.
+  EXPECT(contact.step_limit(coords, Numbers(16, 0.0)).part == 1);
+  Numbers far(16, 0.0);
+  for (std::size_t k = 8; k < 16; k += 2) far[k] = -20;
+  EXPECT(contact.step_limit(coords, far).part < 0.1);
+  EXPECT(refused(FMC_ERROR_LENGTH, "coords", [&] { contact.step_limit(coords, Numbers(14, 0.0)); }));
+
   // One rank that shares with none but itself.
   fmc::Communicator ranks;
   EXPECT(ranks.size == 1);
@@ -233,6 +240,67 @@ void tangents() {
   const auto term = squared.tangent_rank_one(0);
   const auto &g = term.vector;
   EXPECT(term.factor == 2 * options.stiffness && close(g[0] + g[2] + g[4] + g[6], 0.8, 1e-9));
+}
+
+// A square on springs that a floor lifts: the equilibrium by functions of the host, one who refuses, and what it says of itself.
+void an_equilibrium() {
+  const Numbers coords = {0, 0, 1, 0, 1, 1, 0, 1};
+  const std::vector<int32_t> quads = {0, 1, 2, 3};
+  fmc::Context contact(2, coords, {{FMC_QUAD4, quads}}, fmc::Options(0));
+  contact.add_half_space(fmc::Pose::at({0, 0.1}));
+  const std::vector<int64_t> unknowns = {0, 1, 2, 3, 4, 5, 6, 7};
+  const std::vector<uint8_t> free(8, 1);
+  const Numbers rest(8, 0.0);
+  const double k = 1e3;
+  fmc::EquilibriumHost host;
+  host.forces = [&](fmc::View<const double> x, bool, double *forces, double &energy) {
+    energy = 0;
+    for (std::size_t i = 0; i < 8; ++i) forces[i] = k * x[i], energy += k * x[i] * x[i] / 2;
+    return true;
+  };
+  host.product = [&](fmc::View<const double> v, bool, double *product) {
+    for (std::size_t i = 0; i < 8; ++i) product[i] = k * v[i];
+  };
+  host.diagonal = [&](double *diagonal) {
+    for (std::size_t i = 0; i < 8; ++i) diagonal[i] = k;
+  };
+  host.solve = [&](fmc::View<const double> x, uint32_t flags, double shift, fmc::View<const double> right, double *d) {
+    Numbers at(coords);
+    for (std::size_t i = 0; i < 8; ++i) at[i] += x[i];
+    double a[8][9] = {};
+    for (std::size_t i = 0; i < 8; ++i) a[i][i] = k * (1 + shift), a[i][8] = right[i];
+    const auto tangent = contact.tangent(at, flags);
+    for (std::size_t row = 0; row < tangent.rows(); ++row)
+      for (auto e = tangent.row_offsets[row]; e < tangent.row_offsets[row + 1]; ++e)
+        a[row][static_cast<std::size_t>(tangent.cols[static_cast<std::size_t>(e)])] += tangent.values[static_cast<std::size_t>(e)];
+    for (std::size_t c = 0; c < 8; ++c)
+      for (std::size_t r = 0; r < 8; ++r)
+        if (r != c) {
+          const double part = a[r][c] / a[c][c];
+          for (std::size_t j = c; j < 9; ++j) a[r][j] -= part * a[c][j];
+        }
+    for (std::size_t i = 0; i < 8; ++i) d[i] = a[i][8] / a[i][i];
+    return true;
+  };
+  const fmc::EquilibriumProblem problem{unknowns, coords, free, rest, {}};
+  const auto found = fmc::find_equilibrium(contact, problem, host);
+  EXPECT(found.way != FMC_WAY_NONE && found.x.size() == 8 && found.counts.solve_count > 0);
+  // The foot is on the floor to a thousandth of its way, and what lifts it is what springs hold.
+  EXPECT(close(found.x[1], 0.1, 1e-2) && close(found.x[3], 0.1, 1e-2) && std::fabs(found.x[0] + found.x[2]) < 1e-9);
+  fmc::EquilibriumOptions check;
+  check.check = 1;
+  const auto said = fmc::find_equilibrium(contact, problem, host, check);
+  EXPECT(said.texts.size() >= 5 && said.texts[1].find("derivative of the residual") != std::string::npos);
+  host.forces = [](fmc::View<const double>, bool, double *, double &) { return false; };
+  EXPECT(fmc::find_equilibrium(contact, problem, host).way == FMC_WAY_NONE);
+  host.forces = [](fmc::View<const double>, bool, double *, double &) -> bool { throw std::runtime_error("of the host"); };
+  bool has_thrown = false;
+  try {
+    fmc::find_equilibrium(contact, problem, host);
+  } catch (const std::runtime_error &error) {
+    has_thrown = std::string(error.what()) == "of the host";
+  }
+  EXPECT(has_thrown);
 }
 
 // A mesh in one part is the whole mesh, its nodes and cells in the order of their numbers.
@@ -430,6 +498,7 @@ int main() try {
   friction_and_patches();
   obstacles();
   condensation();
+  an_equilibrium();
   // A rigid square on springs sinks onto another that is held, as in hosts/c/contact_step.c: u = 100.8 / 1001.
   const Numbers start = {0, 0, 2, 0, 2, 1, 0, 1, 0.5, 1.1, 1.5, 1.1, 1.5, 2, 0.5, 2};
   Numbers sunk = start;

@@ -77,6 +77,7 @@ pub const FMC_ERROR_BAD_VALUE: i32 = 59;
 pub const FMC_ERROR_UNKNOWN_FLAG: i32 = 60;
 pub const FMC_ERROR_OPTIONS_CONFLICT: i32 = 61;
 pub const FMC_ERROR_RESERVED_FIELD: i32 = 62;
+pub const FMC_ERROR_NO_STIFFNESS: i32 = 63;
 pub const FMC_CLASS_OK: i32 = 0;
 pub const FMC_CLASS_INPUT: i32 = 1;
 pub const FMC_CLASS_GEOMETRY: i32 = 2;
@@ -134,6 +135,17 @@ pub const FMC_WARNING_SWALLOWED_BODY: i32 = 3;
 pub const FMC_WARNING_PATCH_LEFT_OUT: i32 = 4;
 pub const FMC_WARNING_UNBALANCED: i32 = 5;
 pub const FMC_WARNING_FLUSH_FACES: i32 = 6;
+pub const FMC_REQUEST_FORCES: i32 = 0;
+pub const FMC_REQUEST_PRODUCT: i32 = 1;
+pub const FMC_REQUEST_DIAGONAL: i32 = 2;
+pub const FMC_REQUEST_SOLVE: i32 = 3;
+pub const FMC_REQUEST_CONDENSED: i32 = 4;
+pub const FMC_REQUEST_FOUND: i32 = 5;
+pub const FMC_REQUEST_REFUSED: i32 = 6;
+pub const FMC_WAY_NONE: i32 = 0;
+pub const FMC_WAY_CONDENSED: i32 = 1;
+pub const FMC_WAY_NEAREST: i32 = 2;
+pub const FMC_WAY_DOWNHILL: i32 = 3;
 pub const FMC_STEP_CONVERGED: i32 = 0;
 pub const FMC_STEP_OUTSIDE: i32 = 1;
 pub const FMC_STEP_NOT_CONVERGED: i32 = 2;
@@ -144,6 +156,11 @@ pub const FMC_NODE_SLIDING: i32 = 3;
 
 #[repr(C)]
 pub struct fmc_context {
+    _private: [u8; 0],
+}
+
+#[repr(C)]
+pub struct fmc_equilibrium {
     _private: [u8; 0],
 }
 
@@ -352,6 +369,15 @@ pub struct fmc_pair_result {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_step_limit {
+    pub struct_size: usize,
+    pub part: f64,
+    pub first_touch: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_augmentation {
     pub struct_size: usize,
     pub penetration: f64,
@@ -374,6 +400,87 @@ pub struct fmc_multiplier {
     pub shift: f64,
     pub towards: [f64; 3],
     pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_equilibrium_options {
+    pub struct_size: usize,
+    pub tolerance: f64,
+    pub max_solves: usize,
+    pub penetration: f64,
+    pub reach: f64,
+    pub max_updates: usize,
+    pub condensed: i32,
+    pub lagged: i32,
+    pub find_patches: i32,
+    pub check: i32,
+    pub reserved: [u64; 5],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_equilibrium_problem {
+    pub struct_size: usize,
+    pub unknown_count: usize,
+    pub row_count: usize,
+    pub unknown_of_coordinate: *const c_void,
+    pub base: *const f64,
+    pub free: *const uint8_t,
+    pub x: *const f64,
+    pub prescribed: *const f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_equilibrium_answer {
+    pub struct_size: usize,
+    pub vector: *const f64,
+    pub refusal: *const c_char,
+    pub energy: *const f64,
+    pub definite: i32,
+    pub reserved_flags: u32,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_equilibrium_request {
+    pub struct_size: usize,
+    pub kind: i32,
+    pub matrix: i32,
+    pub magnitudes: i32,
+    pub tangent_flags: u32,
+    pub x: *const f64,
+    pub vector: *const f64,
+    pub forces: *const f64,
+    pub shift: f64,
+    pub tolerance: f64,
+    pub absolute_tolerance: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_equilibrium_result {
+    pub struct_size: usize,
+    pub way: i32,
+    pub unheld: i32,
+    pub x: *const f64,
+    pub reactions: *const f64,
+    pub residuals: *const f64,
+    pub residual_count: usize,
+    pub solve_count: usize,
+    pub rigid_step_count: usize,
+    pub part_count: usize,
+    pub loose_count: usize,
+    pub update_count: usize,
+    pub text_count: usize,
+    pub penetration: f64,
+    pub unheld_body: i64,
+    pub unheld_direction: [f64; 3],
+    pub reserved: [u64; 6],
 }
 
 #[repr(C)]
@@ -598,8 +705,17 @@ unsafe extern "C" {
     pub fn fmc_context_freeze_friction(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_keep_patches(context: *mut fmc_context, coords: *const fmc_coords, direction_count: *mut usize) -> fmc_status;
     pub fn fmc_context_stable_step(context: *mut fmc_context, coords: *const fmc_coords, masses: *const f64, step: *mut f64) -> fmc_status;
+    pub fn fmc_context_step_limit(context: *mut fmc_context, coords: *const fmc_coords, step: *const fmc_coords, limit: *mut fmc_step_limit) -> fmc_status;
     pub fn fmc_context_augment(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, tolerance: f64, result: *mut fmc_augmentation) -> fmc_status;
     pub fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status;
+    pub fn fmc_equilibrium_options_init(options: *mut fmc_equilibrium_options) -> fmc_status;
+    pub fn fmc_equilibrium_problem_init(problem: *mut fmc_equilibrium_problem) -> fmc_status;
+    pub fn fmc_equilibrium_answer_init(answer: *mut fmc_equilibrium_answer) -> fmc_status;
+    pub fn fmc_equilibrium_new(context: *mut fmc_context, problem: *const fmc_equilibrium_problem, options: *const fmc_equilibrium_options, equilibrium: *mut *mut fmc_equilibrium) -> fmc_status;
+    pub fn fmc_equilibrium_next(context: *mut fmc_context, equilibrium: *mut fmc_equilibrium, answer: *const fmc_equilibrium_answer, request: *mut fmc_equilibrium_request) -> fmc_status;
+    pub fn fmc_equilibrium_found(equilibrium: *mut fmc_equilibrium, result: *mut fmc_equilibrium_result) -> fmc_status;
+    pub fn fmc_equilibrium_text(equilibrium: *const fmc_equilibrium, number: usize) -> *const c_char;
+    pub fn fmc_equilibrium_free(equilibrium: *mut *mut fmc_equilibrium) -> fmc_status;
     pub fn fmc_contact_step_options_init(options: *mut fmc_contact_step_options) -> fmc_status;
     pub fn fmc_context_contact_step(context: *mut fmc_context, coords: *const fmc_coords, options: *const fmc_contact_step_options, dofs: *const c_void, dof_count: usize, fixed_dofs: *const c_void, fixed_count: usize, stiffness: *const f64, residual: *const f64, place: fmc_place, user: *mut c_void, displacement: *mut f64, result: *mut fmc_contact_step_result) -> fmc_status;
     pub fn fmc_condensation_new(condensation: *mut *mut fmc_condensation) -> fmc_status;

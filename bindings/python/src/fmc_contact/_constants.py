@@ -77,6 +77,7 @@ FMC_ERROR_BAD_VALUE = 59
 FMC_ERROR_UNKNOWN_FLAG = 60
 FMC_ERROR_OPTIONS_CONFLICT = 61
 FMC_ERROR_RESERVED_FIELD = 62
+FMC_ERROR_NO_STIFFNESS = 63
 FMC_CLASS_OK = 0
 FMC_CLASS_INPUT = 1
 FMC_CLASS_GEOMETRY = 2
@@ -134,6 +135,17 @@ FMC_WARNING_SWALLOWED_BODY = 3
 FMC_WARNING_PATCH_LEFT_OUT = 4
 FMC_WARNING_UNBALANCED = 5
 FMC_WARNING_FLUSH_FACES = 6
+FMC_REQUEST_FORCES = 0
+FMC_REQUEST_PRODUCT = 1
+FMC_REQUEST_DIAGONAL = 2
+FMC_REQUEST_SOLVE = 3
+FMC_REQUEST_CONDENSED = 4
+FMC_REQUEST_FOUND = 5
+FMC_REQUEST_REFUSED = 6
+FMC_WAY_NONE = 0
+FMC_WAY_CONDENSED = 1
+FMC_WAY_NEAREST = 2
+FMC_WAY_DOWNHILL = 3
 FMC_STEP_CONVERGED = 0
 FMC_STEP_OUTSIDE = 1
 FMC_STEP_NOT_CONVERGED = 2
@@ -206,6 +218,7 @@ FMC_STATUS: dict[int, str] = {
     60: "error_unknown_flag",
     61: "error_options_conflict",
     62: "error_reserved_field",
+    63: "error_no_stiffness",
 }
 
 FMC_STATUS_CLASS_VALUE: dict[int, str] = {
@@ -269,6 +282,18 @@ FMC_WARNING: dict[int, str] = {
     5: "unbalanced",
     6: "flush_faces",
 }
+
+FMC_EQUILIBRIUM_REQUEST_KIND: dict[int, str] = {
+    0: "forces",
+    1: "product",
+    2: "diagonal",
+    3: "solve",
+    4: "condensed",
+    5: "found",
+    6: "refused",
+}
+
+FMC_EQUILIBRIUM_WAY: dict[int, str] = {0: "none", 1: "condensed", 2: "nearest", 3: "downhill"}
 
 FMC_CONTACT_STEP_STATE: dict[int, str] = {0: "converged", 1: "outside", 2: "not_converged"}
 

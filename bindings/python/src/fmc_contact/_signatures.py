@@ -22,6 +22,12 @@ from ._structs import (
     fmc_context,
     fmc_coords,
     fmc_csr,
+    fmc_equilibrium,
+    fmc_equilibrium_answer,
+    fmc_equilibrium_options,
+    fmc_equilibrium_problem,
+    fmc_equilibrium_request,
+    fmc_equilibrium_result,
     fmc_facet_block,
     fmc_forces,
     fmc_friction_step,
@@ -40,6 +46,7 @@ from ._structs import (
     fmc_result,
     fmc_resultant,
     fmc_shape,
+    fmc_step_limit,
 )
 
 FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
@@ -140,11 +147,29 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_freeze_friction": (c_int32, [fmc_context, POINTER(fmc_coords)]),
     "fmc_context_keep_patches": (c_int32, [fmc_context, POINTER(fmc_coords), POINTER(c_size_t)]),
     "fmc_context_stable_step": (c_int32, [fmc_context, POINTER(fmc_coords), Float64Array, POINTER(c_double)]),
+    "fmc_context_step_limit": (
+        c_int32,
+        [fmc_context, POINTER(fmc_coords), POINTER(fmc_coords), POINTER(fmc_step_limit)],
+    ),
     "fmc_context_augment": (
         c_int32,
         [fmc_context, POINTER(fmc_coords), c_double, c_double, POINTER(fmc_augmentation)],
     ),
     "fmc_context_stiffen": (c_int32, [fmc_context, c_double]),
+    "fmc_equilibrium_options_init": (c_int32, [POINTER(fmc_equilibrium_options)]),
+    "fmc_equilibrium_problem_init": (c_int32, [POINTER(fmc_equilibrium_problem)]),
+    "fmc_equilibrium_answer_init": (c_int32, [POINTER(fmc_equilibrium_answer)]),
+    "fmc_equilibrium_new": (
+        c_int32,
+        [fmc_context, POINTER(fmc_equilibrium_problem), POINTER(fmc_equilibrium_options), POINTER(fmc_equilibrium)],
+    ),
+    "fmc_equilibrium_next": (
+        c_int32,
+        [fmc_context, fmc_equilibrium, POINTER(fmc_equilibrium_answer), POINTER(fmc_equilibrium_request)],
+    ),
+    "fmc_equilibrium_found": (c_int32, [fmc_equilibrium, POINTER(fmc_equilibrium_result)]),
+    "fmc_equilibrium_text": (c_char_p, [fmc_equilibrium, c_size_t]),
+    "fmc_equilibrium_free": (c_int32, [POINTER(fmc_equilibrium)]),
     "fmc_contact_step_options_init": (c_int32, [POINTER(fmc_contact_step_options)]),
     "fmc_context_contact_step": (
         c_int32,

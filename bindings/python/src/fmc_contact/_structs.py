@@ -15,6 +15,7 @@ from ctypes import (
     c_int64,
     c_size_t,
     c_ssize_t,
+    c_uint32,
     c_uint64,
     c_void_p,
 )
@@ -22,6 +23,10 @@ from ctypes import (
 
 class fmc_context(c_void_p):
     """``fmc_context *``"""
+
+
+class fmc_equilibrium(c_void_p):
+    """``fmc_equilibrium *``"""
 
 
 class fmc_condensation(c_void_p):
@@ -227,6 +232,15 @@ class fmc_pair_result(Structure):
     ]
 
 
+class fmc_step_limit(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("part", c_double),
+        ("first_touch", c_double),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_augmentation(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -250,6 +264,87 @@ class fmc_multiplier(Structure):
         ("shift", c_double),
         ("towards", c_double * 3),
         ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_equilibrium_options(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("tolerance", c_double),
+        ("max_solves", c_size_t),
+        ("penetration", c_double),
+        ("reach", c_double),
+        ("max_updates", c_size_t),
+        ("condensed", c_int32),
+        ("lagged", c_int32),
+        ("find_patches", c_int32),
+        ("check", c_int32),
+        ("reserved", c_uint64 * 5),
+    ]
+
+
+class fmc_equilibrium_problem(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("unknown_count", c_size_t),
+        ("row_count", c_size_t),
+        ("unknown_of_coordinate", c_void_p),
+        ("base", c_void_p),
+        ("free", c_void_p),
+        ("x", c_void_p),
+        ("prescribed", c_void_p),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_equilibrium_answer(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("vector", c_void_p),
+        ("refusal", c_void_p),
+        ("energy", c_void_p),
+        ("definite", c_int32),
+        ("reserved_flags", c_uint32),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_equilibrium_request(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("kind", c_int32),
+        ("matrix", c_int32),
+        ("magnitudes", c_int32),
+        ("tangent_flags", c_uint32),
+        ("x", c_void_p),
+        ("vector", c_void_p),
+        ("forces", c_void_p),
+        ("shift", c_double),
+        ("tolerance", c_double),
+        ("absolute_tolerance", c_double),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_equilibrium_result(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("way", c_int32),
+        ("unheld", c_int32),
+        ("x", c_void_p),
+        ("reactions", c_void_p),
+        ("residuals", c_void_p),
+        ("residual_count", c_size_t),
+        ("solve_count", c_size_t),
+        ("rigid_step_count", c_size_t),
+        ("part_count", c_size_t),
+        ("loose_count", c_size_t),
+        ("update_count", c_size_t),
+        ("text_count", c_size_t),
+        ("penetration", c_double),
+        ("unheld_body", c_int64),
+        ("unheld_direction", c_double * 3),
+        ("reserved", c_uint64 * 6),
     ]
 
 

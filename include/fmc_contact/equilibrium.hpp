@@ -1,0 +1,130 @@
+// The equilibrium at the end of a load step, in a loop over functions of the host. Part of fmc_contact.hpp.
+#ifndef FMC_CONTACT_EQUILIBRIUM_HPP
+#define FMC_CONTACT_EQUILIBRIUM_HPP
+
+#include "context.hpp"
+
+#include <functional>
+#include <limits>
+#include <memory>
+
+namespace fmc {
+
+// When a search ends, and how: see `fmc_equilibrium_options`.
+struct EquilibriumOptions : fmc_equilibrium_options {
+  EquilibriumOptions() : fmc_equilibrium_options() { fmc::check(fmc_equilibrium_options_init(this)); }
+};
+
+// The bodies of a host. K is the derivative of the forces where they were last asked for with `matrix`. Arrays that are filled have a number
+// for every unknown; a function that returns false has none.
+struct EquilibriumHost {
+  // Internal less external forces at x, without contact; NaN stays in `energy` where strain energy less the work of loads is not known.
+  std::function<bool(View<const double> x, bool matrix, double *forces, double &energy)> forces;
+  // K v, or |K| v, with rows and columns of unknowns that are not free.
+  std::function<void(View<const double> vector, bool magnitudes, double *product)> product;
+  std::function<void(double *diagonal)> diagonal;
+  // d with (K + shift diag K + T) d = right in the rows of free unknowns. T: `Context::tangent` at x with these flags.
+  std::function<bool(View<const double> x, uint32_t tangent_flags, double shift, View<const double> right, double *d)> solve;
+};
+
+// Unknowns of a host: see `fmc_equilibrium_problem`.
+struct EquilibriumProblem {
+  View<const int64_t> unknown_of_coordinate;
+  View<const double> base;
+  View<const uint8_t> free;
+  View<const double> x;
+  View<const double> prescribed;  // May be left out.
+};
+
+// What a search has led to. `way` is FMC_WAY_NONE for a refusal; `texts` has then a sentence, else the warnings.
+struct Equilibrium {
+  int way = FMC_WAY_NONE;
+  std::vector<double> x, reactions, residuals;
+  std::vector<std::string> texts;
+  fmc_equilibrium_result counts{};  // Its arrays are gone.
+};
+
+namespace detail {
+
+class EquilibriumSearch {
+ public:
+  EquilibriumSearch(Context &context, const EquilibriumProblem &problem, const EquilibriumOptions &options) {
+    const std::size_t rows = problem.base.size() / static_cast<std::size_t>(context.dim());
+    // Numbers as wide as those of the mesh.
+    const std::vector<int32_t> narrow(problem.unknown_of_coordinate.begin(), problem.unknown_of_coordinate.end());
+    const auto wide = [&] { return static_cast<const void *>(problem.unknown_of_coordinate.data()); };
+    fmc_equilibrium_problem given;
+    check(fmc_equilibrium_problem_init(&given));
+    given.unknown_count = problem.x.size(), given.row_count = rows;
+    given.unknown_of_coordinate = context.index_size() == 4 ? static_cast<const void *>(narrow.data()) : wide();
+    given.base = problem.base.data(), given.free = problem.free.data(), given.x = problem.x.data();
+    given.prescribed = problem.prescribed.size() > 0 ? problem.prescribed.data() : nullptr;
+    fmc_equilibrium *made = nullptr;
+    check(fmc_equilibrium_new(context.get(), &given, &options, &made));
+    search_.reset(made);
+  }
+
+  fmc_equilibrium *get() const noexcept { return search_.get(); }
+
+ private:
+  struct Free {
+    void operator()(fmc_equilibrium *search) const noexcept { fmc_equilibrium_free(&search); }
+  };
+  std::unique_ptr<fmc_equilibrium, Free> search_;
+};
+
+}  // namespace detail
+
+// The equilibrium at the end of a load step: see `fmc_equilibrium_next`. What a function of the host throws comes out of it.
+inline Equilibrium find_equilibrium(Context &context, const EquilibriumProblem &problem, const EquilibriumHost &host,
+                                    const EquilibriumOptions &options = {}) {
+  const detail::EquilibriumSearch search(context, problem, options);
+  const std::size_t count = problem.x.size();
+  std::vector<double> found(count);
+  fmc_equilibrium_request request;
+  fmc_equilibrium_answer answer;
+  const fmc_equilibrium_answer *given = nullptr;
+  double energy = 0;
+  const auto view = [count](const double *array) { return View<const double>(array, count); };
+  for (;;) {
+    check(fmc_equilibrium_next(context.get(), search.get(), given, &request));
+    check(fmc_equilibrium_answer_init(&answer));
+    bool is_there = true;
+    switch (request.kind) {
+      case FMC_REQUEST_FORCES:
+        energy = std::numeric_limits<double>::quiet_NaN();
+        is_there = host.forces(view(request.x), request.matrix != 0, found.data(), energy);
+        if (energy == energy) answer.energy = &energy;
+        break;
+      case FMC_REQUEST_PRODUCT:
+        host.product(view(request.vector), request.magnitudes != 0, found.data());
+        break;
+      case FMC_REQUEST_DIAGONAL:
+        host.diagonal(found.data());
+        break;
+      case FMC_REQUEST_SOLVE:
+        is_there = host.solve(view(request.x), request.tangent_flags, request.shift, view(request.vector), found.data());
+        break;
+      case FMC_REQUEST_CONDENSED:
+        is_there = false;
+        break;
+      default: {
+        Equilibrium end;
+        check(fmc_equilibrium_found(search.get(), &end.counts));
+        end.way = end.counts.way;
+        if (end.counts.x != nullptr) end.x.assign(end.counts.x, end.counts.x + count);
+        if (end.counts.reactions != nullptr) end.reactions.assign(end.counts.reactions, end.counts.reactions + count);
+        end.residuals.assign(end.counts.residuals, end.counts.residuals + end.counts.residual_count);
+        for (std::size_t k = 0; k < end.counts.text_count; ++k) end.texts.emplace_back(fmc_equilibrium_text(search.get(), k));
+        end.counts.x = end.counts.reactions = end.counts.residuals = nullptr;
+        return end;
+      }
+    }
+    answer.vector = is_there ? found.data() : nullptr;
+    given = &answer;
+  }
+}
+
+}  // namespace fmc
+
+#endif
