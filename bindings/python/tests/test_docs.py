@@ -93,6 +93,13 @@ PIECES = {
         ),
     ],
     "large-problems.md": [None],  # hosts/dolfinx/tests
+    "newton.md": [
+        # The upper square stands on the lower one by its weight, and by nothing else.
+        (
+            TWO_BLOCKS + "from fmc_contact import find_equilibrium\nload = np.zeros(16)\nload[9::2] = -1.0\nfree = np.r_[8:16]\n",
+            "assert abs(found.result.bodies[1].force[1] - 4) < 1e-8, found.result.bodies",
+        ),
+    ],
     "second-order.md": [
         (OF_SECOND_ORDER, "assert contact.facet_count == 2 * 4 + 3 * 16, contact.facet_count"),
         (POINTS, "assert np.allclose(forces.sum(0), len(at_points)) and np.allclose(x[: len(coords)], coords)"),

@@ -4,7 +4,7 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    newton  ->  contact_force, PartitionedContact  ->  Contact
+    search, newton  ->  contact_force, PartitionedContact  ->  Contact
             ->  its parts: mesh, obstacles, pairs, friction, multipliers, patches, pattern, ranks
             ->  creation, _core, options; results: result, fields, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
@@ -26,8 +26,10 @@ from .partition import CARRIED_SLIP, GatheredCounts, PartitionedContact
 from .points import PointWeights
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
+from .search import Balanced, NoSupportError, check_host, find_equilibrium
 from .shape import Part, Shape
 from .stateless import contact_force, contact_force_step
+from .step_limit import StepLimit
 from .stiffness import suggest_stiffness
 from .tangent import RankOne, Tangent
 
@@ -60,6 +62,7 @@ __all__ = [
     "CARRIED_SLIP",
     "MULTIPLIER",
     "Augmentation",
+    "Balanced",
     "BoundaryFacets",
     "Condensation",
     "Contact",
@@ -71,6 +74,7 @@ __all__ = [
     "Friction",
     "GapConstraints",
     "GatheredCounts",
+    "NoSupportError",
     "NodalContact",
     "NotConvergedError",
     "Options",
@@ -84,10 +88,13 @@ __all__ = [
     "Result",
     "Resultant",
     "Shape",
+    "StepLimit",
     "Tangent",
+    "check_host",
     "contact_force",
     "contact_force_step",
     "errors",
+    "find_equilibrium",
     "has_feature",
     "newton",
     "suggest_stiffness",

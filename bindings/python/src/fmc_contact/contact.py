@@ -13,7 +13,7 @@ from ._arrays import View, coords_view, forces_view, vector
 from ._constants import FMC_EVALUATE_ADD, FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC
 from ._core import Core
 from ._library import library
-from ._structs import fmc_log_callback, fmc_options, fmc_result
+from ._structs import fmc_log_callback, fmc_options, fmc_result, fmc_step_limit
 from ._unpack import Unpack
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
@@ -28,6 +28,7 @@ from .patches import Patches
 from .pattern import Pattern
 from .ranks import Ranks
 from .result import Result
+from .step_limit import StepLimit
 from .tangent import Tangent
 
 
@@ -111,7 +112,7 @@ class Contact:
         conn: creation.Cells,
         cell_type: Optional[str] = None,
         *,
-        stiffness: float,
+        stiffness: float = 0.0,
         bodies: Optional[ArrayLike] = None,
         **options: Unpack[OtherOptions],
     ) -> None:
@@ -638,6 +639,42 @@ class Contact:
         with self._core.handle:
             self._core.handle.call(library.fmc_context_stable_step, byref(view.struct), lumped, byref(step))
         return step.value
+
+    def step_limit(self, coords: ArrayLike, step: ArrayLike) -> StepLimit:
+        """How far nodes may go along a step so that nothing passes through anything.
+
+        Surfaces come to overlap by half a facet at most, beyond what they do, and no body moves by more than half its thickness
+        against the others. For an iteration of your own; ``find_equilibrium`` does it by itself.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        step : array_like, (n, dim) or (dim, n)
+            Motion of all nodes.
+
+        Returns
+        -------
+        StepLimit
+            Part of the step that may be taken, and part at which the first gap closes.
+
+        Raises
+        ------
+        FmcError
+            As ``gap_constraints`` raises.
+
+        Examples
+        --------
+        >>> contact.step_limit(coords, np.zeros((8, 2))).part
+        1.0
+        """
+        view, way = coords_view(coords, self._core.dim), coords_view(step, self._core.dim)
+        found = fmc_step_limit()
+        with self._core.handle:
+            self._core.handle.call(
+                library.fmc_context_step_limit, byref(view.struct), byref(way.struct), byref(found)
+            )
+        return StepLimit(found.part, found.first_touch)
 
     def set_log(self, function: Optional[Callable[[str], None]]) -> None:
         """Calls a function with a sentence for every warning of an evaluation. ``Result.warnings`` has them in any case.

@@ -294,6 +294,10 @@ class IndexSizeError(FmcError, ValueError):
     """Numbers of nodes are of neither 32 nor 64 bits, or not all of one width."""
 
 
+class NoStiffnessError(FmcError, RuntimeError):
+    """The contact has no stiffness: none was given, and none was found from the bodies' matrix."""
+
+
 class NotFactorisedError(FmcError, RuntimeError):
     """There are no factors of a matrix: none was given, or the last one had none."""
 

@@ -27,7 +27,8 @@ class SkfemContact:
         A basis of ``ElementVector`` of continuous elements in 2D or 3D. Or a list of ``(basis, offset)``, where ``offset`` is the place of
         the basis' first unknown in the vectors of the whole problem.
     stiffness : float
-        Stiffness of the law: pressure per length for the default law.
+        Stiffness of the law: pressure per length for the default law. 0, the default: it is found from the bodies' matrix by
+        ``fmc_contact.find_equilibrium``.
     size : int, optional
         Length of the vectors of the whole problem. Default: as far as the bases reach.
     bodies : array_like of int, (cells,), optional
@@ -61,7 +62,7 @@ class SkfemContact:
         self,
         bases: CellBasis | Sequence[tuple[CellBasis, int]],
         *,
-        stiffness: float,
+        stiffness: float = 0.0,
         size: int | None = None,
         bodies: ArrayLike | None = None,
         **options: Any,

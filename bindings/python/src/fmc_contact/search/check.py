@@ -1,0 +1,56 @@
+"""Whether a host gives what ``find_equilibrium`` takes it to give."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from ..newton.equilibrium import NotConvergedError
+from ..newton.prescribed import start
+from .bodies import Bodies, Residual
+from .requests import Search
+from .unknowns import Moved
+
+
+def check_host(residual_and_tangent: Residual, contact: Any, x: ArrayLike, free: ArrayLike) -> list[str]:
+    """Sentences on a host's residual and matrix: a derivative that is none, a wrong sign, springs to the ground, loose bodies.
+
+    Arguments as for ``find_equilibrium``. Nothing is solved. What is certainly wrong begins with a word and ``WRONG``.
+
+    Parameters
+    ----------
+    residual_and_tangent : callable
+        The bodies.
+    contact : Contact or adapter
+        The contact.
+    x : array_like
+        A state, such as the first one.
+    free : array_like of int or bool
+        Numbers of the unknowns that are solved for, or a mark for every unknown.
+
+    Returns
+    -------
+    list of str
+        A sentence for everything that was looked at.
+
+    Raises
+    ------
+    NotConvergedError
+        If the residual cannot be evaluated, or is not finite.
+
+    Examples
+    --------
+    >>> from fmc_contact import check_host
+    >>> bodies = lambda x: ((1e4 * (x - coords)).ravel(), 1e4 * np.eye(16))
+    >>> [text for text in check_host(bodies, contact, coords, range(16)) if text.startswith("symmetry")]
+    ['symmetry: the matrix is symmetric']
+    """
+    begin, solved_for = start(x, free)
+    bodies = Bodies(residual_and_tangent, contact, begin.shape, solved_for, None)
+    search = Search(bodies, Moved(contact, bodies.size), begin, None, {"check": 1}, None)
+    search.run()
+    result, way, texts = search.ended()
+    if way == "none":
+        raise NotConvergedError(texts[0], [float("nan")], result.solve_count)
+    return texts

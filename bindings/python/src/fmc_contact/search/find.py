@@ -1,0 +1,173 @@
+"""The equilibrium at the end of a load step."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._arrays import floats
+from ..newton.equilibrium import NotConvergedError
+from ..newton.prescribed import start
+from .bodies import Bodies, CondensedSteps, Residual, Solve, condensed_of
+from .outcome import Balanced, NoSupportError
+from .requests import Search
+from .unknowns import Moved
+
+
+def find_equilibrium(
+    residual_and_tangent: Residual,
+    contact: Any,
+    x: ArrayLike,
+    free: ArrayLike,
+    prescribed: Optional[ArrayLike] = None,
+    *,
+    tolerance: float = 1e-9,
+    max_iterations: int = 100,
+    lagged: bool = False,
+    solve: Optional[Solve] = None,
+    two_level: Optional[bool] = None,
+    penetration: Optional[float] = None,
+    reach: float = 0.0,
+    max_updates: int = 20,
+    find_patches: bool = False,
+) -> Balanced:
+    """Equilibrium of bodies in contact at the end of a load step, by the library's search.
+
+    Nothing has to be chosen. A contact without a stiffness gets one from the bodies' matrix. Bodies that nothing holds move rigidly
+    until contact balances their loads. Steps are kept so short that nothing passes through anything. The equilibrium is then
+    sought in several ways from the same start: by steps to the equilibrium of the contact with linear bodies (``"condensed"``); by
+    Newton's method with whole steps, which finds the equilibrium beside the start, stable or not (``"nearest"``); down the energy
+    (``"downhill"``). A load step that fails is made again in parts.
+
+    Parameters
+    ----------
+    residual_and_tangent : callable
+        Takes ``x`` and returns the residual of the bodies without contact, internal minus external forces in the shape of ``x``; its
+        derivative, (size, size), a matrix of scipy or an array, with the rows of unknowns that are not free; and optionally
+        strain energy minus the work of loads. For coordinates the degree of freedom is ``node * dim + axis``.
+    contact : Contact or adapter
+        A ``Contact``, for which ``x`` are coordinates, (n, dim). Or an adapter such as ``SkfemContact``, for which ``x`` is a
+        displacement, (size,): an object with ``contact``, ``coords``, ``evaluate``, ``on_dofs`` and ``tangent``, which takes ``semidefinite``
+        and ``symmetric``. Every coordinate of the contact is moved by one unknown.
+    x : array_like
+        Where the load step begins, best the last equilibrium. It is not changed.
+    free : array_like of int or bool
+        Numbers of the unknowns that are solved for, or a mark for every unknown.
+    prescribed : array_like, optional
+        Values of the other unknowns at the end of the step, in the shape of ``x``. Entries at free unknowns are not read. Default: ``x``.
+    tolerance : float
+        The residual at free unknowns divided by the forces, in the Euclidean norm. The forces are those of the bodies or of the
+        contact, whichever are larger. What the forces are rounded to is not counted.
+    max_iterations : int
+        Number of linear solves, at most.
+    lagged : bool
+        Whether friction is frozen, solved for, and frozen again until nothing changes.
+    solve : callable, optional
+        Linear solver, ``solve(matrix, right)``. Default: the library's Cholesky factors. If the matrix is not symmetric and positive
+        definite, MUMPS if petsc4py was imported and has it, else scipy's ``splu``; for arrays numpy.
+    two_level : bool, optional
+        Whether bodies are condensed on the unknowns that feel contact. Default: without a ``solve`` of your own.
+    penetration : float, optional
+        Penetration tolerance: largest mean penetration of a node over its part of the surface (length). Surfaces are moved out at an
+        equilibrium (``Multipliers.augment``), and stay so for the next load step. If an update leaves more than a quarter, the
+        stiffness is raised fourfold, sixteenfold at most, and stays raised. Not with friction or self-contact. Default: a
+        thousandth of the largest elastic displacement after at most four updates, where the stiffness comes from the bodies' matrix
+        and multipliers are possible; else what the law leaves.
+    reach : float
+        As for ``Multipliers.augment``.
+    max_updates : int
+        Number of updates, at most.
+    find_patches : bool
+        With the law ``"fiber"``: whether patches are kept at the start, follow the contact far from its equilibrium, and are found
+        again near it. Otherwise they are left to you.
+
+    Returns
+    -------
+    Balanced
+        Solution, contact and counts.
+
+    Raises
+    ------
+    NoSupportError
+        If nothing stops a body. It names the body and its direction.
+    NotConvergedError
+        If no equilibrium was found. Friction and multipliers of the contact are then what they were before.
+    ValueError
+        For shapes, and for arguments that exclude one another.
+
+    Examples
+    --------
+    Two squares on springs, which push each other apart:
+
+    >>> from fmc_contact import find_equilibrium
+    >>> bodies = lambda x: ((1e4 * (x - coords)).ravel(), 1e4 * np.eye(16))
+    >>> found = find_equilibrium(bodies, contact, coords, range(16))
+    >>> found.residuals[-1] < 1e-9
+    True
+    """
+    begin, solved_for = start(x, free)
+    bodies = Bodies(residual_and_tangent, contact, begin.shape, solved_for, solve)
+    unknowns = Moved(contact, bodies.size)
+    end = None if prescribed is None else floats(prescribed, "prescribed", begin.shape).ravel().astype(np.float64)
+    if penetration is not None and not penetration > 0:
+        raise ValueError(f"the penetration is {penetration}, a positive one is wanted")
+    steps = _condensed(bodies, two_level)
+    options = {
+        "tolerance": tolerance,
+        "max_solves": max_iterations,
+        "lagged": int(lagged),
+        "penetration": penetration or 0.0,
+        "reach": reach,
+        "max_updates": max_updates,
+        "find_patches": int(find_patches),
+    }
+    search = Search(bodies, unknowns, begin, end, options, steps)
+    search.run()
+    return _ended(search, begin.shape)
+
+
+def _condensed(bodies: Bodies, wanted: Optional[bool]) -> Optional[CondensedSteps]:
+    """Condensed bodies where they are wanted, or where nothing stands in their way."""
+    # A solver of an adapter is no wish of the user's.
+    has_own = bodies.solve_with is not None and not getattr(bodies.solve_with, "is_of_adapter", False)
+    if wanted is False or (wanted is None and has_own):
+        return None
+    try:
+        return CondensedSteps(bodies, condensed_of(bodies))
+    except (ValueError, ImportError):
+        if wanted:
+            raise
+        return None
+
+
+def _ended(search: Search, shape: tuple[int, ...]) -> Balanced:
+    result, way, texts = search.ended()
+    bodies, steps = search.bodies, search.steps
+    residuals = search.array_of(result.residuals, result.residual_count).tolist()
+    if way == "none":
+        text = f"no equilibrium after {result.solve_count} linear solves: {texts[0]}"
+        if not result.unheld:
+            raise NotConvergedError(text, residuals or [float("nan")], result.solve_count)
+        error = NoSupportError(text, residuals or [float("nan")], result.solve_count)
+        error.body, error.is_rotation = result.unheld_body, not any(result.unheld_direction)
+        inner = getattr(bodies.contact, "contact", bodies.contact)
+        error.direction = np.array(result.unheld_direction[: inner.dim])
+        raise error
+    x = search.array_of(result.x, bodies.size).reshape(shape)
+    return Balanced(
+        x,
+        result.solve_count,
+        residuals,
+        bodies.contact.evaluate(x),
+        search.array_of(result.reactions, bodies.size).reshape(shape),
+        way,
+        result.rigid_step_count,
+        result.part_count,
+        steps.iterations if steps else 0,
+        bodies.factorisations + (steps.factorisations if steps else 0),
+        result.update_count,
+        result.penetration if result.penetration >= 0 else None,
+        texts,
+    )

@@ -1,0 +1,78 @@
+"""What a load step has led to, or why it led nowhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Optional
+
+import numpy as np
+
+from ..newton.equilibrium import NotConvergedError
+from ..result import Result
+
+
+class NoSupportError(NotConvergedError):
+    """Nothing stops a body: neither contact nor the supports of the host.
+
+    ``body`` is its id, ``direction`` the unit vector along which it goes, zeros where it turns, and ``is_rotation`` whether it does.
+    """
+
+    body: int = -1
+    direction: np.ndarray = np.zeros(0)
+    is_rotation: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Balanced:
+    """Result of ``find_equilibrium``: an equilibrium of bodies and contact.
+
+    Attributes
+    ----------
+    x : ndarray
+        The solution, in the shape of the start.
+    iterations : int
+        Number of linear solves.
+    residuals : list of float
+        Relative residual of every state on the way, that of the solution last.
+    result : Result
+        Contact at the solution.
+    reactions : ndarray
+        Residual at the solution, in the shape of ``x``: the forces that hold the unknowns that are not free.
+    way : str
+        How it was found: ``"condensed"``, ``"nearest"`` or ``"downhill"``. See ``find_equilibrium``.
+    rigid_steps : int
+        Rigid steps in which bodies that nothing holds came to rest on others.
+    parts : int
+        Parts in which the load step was made.
+    contact_iterations : int
+        Dense systems solved for the contact alone, within the linear solves.
+    factorisations : int
+        Sparse matrices factorised.
+    updates : int
+        Updates of multipliers.
+    penetration : float or None
+        Largest mean penetration of a node at the solution (length), if it was measured.
+    warnings : list of str
+        What the user should know, such as bodies that stand by chance.
+
+    Examples
+    --------
+    >>> bodies = lambda x: ((1e4 * (x - coords)).ravel(), 1e4 * np.eye(16))
+    >>> from fmc_contact import find_equilibrium
+    >>> find_equilibrium(bodies, contact, coords, range(16)).iterations < 10
+    True
+    """
+
+    x: np.ndarray
+    iterations: int
+    residuals: list[float]
+    result: Result
+    reactions: np.ndarray
+    way: str = "nearest"
+    rigid_steps: int = 0
+    parts: int = 1
+    contact_iterations: int = 0
+    factorisations: int = 0
+    updates: int = 0
+    penetration: Optional[float] = None
+    warnings: list[str] = field(default_factory=list)

@@ -1,0 +1,123 @@
+"""A search of the library for an equilibrium, and the answers to what it asks."""
+
+from __future__ import annotations
+
+import weakref
+from ctypes import addressof, byref, c_double, create_string_buffer
+from typing import Any, Optional
+
+import numpy as np
+
+from .._arrays import numbers
+from .._constants import FMC_EQUILIBRIUM_REQUEST_KIND, FMC_EQUILIBRIUM_WAY
+from .._library import check, library
+from .._structs import (
+    fmc_equilibrium,
+    fmc_equilibrium_answer,
+    fmc_equilibrium_options,
+    fmc_equilibrium_problem,
+    fmc_equilibrium_request,
+    fmc_equilibrium_result,
+)
+from .bodies import Bodies, CondensedSteps, Refused
+from .unknowns import Moved
+
+
+def _free(pointer: fmc_equilibrium) -> None:
+    library.fmc_equilibrium_free(byref(pointer))
+
+
+def _copied(address: int, count: int) -> np.ndarray:
+    """A copy of numbers of the library."""
+    return np.array(np.ctypeslib.as_array((c_double * count).from_address(address))) if count else np.zeros(0)
+
+
+class Search:
+    """A load step under way."""
+
+    def __init__(
+        self,
+        bodies: Bodies,
+        unknowns: Moved,
+        x: np.ndarray,
+        prescribed: Optional[np.ndarray],
+        options: dict[str, Any],
+        steps: Optional[CondensedSteps],
+    ) -> None:
+        self.bodies, self.steps, self.dim = bodies, steps, unknowns.inner.dim
+        self.handle = unknowns.inner._core.handle
+        base = np.ascontiguousarray(unknowns.coords(np.zeros(bodies.size)), np.float64)
+        first = unknowns.inner.options["index_base"]
+        of_coordinate = numbers(unknowns.of_coordinate, "of_coordinate", None, self.handle.index)
+        of_coordinate = np.where(of_coordinate < 0, of_coordinate, of_coordinate + first).astype(self.handle.index)
+        free = np.zeros(bodies.size, np.uint8)
+        free[bodies.free] = 1
+        start = np.ascontiguousarray(x.ravel(), np.float64)
+        problem = fmc_equilibrium_problem()
+        check(library.fmc_equilibrium_problem_init(byref(problem)))
+        problem.unknown_count, problem.row_count = bodies.size, len(base)
+        problem.unknown_of_coordinate = of_coordinate.ctypes.data
+        problem.base, problem.free, problem.x = base.ctypes.data, free.ctypes.data, start.ctypes.data
+        if prescribed is not None:
+            problem.prescribed = prescribed.ctypes.data
+        asked = fmc_equilibrium_options()
+        check(library.fmc_equilibrium_options_init(byref(asked)))
+        for name, value in options.items():
+            setattr(asked, name, value)
+        asked.condensed = int(steps is not None)
+        self.pointer = fmc_equilibrium()
+        self.handle.call(library.fmc_equilibrium_new, byref(problem), byref(asked), byref(self.pointer))
+        weakref.finalize(self, _free, self.pointer).atexit = False
+
+    def run(self) -> None:
+        """Answers until the search has ended."""
+        request, answer = fmc_equilibrium_request(), None
+        while True:
+            self.handle.call(library.fmc_equilibrium_next, self.pointer, answer, byref(request))
+            kind = FMC_EQUILIBRIUM_REQUEST_KIND[request.kind]
+            if kind in ("found", "refused"):
+                return
+            answer, _arrays = self._answered(kind, request)
+
+    def _answered(self, kind: str, request: fmc_equilibrium_request) -> tuple[Any, Any]:
+        """The answer to a request, and the arrays that it points to."""
+        answer, energy, is_definite, bodies = fmc_equilibrium_answer(), None, False, self.bodies
+        check(library.fmc_equilibrium_answer_init(byref(answer)))
+        try:
+            if kind == "forces":
+                vector, energy = bodies.forces(self._array(request.x), bool(request.matrix))
+            elif kind == "product":
+                vector = bodies.product(self._array(request.vector), bool(request.magnitudes))
+            elif kind == "diagonal":
+                vector = bodies.diagonal()
+            elif kind == "solve":
+                right = self._array(request.vector)
+                vector = bodies.solve(self._array(request.x), request.tangent_flags, request.shift, right)
+            else:
+                assert self.steps is not None
+                x, moved, forces = (self._array(one) for one in (request.x, request.vector, request.forces))
+                vector, is_definite = self.steps.step(x, moved, forces, request.tolerance, request.absolute_tolerance)
+        except Refused as refused:
+            why = create_string_buffer(str(refused).encode())
+            answer.refusal = addressof(why)
+            return byref(answer), (answer, why)
+        vector = np.ascontiguousarray(vector, np.float64)
+        held = c_double(0.0 if energy is None else energy)
+        answer.vector, answer.definite = vector.ctypes.data, int(is_definite)
+        if energy is not None:
+            answer.energy = addressof(held)
+        return byref(answer), (answer, vector, held)
+
+    def _array(self, address: int) -> np.ndarray:
+        return _copied(address, self.bodies.size)
+
+    def ended(self) -> tuple[fmc_equilibrium_result, str, list[str]]:
+        """What it has led to, how, and what is said of it."""
+        result = fmc_equilibrium_result()
+        check(library.fmc_equilibrium_found(self.pointer, byref(result)))
+        texts = [library.fmc_equilibrium_text(self.pointer, number).decode() for number in range(result.text_count)]
+        return result, FMC_EQUILIBRIUM_WAY[result.way], texts
+
+    def array_of(self, address: int, count: int) -> np.ndarray:
+        """A copy of an array of the result."""
+        return _copied(address, count)

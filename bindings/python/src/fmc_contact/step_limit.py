@@ -1,0 +1,23 @@
+"""How far a step may go."""
+
+from typing import NamedTuple
+
+
+class StepLimit(NamedTuple):
+    """Result of ``Contact.step_limit``.
+
+    Attributes
+    ----------
+    part : float
+        Part of the step, at most 1, that no body passes another by.
+    first_touch : float
+        Part of it at which the first gap closes, as far as gaps change with the slopes of now; ``inf`` where none does.
+
+    Examples
+    --------
+    >>> contact.step_limit(coords, np.zeros((8, 2))).first_touch
+    inf
+    """
+
+    part: float
+    first_touch: float
