@@ -1,7 +1,7 @@
 # What takes long: every step of a release.
 #
 # make release   every step below and more, one after another; log: packaging/release-log.md
-#                test packages compat peers agree dealii examples sanitizers fuzz-long mutants
+#                test packages compat peers agree starts dealii examples sanitizers fuzz-long mutants
 # make fuzz      arbitrary input for 60 s; make fuzz-long: ten million executions
 
 # Ten million executions, an hour or two.
@@ -10,13 +10,17 @@ FUZZ_RUNS ?= 10000000
 fuzz-long:
 	SAID=$(abspath $(TARGET))/said-$@ fuzz/run.sh runs=$(FUZZ_RUNS)
 
-RELEASE_STEPS ?= test packages compat peers-test peers agree dealii examples sanitizers fuzz-long mutants
+RELEASE_STEPS ?= test packages compat peers-test peers agree starts dealii examples sanitizers fuzz-long mutants
 
 release:
 	.ci/release $(RELEASE_STEPS)
 
 # What is not installed leaves its reason for the log, and fails: nothing counts as passed that was not run.
 LEFT_OUT = { echo "$(1)" | tee $(TARGET)/left-out-$@ >&2; exit 1; }
+
+# Problems in which contact has to start by itself; benchmarks/starts/table.py prints what comes out.
+starts: host-environment
+	$(RUN_HOSTS) $(HOSTS)/bin/python -m pytest -q --slow benchmarks/starts
 
 # Address and undefined-behaviour sanitizers over hosts and library, thread sanitizer over what has threads.
 sanitizers: check-tools
