@@ -8,6 +8,7 @@ mod augment;
 mod callbacks;
 mod contact_step;
 mod creation;
+mod equilibrium;
 mod evaluation;
 mod fields;
 mod friction;
@@ -89,7 +90,11 @@ impl Host {
             }
             Call::Share { rank, size, fails, hole } => self.share(i32::from(*rank), i32::from(*size), *fails, *hole),
             Call::InParts { reach, hole } => in_parts::beside_the_whole(&self.mesh, &self.options, reach.0, *hole),
-            Call::StableStep { mass, hole } => self.stable_step(mass.0, *hole),
+            Call::StableStep { mass, hole } => {
+                self.stable_step(mass.0, *hole);
+                self.step_limit(mass.0, *hole);
+                self.equilibrium(mass.0, *hole);
+            }
             Call::ContactStep { which, shift, stiffness, coupling, residual, tolerance, fault, hole } => {
                 let numbers = [stiffness.0, coupling.0, residual.0, tolerance.0];
                 self.contact_step(*which, i64::from(*shift), numbers, *fault, *hole);

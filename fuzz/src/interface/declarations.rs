@@ -426,7 +426,7 @@ pub struct fmc_equilibrium_problem {
     pub row_count: usize,
     pub unknown_of_coordinate: *const c_void,
     pub base: *const f64,
-    pub free: *const uint8_t,
+    pub free: *const u8,
     pub x: *const f64,
     pub prescribed: *const f64,
     pub reserved: [u64; 4],

@@ -86,6 +86,7 @@ fn type_of(of: &Variable) -> String {
         "ptrdiff_t" => "isize",
         "int32_t" => "i32",
         "int64_t" => "i64",
+        "uint8_t" => "u8",
         "uint32_t" => "u32",
         "uint64_t" => "u64",
         name => name,

@@ -101,7 +101,7 @@ impl<const D: usize> Host<D> {
 
 fn vector_of(answer: Answer) -> Result<Vec<f64>, Trouble> {
     match answer {
-        Answer::Vector(vector) => Ok(vector),
+        Answer::Vector(vector) if vector.iter().all(|entry| entry.is_finite()) => Ok(vector),
         other => Err(refused(other)),
     }
 }

@@ -1,0 +1,91 @@
+//! Searches for an equilibrium that are begun, and left after a few answers; and limits of steps.
+
+use super::Host;
+use super::array::{Array, checked, unless};
+use super::numbers::Numbers;
+use crate::guarded::Guarded;
+use crate::interface::*;
+use crate::program::{Hole, Layout};
+use std::mem::MaybeUninit;
+use std::ptr::{null, null_mut};
+
+/// Answers before a search is left.
+const ANSWERS: usize = 4;
+
+impl Host {
+    /// How far all nodes may go by a number.
+    pub(super) fn step_limit(&mut self, number: f64, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let way: Vec<f64> = self.mesh.coords.iter().map(|_| number).collect();
+        let step = Array::new(&way, self.mesh.dim, Layout::Rows);
+        let (at, along) = (coords.view, step.view);
+        // SAFETY: views of all nodes, and a struct of the header.
+        unsafe {
+            let mut limit = MaybeUninit::<fmc_step_limit>::zeroed().assume_init();
+            let status = fmc_context_step_limit(
+                self.context,
+                unless(hole, 0, (&raw const at).cast_mut()),
+                unless(hole, 1, (&raw const along).cast_mut()),
+                unless(hole, 2, &raw mut limit),
+            );
+            if checked(status) == OK {
+                assert!((0.0..=1.0).contains(&limit.part) && limit.first_touch >= 0.0);
+            } else {
+                assert_eq!(limit.struct_size, 0);
+            }
+        }
+    }
+
+    /// A host of springs, one for every coordinate, whose stiffness is a number.
+    pub(super) fn equilibrium(&mut self, number: f64, hole: Hole) {
+        let count = self.mesh.node_count() * self.mesh.dim;
+        let given = (
+            Numbers::new(&(0..count as i64).collect::<Vec<_>>(), self.is_wide),
+            Guarded::new(&self.mesh.coords),
+            Guarded::new(&vec![1u8; count]),
+            Guarded::new(&vec![0.0; count]),
+        );
+        let numbers = Guarded::new(&vec![number; count]);
+        // SAFETY: arrays of the lengths that are said, and structs of the header.
+        unsafe {
+            let mut problem = MaybeUninit::<fmc_equilibrium_problem>::zeroed().assume_init();
+            let mut options = MaybeUninit::<fmc_equilibrium_options>::zeroed().assume_init();
+            let mut answer = MaybeUninit::<fmc_equilibrium_answer>::zeroed().assume_init();
+            let mut request = MaybeUninit::<fmc_equilibrium_request>::zeroed().assume_init();
+            let mut result = MaybeUninit::<fmc_equilibrium_result>::zeroed().assume_init();
+            assert_eq!(checked(fmc_equilibrium_problem_init(&raw mut problem)), OK);
+            assert_eq!(checked(fmc_equilibrium_options_init(&raw mut options)), OK);
+            assert_eq!(checked(fmc_equilibrium_answer_init(&raw mut answer)), OK);
+            (problem.unknown_count, problem.row_count) = (count, self.mesh.node_count());
+            problem.unknown_of_coordinate = unless(hole, 0, given.0.ptr()).cast_const();
+            problem.base = unless(hole, 1, given.1.ptr()).cast_const();
+            problem.free = unless(hole, 2, given.2.ptr()).cast_const();
+            problem.x = unless(hole, 3, given.3.ptr()).cast_const();
+            let mut search = null_mut();
+            let status = fmc_equilibrium_new(
+                self.context,
+                &raw const problem,
+                unless(hole, 4, &raw mut options),
+                &raw mut search,
+            );
+            if checked(status) != OK {
+                assert!(search.is_null());
+                return;
+            }
+            let mut status = fmc_equilibrium_next(self.context, search, null(), unless(hole, 5, &raw mut request));
+            for _ in 0..ANSWERS {
+                if checked(status) != OK {
+                    break;
+                }
+                answer.vector = unless(hole, 6, numbers.ptr()).cast_const();
+                status = fmc_equilibrium_next(self.context, search, &raw const answer, &raw mut request);
+            }
+            if checked(fmc_equilibrium_found(search, unless(hole, 7, &raw mut result))) == OK {
+                assert!((0..result.text_count).all(|k| !fmc_equilibrium_text(search, k).is_null()));
+            }
+            assert!(fmc_equilibrium_text(search, usize::MAX).is_null());
+            assert_eq!(checked(fmc_equilibrium_free(&raw mut search)), OK);
+            assert!(search.is_null() && checked(fmc_equilibrium_free(&raw mut search)) == OK);
+        }
+    }
+}
