@@ -22,8 +22,8 @@ pub struct Augmentation {
     /// Largest change that the gaps ask of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner,
     /// inside or outside.
     pub change: f64,
-    /// Mean of the penetration by the pressures: what forces are too small by is the work on it.
-    pub mean_penetration: f64,
+    /// Mean of the changes by the pressures, also of those that are to go: what forces are wrong by is the work on it.
+    pub mean_change: f64,
     /// Whether the penetration and the change are no more than what was enough: the multipliers have then stayed.
     pub is_enough: bool,
     /// Number of multipliers.
@@ -178,12 +178,14 @@ impl<const D: usize> Multipliers<D> {
                 past.push(((node, partners), (before, mean)));
             }
             open.remove(&(node, partners));
-            (work, force) = (work + shift * area * (-mean).max(0.0), force + shift * area);
+            let (pressure, change) = (before.max(shift) * area, ((before - mean).max(0.0) - before).abs());
+            (work, force) = (work + pressure * change, force + pressure);
             if shift > 0.0 {
                 next.push(Multiplier { node, partners, shift, towards: (-away.normalize()).into() });
             }
         }
-        found.mean_penetration = if force > 0.0 { work / force } else { 0.0 };
+        found.mean_change = if force > 0.0 { work / force } else { 0.0 };
+        found.mean_change = open.values().copied().fold(found.mean_change, f64::max);
         // What is out of reach has opened.
         found.change = open.into_values().fold(found.change, f64::max);
         let mut next: Self = next.into_iter().collect();

@@ -173,7 +173,7 @@ fn update<const D: usize>(
     }
     let is_enough = |found: &Augmentation| match wanted {
         Wanted::OfAll(wanted) => found.penetration.max(found.change) <= wanted,
-        Wanted::OnAverage(wanted) => found.mean_penetration <= wanted,
+        Wanted::OnAverage(wanted) => found.mean_change <= wanted,
     };
     let found = contact.augment_unless(coords, reach, is_enough)?;
     Ok(Update { penetration: found.penetration, change: found.change, is_enough: found.is_enough })
