@@ -30,6 +30,6 @@ pub use options::Friction;
 pub(super) use return_mapping::Stick;
 pub(super) use slip_facets::SlipFacets;
 pub(super) use step::{Sliding, Step};
-pub(super) use touch::Bearings;
+pub(super) use touch::FacetBearings;
 pub use tractions::FrictionTotals;
 pub(super) use tractions::Tractions;

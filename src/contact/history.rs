@@ -1,11 +1,13 @@
 //! What a contact carries from one evaluation to the next, on which results depend.
 //!
-//! `past` (all of it) · `kept_patches` (patches of the fiber law that are held) · `multipliers` (surfaces that are moved out)
+//! `past` (all of it) · `bearings` (how facets bore when the step began) · `kept_patches` (patches of the fiber law that are held) · `multipliers` (surfaces that are moved out)
 
+mod bearings;
 mod kept_patches;
 mod multipliers;
 mod past;
 
+pub(super) use bearings::Bearings;
 pub(super) use kept_patches::KeptPatches;
 pub use multipliers::Multiplier;
 pub(super) use multipliers::{Multipliers, check_law, sorted};

@@ -13,17 +13,25 @@ pub(crate) struct Mesh<const D: usize> {
     in_symmetry_plane: Option<Vec<bool>>,
     /// Depth of the cells, found when it is asked for first.
     depth: OnceLock<Option<DepthField<D>>>,
+    /// From what they are found: hashes of the coordinates without deformation, and of the nodes in planes of symmetry.
+    depths: [u64; 2],
 }
 
 impl<const D: usize> Mesh<D> {
     pub(crate) fn new(surface: Surface<D>) -> Self {
-        Self { surface, in_symmetry_plane: None, depth: OnceLock::new() }
+        let depths = [hash_of(surface.reference()), 0];
+        Self { surface, in_symmetry_plane: None, depth: OnceLock::new(), depths }
     }
 
     /// How deep the cells of bodies lie below their surfaces, where there are cells.
     pub(crate) fn depth_field(&self, weighting: Weighting) -> Option<&DepthField<D>> {
         let new = || DepthField::new(&self.surface, self.in_symmetry_plane.as_deref(), weighting);
         self.depth.get_or_init(new).as_ref()
+    }
+
+    /// Which depths these are: others where this is another.
+    pub(crate) fn depths(&self) -> [u64; 2] {
+        self.depths
     }
 
     /// Has depths found again, for another weighting.
@@ -34,6 +42,7 @@ impl<const D: usize> Mesh<D> {
     pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.surface.refuse_submesh("reference coordinates of a part of a mesh by itself")?;
         self.surface.set_reference(coords)?;
+        self.depths[0] = hash_of(self.surface.reference());
         self.forget_depth();
         Ok(())
     }
@@ -58,8 +67,14 @@ impl<const D: usize> Mesh<D> {
         if has_surface.contains(&false) {
             return Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" });
         }
+        self.tell_symmetry(hash_of_marks(&marked));
         self.mark_symmetry(marked);
         Ok(())
+    }
+
+    /// Says by a hash which nodes are marked.
+    pub(crate) fn tell_symmetry(&mut self, marks: u64) {
+        self.depths[1] = marks;
     }
 
     /// The same by node.
@@ -75,7 +90,8 @@ impl<const D: usize> Mesh<D> {
 
     /// Takes other cells of the same mesh, with marks of the nodes in planes of symmetry.
     pub(crate) fn take_cells(&mut self, surface: Surface<D>, in_symmetry_plane: Option<Vec<bool>>) {
-        *self = Self::new(surface);
+        // How facets bore before is known of those that are still there.
+        *self = Self { depths: self.depths, ..Self::new(surface) };
         if let Some(marked) = in_symmetry_plane {
             self.mark_symmetry(marked);
         }
@@ -106,4 +122,10 @@ impl<const D: usize> Mesh<D> {
             _ => Ok(()),
         }
     }
+}
+
+/// Hash of marks of nodes; of none 0.
+pub(crate) fn hash_of_marks(marked: &[bool]) -> u64 {
+    let places: Vec<[f64; 1]> = (0..marked.len()).filter(|&n| marked[n]).map(|n| [n as f64 + 1.0]).collect();
+    hash_of(&places)
 }

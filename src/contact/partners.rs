@@ -2,8 +2,9 @@
 //!
 //! `list` (all together) · `obstacles` (added, moved, removed) · `rigid` (as estimators take them) · `parallel` (at a gap offset) ·
 //! `pair_options`, `pair_table` (pairs that are left out, or follow a law of their own) ·
-//! `layers` (stiffness from that of the bodies)
+//! `layers` (stiffness from that of the bodies) · `bearing_rules` (what decides how facets bear)
 
+mod bearing_rules;
 mod layers;
 mod list;
 mod obstacles;
@@ -12,6 +13,7 @@ mod pair_table;
 mod parallel;
 mod rigid;
 
+pub(crate) use bearing_rules::{BearingRule, BearingRules};
 pub use layers::LayerStiffness;
 pub(crate) use list::Partners;
 pub(crate) use obstacles::Poses;

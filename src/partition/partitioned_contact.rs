@@ -9,7 +9,7 @@ use super::selection::{Search, selected};
 use super::zone::Zone;
 use crate::Error;
 use crate::configuration::CellCheck;
-use crate::contact::{Contact, Needed, Options, hash_in_common, needed};
+use crate::contact::{Contact, Needed, Options, hash_in_common, hash_of_marks, needed};
 use crate::geometry::aabb::Aabb;
 use crate::ranks::{Communicator, Ranks};
 use std::collections::BTreeMap;
@@ -220,6 +220,8 @@ impl<const D: usize> PartitionedContact<D> {
             outside.map_or(Ok(()), |(cell, &node)| Err(Error::NodeOutOfRange { cell, node: node.into(), node_count }));
         self.ranks()?.agree(outside, 6)?;
         nodes.iter().for_each(|&node| marked[node as usize] = true);
+        let of_ranks = self.ranks()?.gather_lists(&[hash_of_marks(&marked)])?.concat();
+        self.contact.mesh.tell_symmetry(of_ranks.into_iter().fold(0, u64::wrapping_add));
         self.in_symmetry_plane = Some(marked);
         self.gathering = None;
         self.find_anchors();

@@ -2,7 +2,8 @@
 
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
-use crate::contact::friction::{Bearings, FrozenFriction, SlipFacets, Step};
+use crate::contact::friction::{FrozenFriction, SlipFacets, Step};
+use crate::contact::history::Bearings;
 use crate::geometry::Vector;
 
 /// Begins a step at these coordinates. On an error nothing has changed.
@@ -13,20 +14,15 @@ pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]
     let before = contact.history.step.take();
     let none = || vec![[0.0; D]; surface.facets.len()];
     let slip = before.as_ref().map_or_else(none, |step| step.slip.clone());
-    let mut begun = step_at(contact, coords, slip)?;
-    // Without a stiffness nothing bears yet.
-    let bears = contact.partners.check_stiffness(contact.method.options()).is_ok();
-    if has_friction(contact) && bears {
-        contact.history.step = Some(begun.clone());
-        match kernels::slip_facets(contact, coords) {
-            Ok(pairs) => begun.bearings = Some(bearings(&pairs)),
-            Err(error) => {
-                contact.history.step = before;
-                return Err(error);
-            }
+    let begun = step_at(contact, coords, slip)?;
+    contact.history.step = Some(begun.clone());
+    match bearings(contact, || kernels::slip_facets(contact, coords)) {
+        Ok(bearings) => contact.history.begin(begun, bearings),
+        Err(error) => {
+            contact.history.step = before;
+            return Err(error);
         }
     }
-    contact.history.begin(begun);
     Ok(())
 }
 
@@ -44,9 +40,9 @@ pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     }
     // A facet that faces several partners carries the mean.
     let slip = sums.iter().map(|(area, sum)| if *area > 0.0 { (sum / *area).into() } else { [0.0; D] });
-    let mut next = step_at(contact, coords, slip.collect())?;
-    next.bearings = has_friction(contact).then(|| bearings(&pairs));
-    contact.history.begin(next);
+    let next = step_at(contact, coords, slip.collect())?;
+    let bearings = bearings(contact, || Ok(pairs))?;
+    contact.history.begin(next, bearings);
     Ok(())
 }
 
@@ -66,13 +62,16 @@ fn step_at<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], slip: Vec<
     Ok(Step::new(&mesh.surface, &mesh.surface.mesh_points(coords)?, partners.obstacles.poses(), slip, mesh.epoch()))
 }
 
-fn has_friction<const D: usize>(contact: &Contact<D>) -> bool {
-    contact.partners.has_friction(contact.method.options())
-}
-
-/// How all facets bear.
-fn bearings<const D: usize>(pairs: &[SlipFacets<D>]) -> Bearings {
-    let mut found = Bearings::new();
-    pairs.iter().for_each(|pair| pair.add_bearings(&mut found));
-    found
+/// How all facets bear, where any pair has friction; without a stiffness nothing bears yet.
+fn bearings<const D: usize>(
+    contact: &Contact<D>,
+    pairs: impl FnOnce() -> Result<Vec<SlipFacets<D>>, Error>,
+) -> Result<Option<Bearings>, Error> {
+    let Contact { mesh, partners, method, .. } = contact;
+    let options = method.options();
+    if !partners.has_friction(options) || partners.check_stiffness(options).is_err() {
+        return Ok(None);
+    }
+    let rules = partners.bearing_rules(options, mesh.depths());
+    Ok(Some(Bearings::new(&pairs()?, rules, partners.obstacles.count())))
 }

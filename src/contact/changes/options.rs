@@ -2,7 +2,6 @@
 
 use crate::Error;
 use crate::contact::evaluation::Contact;
-use crate::contact::friction::Friction;
 use crate::contact::method::{Method, Options};
 use crate::contact::partners::{LayerStiffness, PairOptions};
 use crate::geometry::Pose;
@@ -28,13 +27,10 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) ->
     if options.axisymmetric != old.axisymmetric {
         mesh.forget_depth();
     }
-    let bears_as = |options: &Options| {
-        let Options { law, estimator, axisymmetric, friction, .. } = *options;
-        (std::mem::discriminant(&law), estimator, axisymmetric, friction.is_active(), friction.cohesion > 0.0)
-    };
-    if bears_as(&old) != bears_as(&options) {
-        history.forget_bearings();
+    if options.friction != old.friction || options.axisymmetric != old.axisymmetric {
+        history.release_friction();
     }
+    history.leave_out(|pair| !partners.has(pair, &options));
     state.forget_found();
     Ok(())
 }
@@ -47,26 +43,20 @@ pub(crate) fn set_pair<const D: usize>(
 ) -> Result<(), Error> {
     let pair = contact.partners.checked_pair(partners, contact.mesh.surface.body_count())?;
     let of_contact = *contact.method.options();
-    let bears_as = |options: Option<PairOptions>| {
-        let PairOptions { excluded, law, friction_coefficient, gap_offset, .. } = options.unwrap_or_default();
-        let law = law.unwrap_or(of_contact.law);
-        let friction = friction_coefficient.map(|coefficient| Friction { coefficient, ..of_contact.friction });
-        let friction = friction.unwrap_or(of_contact.friction).is_active();
-        (options.is_some(), excluded, std::mem::discriminant(&law), friction, gap_offset.to_bits())
-    };
-    let changes = bears_as(options) != bears_as(contact.partners.table.options(&pair));
+    let before = contact.partners.friction_of(&pair, &of_contact);
     if let Some(PairOptions { law, friction_coefficient, excluded, .. }) = options {
         let is_rubbed = friction_coefficient.is_some_and(|coefficient| coefficient > 0.0);
         let is_own = pair[0] == pair[1] && !excluded;
         contact.history.multipliers.check(&law.unwrap_or(of_contact.law), is_rubbed || is_own)?;
     }
     contact.partners.set_pair_options(pair, options, &of_contact)?;
-    if changes {
-        contact.history.forget_bearings();
-    }
-    // What is left out adds nothing to any result, frozen or not.
-    if options.is_some_and(|options| options.excluded) {
+    let after = contact.partners.friction_of(&pair, &of_contact);
+    if !contact.partners.has(&pair, &of_contact) {
+        contact.history.leave_out(|partners| *partners == pair);
+    } else if !after.is_active() {
         contact.history.release_frozen(|partners| *partners == pair);
+    } else if after != before {
+        contact.history.release_friction();
     }
     contact.state.forget_found();
     Ok(())

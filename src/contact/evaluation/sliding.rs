@@ -17,8 +17,9 @@ pub(crate) fn sliding<'a, const D: usize>(
     contact: &'a Contact<D>,
     measured: &Measured<D>,
 ) -> Result<Option<Sliding<'a, D>>, Error> {
-    let friction = contact.partners.friction_of(&measured.pair.partners, contact.method.options());
-    let Some(step) = contact.history.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
+    let Contact { mesh, partners, method, history, .. } = contact;
+    let friction = partners.friction_of(&measured.pair.partners, method.options());
+    let Some(step) = history.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
     let what = "friction with a law that has no stiffness of its own: set the friction's";
     let stick = match friction.memoryless_slip {
         Some(slip) => Stick::Memoryless(slip),
@@ -26,5 +27,7 @@ pub(crate) fn sliding<'a, const D: usize>(
             Stick::Spring(friction.stiffness.or(measured.law.initial_stiffness()).ok_or(Error::Unsupported { what })?)
         }
     };
-    Ok(Some(Sliding { friction, stick, step }))
+    let now = partners.bearing_rule(&measured.pair.partners, method.options(), mesh.depths());
+    let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(&measured.pair.partners, now));
+    Ok(Some(Sliding { friction, stick, step, bearings }))
 }

@@ -8,7 +8,7 @@ use super::carriers::in_surface;
 use super::facet_sums::{Row, Sums, add_point};
 use super::return_mapping::{Slider, Stick, Traction};
 use super::step::Sliding;
-use super::touch::{Bearing, Bearings, Touch};
+use super::touch::{Bearing, FacetBearings, Touch};
 use crate::contact::laws::{Measured, PressurePoint};
 use crate::geometry::Vector;
 use crate::overlap::{Pair, Partner};
@@ -75,7 +75,7 @@ impl<const D: usize> SlipFacets<D> {
         let bearing = sums.bearing(pair, (of_b, facet));
         let (carried, touch) = match sliding.stick {
             Stick::Spring(_) => {
-                let before = sliding.step.bearing(&(pair.partners, of_b, in_surface));
+                let before = sliding.bearing(&(pair.partners, of_b, in_surface));
                 let touch =
                     before.map_or(Touch::WHOLE, |before| Touch::new(before, bearing, sums.approach / sums.area));
                 (sums.deformation * Vector::from(sliding.step.slip[in_surface]) * (sign * touch.carried), touch)
@@ -110,7 +110,7 @@ impl<const D: usize> SlipFacets<D> {
     }
 
     /// Adds how the facets bear.
-    pub(crate) fn add_bearings(&self, bearings: &mut Bearings) {
+    pub(crate) fn add_bearings(&self, bearings: &mut FacetBearings) {
         bearings.extend(self.facets.iter().map(|facet| ((self.partners, facet.of_b, facet.facet), facet.bearing)));
     }
 

@@ -2,7 +2,7 @@
 
 use super::options::Friction;
 use super::return_mapping::Stick;
-use super::touch::{Bearing, Bearings};
+use super::touch::{Bearing, FacetBearings};
 use crate::geometry::{Pose, Surface, Vector};
 use crate::overlap::Partner;
 
@@ -19,8 +19,6 @@ pub(crate) struct Step<const D: usize> {
     pub(crate) poses: Vec<Option<Pose<D>>>,
     /// Elastic slip of every facet against what it faces.
     pub(crate) slip: Vec<[f64; D]>,
-    /// How the facets of pairs with friction bore; `None` where that was not measured.
-    pub(crate) bearings: Option<Bearings>,
 }
 
 impl<const D: usize> Step<D> {
@@ -31,7 +29,7 @@ impl<const D: usize> Step<D> {
         slip: Vec<[f64; D]>,
         epoch: u64,
     ) -> Self {
-        Self { coords: coords.to_vec(), points: surface.points(coords), epoch, poses, slip, bearings: None }
+        Self { coords: coords.to_vec(), points: surface.points(coords), epoch, poses, slip }
     }
 
     /// The same step of other cells of the mesh, whose points were here when it began; `facet` is the new number of a facet, if it is
@@ -48,14 +46,7 @@ impl<const D: usize> Step<D> {
                 slip[new] = *carried;
             }
         }
-        let of = |((partners, of_b, old), bearing)| facet(old).map(|new| ((partners, of_b, new), bearing));
-        let bearings = self.bearings.map(|bearings| bearings.into_iter().filter_map(of).collect());
-        Self { bearings, ..Self::new(surface, points, self.poses, slip, self.epoch) }
-    }
-
-    /// How a facet bore; `None` where that is not known.
-    pub(crate) fn bearing(&self, facet: &([Partner; 2], bool, usize)) -> Option<Bearing> {
-        self.bearings.as_ref().map(|bearings| bearings.get(facet).copied().unwrap_or_default())
+        Self::new(surface, points, self.poses, slip, self.epoch)
     }
 
     /// Where an obstacle stood; one that came later has not moved.
@@ -69,4 +60,13 @@ pub(crate) struct Sliding<'a, const D: usize> {
     pub(crate) friction: Friction,
     pub(crate) stick: Stick,
     pub(crate) step: &'a Step<D>,
+    /// How facets bore when it began; `None` where that is not known of the pair.
+    pub(crate) bearings: Option<&'a FacetBearings>,
+}
+
+impl<const D: usize> Sliding<'_, D> {
+    /// How a facet bore when the step began; `None` where that is not known.
+    pub(crate) fn bearing(&self, facet: &([Partner; 2], bool, usize)) -> Option<Bearing> {
+        self.bearings.map(|bearings| bearings.get(facet).copied().unwrap_or_default())
+    }
 }

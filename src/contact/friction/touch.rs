@@ -21,7 +21,7 @@ pub(crate) struct Bearing {
 }
 
 /// All facets that bear, by their pair, their side and their number in the surface.
-pub(crate) type Bearings = BTreeMap<([Partner; 2], bool, usize), Bearing>;
+pub(crate) type FacetBearings = BTreeMap<([Partner; 2], bool, usize), Bearing>;
 
 /// What counts of a step's slip, and of the slip that was carried into it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -107,10 +107,11 @@ impl<const D: usize> Multipliers<D> {
         self.end_series();
     }
 
-    /// Takes those against a partner out.
-    pub(crate) fn forget(&mut self, partner: Partner) {
-        self.rows.retain(|(_, partners), _| !partners.contains(&partner));
-        self.end_series();
+    /// Takes those of the pairs of which this holds out, bodies before obstacles, each by index.
+    pub(crate) fn forget(&mut self, is_gone: impl Fn(&[Partner; 2]) -> bool) {
+        self.sides.retain(|pair, _| !is_gone(pair));
+        self.rows.retain(|(_, partners), _| !is_gone(&sorted(*partners)));
+        self.past.retain(|(_, partners), _| !is_gone(&sorted(*partners)));
     }
 
     /// In ascending order.

@@ -1,5 +1,6 @@
 //! The steps of a contact, and what is held during one.
 
+use super::bearings::Bearings;
 use super::kept_patches::KeptPatches;
 use super::multipliers::Multipliers;
 use crate::Error;
@@ -12,6 +13,8 @@ use crate::overlap::Partner;
 pub(crate) struct History<const D: usize> {
     /// Where the step began, once one has begun.
     pub(crate) step: Option<Step<D>>,
+    /// How facets bore there, where that was measured.
+    pub(crate) bearings: Option<Bearings>,
     /// Facets and pressures at which friction is frozen.
     pub(crate) frozen: Option<FrozenFriction<D>>,
     pub(crate) patches: KeptPatches<D>,
@@ -25,6 +28,7 @@ impl<const D: usize> History<D> {
     pub(crate) fn new() -> Self {
         Self {
             step: None,
+            bearings: None,
             frozen: None,
             patches: KeptPatches::none(),
             multipliers: Multipliers::default(),
@@ -33,8 +37,8 @@ impl<const D: usize> History<D> {
     }
 
     /// Begins a step; frozen friction is released.
-    pub(crate) fn begin(&mut self, step: Step<D>) {
-        (self.step, self.frozen) = (Some(step), None);
+    pub(crate) fn begin(&mut self, step: Step<D>, bearings: Option<Bearings>) {
+        (self.step, self.bearings, self.frozen) = (Some(step), bearings, None);
     }
 
     /// The step that has begun.
@@ -66,14 +70,6 @@ impl<const D: usize> History<D> {
         self.frozen = None;
     }
 
-    /// Forgets how facets bore when the step began, where other pairs than then have friction, or bear in another way: the
-    /// slip of this step is then counted from its start.
-    pub(crate) fn forget_bearings(&mut self) {
-        if let Some(step) = &mut self.step {
-            step.bearings = None;
-        }
-    }
-
     /// Releases kept patches.
     pub(crate) fn release_patches(&mut self) {
         self.patches = KeptPatches::none();
@@ -82,8 +78,13 @@ impl<const D: usize> History<D> {
     /// Forgets an obstacle that is removed.
     pub(crate) fn forget(&mut self, partner: Partner) {
         self.patches.forget(partner);
-        self.multipliers.forget(partner);
-        self.release_frozen(|partners| partners.contains(&partner));
+        self.leave_out(|partners| partners.contains(&partner));
+    }
+
+    /// Takes pairs out that add nothing to results any more: their frozen friction, and what moves surfaces out against them.
+    pub(crate) fn leave_out(&mut self, is_left_out: impl Fn(&[Partner; 2]) -> bool) {
+        self.multipliers.forget(&is_left_out);
+        self.release_frozen(is_left_out);
     }
 
     /// Releases frozen friction of some pairs alone; that of all others stays frozen.
@@ -103,6 +104,7 @@ impl<const D: usize> History<D> {
     ) {
         self.release_patches();
         self.release_friction();
+        self.bearings = self.bearings.take().map(|bearings| bearings.of_cells(&facet));
         self.step = self.step.take().zip(started).map(|(step, points)| step.of_cells(surface, points, facet));
     }
 

@@ -79,6 +79,8 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Replaces the options, not those that pairs have of their own ([`Self::set_pair_options`]). Kept patches stay kept with another law, and are released with another estimator.
+    /// Frozen friction is released with other friction, that of bodies with themselves without self-contact, and both with or without
+    /// axisymmetry.
     ///
     /// # Errors
     /// As [`Self::new`]; [`Error::OfPair`] where the estimator does not support the law of a pair. The old options then
@@ -101,6 +103,9 @@ impl<const D: usize> Contact<D> {
     ///
     /// For a body with itself they decide in place of `Options::self_contact` whether it is evaluated against itself:
     /// `excluded` switches that off for this body, and anything else on.
+    ///
+    /// Frozen friction is released with other friction; of a pair that is left out or rubs no more that of the pair alone. Surfaces that
+    /// multipliers have moved out against a partner that is left out are moved back.
     ///
     /// Kept patches stay kept, and patches of a pair that gets a local law later are found at every evaluation, until
     /// [`Self::keep_patches`] is called again.

@@ -1,5 +1,6 @@
 //! The partners of a contact.
 
+use super::bearing_rules::{BearingRule, BearingRules};
 use super::layers::{LayerLaws, LayerStiffness};
 use super::obstacles::Obstacles;
 use super::pair_options::PairOptions;
@@ -139,6 +140,21 @@ impl<const D: usize> Partners<D> {
     /// The friction of a pair.
     pub(crate) fn friction_of(&self, pair: &[Partner; 2], options: &Options) -> Friction {
         self.table.friction(pair, options.friction)
+    }
+
+    /// By what the facets of a pair bear, where bodies have these depths; `None` without friction.
+    pub(crate) fn bearing_rule(&self, pair: &[Partner; 2], options: &Options, depths: [u64; 2]) -> Option<BearingRule> {
+        BearingRule::new(pair, self.table.options(pair), options, depths)
+    }
+
+    /// The same of all pairs, to compare with later.
+    pub(crate) fn bearing_rules(&self, options: &Options, depths: [u64; 2]) -> BearingRules {
+        BearingRules { of_pairs: self.table.all_options(), options: *options, depths }
+    }
+
+    /// Whether a pair adds to results.
+    pub(crate) fn has(&self, pair: &[Partner; 2], options: &Options) -> bool {
+        self.table.has(pair, pair[0] != pair[1] || options.self_contact)
     }
 
     /// Whether any pair has friction.

@@ -53,6 +53,11 @@ impl<const D: usize> PairTable<D> {
         self.0.get(pair).map(|entry| entry.options)
     }
 
+    /// Those of all pairs that have any.
+    pub(crate) fn all_options(&self) -> BTreeMap<[Partner; 2], PairOptions> {
+        self.0.iter().map(|(pair, entry)| (*pair, entry.options)).collect()
+    }
+
     /// Whether the pair is evaluated, where it would be `by_default`.
     pub(crate) fn has(&self, pair: &[Partner; 2], by_default: bool) -> bool {
         // A body with itself that is in the table is there to be evaluated, unless the entry says otherwise.

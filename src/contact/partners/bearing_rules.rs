@@ -1,0 +1,57 @@
+//! What decides how facets bear, beside where the sides are.
+
+use super::pair_options::PairOptions;
+use crate::contact::friction::Friction;
+use crate::contact::method::Options;
+use crate::overlap::{Estimator, Partner};
+use std::collections::BTreeMap;
+
+/// By what the facets of a pair bear. While it is the same, they bear the same at the same places.
+#[derive(Debug, PartialEq)]
+pub(crate) struct BearingRule {
+    /// The estimator of a local law; all others have depths, which need none.
+    lines: Option<Estimator>,
+    /// Which depths these are, of two bodies.
+    depths: Option<[u64; 2]>,
+    gap_offset: f64,
+    axisymmetric: bool,
+}
+
+impl BearingRule {
+    /// That of a pair with these options of its own; `None` where there is no friction.
+    pub(super) fn new(
+        pair: &[Partner; 2],
+        own: Option<PairOptions>,
+        options: &Options,
+        depths: [u64; 2],
+    ) -> Option<Self> {
+        let is_evaluated = match own {
+            Some(own) => !own.excluded,
+            None => pair[0] != pair[1] || options.self_contact,
+        };
+        let own = own.unwrap_or_default();
+        let friction = own.friction_coefficient.map(|coefficient| Friction { coefficient, ..options.friction });
+        let is_local = own.law.unwrap_or(options.law).is_fiber();
+        let is_of_bodies = matches!(pair[1], Partner::Body(_));
+        (is_evaluated && friction.unwrap_or(options.friction).is_active()).then_some(Self {
+            lines: is_local.then_some(options.estimator),
+            depths: (is_of_bodies && !is_local).then_some(depths),
+            gap_offset: own.gap_offset,
+            axisymmetric: options.axisymmetric,
+        })
+    }
+}
+
+/// Those of all pairs at one time.
+#[derive(Clone)]
+pub(crate) struct BearingRules {
+    pub(super) of_pairs: BTreeMap<[Partner; 2], PairOptions>,
+    pub(super) options: Options,
+    pub(super) depths: [u64; 2],
+}
+
+impl BearingRules {
+    pub(crate) fn of(&self, pair: &[Partner; 2]) -> Option<BearingRule> {
+        BearingRule::new(pair, self.of_pairs.get(pair).copied(), &self.options, self.depths)
+    }
+}
