@@ -19,7 +19,8 @@ test: tools
 	$(SUITE_OF) "figures of the pages" $(MAKE) figures-check
 	$(SUITE_OF) "lints (clippy)" $(CARGO) clippy --workspace --all-targets --release -- -D warnings
 	$(SUITE_OF) "lints (Python)" $(MAKE) python-lint
-	$(SUITE_OF) "fmc with force alone" $(CARGO) check --release -p fmc --no-default-features
+	$(SUITE_OF) "library and tests without features" $(CARGO) clippy --release -p fmc-contact --all-targets --no-default-features -- -D warnings
+	$(SUITE_OF) "fmc with force alone" $(CARGO) clippy --release -p fmc --no-default-features -- -D warnings
 	$(SUITE_OF) "build of the tests" $(CARGO) test --workspace --release $(TESTS) --no-run
 	$(AS_SUITES) $(CARGO) test --workspace --release $(TESTS)
 	$(SUITE_OF) "examples in the docs" $(CARGO) test --workspace --release --doc

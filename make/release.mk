@@ -28,7 +28,7 @@ sanitizers: check-tools
 	.ci/sanitizers library
 	$(SUDO) .ci/sanitizers threads $(ROOTS)/forky-rust
 
-MUTANTS ?= --file 'src/overlap/**'
+MUTANTS ?= $(addprefix --file ,$(patsubst %,'src/%/**',overlap contact capi partition depth_field))
 
 mutants:
 	@$(CARGO) mutants --version >/dev/null 2>&1 || $(call LEFT_OUT,cargo-mutants is not installed)

@@ -157,3 +157,78 @@ pub unsafe extern "C" fn fmc_context_keep_pattern(context: *mut fmc_context, kee
         }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::boundary::status::fmc_status::FMC_OK;
+    use crate::capi::calls::mesh::creation::{fmc_context_free, fmc_context_new_from_cells};
+    use crate::capi::calls::tangent::entries::fmc_context_tangent;
+    use crate::capi::structs::mesh::{fmc_cell_block, fmc_cell_type};
+    use crate::capi::structs::options::fmc_options;
+    use crate::capi::structs::view::fmc_coords;
+    use std::ptr::{null, null_mut};
+
+    /// Two squares, the second this far to the right of where it meets the first.
+    fn squares(apart: f64) -> [[f64; 2]; 8] {
+        let x = 0.9 + apart;
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [x, 0.1], [x + 1.0, 0.1], [x + 1.0, 1.1], [x, 1.1]]
+    }
+
+    /// Numbers of rows and of blocks of the tangent at these coordinates.
+    fn sizes(context: *mut fmc_context, coords: &[[f64; 2]; 8]) -> [usize; 2] {
+        let view = fmc_coords { data: coords.as_ptr().cast(), node_count: 8, node_stride: 2, axis_stride: 1 };
+        let (mut offsets, mut blocks) = (0, 0);
+        // SAFETY: a living context, a view of eight nodes, and no room but for the counts.
+        unsafe {
+            assert_eq!(fmc_context_tangent(context, &view, 0, null_mut()), FMC_OK);
+            let (cols, values) = (null_mut(), null_mut());
+            let status = fmc_context_tangent_csr(
+                context,
+                FMC_CSR_BLOCKS,
+                null_mut(),
+                0,
+                &mut offsets,
+                cols,
+                values,
+                0,
+                &mut blocks,
+            );
+            assert_eq!(status, FMC_OK);
+        }
+        [offsets - 1, blocks]
+    }
+
+    #[test]
+    fn a_pattern_is_kept_until_it_is_released() {
+        let (together, apart) = (squares(0.0), squares(3.0));
+        let conn = [0, 1, 2, 3, 4, 5, 6, 7i32];
+        let block = fmc_cell_block {
+            cell_type: fmc_cell_type::FMC_QUAD4 as i32,
+            index_size: 4,
+            conn: conn.as_ptr().cast(),
+            cell_count: 2,
+        };
+        let view = fmc_coords { data: together.as_ptr().cast(), node_count: 8, node_stride: 2, axis_stride: 1 };
+        let options = fmc_options { stiffness: 1e3, ..fmc_options::default() };
+        let mut context = null_mut();
+        // SAFETY: all arguments live through the call.
+        unsafe {
+            let status = fmc_context_new_from_cells(2, &view, &block, 1, null(), &options, &mut context);
+            assert_eq!(status, FMC_OK);
+            let met = sizes(context, &together);
+            assert!(met[0] == 8 && met[1] > 0);
+            assert_eq!(sizes(context, &apart), [8, 0]);
+            sizes(context, &together);
+            assert_eq!(fmc_context_keep_pattern(context, 1), FMC_OK);
+            assert_eq!(sizes(context, &apart), met);
+            assert_eq!(fmc_context_keep_pattern(context, 0), FMC_OK);
+            assert_eq!(sizes(context, &apart), [8, 0]);
+            assert_eq!(sizes(context, &together), met);
+            // Another number changes nothing.
+            assert_eq!(fmc_context_keep_pattern(context, 2), FMC_ERROR_BAD_VALUE);
+            assert_eq!(sizes(context, &apart), [8, 0]);
+            assert_eq!(fmc_context_free(&mut context), FMC_OK);
+        }
+    }
+}
