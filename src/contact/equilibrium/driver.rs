@@ -45,6 +45,7 @@ mod unknowns;
 mod updates;
 
 pub use limit::StepLimit;
+pub(super) use limit::step_limit;
 pub use options::DriverOptions;
 pub use outcome::{Found, Refusal, Way};
 pub use request::{Answer, Request};

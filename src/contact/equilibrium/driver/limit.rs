@@ -17,21 +17,19 @@ pub struct StepLimit {
     pub first_touch: f64,
 }
 
-impl<const D: usize> Contact<D> {
-    /// How far the nodes at `coords` may go along `step` so that nothing passes through anything: surfaces come to overlap by half a facet at
-    /// most, beyond what they do, and no body moves by more than half its thickness against the others.
-    ///
-    /// # Errors
-    /// [`Error::Length`] for a step of another length than the coordinates; else as [`Self::gap_constraints`].
-    pub fn step_limit(&self, coords: &[[f64; D]], step: &[[f64; D]]) -> Result<StepLimit, Error> {
-        let expected = self.mesh.surface.unknown_count();
-        for (array, found) in [("coords", coords.len()), ("step", step.len())] {
-            if found != expected {
-                return Err(Error::Length { array, expected, found });
-            }
+/// How far a step may go, by what is known of the contact alone.
+pub(in crate::contact::equilibrium) fn step_limit<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    step: &[[f64; D]],
+) -> Result<StepLimit, Error> {
+    let expected = contact.surface().unknown_count();
+    for (array, found) in [("coords", coords.len()), ("step", step.len())] {
+        if found != expected {
+            return Err(Error::Length { array, expected, found });
         }
-        limit(self, &Assembly::new(self, coords)?, coords, step)
     }
+    limit(contact, &Assembly::new(contact, coords)?, coords, step)
 }
 
 /// The same with what is known of the bodies.
