@@ -1,6 +1,6 @@
 //! A contact of one dimension, as the C interface sees it.
 
-use super::session::{Counts, Session};
+use super::session::Counts;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 use crate::capi::structs::contact_point::fmc_contact_point;
@@ -22,7 +22,6 @@ use crate::{
     Basis, Communicator, Contact, ContactForces, Error, Obstacle, Options, PartitionedContact, PointWeights, Pose,
     RankCounts, ShapeKind, Surface,
 };
-use std::any::Any;
 
 const IN_PARTS: &str = "the equilibrium of a mesh in parts";
 
@@ -111,8 +110,8 @@ impl<const D: usize> Resident<D> {
     }
 }
 
-impl<const D: usize> Session for Resident<D> {
-    fn counts(&self) -> Counts {
+impl<const D: usize> Resident<D> {
+    pub(crate) fn counts(&self) -> Counts {
         let surface = self.held.contact().surface();
         Counts {
             nodes: surface.node_count(),
@@ -122,84 +121,108 @@ impl<const D: usize> Session for Resident<D> {
         }
     }
 
-    fn parts(&self) -> Option<&dyn InParts> {
+    /// The mesh in parts, if it is.
+    pub(crate) fn parts(&self) -> Option<&dyn InParts> {
         match &self.held {
             Held::Whole(_) => None,
             Held::InParts(parts) => Some(&**parts),
         }
     }
 
-    fn parts_mut(&mut self) -> Option<&mut dyn InParts> {
+    pub(crate) fn parts_mut(&mut self) -> Option<&mut dyn InParts> {
         match &mut self.held {
             Held::Whole(_) => None,
             Held::InParts(parts) => Some(&mut **parts),
         }
     }
 
-    fn contact_mut(&mut self) -> Result<&mut dyn Any, Failure> {
+    /// The contact, for a search that knows its dimension.
+    ///
+    /// # Errors
+    /// `FMC_ERROR_UNSUPPORTED` for a mesh in parts.
+    pub(crate) fn contact_mut(&mut self) -> Result<&mut Contact<D>, Failure> {
         match &mut self.held {
-            Held::Whole(contact) => Ok(&mut **contact),
+            Held::Whole(contact) => Ok(contact),
             Held::InParts(_) => Err(Error::Unsupported { what: IN_PARTS }.into()),
         }
     }
 
-    fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet> {
+    /// The boundary facets.
+    pub(crate) fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet> {
         let facets = self.held.contact().boundary_facets();
         facets.iter().map(|facet| fmc_boundary_facet::new(facet, index_base)).collect()
     }
 
-    fn point_weights(&self) -> PointWeights {
+    /// The points of which hosts are told, as combinations of nodes.
+    pub(crate) fn point_weights(&self) -> PointWeights {
         self.held.contact().point_weights()
     }
 
-    fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Failure> {
+    /// Has the nodes moved by unknowns, counted from zero, or by themselves.
+    pub(crate) fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Failure> {
         Ok(self.held.contact_mut().set_basis(basis)?)
     }
 
-    fn set_options(&mut self, options: Options) -> Result<(), Failure> {
+    pub(crate) fn set_options(&mut self, options: Options) -> Result<(), Failure> {
         Ok(self.held.contact_mut().set_options(options)?)
     }
 
-    fn stiffness(&self) -> f64 {
+    /// That of the law, as options and [`Self::stiffen`] have left it.
+    pub(crate) fn stiffness(&self) -> f64 {
         self.held.contact().options().law.stiffness()
     }
 
-    fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure> {
+    pub(crate) fn set_pose(&mut self, obstacle: usize, pose: fmc_pose) -> Result<(), Failure> {
         Ok(self.held.contact_mut().set_pose(obstacle, pose.to_pose())?)
     }
 
-    fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure> {
+    pub(crate) fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Failure> {
         Ok(self.held.contact_mut().remove_obstacle(obstacle)?)
     }
 
-    fn obstacle(&self, obstacle: usize) -> Result<(ShapeKind, fmc_pose), Failure> {
+    /// Shape and pose of an obstacle.
+    pub(crate) fn obstacle(&self, obstacle: usize) -> Result<(ShapeKind, fmc_pose), Failure> {
         let found = self.held.contact().obstacle(obstacle)?;
         Ok((found.shape.kind(), (&found.pose).into()))
     }
 
-    fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Failure> {
+    /// Sets the options of a pair; `None`: those of the contact.
+    pub(crate) fn set_pair_options(
+        &mut self,
+        partners: [Partner; 2],
+        options: Option<PairOptions>,
+    ) -> Result<(), Failure> {
         Ok(self.held.contact_mut().set_pair_options(partners, options)?)
     }
 
-    fn pair_options(&self, partners: [Partner; 2]) -> Result<PairOptions, Failure> {
+    /// Options that hold for a pair.
+    pub(crate) fn pair_options(&self, partners: [Partner; 2]) -> Result<PairOptions, Failure> {
         let is_left_out = partners[0] == partners[1] && !self.held.contact().options().self_contact;
         let by_default = PairOptions { excluded: is_left_out, ..PairOptions::default() };
         Ok(self.held.contact().pair_options(partners)?.unwrap_or(by_default))
     }
 
-    unsafe fn add_obstacle(&mut self, shape: &fmc_shape, pose: fmc_pose, index_base: i32) -> Result<usize, Failure> {
+    /// Adds an obstacle and returns its index.
+    pub(crate) unsafe fn add_obstacle(
+        &mut self,
+        shape: &fmc_shape,
+        pose: fmc_pose,
+        index_base: i32,
+    ) -> Result<usize, Failure> {
         // SAFETY: passed on to the caller.
         let shape = unsafe { shape.read_shape(index_base) }?;
         let pose: Pose<D> = pose.to_pose();
         self.held.contact_mut().add_obstacle(Obstacle { shape, pose }).map_err(Failure::counted_from(index_base))
     }
 
-    unsafe fn set_reference(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
+    /// Sets the coordinates without deformation.
+    pub(crate) unsafe fn set_reference(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
         // SAFETY: passed on to the caller.
         unsafe { self.at(coords, index_base, |contact, rows| contact.set_reference(rows)) }
     }
 
-    fn set_symmetry_nodes(&mut self, nodes: &[i64], index_base: i32) -> Result<(), Failure> {
+    /// Names the nodes in planes of symmetry, as the host counts them.
+    pub(crate) fn set_symmetry_nodes(&mut self, nodes: &[i64], index_base: i32) -> Result<(), Failure> {
         let node_count = match &self.held {
             Held::Whole(contact) => contact.surface().node_count(),
             Held::InParts(parts) => parts.own_node_count(),
@@ -212,17 +235,24 @@ impl<const D: usize> Session for Resident<D> {
         named.map_err(Failure::counted_from(index_base))
     }
 
-    unsafe fn begin_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
+    /// Begins a step with friction.
+    pub(crate) unsafe fn begin_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
         // SAFETY: passed on to the caller.
         unsafe { self.at(coords, index_base, |contact, rows| contact.begin_step(rows)) }
     }
 
-    unsafe fn commit_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
+    /// Accepts it.
+    pub(crate) unsafe fn commit_step(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
         // SAFETY: passed on to the caller.
         unsafe { self.at(coords, index_base, |contact, rows| contact.commit_step(rows)) }
     }
 
-    unsafe fn freeze_friction(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<(), Failure> {
+    /// Freezes friction at these coordinates, or releases it.
+    pub(crate) unsafe fn freeze_friction(
+        &mut self,
+        coords: Option<&fmc_coords>,
+        index_base: i32,
+    ) -> Result<(), Failure> {
         let Some(coords) = coords else {
             self.held.contact_mut().release_friction();
             return Ok(());
@@ -231,28 +261,38 @@ impl<const D: usize> Session for Resident<D> {
         unsafe { self.at(coords, index_base, |contact, rows| contact.freeze_friction(rows)) }
     }
 
-    fn slip(&self) -> Result<&[f64], Failure> {
+    /// The elastic slip that was carried into the step, facet by facet.
+    pub(crate) fn slip(&self) -> Result<&[f64], Failure> {
         Ok(self.held.contact().slip()?.as_flattened())
     }
 
-    fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure> {
+    /// Sets it.
+    pub(crate) fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure> {
         let (rows, _) = slip.as_chunks::<D>();
         Ok(self.held.contact_mut().set_slip(rows)?)
     }
 
-    fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Failure> {
+    /// Shares the work with other ranks, or with none.
+    pub(crate) fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Failure> {
         Ok(self.held.contact_mut().set_communicator(communicator)?)
     }
 
-    fn rank_counts(&self) -> RankCounts {
+    /// What was shared.
+    pub(crate) fn rank_counts(&self) -> RankCounts {
         self.held.contact().rank_counts()
     }
 
-    fn set_obstacle_rotations(&mut self, on: bool) {
+    /// Whether tangents have the rotations of the obstacles.
+    pub(crate) fn set_obstacle_rotations(&mut self, on: bool) {
         self.held.contact_mut().set_obstacle_rotations(on);
     }
 
-    unsafe fn keep_patches(&mut self, coords: Option<&fmc_coords>, index_base: i32) -> Result<usize, Failure> {
+    /// Keeps the patches at these coordinates, or none; returns the number of directions.
+    pub(crate) unsafe fn keep_patches(
+        &mut self,
+        coords: Option<&fmc_coords>,
+        index_base: i32,
+    ) -> Result<usize, Failure> {
         let Some(coords) = coords else {
             self.held.contact_mut().release_patches();
             return Ok(0);
@@ -261,18 +301,31 @@ impl<const D: usize> Session for Resident<D> {
         unsafe { self.at(coords, index_base, |contact, rows| contact.keep_patches(rows)) }
     }
 
-    unsafe fn tangent(&mut self, coords: &fmc_coords, part: TangentPart, index_base: i32) -> Result<Kept, Failure> {
+    /// Second derivative of the energy.
+    pub(crate) unsafe fn tangent(
+        &mut self,
+        coords: &fmc_coords,
+        part: TangentPart,
+        index_base: i32,
+    ) -> Result<Kept, Failure> {
         // SAFETY: passed on to the caller.
         let tangent = unsafe { self.at(coords, index_base, |contact, rows| contact.tangent(rows, part)) }?;
         Ok(Kept::new(&tangent, coords.node_count, self.obstacle_nodes()))
     }
 
-    unsafe fn stable_step(&mut self, coords: &fmc_coords, masses: &[f64], index_base: i32) -> Result<f64, Failure> {
+    /// Largest time step of central differences.
+    pub(crate) unsafe fn stable_step(
+        &mut self,
+        coords: &fmc_coords,
+        masses: &[f64],
+        index_base: i32,
+    ) -> Result<f64, Failure> {
         // SAFETY: passed on to the caller.
         unsafe { self.at(coords, index_base, |contact, rows| contact.stable_step(rows, masses)) }
     }
 
-    unsafe fn step_limit(
+    /// How far a step may go.
+    pub(crate) unsafe fn step_limit(
         &mut self,
         coords: &fmc_coords,
         step: &fmc_coords,
@@ -287,7 +340,8 @@ impl<const D: usize> Session for Resident<D> {
         }
     }
 
-    unsafe fn contact_step(
+    /// Equilibrium with condensed bodies.
+    pub(crate) unsafe fn contact_step(
         &mut self,
         coords: &fmc_coords,
         bodies: &CondensedBodies,
@@ -306,7 +360,8 @@ impl<const D: usize> Session for Resident<D> {
         unsafe { self.at(coords, index_base, |contact, rows| contact.contact_step(rows, bodies, options, place)) }
     }
 
-    unsafe fn evaluate_tangent(
+    /// [`Self::evaluate`] and [`Self::tangent`] in one.
+    pub(crate) unsafe fn evaluate_tangent(
         &mut self,
         coords: &fmc_coords,
         part: TangentPart,
@@ -324,19 +379,22 @@ impl<const D: usize> Session for Resident<D> {
         }
     }
 
-    unsafe fn nodal_contact(&mut self, coords: &fmc_coords, index_base: i32) -> Result<NodalLists, Failure> {
+    /// The contact at the nodes.
+    pub(crate) unsafe fn nodal_contact(&mut self, coords: &fmc_coords, index_base: i32) -> Result<NodalLists, Failure> {
         // SAFETY: passed on to the caller.
         Ok(unsafe { self.at(coords, index_base, |contact, rows| contact.nodal_contact(rows)) }?.into())
     }
 
-    unsafe fn bits(&mut self, coords: &fmc_coords) -> Result<Vec<u64>, Failure> {
+    /// Bits of the coordinates, to tell whether they are the same.
+    pub(crate) unsafe fn bits(&mut self, coords: &fmc_coords) -> Result<Vec<u64>, Failure> {
         check_node_count(coords.node_count, self.held.contact().surface().unknown_count())?;
         // SAFETY: passed on to the caller.
         let rows = unsafe { coords.rows("coords", &mut self.scratch) }?;
         Ok(rows.as_flattened().iter().map(|number: &f64| number.to_bits()).collect())
     }
 
-    unsafe fn contact_points(
+    /// The contact points.
+    pub(crate) unsafe fn contact_points(
         &mut self,
         coords: &fmc_coords,
         index_base: i32,
@@ -346,7 +404,8 @@ impl<const D: usize> Session for Resident<D> {
         Ok(points.iter().map(|point| fmc_contact_point::new(point, index_base)).collect())
     }
 
-    unsafe fn gap_constraints(
+    /// Weighted gaps.
+    pub(crate) unsafe fn gap_constraints(
         &mut self,
         coords: &fmc_coords,
         reach: f64,
@@ -357,7 +416,8 @@ impl<const D: usize> Session for Resident<D> {
         Ok(KeptGaps::new(&found, index_base))
     }
 
-    unsafe fn augment(
+    /// Moves surfaces out by their gaps.
+    pub(crate) unsafe fn augment(
         &mut self,
         coords: &fmc_coords,
         reach: f64,
@@ -368,22 +428,26 @@ impl<const D: usize> Session for Resident<D> {
         unsafe { self.at(coords, index_base, |contact, rows| contact.augment(rows, reach, enough)) }
     }
 
-    fn stiffen(&mut self, factor: f64) -> Result<(), Failure> {
+    /// Multiplies the stiffness of the laws.
+    pub(crate) fn stiffen(&mut self, factor: f64) -> Result<(), Failure> {
         Ok(self.held.contact_mut().stiffen(factor)?)
     }
 
-    fn multipliers(&self, index_base: i32) -> Vec<fmc_multiplier> {
+    /// How far they are moved out.
+    pub(crate) fn multipliers(&self, index_base: i32) -> Vec<fmc_multiplier> {
         let found = self.held.contact().multipliers();
         found.iter().map(|one| fmc_multiplier::new(one, index_base)).collect()
     }
 
-    fn set_multipliers(&mut self, multipliers: &[fmc_multiplier], index_base: i32) -> Result<(), Failure> {
+    /// Sets it.
+    pub(crate) fn set_multipliers(&mut self, multipliers: &[fmc_multiplier], index_base: i32) -> Result<(), Failure> {
         let taken = multipliers.iter().enumerate().map(|(place, one)| one.taken(place, index_base));
         let taken = taken.collect::<Result<Vec<_>, _>>()?;
         self.held.contact_mut().set_multipliers(&taken).map_err(Failure::counted_from(index_base))
     }
 
-    unsafe fn evaluate(
+    /// Evaluates, and writes the forces, if wanted, on success.
+    pub(crate) unsafe fn evaluate(
         &mut self,
         coords: &fmc_coords,
         forces: Option<&fmc_forces>,

@@ -1,7 +1,7 @@
 //! The context: a mesh in contact that is evaluated again and again.
 
 use super::found::Found;
-use super::session::Session;
+use super::session::{Session, in_either};
 use crate::capi::boundary::entry::{entry, guarded};
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::index::IndexSize;
@@ -37,7 +37,7 @@ pub struct fmc_context {
 
 /// What the lock guards.
 pub(crate) struct State {
-    pub(crate) session: Box<dyn Session>,
+    pub(crate) session: Session,
     pub(crate) evaluation: Evaluation,
     pub(crate) tangent: Kept,
     points: Found<Vec<fmc_contact_point>>,
@@ -62,7 +62,7 @@ impl fmc_context {
 }
 
 impl State {
-    pub(crate) fn new(session: Box<dyn Session>, index_size: IndexSize, options: &fmc_options) -> Self {
+    pub(crate) fn new(session: Session, index_size: IndexSize, options: &fmc_options) -> Self {
         Self {
             session,
             evaluation: Evaluation::default(),
@@ -96,8 +96,8 @@ impl State {
         let Self { session, points, calls, index_base, .. } = self;
         // SAFETY: passed on to the caller.
         unsafe {
-            let at = session.bits(coords)?;
-            Ok(points.at(at, *calls, || session.contact_points(coords, *index_base))?)
+            let at = in_either!(session, one => one.bits(coords))?;
+            Ok(points.at(at, *calls, || in_either!(session, one => one.contact_points(coords, *index_base)))?)
         }
     }
 
@@ -109,9 +109,9 @@ impl State {
         let Self { session, gaps, calls, index_base, .. } = self;
         // SAFETY: passed on to the caller.
         unsafe {
-            let mut at = session.bits(coords)?;
+            let mut at = in_either!(session, one => one.bits(coords))?;
             at.push(reach.to_bits());
-            gaps.at(at, *calls, || session.gap_constraints(coords, reach, *index_base))
+            gaps.at(at, *calls, || in_either!(session, one => one.gap_constraints(coords, reach, *index_base)))
         }
     }
 

@@ -5,6 +5,7 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{optional, reference};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNKNOWN_FLAG;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{evaluated, fmc_context};
 use crate::capi::structs::evaluation::fmc_result;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
@@ -42,7 +43,7 @@ pub unsafe extern "C" fn fmc_context_evaluate(
                     return Err(Failure::new(FMC_ERROR_UNKNOWN_FLAG, format!("unknown flag in {flags:#x}")));
                 }
                 let (coords, forces) = (reference("coords", coords)?, optional("forces", forces)?);
-                state.session.evaluate(coords, forces, flags & FMC_EVALUATE_ADD != 0, state.index_base)
+                in_either!(&mut state.session, one => one.evaluate(coords, forces, flags & FMC_EVALUATE_ADD != 0, state.index_base))
             })
         }
     })

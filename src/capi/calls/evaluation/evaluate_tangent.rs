@@ -5,6 +5,7 @@ use crate::capi::boundary::pointer::{Output, optional, reference};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::calls::evaluation::evaluate::FMC_EVALUATE_ADD;
 use crate::capi::calls::tangent::entries::{FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC, part_of};
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{evaluated, fmc_context};
 use crate::capi::structs::evaluation::fmc_result;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
@@ -32,8 +33,7 @@ pub unsafe extern "C" fn fmc_context_evaluate_tangent(
             evaluated(context, result, |state| {
                 let (coords, forces) = (reference("coords", coords)?, optional("forces", forces)?);
                 let is_added = flags & FMC_EVALUATE_ADD != 0;
-                let (found, tangent) =
-                    state.session.evaluate_tangent(coords, part, forces, is_added, state.index_base)?;
+                let (found, tangent) = in_either!(&mut state.session, one => one.evaluate_tangent(coords, part, forces, is_added, state.index_base))?;
                 parts.write(tangent.rank_one.len());
                 state.keep_tangent(tangent);
                 Ok(found)

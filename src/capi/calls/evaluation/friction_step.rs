@@ -7,7 +7,7 @@ use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::{Output, check, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_LENGTH;
-use crate::capi::context::session::Session;
+use crate::capi::context::session::{Session, in_either};
 use crate::capi::structs::evaluation::Evaluation;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
 use std::ptr::{null, null_mut};
@@ -88,7 +88,7 @@ pub unsafe extern "C" fn fmc_friction_step_init(step: *mut fmc_friction_step) ->
 /// The host guarantees the arrays of the step, and both views.
 pub(crate) unsafe fn in_step(
     step: &fmc_friction_step,
-    session: &mut dyn Session,
+    session: &mut Session,
     coords: &fmc_coords,
     forces: &fmc_forces,
     base: i32,
@@ -97,22 +97,22 @@ pub(crate) unsafe fn in_step(
     let start = fmc_coords { data: step.start, ..*coords };
     // SAFETY: passed on to the caller.
     unsafe {
-        session.begin_step(&start, base)?;
-        let length = session.slip()?.len();
+        in_either!(session, one => one.begin_step(&start, base))?;
+        let length = in_either!(session, one => one.slip())?.len();
         let carried = carried(step, length)?;
-        session.set_slip(&carried)?;
+        in_either!(session, one => one.set_slip(&carried))?;
         let is_wanted = room.is_asked("numbers of the slip", &[step.next_slip.is_null()], length)?;
         if is_wanted && length > 0 {
             check("next_slip", step.next_slip.cast_const())?;
         }
         let mut next_slip = Vec::new();
         if is_wanted {
-            session.commit_step(coords, base)?;
-            next_slip.extend(session.slip()?);
-            session.begin_step(&start, base)?;
-            session.set_slip(&carried)?;
+            in_either!(session, one => one.commit_step(coords, base))?;
+            next_slip.extend(in_either!(session, one => one.slip())?);
+            in_either!(session, one => one.begin_step(&start, base))?;
+            in_either!(session, one => one.set_slip(&carried))?;
         }
-        let found = session.evaluate(coords, Some(forces), false, base)?;
+        let found = in_either!(session, one => one.evaluate(coords, Some(forces), false, base))?;
         if is_wanted {
             room.write("numbers of the slip", "next_slip", &next_slip, step.next_slip)?;
         } else {

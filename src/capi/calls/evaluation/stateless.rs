@@ -8,6 +8,7 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_NO_STEP;
 use crate::capi::calls::evaluation::friction_step::{fmc_friction_step, in_step};
 use crate::capi::calls::mesh::creation::session_of_cells;
+use crate::capi::context::session::in_either;
 use crate::capi::structs::mesh::fmc_cell_block;
 use crate::capi::structs::options::fmc_options;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
@@ -61,8 +62,9 @@ pub unsafe extern "C" fn fmc_contact_force(
             }?;
             let base = options.index_base;
             let found = match step {
-                Some(step) => in_step(step, &mut *session, &coords, &forces, base)?,
-                None => session.evaluate(&coords, Some(&forces), false, base).map_err(for_one_call)?,
+                Some(step) => in_step(step, &mut session, &coords, &forces, base)?,
+                None => in_either!(&mut session, one => one.evaluate(&coords, Some(&forces), false, base))
+                    .map_err(for_one_call)?,
             };
             output.write(found.result.volume);
         }

@@ -4,6 +4,7 @@ use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::optional;
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::csr::fmc_csr;
 use crate::{Basis, Error};
@@ -34,15 +35,15 @@ pub unsafe extern "C" fn fmc_context_set_basis(
         unsafe {
             write(context, |state| {
                 let Some(weights) = optional("weights", weights)? else {
-                    state.session.set_basis(None)?;
+                    in_either!(&mut state.session, one => one.set_basis(None))?;
                     state.pattern = None;
                     return Ok(());
                 };
-                let rows = weights.read(state.session.counts().nodes)?;
+                let rows = weights.read(in_either!(&state.session, one => one.counts()).nodes)?;
                 let row_starts: Vec<usize> = rows.offsets.iter().map(|&offset| offset as usize).collect();
                 let unknowns = unknowns(&rows.cols, unknown_count, &row_starts, weights.index_base)?;
                 let basis = Basis { unknown_count, row_starts: &row_starts, unknowns: &unknowns, weights: rows.values };
-                state.session.set_basis(Some(&basis))?;
+                in_either!(&mut state.session, one => one.set_basis(Some(&basis)))?;
                 state.pattern = None;
                 Ok(())
             })

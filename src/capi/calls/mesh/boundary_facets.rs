@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::list::Room;
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read};
 use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 
@@ -24,7 +25,12 @@ pub unsafe extern "C" fn fmc_context_boundary_facets(
         // SAFETY: the host passes a context, and room for `capacity` facets.
         unsafe {
             let state = read(context)?;
-            room.write("boundary facets", "facets", &state.session.boundary_facets(state.index_base), facets)
+            room.write(
+                "boundary facets",
+                "facets",
+                &in_either!(&state.session, one => one.boundary_facets(state.index_base)),
+                facets,
+            )
         }
     })
 }

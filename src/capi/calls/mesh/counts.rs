@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::Output;
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read};
 
 /// Number of nodes of the mesh, of its boundary facets, and of its bodies. A quadrilateral face in 3D counts as four facets;
@@ -22,7 +23,7 @@ pub unsafe extern "C" fn fmc_context_counts(
         let facets = Output::optional("facet_count", facet_count)?;
         let bodies = Output::optional("body_count", body_count)?;
         // SAFETY: the host passes a context.
-        let counts = unsafe { read(context) }?.session.counts();
+        let counts = in_either!(&unsafe { read(context) }?.session, one => one.counts());
         // SAFETY: the outputs, where given, may be written.
         unsafe {
             nodes.write(counts.nodes);

@@ -21,7 +21,7 @@ use std::ffi::c_void;
 pub(crate) unsafe fn create(
     options: *const fmc_options,
     context: *mut *mut fmc_context,
-    session: impl FnOnce(&fmc_options) -> Result<(Box<dyn Session>, IndexSize), Failure>,
+    session: impl FnOnce(&fmc_options) -> Result<(Session, IndexSize), Failure>,
 ) -> fmc_status {
     entry(|| {
         let output = Output::required("context", context)?;
@@ -46,14 +46,17 @@ pub(crate) unsafe fn session_of_cells<const D: usize>(
     blocks: &[fmc_cell_block],
     body_ids: *const c_void,
     options: &fmc_options,
-) -> Result<(Box<dyn Session>, IndexSize), Failure> {
+) -> Result<(Session, IndexSize), Failure>
+where
+    Session: From<Resident<D>>,
+{
     let (checked, size, mut scratch) = (options.to_options()?, index_size(blocks)?, Vec::new());
     // SAFETY: passed on to the caller.
     let surface = unsafe {
         let rows = coords.rows::<D>("coords", &mut scratch)?;
         surface_of_cells(rows, blocks, size, body_ids, options.index_base)?
     };
-    Ok((Box::new(Resident::new(surface, checked)?), size))
+    Ok((Resident::new(surface, checked)?.into(), size))
 }
 
 /// Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.

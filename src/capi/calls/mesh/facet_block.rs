@@ -108,7 +108,10 @@ unsafe fn session<const D: usize>(
     blocks: &[fmc_facet_block],
     body_ids: *const c_void,
     options: &fmc_options,
-) -> Result<(Box<dyn Session>, IndexSize), Failure> {
+) -> Result<(Session, IndexSize), Failure>
+where
+    Session: From<Resident<D>>,
+{
     let (checked, mut scratch) = (options.to_options()?, Vec::new());
     let size = IndexSize::of_all("facet block", blocks.iter().map(|block| block.index_size))?;
     // SAFETY: passed on to the caller.
@@ -116,7 +119,7 @@ unsafe fn session<const D: usize>(
         let rows = coords.rows::<D>("coords", &mut scratch)?;
         surface(rows, blocks, size, body_ids, options.index_base)?
     };
-    Ok((Box::new(Resident::new(surface, checked)?), size))
+    Ok((Resident::new(surface, checked)?.into(), size))
 }
 
 /// Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.

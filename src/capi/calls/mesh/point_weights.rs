@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::list::{MatrixRoom, Room};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read};
 use std::ffi::c_void;
 
@@ -38,10 +39,11 @@ pub unsafe extern "C" fn fmc_context_point_weights(
         let (offsets, entries) = (Room::new(offset_capacity, offset_count)?, Room::new(capacity, count)?);
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let found = state.session.point_weights();
+        let found = in_either!(&state.session, one => one.point_weights());
         let size = state.index_size;
         let room = MatrixRoom { row_offsets, offsets, cols: nodes, values: weights, entries, size };
-        let (cols, col_count) = (found.nodes.iter().map(|&node| node as usize), state.session.counts().unknowns);
+        let (cols, col_count) =
+            (found.nodes.iter().map(|&node| node as usize), in_either!(&state.session, one => one.counts()).unknowns);
         // SAFETY: the host guarantees the room that it says.
         unsafe { room.write(&found.starts, cols, col_count, &found.weights, state.index_base) }
     })

@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::reference;
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
 use std::ffi::c_void;
@@ -17,7 +18,12 @@ use std::ffi::c_void;
 pub unsafe extern "C" fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context and a view.
-        unsafe { write(context, |state| state.session.set_reference(reference("coords", coords)?, state.index_base)) }
+        unsafe {
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.set_reference(reference("coords", coords)?, state.index_base)),
+            )
+        }
     })
 }
 
@@ -39,7 +45,7 @@ pub unsafe extern "C" fn fmc_context_set_symmetry_nodes(
         unsafe {
             write(context, |state| {
                 let nodes = state.index_size.list("nodes", nodes, count, 1)?;
-                state.session.set_symmetry_nodes(&nodes, state.index_base)
+                in_either!(&mut state.session, one => one.set_symmetry_nodes(&nodes, state.index_base))
             })
         }
     })

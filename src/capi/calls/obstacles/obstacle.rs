@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, optional, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::pose::fmc_pose;
 use crate::capi::structs::shape::fmc_shape;
@@ -35,7 +36,7 @@ pub unsafe extern "C" fn fmc_context_add_obstacle(
             write(context, |state| {
                 let output = Output::optional("obstacle", obstacle)?;
                 let (shape, pose) = (reference("shape", shape)?, optional("pose", pose)?.copied().unwrap_or_default());
-                let index = state.session.add_obstacle(shape, pose, state.index_base)?;
+                let index = in_either!(&mut state.session, one => one.add_obstacle(shape, pose, state.index_base))?;
                 output.write(index);
                 Ok(())
             })

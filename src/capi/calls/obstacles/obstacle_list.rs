@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::pose::fmc_pose;
 
@@ -20,7 +21,7 @@ pub unsafe extern "C" fn fmc_context_obstacle_shape(
     entry(|| {
         let (kind, pose) = (Output::optional("kind", kind)?, Output::optional("pose", pose)?);
         // SAFETY: the host passes a context.
-        let found = unsafe { read(context) }?.session.obstacle(obstacle)?;
+        let found = in_either!(&unsafe { read(context) }?.session, one => one.obstacle(obstacle))?;
         // SAFETY: the outputs, where given, may be written.
         unsafe {
             kind.write(found.0 as i32);
@@ -42,7 +43,12 @@ pub unsafe extern "C" fn fmc_context_set_pose(
 ) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context and a pose.
-        unsafe { write(context, |state| state.session.set_pose(obstacle, *reference("pose", pose)?)) }
+        unsafe {
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.set_pose(obstacle, *reference("pose", pose)?)),
+            )
+        }
     })
 }
 
@@ -57,6 +63,6 @@ pub unsafe extern "C" fn fmc_context_set_pose(
 pub unsafe extern "C" fn fmc_context_remove_obstacle(context: *mut fmc_context, obstacle: usize) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context.
-        unsafe { write(context, |state| state.session.remove_obstacle(obstacle)) }
+        unsafe { write(context, |state| in_either!(&mut state.session, one => one.remove_obstacle(obstacle))) }
     })
 }

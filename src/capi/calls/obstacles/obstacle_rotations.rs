@@ -4,6 +4,7 @@ use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_BAD_VALUE;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 
 /// Gives tangents rows and columns for the rotations of the obstacles, with `on` 1, from the next one on; 0, the default:
@@ -27,7 +28,7 @@ pub unsafe extern "C" fn fmc_context_set_obstacle_rotations(context: *mut fmc_co
                 if on != 0 && on != 1 {
                     return Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("'on' is {on}, not 0 or 1")));
                 }
-                state.session.set_obstacle_rotations(on == 1);
+                in_either!(&mut state.session, one => one.set_obstacle_rotations(on == 1));
                 Ok(())
             })
         }

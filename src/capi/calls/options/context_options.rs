@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::options::fmc_options;
 
@@ -18,7 +19,7 @@ pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, opti
         unsafe {
             write(context, |state| {
                 let options = reference("options", options)?;
-                state.session.set_options(options.to_options()?)?;
+                in_either!(&mut state.session, one => one.set_options(options.to_options()?))?;
                 (state.index_base, state.options) = (options.index_base, *options);
                 Ok(())
             })
@@ -38,7 +39,8 @@ pub unsafe extern "C" fn fmc_context_options(context: *const fmc_context, option
         // SAFETY: the host passes a context, and an output that may be written.
         unsafe {
             let state = read(context)?;
-            output.write(fmc_options { stiffness: state.session.stiffness(), ..state.options });
+            output
+                .write(fmc_options { stiffness: in_either!(&state.session, one => one.stiffness()), ..state.options });
         }
         Ok(())
     })

@@ -7,6 +7,7 @@ use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::law::LawFields;
 use crate::capi::structs::option_values::EXCLUDED;
@@ -163,7 +164,7 @@ pub unsafe extern "C" fn fmc_context_set_pair_options(
             write(context, |state| {
                 let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
                 let options = optional("options", options)?.map(|options| options.to_pair_options()).transpose()?;
-                state.session.set_pair_options(partners, options)
+                in_either!(&mut state.session, one => one.set_pair_options(partners, options))
             })
         }
     })
@@ -188,7 +189,7 @@ pub unsafe extern "C" fn fmc_context_pair_options(
         let output = Output::required("options", options)?;
         let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
         // SAFETY: the host passes a context.
-        let found = unsafe { read(context) }?.session.pair_options(partners)?;
+        let found = in_either!(&unsafe { read(context) }?.session, one => one.pair_options(partners))?;
         // SAFETY: the host passes an output that may be written.
         unsafe { output.write(found.into()) };
         Ok(())

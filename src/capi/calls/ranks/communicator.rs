@@ -6,6 +6,7 @@ use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_RANK, FMC_ERROR_NULL_POINTER};
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::{AllToAll, Communicator, Error};
 use std::ffi::c_void;
@@ -123,7 +124,7 @@ pub unsafe extern "C" fn fmc_context_set_communicator(
             write(context, |state| {
                 let given = optional("communicator", communicator)?;
                 let ranks = given.map(HostRanks::new).transpose()?;
-                state.session.set_communicator(ranks.map(|ranks| Box::new(ranks) as Box<dyn Communicator>))
+                in_either!(&mut state.session, one => one.set_communicator(ranks.map(|ranks| Box::new(ranks) as Box<dyn Communicator>)))
             })
         }
     })
@@ -140,7 +141,7 @@ pub unsafe extern "C" fn fmc_context_rank_counts(
     entry(|| {
         let output = Output::required("counts", counts)?;
         // SAFETY: the host passes a context.
-        let found = unsafe { read(context) }?.session.rank_counts();
+        let found = in_either!(&unsafe { read(context) }?.session, one => one.rank_counts());
         let counts = fmc_rank_counts {
             struct_size: size_of::<fmc_rank_counts>(),
             item_count: found.item_count,

@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, reference, slice};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::in_parts::{fmc_carried_slip, no_parts};
 use crate::capi::structs::view::fmc_coords;
@@ -29,7 +30,7 @@ pub unsafe extern "C" fn fmc_context_set_coords(
         unsafe {
             write(context, |state| {
                 let index_base = state.index_base;
-                let parts = state.session.parts_mut().ok_or_else(no_parts)?;
+                let parts = in_either!(&mut state.session, one => one.parts_mut()).ok_or_else(no_parts)?;
                 let arguments = Output::optional("renumbered", renumbered)
                     .and_then(|output| Ok((output, reference("coords", coords)?)));
                 let (output, coords) = arguments.inspect_err(|_| parts.fail_elsewhere())?;
@@ -61,7 +62,9 @@ pub unsafe extern "C" fn fmc_context_set_carried_slip(
             write(context, |state| {
                 let carried = slice("carried", carried, count, 1)?;
                 let base = state.index_base;
-                state.session.parts_mut().ok_or_else(no_parts)?.set_carried_slip(carried, base)
+                in_either!(&mut state.session, one => one.parts_mut())
+                    .ok_or_else(no_parts)?
+                    .set_carried_slip(carried, base)
             })
         }
     })

@@ -178,7 +178,10 @@ unsafe fn session<const D: usize>(
     ranks: HostRanks,
     part: *const fmc_mesh_part,
     options: &fmc_options,
-) -> Result<(Box<dyn Session>, IndexSize), Failure> {
+) -> Result<(Session, IndexSize), Failure>
+where
+    Session: From<Resident<D>>,
+{
     let mut scratch = Vec::new();
     // SAFETY: passed on to the caller.
     let given = match unsafe { read::<D>(part, options, &mut scratch) } {
@@ -198,5 +201,5 @@ unsafe fn session<const D: usize>(
     };
     let parts = PartitionedContact::new(Box::new(ranks), &part, given.options, given.reach);
     let parts = parts.map_err(Failure::counted_from(options.index_base))?;
-    Ok((Box::new(Resident::of_parts(parts)), given.size))
+    Ok((Resident::of_parts(parts).into(), given.size))
 }

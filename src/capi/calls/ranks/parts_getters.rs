@@ -5,6 +5,7 @@ use crate::capi::boundary::index::Places;
 use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::{Output, check, copy_list};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read};
 use crate::capi::structs::in_parts::{fmc_carried_slip, no_parts};
 use std::ffi::c_void;
@@ -44,7 +45,7 @@ pub unsafe extern "C" fn fmc_context_gathered_counts(
         let output = Output::required("counts", counts)?;
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let parts = state.session.parts().ok_or_else(no_parts)?;
+        let parts = in_either!(&state.session, one => one.parts()).ok_or_else(no_parts)?;
         let found = parts.counts();
         let counts = fmc_gathered_counts {
             struct_size: size_of::<fmc_gathered_counts>(),
@@ -83,7 +84,7 @@ pub unsafe extern "C" fn fmc_context_gathered_nodes(
         let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let parts = state.session.parts().ok_or_else(no_parts)?;
+        let parts = in_either!(&state.session, one => one.parts()).ok_or_else(no_parts)?;
         let (size, base) = (state.index_size, i64::from(state.index_base));
         let needed = parts.node_numbers().len();
         let arrays = [numbers.is_null(), own_nodes.is_null(), coords.is_null()];
@@ -136,7 +137,7 @@ pub unsafe extern "C" fn fmc_context_gathered_cells(
         let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let found = state.session.parts().ok_or_else(no_parts)?.cell_numbers();
+        let found = in_either!(&state.session, one => one.parts()).ok_or_else(no_parts)?.cell_numbers();
         let base = i64::from(state.index_base);
         // SAFETY: the host guarantees room for `capacity` numbers, and that the count, where asked for, may be written.
         unsafe {
@@ -168,7 +169,8 @@ pub unsafe extern "C" fn fmc_context_carried_slip(
         let room = Room::new(capacity, count)?;
         // SAFETY: the host passes a context.
         let state = unsafe { read(context) }?;
-        let found = state.session.parts().ok_or_else(no_parts)?.carried_slip(state.index_base)?;
+        let found =
+            in_either!(&state.session, one => one.parts()).ok_or_else(no_parts)?.carried_slip(state.index_base)?;
         // SAFETY: the host guarantees room for `capacity` structs, and that the count, where asked for, may be written.
         unsafe { room.write("facets", "carried", &found, carried) }
     })

@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::nodal_lists::fmc_nodal_contact;
 use crate::capi::structs::view::fmc_coords;
@@ -43,7 +44,10 @@ pub unsafe extern "C" fn fmc_context_nodal_contact(
         to.check()?;
         // SAFETY: the host passes a context and a view.
         let lists = unsafe {
-            write(context, |state| state.session.nodal_contact(reference("coords", coords)?, state.index_base))
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.nodal_contact(reference("coords", coords)?, state.index_base)),
+            )
         }?;
         // SAFETY: the host guarantees that the outputs, where given, have room for the nodes of the mesh.
         unsafe { to.write(&lists) };

@@ -8,6 +8,7 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
     FMC_ERROR_BAD_VALUE, FMC_ERROR_DOF_OUT_OF_RANGE, FMC_ERROR_NOT_POSITIVE,
 };
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::placement::{Placement, fmc_place};
 use crate::capi::structs::view::fmc_coords;
@@ -200,7 +201,7 @@ pub unsafe extern "C" fn fmc_context_contact_step(
                 }
                 let bodies = CondensedBodies { dofs: &dofs, held: &held, stiffness, residual };
                 let placement = place.map(|function| Placement { function, user });
-                state.session.contact_step(coords, &bodies, &options, placement, base)
+                in_either!(&mut state.session, one => one.contact_step(coords, &bodies, &options, placement, base))
             })
         }?;
         let state = match step.state {

@@ -5,7 +5,7 @@ use crate::capi::boundary::failure::{Failure, c_text};
 use crate::capi::boundary::pointer::{Output, optional, reference};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUSY, FMC_ERROR_NO_STEP};
-use crate::capi::context::search::{Search, search};
+use crate::capi::context::search::Search;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::equilibrium::{
     fmc_equilibrium_answer, fmc_equilibrium_options, fmc_equilibrium_problem, fmc_equilibrium_request,
@@ -25,7 +25,7 @@ pub struct fmc_equilibrium {
 }
 
 struct State {
-    search: Box<dyn Search>,
+    search: Search,
     unknown_count: usize,
     /// What is said of its end.
     texts: Vec<CString>,
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn fmc_equilibrium_new(
                 let problem = reference("problem", problem)?;
                 let options = optional("options", options)?.copied().unwrap_or_default().to_options()?;
                 let (size, base) = (state.index_size, state.index_base);
-                search(state.session.contact_mut()?, problem, options, size, base)
+                Search::new(&mut state.session, problem, options, size, base)
             })?;
             let unknown_count = reference("problem", problem)?.unknown_count;
             let state = Mutex::new(State { search, unknown_count, texts: Vec::new() });
@@ -136,7 +136,7 @@ pub unsafe extern "C" fn fmc_equilibrium_next(
                 (Some(answer), Some(asked)) => Some(answer.read(asked, count)?),
                 _ => None,
             };
-            write(context, |context| Ok(state.search.next(context.session.contact_mut()?, answer)?))?;
+            write(context, |context| state.search.next(&mut context.session, answer))?;
             output.write(state.search.request());
         }
         Ok(())

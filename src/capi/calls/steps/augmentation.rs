@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::multiplier::fmc_augmentation;
 use crate::capi::structs::view::fmc_coords;
@@ -36,9 +37,10 @@ pub unsafe extern "C" fn fmc_context_augment(
         let output = Output::required("result", result)?;
         // SAFETY: the host passes a context and a view, and an output that may be written.
         unsafe {
-            let found = write(context, |state| {
-                state.session.augment(reference("coords", coords)?, reach, tolerance, state.index_base)
-            })?;
+            let found = write(
+                context,
+                |state| in_either!(&mut state.session, one => one.augment(reference("coords", coords)?, reach, tolerance, state.index_base)),
+            )?;
             output.write(found.into());
         }
         Ok(())
@@ -55,6 +57,6 @@ pub unsafe extern "C" fn fmc_context_augment(
 pub unsafe extern "C" fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context.
-        unsafe { write(context, |state| state.session.stiffen(factor)) }
+        unsafe { write(context, |state| in_either!(&mut state.session, one => one.stiffen(factor))) }
     })
 }

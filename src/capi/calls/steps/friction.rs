@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{optional, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
 
@@ -19,7 +20,12 @@ use crate::capi::structs::view::fmc_coords;
 pub unsafe extern "C" fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context and a view.
-        unsafe { write(context, |state| state.session.begin_step(reference("coords", coords)?, state.index_base)) }
+        unsafe {
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.begin_step(reference("coords", coords)?, state.index_base)),
+            )
+        }
     })
 }
 
@@ -32,7 +38,12 @@ pub unsafe extern "C" fn fmc_context_begin_step(context: *mut fmc_context, coord
 pub unsafe extern "C" fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context and a view.
-        unsafe { write(context, |state| state.session.commit_step(reference("coords", coords)?, state.index_base)) }
+        unsafe {
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.commit_step(reference("coords", coords)?, state.index_base)),
+            )
+        }
     })
 }
 
@@ -50,6 +61,11 @@ pub unsafe extern "C" fn fmc_context_freeze_friction(
 ) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context, and a view or NULL.
-        unsafe { write(context, |state| state.session.freeze_friction(optional("coords", coords)?, state.index_base)) }
+        unsafe {
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.freeze_friction(optional("coords", coords)?, state.index_base)),
+            )
+        }
     })
 }

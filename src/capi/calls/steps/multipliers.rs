@@ -4,6 +4,7 @@ use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::slice;
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::multiplier::fmc_multiplier;
 
@@ -26,7 +27,12 @@ pub unsafe extern "C" fn fmc_context_multipliers(
         // SAFETY: the host passes a context, and room for `capacity` structs.
         unsafe {
             let state = read(context)?;
-            room.write("multipliers", "rows", &state.session.multipliers(state.index_base), rows)
+            room.write(
+                "multipliers",
+                "rows",
+                &in_either!(&state.session, one => one.multipliers(state.index_base)),
+                rows,
+            )
         }
     })
 }
@@ -45,7 +51,10 @@ pub unsafe extern "C" fn fmc_context_set_multipliers(
     entry(|| {
         // SAFETY: the host passes a context and `count` structs.
         unsafe {
-            write(context, |state| state.session.set_multipliers(slice("rows", rows, count, 1)?, state.index_base))
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.set_multipliers(slice("rows", rows, count, 1)?, state.index_base)),
+            )
         }
     })
 }

@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
 
@@ -24,7 +25,10 @@ pub unsafe extern "C" fn fmc_context_keep_patches(
         let output = Output::optional("direction_count", direction_count)?;
         // SAFETY: the host passes a context, and a view or NULL.
         let count = unsafe {
-            write(context, |state| state.session.keep_patches(optional("coords", coords)?, state.index_base))
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.keep_patches(optional("coords", coords)?, state.index_base)),
+            )
         }?;
         // SAFETY: the output, where given, may be written.
         unsafe { output.write(count) };

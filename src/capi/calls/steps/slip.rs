@@ -6,6 +6,7 @@ use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::slice;
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_LENGTH;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 
 /// The elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
@@ -29,7 +30,7 @@ pub unsafe extern "C" fn fmc_context_slip(
         // SAFETY: the host passes a context, and room for `capacity` numbers.
         unsafe {
             let state = read(context)?;
-            room.write("numbers of the slip", "slip", state.session.slip()?, slip)
+            room.write("numbers of the slip", "slip", in_either!(&state.session, one => one.slip())?, slip)
         }
     })
 }
@@ -46,12 +47,13 @@ pub unsafe extern "C" fn fmc_context_set_slip(context: *mut fmc_context, slip: *
         // SAFETY: the host passes a context and `count` numbers.
         unsafe {
             write(context, |state| {
-                let (slip, expected) = (slice("slip", slip, count, 1)?, state.session.slip()?.len());
+                let (slip, expected) =
+                    (slice("slip", slip, count, 1)?, in_either!(&state.session, one => one.slip())?.len());
                 if count != expected {
                     let text = format!("'slip' has {count} numbers, and {expected} are expected: dim for every facet");
                     return Err(Failure::new(FMC_ERROR_LENGTH, text));
                 }
-                state.session.set_slip(slip)
+                in_either!(&mut state.session, one => one.set_slip(slip))
             })
         }
     })

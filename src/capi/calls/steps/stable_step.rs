@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, reference, slice};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
 
@@ -30,8 +31,8 @@ pub unsafe extern "C" fn fmc_context_stable_step(
         let found = unsafe {
             write(context, |state| {
                 let coords = reference("coords", coords)?;
-                let masses = slice("masses", masses, state.session.counts().unknowns, 1)?;
-                state.session.stable_step(coords, masses, state.index_base)
+                let masses = slice("masses", masses, in_either!(&state.session, one => one.counts()).unknowns, 1)?;
+                in_either!(&mut state.session, one => one.stable_step(coords, masses, state.index_base))
             })
         }?;
         // SAFETY: the output may be written.

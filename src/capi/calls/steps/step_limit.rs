@@ -3,6 +3,7 @@
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
 
@@ -41,7 +42,7 @@ pub unsafe extern "C" fn fmc_context_step_limit(
         unsafe {
             let found = write(context, |state| {
                 let (coords, step) = (reference("coords", coords)?, reference("step", step)?);
-                state.session.step_limit(coords, step, state.index_base)
+                in_either!(&mut state.session, one => one.step_limit(coords, step, state.index_base))
             })?;
             let (struct_size, reserved) = (size_of::<fmc_step_limit>(), [0; 4]);
             output.write(fmc_step_limit { struct_size, part: found.part, first_touch: found.first_touch, reserved });

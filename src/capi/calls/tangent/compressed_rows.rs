@@ -162,7 +162,8 @@ pub unsafe extern "C" fn fmc_context_keep_pattern(context: *mut fmc_context, kee
 mod tests {
     use super::*;
     use crate::capi::boundary::status::fmc_status::FMC_OK;
-    use crate::capi::calls::mesh::creation::{fmc_context_free, fmc_context_new_from_cells};
+    use crate::capi::calls::mesh::creation::fmc_context_new_from_cells;
+    use crate::capi::calls::mesh::release::fmc_context_free;
     use crate::capi::calls::tangent::entries::fmc_context_tangent;
     use crate::capi::structs::mesh::{fmc_cell_block, fmc_cell_type};
     use crate::capi::structs::options::fmc_options;

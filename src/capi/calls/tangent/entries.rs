@@ -9,6 +9,7 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::{
     FMC_ERROR_INDEX_OUT_OF_RANGE, FMC_ERROR_LENGTH, FMC_ERROR_UNKNOWN_FLAG,
 };
+use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::view::fmc_coords;
 use crate::contact::TangentPart;
@@ -70,7 +71,7 @@ pub unsafe extern "C" fn fmc_context_tangent(
         // SAFETY: the host passes a context and a view.
         let count = unsafe {
             write(context, |state| {
-                let tangent = state.session.tangent(reference("coords", coords)?, part, state.index_base)?;
+                let tangent = in_either!(&mut state.session, one => one.tangent(reference("coords", coords)?, part, state.index_base))?;
                 state.keep_tangent(tangent);
                 Ok(state.tangent.rank_one.len())
             })
