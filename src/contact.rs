@@ -10,11 +10,13 @@ mod interface;
 mod laws;
 mod mesh;
 mod method;
+mod offsets;
 mod partners;
 mod results;
 mod tangents;
 mod work;
 
+pub use changes::Adjustment;
 pub use equilibrium::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
 pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};

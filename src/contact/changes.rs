@@ -1,7 +1,11 @@
 //! What a change of one part of a contact means for the others.
 //!
-//! `options` (of all pairs and of one, obstacles) · `friction_steps` (steps begun and committed, friction frozen) · `patches` (kept)
+//! `options` (of all pairs and of one, obstacles) · `friction_steps` (steps begun and committed, friction frozen) · `patches` (kept) ·
+//! `adjustment` (gaps closed, overlaps removed)
 
+pub(super) mod adjustment;
 pub(super) mod friction_steps;
 pub(super) mod options;
 pub(super) mod patches;
+
+pub use adjustment::Adjustment;

@@ -1,14 +1,18 @@
 //! The mesh of a contact: its surface, and how deep its cells lie below it.
 
 use crate::Error;
+use crate::contact::offsets::Offsets;
 use crate::depth_field::DepthField;
 use crate::geometry::submesh::hash_of;
 use crate::geometry::{Basis, Surface, Weighting};
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
 /// The bodies, without obstacles, and what is known of them without deformation.
 pub(crate) struct Mesh<const D: usize> {
     pub(crate) surface: Surface<D>,
+    /// Where the surface lies beside its nodes.
+    offsets: Offsets<D>,
     /// Whether a node lies in a plane of symmetry; `None` where that was not said.
     in_symmetry_plane: Option<Vec<bool>>,
     /// Depth of the cells, found when it is asked for first.
@@ -20,7 +24,27 @@ pub(crate) struct Mesh<const D: usize> {
 impl<const D: usize> Mesh<D> {
     pub(crate) fn new(surface: Surface<D>) -> Self {
         let depths = [hash_of(surface.reference()), 0];
-        Self { surface, in_symmetry_plane: None, depth: OnceLock::new(), depths }
+        let offsets = Offsets::none();
+        Self { surface, offsets, in_symmetry_plane: None, depth: OnceLock::new(), depths }
+    }
+
+    /// The points of the straight mesh that is measured: those of the nodes at `coords`, with what the surface lies beside them.
+    pub(crate) fn points<'a>(&self, coords: &'a [[f64; D]]) -> Result<Cow<'a, [[f64; D]]>, Error> {
+        let mut points = self.surface.mesh_points(coords)?;
+        if !self.offsets.is_empty() {
+            self.offsets.add_to(points.to_mut());
+        }
+        Ok(points)
+    }
+
+    /// Where the surface lies beside its nodes.
+    pub(crate) fn offsets(&self) -> &Offsets<D> {
+        &self.offsets
+    }
+
+    /// Has the surface lie elsewhere; returns where it lay.
+    pub(crate) fn replace_offsets(&mut self, offsets: Offsets<D>) -> Offsets<D> {
+        std::mem::replace(&mut self.offsets, offsets)
     }
 
     /// How deep the cells of bodies lie below their surfaces, where there are cells.

@@ -9,10 +9,9 @@ use crate::geometry::Vector;
 /// Begins a step at these coordinates. On an error nothing has changed.
 pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
     contact.mesh.check_brought(coords)?;
-    let surface = &contact.mesh.surface;
-    surface.check_coords(&surface.mesh_points(coords)?, true)?;
+    contact.mesh.surface.check_coords(&contact.mesh.points(coords)?, true)?;
     let before = contact.history.step.take();
-    let none = || vec![[0.0; D]; surface.facets.len()];
+    let none = || vec![[0.0; D]; contact.mesh.surface.facets.len()];
     let slip = before.as_ref().map_or_else(none, |step| step.slip.clone());
     let begun = step_at(contact, coords, slip)?;
     contact.history.step = Some(begun.clone());
@@ -51,7 +50,7 @@ pub(crate) fn freeze<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     contact.history.step()?;
     let pairs = kernels::slip_facets(contact, coords)?;
     contact.mesh.check_brought(coords)?;
-    let (points, poses) = (contact.mesh.surface.mesh_points(coords)?, contact.partners.obstacles.poses());
+    let (points, poses) = (contact.mesh.points(coords)?, contact.partners.obstacles.poses());
     contact.history.frozen = Some(FrozenFriction::new(pairs, &points, poses, contact.mesh.epoch()));
     Ok(())
 }
@@ -59,7 +58,7 @@ pub(crate) fn freeze<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
 /// A step that begins here.
 fn step_at<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], slip: Vec<[f64; D]>) -> Result<Step<D>, Error> {
     let Contact { mesh, partners, .. } = contact;
-    Ok(Step::new(&mesh.surface, &mesh.surface.mesh_points(coords)?, partners.obstacles.poses(), slip, mesh.epoch()))
+    Ok(Step::new(&mesh.surface, &mesh.points(coords)?, partners.obstacles.poses(), slip, mesh.epoch()))
 }
 
 /// How all facets bear, where any pair has friction; without a stiffness nothing bears yet.

@@ -9,6 +9,7 @@ pub(crate) fn hash_in_common<const D: usize>(contact: &Contact<D>, coords: &[[f6
     let mut hasher = rustc_hash::FxHasher::default();
     let mut add = |x: f64| hasher.write_u64(x.to_bits());
     coords.as_flattened().iter().for_each(|x| add(*x));
+    contact.mesh.offsets().numbers().iter().for_each(|x| add(*x));
     for rigid in contact.partners.obstacles.iter().flatten() {
         let pose = &rigid.obstacle.pose;
         pose.position.iter().chain(pose.rotation.as_flattened()).for_each(|x| add(*x));

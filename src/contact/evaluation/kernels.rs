@@ -38,7 +38,7 @@ fn on_points<const D: usize, T: OntoNodes>(
     surfaces: Surfaces,
     work: impl FnOnce(&[[f64; D]]) -> Result<T, Error>,
 ) -> Result<T, Error> {
-    let mut points = contact.mesh.surface.mesh_points(coords)?;
+    let mut points = contact.mesh.points(coords)?;
     if surfaces == Surfaces::Shifted && !contact.history.multipliers.is_empty() {
         contact.history.multipliers.add_to(points.to_mut());
     }

@@ -34,6 +34,11 @@ impl<const D: usize> FrozenFriction<D> {
         Self { pairs, coords: coords.to_vec(), poses, epoch }
     }
 
+    /// Where nodes stood when it was frozen.
+    pub(crate) fn coords_mut(&mut self) -> &mut [[f64; D]] {
+        &mut self.coords
+    }
+
     /// Releases the pairs of which this holds: those against what is gone, or left out.
     pub(crate) fn release(&mut self, is_released: impl Fn(&[Partner; 2]) -> bool) {
         self.pairs.retain(|pair| !is_released(&pair.partners));

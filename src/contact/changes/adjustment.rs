@@ -1,0 +1,117 @@
+//! Gaps closed and overlaps removed without strain, where bodies stand.
+
+use crate::Error;
+use crate::contact::evaluation::{Contact, kernels};
+use crate::contact::offsets::Offsets;
+use crate::geometry::Vector;
+use crate::overlap::Partner;
+use std::collections::BTreeSet;
+
+/// Passes over all points: both sides of a pair go half of the way, which leaves half of a mean of means each time.
+const PASSES: usize = 12;
+
+/// What was closed and removed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Adjustment {
+    /// Largest mean gap of a point that was closed, a length.
+    pub closed: f64,
+    /// Largest mean overlap of a point that was removed, a length.
+    pub removed: f64,
+    /// Largest mean gap or overlap that these points have now, a length: what a mean at points leaves between meshes that do not match.
+    pub left: f64,
+    /// Number of points that were moved.
+    pub count: usize,
+}
+
+/// See [`Contact::adjust`].
+pub(crate) fn adjust<const D: usize>(
+    contact: &mut Contact<D>,
+    coords: &[[f64; D]],
+    close: f64,
+    remove: f64,
+) -> Result<Adjustment, Error> {
+    for (name, value) in [("close", close), ("remove", remove)] {
+        if !(value.is_finite() && value >= 0.0) {
+            return Err(Error::NotPositive { name, value });
+        }
+    }
+    contact.mesh.surface.refuse_submesh("offsets of a part of a mesh")?;
+    let before = contact.mesh.offsets().clone();
+    let found = adjusted(contact, coords, close, remove);
+    let after = contact.mesh.replace_offsets(before);
+    let found = found?;
+    replace(contact, after);
+    Ok(found)
+}
+
+/// The same on the contact itself, which the caller puts back where this fails.
+fn adjusted<const D: usize>(
+    contact: &mut Contact<D>,
+    coords: &[[f64; D]],
+    close: f64,
+    remove: f64,
+) -> Result<Adjustment, Error> {
+    let mut found = Adjustment::default();
+    let reach = close.max(remove);
+    if reach == 0.0 {
+        return Ok(found);
+    }
+    let mut chosen = BTreeSet::new();
+    for pass in 0..=PASSES {
+        let gaps = kernels::gap_constraints(contact, coords, 1.001 * reach)?;
+        let mut moves = vec![(0.0, Vector::<D>::zeros()); contact.mesh.points(coords)?.len()];
+        found.left = 0.0;
+        for row in 0..gaps.gaps.len() {
+            let (node, partners, area) = (gaps.nodes[row], gaps.partners[row], gaps.areas[row]);
+            let away = Vector::from(gaps.away[row]);
+            if !(area > 0.0 && away.norm() > 0.0) {
+                continue;
+            }
+            let mean = gaps.gaps[row] / area;
+            if pass == 0 && (if mean > 0.0 { mean <= close } else { -mean <= remove }) && mean != 0.0 {
+                chosen.insert((node, partners));
+                (found.closed, found.removed) = (found.closed.max(mean), found.removed.max(-mean));
+            }
+            if chosen.contains(&(node, partners)) {
+                let share = if matches!(partners[1], Partner::Body(_)) { 0.5 } else { 1.0 };
+                moves[node as usize].0 += area;
+                moves[node as usize].1 -= away.normalize() * (share * mean * area);
+                found.left = found.left.max(mean.abs());
+            }
+        }
+        if pass < PASSES {
+            let mut vectors = contact.mesh.offsets().list(moves.len());
+            for (vector, (area, sum)) in vectors.iter_mut().zip(&moves).filter(|(_, (area, _))| *area > 0.0) {
+                (0..D).for_each(|axis| vector[axis] += sum[axis] / area);
+            }
+            let count = moves.len();
+            contact.mesh.replace_offsets(Offsets::new(vectors, count)?);
+        }
+    }
+    found.count = chosen.iter().map(|(node, _)| node).collect::<BTreeSet<_>>().len();
+    Ok(found)
+}
+
+/// See [`Contact::set_offsets`].
+pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, offsets: &[[f64; D]]) -> Result<(), Error> {
+    if !offsets.is_empty() {
+        contact.mesh.surface.refuse_submesh("offsets of a part of a mesh")?;
+    }
+    let offsets = Offsets::new(offsets.to_vec(), contact.mesh.surface.point_weights().point_count())?;
+    replace(contact, offsets);
+    Ok(())
+}
+
+/// Has the surface lie elsewhere. No body slides by that: the step that has begun, and frozen friction, begin where it lies now.
+fn replace<const D: usize>(contact: &mut Contact<D>, offsets: Offsets<D>) {
+    let before = contact.mesh.replace_offsets(offsets);
+    let Contact { mesh, history, state, .. } = contact;
+    if let Some(step) = &mut history.step {
+        mesh.offsets().moves(&before, &mut step.coords);
+        step.points = mesh.surface.points(&step.coords);
+    }
+    if let Some(frozen) = &mut history.frozen {
+        mesh.offsets().moves(&before, frozen.coords_mut());
+    }
+    state.forget_found();
+}

@@ -1,0 +1,36 @@
+//! Where surfaces lie beside their nodes: what hosts call.
+
+use crate::Error;
+use crate::contact::changes::adjustment::{self, Adjustment};
+use crate::contact::evaluation::Contact;
+
+impl<const D: usize> Contact<D> {
+    /// Closes gaps and removes overlaps at `coords` without strain: where the mean gap of a surface point to a partner is no more than
+    /// `close`, or its overlap no more than `remove`, both lengths, the surface is taken to lie beside its nodes from then on, of two
+    /// bodies each half of the way. Nodes and their strains stay. What lay elsewhere before is moved on. Any law, friction and
+    /// self-contact go with it, and all that is asked of the contact afterwards, gaps too, is that of surfaces that lie there.
+    ///
+    /// An interference fit is brought on by parts: adjust, and before each load step give back a smaller part of [`Self::offsets`] by
+    /// [`Self::set_offsets`], at last none. The vectors do not turn with bodies.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a length that is negative or no number; [`Error::Unsupported`] for a mesh in parts; else as
+    /// [`Self::gap_constraints`]. Surfaces then lie where they did.
+    pub fn adjust(&mut self, coords: &[[f64; D]], close: f64, remove: f64) -> Result<Adjustment, Error> {
+        adjustment::adjust(self, coords, close, remove)
+    }
+
+    /// How far the surface lies beside its nodes, a vector for every node; with cells of second order for every point
+    /// ([`Self::point_weights`]).
+    pub fn offsets(&self) -> Vec<[f64; D]> {
+        self.mesh.offsets().list(self.mesh.surface.point_weights().point_count())
+    }
+
+    /// Has the surface lie so far beside its nodes; `&[]`: nowhere. No body slides by that, but friction feels the pressure that it makes.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::NonFiniteStiffness`] for a vector that is not finite, [`Error::Unsupported`] for a mesh in parts.
+    pub fn set_offsets(&mut self, offsets: &[[f64; D]]) -> Result<(), Error> {
+        adjustment::set(self, offsets)
+    }
+}
