@@ -1,0 +1,47 @@
+//! The mesh of a context.
+
+use super::Held;
+use super::Resident;
+use crate::capi::boundary::failure::Failure;
+use crate::capi::structs::boundary_facet::fmc_boundary_facet;
+use crate::capi::structs::mesh::Numbering;
+use crate::capi::structs::view::fmc_coords;
+use crate::{Basis, PointWeights};
+
+impl<const D: usize> Resident<D> {
+    /// The boundary facets.
+    pub(crate) fn boundary_facets(&self, index_base: i32) -> Vec<fmc_boundary_facet> {
+        let facets = self.held.contact().boundary_facets();
+        facets.iter().map(|facet| fmc_boundary_facet::new(facet, index_base)).collect()
+    }
+
+    /// The points of which hosts are told, as combinations of nodes.
+    pub(crate) fn point_weights(&self) -> PointWeights {
+        self.held.contact().point_weights()
+    }
+
+    /// Has the nodes moved by unknowns, counted from zero, or by themselves.
+    pub(crate) fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Failure> {
+        Ok(self.held.contact_mut().set_basis(basis)?)
+    }
+
+    /// Sets the coordinates without deformation.
+    pub(crate) unsafe fn set_reference(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.set_reference(rows)) }
+    }
+
+    /// Names the nodes in planes of symmetry, as the host counts them.
+    pub(crate) fn set_symmetry_nodes(&mut self, nodes: &[i64], index_base: i32) -> Result<(), Failure> {
+        let node_count = match &self.held {
+            Held::Whole(contact) => contact.surface().node_count(),
+            Held::InParts(parts) => parts.own_node_count(),
+        };
+        let nodes = Numbering { index_base, node_count }.zero_based(nodes, 1, 0)?;
+        let named = match &mut self.held {
+            Held::Whole(contact) => contact.set_symmetry_nodes(&nodes),
+            Held::InParts(parts) => parts.set_symmetry_nodes(&nodes),
+        };
+        named.map_err(Failure::counted_from(index_base))
+    }
+}
