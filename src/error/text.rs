@@ -119,7 +119,7 @@ impl fmt::Display for Error {
             Error::NoStiffness => {
                 write!(
                     f,
-                    "the contact has no stiffness: give one, or have it found from the bodies' matrix, as the equilibrium driver \
+                    "the contact has no stiffness: give one, or have it found from the bodies' matrix, as the search for an equilibrium \
                      does at its start"
                 )
             }

@@ -122,7 +122,8 @@ pub struct fmc_equilibrium_options {
     pub reach: f64,
     /// Updates of multipliers, at most; that a penetration asked for needs more is an error. Default 20.
     pub max_updates: usize,
-    /// 1: the host answers `FMC_REQUEST_CONDENSED`. Default 0.
+    /// 1: the host answers `FMC_REQUEST_CONDENSED`. 2: such steps are the first way also for bodies that springs hardly hold; they lead to an
+    /// equilibrium that is stable, and that may be far from the start. Default 0.
     pub condensed: i32,
     /// 1: friction is frozen, solved for, and frozen again, all the way. Default 0.
     pub lagged: i32,
@@ -170,7 +171,7 @@ impl fmc_equilibrium_options {
         let switch = |name, value: i32| match value {
             0 => Ok(false),
             1 => Ok(true),
-            other => Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("'{name}' is {other}, not 0 or 1"))),
+            other => Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("'{name}' is {other}, which there is not"))),
         };
         Ok(DriverOptions {
             tolerance: self.tolerance,
@@ -178,7 +179,8 @@ impl fmc_equilibrium_options {
             penetration: self.penetration,
             reach: self.reach,
             max_updates: self.max_updates,
-            is_condensed: switch("condensed", self.condensed)?,
+            is_condensed: self.condensed == 2 || switch("condensed", self.condensed)?,
+            is_condensed_first: self.condensed == 2,
             is_lagged: switch("lagged", self.lagged)?,
             finds_patches: switch("find_patches", self.find_patches)?,
             is_check: switch("check", self.check)?,

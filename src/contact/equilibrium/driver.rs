@@ -5,6 +5,7 @@
 //!
 //! - `layers`: where the law has no stiffness, each pair gets one from the host's matrix;
 //! - `motions`, `settle`: bodies that nothing holds move rigidly until contact balances their loads, or are refused by name;
+//! - `overlaps`: overlaps that no load explains are told;
 //! - `parts`: what is prescribed moves as far as nothing passes through anything, then the next part;
 //! - `levels`, `nearest`, `downhill`: the equilibrium, each from the same start where the one before has not found it;
 //! - `updates`: multipliers, until what is left of the penetration does not matter;
@@ -13,7 +14,7 @@
 //!
 //! `load_step`, `attempt`, `search` (the order of things, and what they share) · `check` (whether a host is one) · `conversation` (a procedure that asks) · `request`, `host`, `unknowns`
 //! (what of, and whom) · `state`, `balance` (bodies and contact, and when they balance) · `assembly`, `elastic`, `rows`, `limit` (where bodies
-//! are, and how far they may go) · `quadratic` · `options`, `trouble`, `outcome`
+//! are, and how far they may go) · `quadratic` · `options`, `trouble`, `outcome` · `masses` (layers for explicit hosts)
 
 mod assembly;
 mod attempt;
@@ -27,10 +28,12 @@ mod layers;
 mod levels;
 mod limit;
 mod load_step;
+mod masses;
 mod motions;
 mod nearest;
 mod options;
 mod outcome;
+mod overlaps;
 mod parts;
 mod patches;
 mod quadratic;
@@ -46,6 +49,7 @@ mod updates;
 
 pub use limit::StepLimit;
 pub(super) use limit::step_limit;
+pub(super) use masses::layers_of_masses;
 pub use options::DriverOptions;
 pub use outcome::{Found, Refusal, Way};
 pub use request::{Answer, Request};

@@ -121,6 +121,11 @@ impl<const D: usize> Assembly<D> {
         self.facet_size.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
+    /// Id of a body, as the host gave it.
+    pub(super) fn id(&self, body: usize) -> i64 {
+        self.ids[body]
+    }
+
     /// Body that moves most by a motion of the rows, how far, and how: its mean motion, unless it turns rather than moves.
     pub(super) fn mover(&self, motion: &[[f64; D]]) -> Option<Mover<D>> {
         let way = |rows: &[usize]| rows.iter().map(|&row| Vector::<D>::from(motion[row]).amax()).fold(0.0, f64::max);

@@ -88,6 +88,13 @@ impl Balance {
         let is_unloaded = state.scale(&rounding.of_coordinates).max(self.at_start) == 0.0;
         let left = state.beyond(host, &rounding.of_coordinates);
         let may_be = is_unloaded || (self.stalled >= STALLED && state.norm(host) <= TOO_MUCH * scale);
-        Ok(if may_be && left <= self.tolerance * scale { Verdict::Rounded } else { Verdict::Not })
+        if !may_be || left > self.tolerance * scale {
+            return Ok(Verdict::Not);
+        }
+        if is_unloaded && let Some(last) = self.history.last_mut() {
+            // A part of nothing.
+            *last = 0.0;
+        }
+        Ok(Verdict::Rounded)
     }
 }

@@ -31,7 +31,7 @@ pub(super) async fn downhill<const D: usize>(
     search: &mut Search<D>,
     start: &[f64],
 ) -> Result<(State<D>, Verdict), Trouble> {
-    search.balance.again();
+    search.begin_attempt();
     let mut state = State::at(&search.host, start.to_vec(), true).await?;
     let mut shift = first_shift(search, &state);
     let (mut trail, mut frozen_for) = (Vec::new(), 0usize);
@@ -45,7 +45,8 @@ pub(super) async fn downhill<const D: usize>(
         if tried == MOST || !search.may_go_on() {
             break;
         }
-        let is_current = search.has_friction && search.balance.relative() < CURRENT_BELOW && frozen_for == 0;
+        let is_near = search.balance.relative() < CURRENT_BELOW && frozen_for == 0;
+        let is_current = search.has_friction && !search.options.is_lagged && is_near;
         let is_frozen = search.has_friction && !is_current;
         if is_frozen {
             state = search.frozen_at(state).await?;

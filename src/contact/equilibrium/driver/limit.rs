@@ -50,6 +50,10 @@ pub(super) fn limit<const D: usize>(
         return Ok(found);
     }
     let part = (0.5 * assembly.thinnest() / most).min(1.0);
+    if part < 1.0 && contact.gap_constraints(coords, 2.0 * most)?.gaps.is_empty() {
+        // Nothing is in reach of the whole step.
+        return Ok(found);
+    }
     found.part = part;
     let gaps = contact.gap_constraints(coords, (2.0 * part * most).max(1e-12 * assembly.size))?;
     for row in (0..gaps.gaps.len()).filter(|&row| gaps.areas[row] > 0.0) {

@@ -25,6 +25,8 @@ pub(super) struct Motions {
     pub(super) fields: Vec<Vec<f64>>,
     /// Φᵀ K Φ.
     pub(super) stiffness: DMatrix<f64>,
+    /// The diagonal of K.
+    pub(super) weights: Vec<f64>,
     /// The diagonal of Φᵀ diag(K) Φ.
     pub(super) diagonal: Vec<f64>,
     /// Whether nothing at all holds some of them.
@@ -48,6 +50,11 @@ impl Motions {
     /// Φᵀ v.
     pub(super) fn along(&self, v: &[f64]) -> DVector<f64> {
         DVector::from_iterator(self.count(), self.fields.iter().map(|field| dot(field, v)))
+    }
+
+    /// diag(K) v.
+    pub(super) fn weighted(&self, v: &[f64]) -> Vec<f64> {
+        v.iter().zip(&self.weights).map(|(entry, weight)| entry * weight).collect()
     }
 
     /// |Φ|ᵀ |v|.
@@ -91,9 +98,9 @@ impl Motions {
             found.push(field.into_iter().map(|entry| entry * scale).collect::<Vec<f64>>());
         }
         let stiffness = combinations.transpose() * &stiffness * &combinations;
-        let diagonal = found.iter().map(|field| weighted(field, field)).collect();
+        let alone = found.iter().map(|field| weighted(field, field)).collect();
         let are_free = picked.iter().any(|&k| values[k] <= FREE);
-        Ok(Self { fields: found, stiffness, diagonal, are_free })
+        Ok(Self { fields: found, stiffness, weights: diagonal, diagonal: alone, are_free })
     }
 
     /// How far bodies go by these motions, by mean, and how much they turn, as quadratic forms.

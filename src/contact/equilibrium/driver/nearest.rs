@@ -17,6 +17,9 @@ const ABOVE: usize = 2;
 /// Part of the diagonal that holds what nothing else holds.
 const SHIFT: f64 = 1e-12;
 
+/// Residual by the forces above which surfaces are not where they will press.
+const FAR: f64 = 0.1;
+
 /// Part of a step below which it leads nowhere.
 const SHORTEST: f64 = 1e-3;
 
@@ -25,7 +28,23 @@ pub(super) async fn nearest<const D: usize>(
     search: &mut Search<D>,
     start: &[f64],
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
-    search.balance.again();
+    let begun = search.balance.history.len();
+    if let Some(found) = by_whole_steps(search, start, false).await? {
+        return Ok(Some(found));
+    }
+    // Where it came near and stayed there, the first step has led past a kink.
+    let was_near = search.balance.history[begun..].iter().any(|relative| *relative <= FAR);
+    if search.has_friction || !was_near { Ok(None) } else { by_whole_steps(search, start, true).await }
+}
+
+/// By whole steps with the full tangent; with a stiff start the first one, if it is far from the end, with the semidefinite tangent: the full
+/// one takes pressed surfaces for softer than they are, and may lead nodes past one another.
+async fn by_whole_steps<const D: usize>(
+    search: &mut Search<D>,
+    start: &[f64],
+    is_stiff: bool,
+) -> Result<Option<(State<D>, Verdict)>, Trouble> {
+    search.begin_attempt();
     let mut state = State::at(&search.host, start.to_vec(), true).await?;
     let (mut least, mut above, mut updates) = (f64::INFINITY, 0, search.updates.count);
     for tried in 0..=MOST {
@@ -44,7 +63,9 @@ pub(super) async fn nearest<const D: usize>(
             return Ok(None);
         }
         let shift = if search.motions.is_empty() { 0.0 } else { SHIFT };
-        let system = System { x: &state.x, part: TangentPart::Full, shift };
+        let is_far = is_stiff && tried == 0 && search.balance.relative() > FAR;
+        let part = if is_far { TangentPart::Semidefinite } else { TangentPart::Full };
+        let system = System { x: &state.x, part, shift };
         let right = state.residual.iter().map(|force| -force).collect();
         let Ok(step) = search.host.solve(system, right).await else { return Ok(None) };
         let Ok(part) = search.allowed(&state.x, &step).await else { return Ok(None) };

@@ -11,6 +11,9 @@ pub struct DriverOptions {
     pub max_solves: usize,
     /// Whether the host answers [`Request::Condensed`](super::Request::Condensed).
     pub is_condensed: bool,
+    /// Whether such steps are the first way also for bodies that springs hardly hold. They lead to an equilibrium that is stable, and that may
+    /// be far from the start.
+    pub is_condensed_first: bool,
     /// Largest mean penetration of a node that is wanted, a length; 0: a thousandth of the largest elastic displacement, where the
     /// stiffness was found by the search, and what the law leaves where it was given.
     pub penetration: f64,
@@ -34,6 +37,7 @@ impl Default for DriverOptions {
             tolerance: 1e-9,
             max_solves: 100,
             is_condensed: false,
+            is_condensed_first: false,
             penetration: 0.0,
             reach: 0.0,
             max_updates: 20,

@@ -4,8 +4,8 @@ use super::attempt::{LoadStep, Reached, equilibrium};
 use super::balance::Verdict;
 use super::host::System;
 use super::levels::FINER;
-
 use super::outcome::Found;
+use super::overlaps::overlaps;
 use super::search::Search;
 use super::standing::standing;
 use super::state::State;
@@ -34,6 +34,7 @@ struct Counts {
 pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &LoadStep<D>) -> Result<Found<D>, Trouble> {
     let start = State::at(&search.host, step.x.clone(), true).await?;
     search.balance.begin(&search.host, &search.assembly, &start).await?;
+    overlaps(search, &start).await?;
     let (mut x, mut done, mut part, mut counts) = (step.x.clone(), 0.0, 1.0, Counts::default());
     loop {
         let until = if done + part > 1.0 - 1e-9 { 1.0 } else { done + part };
@@ -72,11 +73,15 @@ async fn led<const D: usize>(
             return equilibrium(search, &x, &mut counts.rigid_steps).await;
         }
         if !search.may_go_on() {
-            let solves = search.host.solves();
-            return Err(Trouble::Failed(format!("what is prescribed was not reached after {solves} linear solves")));
+            return Err(not_reached(search));
         }
         x = equilibrium(search, &x, &mut counts.rigid_steps).await?.state.x;
     }
+}
+
+fn not_reached<const D: usize>(search: &Search<D>) -> Trouble {
+    let solves = search.host.solves();
+    Trouble::Failed(format!("what is prescribed was not reached after {solves} linear solves"))
 }
 
 /// Moves what is prescribed, and the bodies with it as their tangent says, as far as nothing passes through anything: which part.
@@ -89,6 +94,7 @@ async fn carried<const D: usize>(search: &mut Search<D>, x: &mut Vec<f64>, way: 
     }
     let step = match step {
         Some(step) => step,
+        None if !search.may_go_on() => return Err(not_reached(search)),
         None => predicted(search, &state, way).await?,
     };
     if let Some(patches) = &mut search.patches {

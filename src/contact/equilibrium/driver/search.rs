@@ -35,7 +35,17 @@ impl<const D: usize> Search<D> {
 
     /// Whether steps go to the equilibrium of the contact with linear bodies.
     pub(super) fn is_condensed(&self) -> bool {
-        self.options.is_condensed && !self.motions.are_free && !self.options.is_lagged
+        let options = &self.options;
+        let is_held = self.motions.is_empty() || (options.is_condensed_first && !self.motions.are_free);
+        options.is_condensed && is_held && !options.is_lagged
+    }
+
+    /// Another way from the same start.
+    pub(super) fn begin_attempt(&mut self) {
+        self.balance.again();
+        if let Some(patches) = &mut self.patches {
+            patches.begin();
+        }
     }
 
     /// How nearly a state is in equilibrium, with surfaces moved out where it is near one.

@@ -52,13 +52,21 @@ pub(super) async fn settle<const D: usize>(
     has_friction: bool,
 ) -> Result<Settled, Trouble> {
     let first = attempt(host, assembly, motions, start, [has_friction, true]).await;
-    if first.is_ok() || !has_friction {
+    if first.is_ok() {
         return first;
     }
-    // Another way from the same start: what is about to touch does not slip.
-    let coords = host.unknowns.coords(start);
-    host.contact(move |contact| contact.begin_step(&coords)).await?;
-    attempt(host, assembly, motions, start, [true, false]).await.or(first)
+    let mut settled = first;
+    if has_friction {
+        // Another way from the same start: what is about to touch does not slip.
+        let coords = host.unknowns.coords(start);
+        host.contact(move |contact| contact.begin_step(&coords)).await?;
+        settled = attempt(host, assembly, motions, start, [true, false]).await.or(settled);
+    }
+    match settled {
+        // What springs hold needs no rest of its own: the equilibrium is sought from the start.
+        Err(_) if !motions.are_free => Ok(Settled { x: start.to_vec(), steps: 0 }),
+        settled => settled,
+    }
 }
 
 /// With friction bodies on their way have none; where `slips`, nor have those that nearly rest.

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 /// Part of the diagonal that keeps the matrix regular where nothing holds a body.
 const SHIFT: f64 = 1e-11;
 
-/// Compliance of a motion, by that of all nodes alone, above which it is free.
+/// Stiffness of all nodes alone along a motion, by what holds it, above which it is free.
 const FREE: f64 = 1e10;
 
 /// Warns of motions that nothing holds, or that lead away.
@@ -23,14 +23,14 @@ pub(super) async fn standing<const D: usize>(search: &mut Search<D>, state: &Sta
     let (mut compliance, mut moved) = (DMatrix::zeros(count, count), Vec::with_capacity(count));
     for col in 0..count {
         let system = System { x: &state.x, part: TangentPart::Symmetric, shift: SHIFT };
-        let Ok(found) = search.host.solve(system, search.motions.fields[col].clone()).await else { return Ok(()) };
-        compliance.set_column(col, &search.motions.along(&found));
+        let load = search.motions.weighted(&search.motions.fields[col]);
+        let Ok(found) = search.host.solve(system, load).await else { return Ok(()) };
+        compliance.set_column(col, &search.motions.along(&search.motions.weighted(&found)));
         moved.push(found);
     }
     let symmetric = 0.5 * (&compliance + compliance.transpose());
-    let inverse = search.motions.diagonal.iter().map(|stiffness| 1.0 / stiffness);
-    let inverse = DMatrix::from_diagonal(&DVector::from_iterator(count, inverse));
-    let (values, vectors) = pencil(&symmetric, &inverse);
+    let alone = DMatrix::from_diagonal(&DVector::from_column_slice(&search.motions.diagonal));
+    let (values, vectors) = pencil(&symmetric, &alone);
     for (k, value) in values.into_iter().enumerate() {
         let what = match value {
             value if value < 0.0 => "unstable",
@@ -39,7 +39,10 @@ pub(super) async fn standing<const D: usize>(search: &mut Search<D>, state: &Sta
         };
         // What was solved is exact in its direction, less so in its size.
         let motion = search.host.unknowns.spread(&combined(&moved, &vectors.column(k).into_owned()));
-        if let Some(mover) = search.assembly.mover(&motion) {
+        if let Some(mut mover) = search.assembly.mover(&motion) {
+            // Both ways are free, or lead away.
+            let main = mover.direction[mover.direction.iamax()];
+            mover.direction *= if main < 0.0 { -1.0 } else { 1.0 };
             search.warn(format!("{what}: {mover}"));
         }
     }

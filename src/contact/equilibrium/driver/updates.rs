@@ -15,8 +15,9 @@ use crate::contact::evaluation::Contact;
 /// too small.
 const NEGLIGIBLE: f64 = 1e-3;
 
-/// Updates where nobody has asked for a penetration.
+/// Updates where nobody has asked for a penetration, and as long as each of them changes the forces by more than a negligible part.
 const BY_DEFAULT: usize = 4;
+const BY_FORCE: usize = 12;
 
 /// Part of a change that an update may leave; where it leaves more, the contact is made stiffer by the factor that follows.
 const SLOW: f64 = 0.25;
@@ -36,6 +37,8 @@ pub(super) struct Updates {
     reach: f64,
     most: usize,
     last: f64,
+    /// Sum of the magnitudes of the contact forces at the last update.
+    pressed: f64,
     /// Factor by which the contact was made stiffer so far.
     stiffened: f64,
     pub(super) count: usize,
@@ -52,6 +55,7 @@ impl Updates {
             reach: options.reach,
             most,
             last: f64::INFINITY,
+            pressed: 0.0,
             stiffened,
             count: 0,
             found: None,
@@ -73,12 +77,16 @@ impl Updates {
         if !self.is_possible || !(is_over || relative <= NEAR) {
             return Ok(false);
         }
-        let may = self.count < self.most;
-        if !may && !is_over {
+        let pressed: f64 = state.contact.pairs.iter().map(|pair| pair.pressure * pair.contact_area).sum();
+        let goes_on = self.asked.is_none() && self.most == BY_DEFAULT && self.count < BY_FORCE;
+        let is_changing = (pressed - self.pressed).abs() > NEGLIGIBLE * pressed;
+        if self.count >= self.most && !is_over {
             return Ok(false);
         }
+        let may = self.count < self.most || (goes_on && is_changing);
         let coords = host.unknowns.coords(&state.x);
-        let (wanted, reach) = (self.wanted(host, state).await?, self.reach);
+        self.pressed = pressed;
+        let (wanted, reach) = (self.wanted(host, state, pressed).await?, self.reach);
         let update = match host.contact(move |contact| update(contact, &coords, wanted, reach, may)).await {
             Ok(update) => update,
             // With friction, self-contact or another law the penetration stays what the law leaves.
@@ -107,11 +115,10 @@ impl Updates {
     }
 
     /// The penetration that was asked for, or else one that does not matter.
-    async fn wanted<const D: usize>(&self, host: &Host<D>, state: &State<D>) -> Result<Wanted, Trouble> {
+    async fn wanted<const D: usize>(&self, host: &Host<D>, state: &State<D>, pressed: f64) -> Result<Wanted, Trouble> {
         if let Some(asked) = self.asked {
             return Ok(Wanted::OfAll(asked));
         }
-        let pressed: f64 = state.contact.pairs.iter().map(|pair| pair.pressure * pair.contact_area).sum();
         if pressed == 0.0 {
             return Ok(Wanted::OnAverage(f64::MAX));
         }
