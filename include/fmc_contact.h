@@ -1288,6 +1288,18 @@ fmc_status fmc_context_stable_step(fmc_context *context,
                                    const double *masses,
                                    double *step);
 
+// Finds the stiffness of every pair without a law of its own from the nodes' masses and the largest time step, `limit`, that the bodies
+// allow by themselves in central differences: with contact of whole faces the step becomes a tenth shorter. For hosts without a matrix,
+// with the option `stiffness` 0. `masses` as for `fmc_context_stable_step`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE` for the limit, `FMC_ERROR_NOT_POSITIVE_MASS`,
+// `FMC_ERROR_UNSUPPORTED` where the host holds every surface, `FMC_ERROR_BUSY`; what was found before then stays. Threads: one call at a
+// time on a context.
+fmc_status fmc_context_stiffness_from_masses(fmc_context *context,
+                                             const fmc_coords *coords,
+                                             const double *masses,
+                                             double limit);
+
 // How far the nodes at `coords` may go along `step`, a motion of every node in the same form, so that nothing passes through anything:
 // surfaces come to overlap by half a facet at most, beyond what they do, and no body moves by more than half its thickness against the
 // others. For hosts with an iteration of their own.
@@ -1297,6 +1309,63 @@ fmc_status fmc_context_step_limit(fmc_context *context,
                                   const fmc_coords *coords,
                                   const fmc_coords *step,
                                   fmc_step_limit *limit);
+
+// ---- Gaps and overlaps at the start ----------------------------------------------------------------------
+
+// What was closed and removed by `fmc_context_adjust`.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Largest mean gap of a surface point that was closed, a length.
+  double closed;
+  // Largest mean overlap of a surface point that was removed, a length.
+  double removed;
+  // Largest mean gap or overlap that these points have now: what a mean at points leaves between meshes that do not match.
+  double left;
+  // Number of points that were moved.
+  size_t count;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_adjustment;
+
+// Closes gaps and removes overlaps at `coords` without strain: where the mean gap of a surface point to a partner
+// (`fmc_context_gap_constraints`) is no more than `close`, or its overlap no more than `remove`, both lengths, the surface is taken to lie
+// beside its nodes from then on, of two bodies each half of the way. Nodes and their strains stay. Any law, friction and self-contact go
+// with it. What is asked of the context afterwards, gaps too, is that of surfaces that lie there. Points that were moved by an earlier
+// call are moved on.
+//
+// An interference fit is brought on by parts: adjust, then before each load step give back a smaller part of `fmc_context_offsets` by
+// `fmc_context_set_offsets`, at last none. Offsets do not turn with bodies.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or no number, `FMC_ERROR_UNSUPPORTED` for a mesh
+// in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. Nothing has changed then. Threads: one call at a time on a context.
+fmc_status fmc_context_adjust(fmc_context *context,
+                              const fmc_coords *coords,
+                              double close,
+                              double remove,
+                              fmc_adjustment *adjustment);
+
+// How far the surface lies beside its nodes: `dim` numbers in dense rows for every node, with cells of second order for every point
+// (`fmc_context_point_weights`), a length.
+//
+// `count` becomes how many numbers there are; `offsets` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+// context, as long as no call changes it.
+fmc_status fmc_context_offsets(const fmc_context *context,
+                               double *offsets,
+                               size_t capacity,
+                               size_t *count);
+
+// Has the surface lie so far beside its nodes: `count` numbers, as `fmc_context_offsets` writes them; none: nowhere. No body slides by that.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` for a number that is not finite,
+// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; the old offsets then stay. Threads: one call at a time on a context.
+fmc_status fmc_context_set_offsets(fmc_context *context,
+                                   const double *offsets,
+                                   size_t count);
 
 // ---- As little penetration as is wanted ------------------------------------------------------------------
 
@@ -1432,7 +1501,8 @@ typedef struct {
   double reach;
   // Updates of multipliers, at most; that a penetration asked for needs more is an error. Default 20.
   size_t max_updates;
-  // 1: the host answers `FMC_REQUEST_CONDENSED`. Default 0.
+  // 1: the host answers `FMC_REQUEST_CONDENSED`. 2: such steps are the first way also for bodies that springs hardly hold; they lead to an
+  // equilibrium that is stable, and that may be far from the start. Default 0.
   int32_t condensed;
   // 1: friction is frozen, solved for, and frozen again, all the way. Default 0.
   int32_t lagged;

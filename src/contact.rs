@@ -10,7 +10,6 @@ mod interface;
 mod laws;
 mod mesh;
 mod method;
-mod offsets;
 mod partners;
 mod results;
 mod tangents;

@@ -328,6 +328,15 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_adjustment
+    integer(c_size_t) :: struct_size
+    real(c_double) :: closed
+    real(c_double) :: removed
+    real(c_double) :: left
+    integer(c_size_t) :: count
+    integer(c_int64_t) :: reserved(4)
+  end type
+
   type, bind(c) :: fmc_augmentation
     integer(c_size_t) :: struct_size
     real(c_double) :: penetration
@@ -954,6 +963,14 @@ module fmc_contact_c
       real(c_double), intent(inout), optional :: step
       integer(c_int32_t) :: fmc_context_stable_step
     end function
+    function fmc_context_stiffness_from_masses(context, coords, masses, limit) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), intent(in), optional :: masses(*)
+      real(c_double), value :: limit
+      integer(c_int32_t) :: fmc_context_stiffness_from_masses
+    end function
     function fmc_context_step_limit(context, coords, step, limit) bind(c)
       import
       type(c_ptr), value :: context
@@ -961,6 +978,30 @@ module fmc_contact_c
       type(fmc_coords), intent(in), optional :: step
       type(fmc_step_limit), intent(inout), optional :: limit
       integer(c_int32_t) :: fmc_context_step_limit
+    end function
+    function fmc_context_adjust(context, coords, close, remove, adjustment) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), value :: close
+      real(c_double), value :: remove
+      type(fmc_adjustment), intent(inout), optional :: adjustment
+      integer(c_int32_t) :: fmc_context_adjust
+    end function
+    function fmc_context_offsets(context, offsets, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: offsets(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_offsets
+    end function
+    function fmc_context_set_offsets(context, offsets, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: offsets(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_offsets
     end function
     function fmc_context_augment(context, coords, reach, tolerance, result) bind(c)
       import

@@ -93,6 +93,7 @@ impl Host {
             Call::StableStep { mass, hole } => {
                 self.stable_step(mass.0, *hole);
                 self.step_limit(mass.0, *hole);
+                self.adjust(mass.0, *hole);
                 self.equilibrium(mass.0, *hole);
             }
             Call::ContactStep { which, shift, stiffness, coupling, residual, tolerance, fault, hole } => {

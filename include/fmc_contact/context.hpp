@@ -236,6 +236,12 @@ class Context : public AddsShapes<Context> {
     return step;
   }
 
+  // Stiffness of every pair from the masses and the step that the bodies allow by themselves.
+  void stiffness_from_masses(Coords coords, View<const double> masses, double limit) {
+    const auto x = coords.as_c(dim_);
+    call(fmc_context_stiffness_from_masses(get(), &x, detail::one_for_each(masses, x.node_count, "masses"), limit));
+  }
+
   // How far the nodes may go along a step so that nothing passes through anything.
   fmc_step_limit step_limit(Coords coords, Coords step) {
     fmc_step_limit limit;
@@ -243,6 +249,18 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_step_limit(get(), &x, &d, &limit));
     return limit;
   }
+
+  // Closes gaps up to `close` and removes overlaps up to `remove` without strain; how far surfaces then lie beside their nodes.
+  fmc_adjustment adjust(Coords coords, double close, double remove) {
+    fmc_adjustment adjustment{};
+    const auto x = coords.as_c(dim_);
+    call(fmc_context_adjust(get(), &x, close, remove, &adjustment));
+    return adjustment;
+  }
+  std::vector<double> offsets() const {
+    return detail::rows<double>([&](auto... room) { return fmc_context_offsets(get(), room...); });
+  }
+  void set_offsets(View<const double> offsets) { call(fmc_context_set_offsets(get(), offsets.data(), offsets.size())); }
 
   // The law "fiber": keeps the patches found at `coords`, and returns the number of directions; or releases them.
   std::size_t keep_patches(Coords coords) {

@@ -9,6 +9,7 @@ mod contact_step;
 pub mod descent;
 mod driver;
 mod layer_stiffness;
+mod mass_stiffness;
 mod step_limit;
 
 pub use augmentation::Augmentation;

@@ -1,7 +1,10 @@
 //! The mesh of a contact: its surface, and how deep its cells lie below it.
 
+mod offsets;
+
+pub(crate) use offsets::Offsets;
+
 use crate::Error;
-use crate::contact::offsets::Offsets;
 use crate::depth_field::DepthField;
 use crate::geometry::submesh::hash_of;
 use crate::geometry::{Basis, Surface, Weighting};

@@ -7,7 +7,7 @@ use std::fs;
 pub(crate) type Section = (&'static str, &'static [&'static str]);
 
 /// In the order in which a host meets them. Within a section types come before functions.
-pub(crate) const SECTIONS: [Section; 19] = [
+pub(crate) const SECTIONS: [Section; 20] = [
     ("Version", &["calls/version"]),
     ("Statuses, and the text of an error", &["boundary/status", "boundary/status_class", "boundary/last_error"]),
     ("Options", &["structs/law", "structs/options", "calls/options/option_keys", "calls/options/stiffness"]),
@@ -55,6 +55,7 @@ pub(crate) const SECTIONS: [Section; 19] = [
         "Steps: friction, patches, the longest step of explicit dynamics",
         &["calls/steps/friction", "calls/steps/patches", "calls/steps/stable_step", "calls/steps/step_limit"],
     ),
+    ("Gaps and overlaps at the start", &["calls/steps/adjustment"]),
     ("As little penetration as is wanted", &["structs/multiplier", "calls/steps/augmentation"]),
     (
         "Equilibrium at the end of a load step",

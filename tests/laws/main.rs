@@ -5,6 +5,7 @@ mod scene;
 
 mod pairs;
 
+mod adjustment;
 mod arrangements;
 mod bad_meshes;
 mod bad_values;

@@ -5,7 +5,7 @@ use crate::scene::Scene;
 use crate::scene::table::{exactly, is_depth, uncorrected};
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{EnergyLaw, Error, Obstacle, Options, Pose, Shape};
-use fmc_shapes::{Splitmix, cuboid_hex8};
+use fmc_shapes::{Splitmix, cuboid_hex8, rectangle_quad4};
 use nalgebra::DMatrix;
 
 /// 2/√λ, λ the largest eigenvalue of M^(−1/2) K M^(−1/2) on the nodes of the mesh.
@@ -82,4 +82,35 @@ fn nothing_touches_or_a_mass_is_missing() {
     apart.coords[second].iter_mut().for_each(|x| x[0] += 10.0);
     let step = apart.contact(exactly(EnergyLaw::fiber(1.0))).stable_step(&apart.coords, &vec![0.0; masses.len()]);
     assert_eq!(step, Ok(f64::INFINITY));
+}
+
+/// A stiffness that is found from masses costs a tenth of the bodies' own step where whole faces touch.
+#[test]
+fn a_stiffness_from_masses_costs_a_tenth_of_the_step() {
+    let [below, above] =
+        [rectangle_quad4([0.0, -1.0], [1.0, 1e-4], [4, 4]), rectangle_quad4([0.0, 0.0], [1.0, 1.0], [4, 4])];
+    let scene = Scene::of(&[&below, &above]);
+    let mut contact = scene.contact(exactly(EnergyLaw::depth(0.0)));
+    assert!(matches!(contact.evaluate(&scene.coords), Err(Error::NoStiffness)));
+    // Lumped masses of density 1.
+    let mut masses = vec![0.0; scene.coords.len()];
+    let cell = 1.0 / 16.0;
+    for node in 0..masses.len() {
+        let [x, y] = scene.coords[node];
+        let is_side = |v: f64, ends: [f64; 2]| ends.iter().any(|end| (v - end).abs() < 1e-3);
+        let halves = usize::from(is_side(x, [0.0, 1.0]))
+            + usize::from(is_side(y, if node < 25 { [-1.0, 0.0] } else { [0.0, 1.0] }));
+        masses[node] = cell * 0.5f64.powi(halves as i32);
+    }
+    let limit = 0.1;
+    contact.stiffness_from_masses(&scene.coords, &masses, limit).expect("a stiffness");
+    let step = contact.stable_step(&scene.coords, &masses).expect("a step");
+    let both = 1.0 / (1.0 / (limit * limit) + 1.0 / (step * step)).sqrt();
+    assert!((0.8..0.95).contains(&(both / limit)), "{}", both / limit);
+    for wrong in [0.0, -1.0, f64::NAN] {
+        assert!(matches!(contact.stiffness_from_masses(&scene.coords, &masses, wrong), Err(Error::NotPositive { .. })));
+    }
+    masses[0] = -1.0;
+    let refused = contact.stiffness_from_masses(&scene.coords, &masses, limit);
+    assert!(matches!(refused, Err(Error::NotPositiveMass { node: 0, .. })), "{refused:?}");
 }

@@ -198,8 +198,21 @@ fn of_mesh(scene: &Scene<2>) -> Vec<Setting> {
     let given = scene.coords.clone();
     let stretched: Vec<[f64; 2]> = given.iter().map(|[x, y]| [1.01 * x, y - 0.01 * x]).collect();
     let left: Vec<u32> = scene.nodes_of(1).filter(|&n| given[n][0] == 1.0).map(|n| n as u32).collect();
+    let (count, adjusted) = (given.len(), moved(scene, 1e-4, 0.0));
+    let aside = move |by: f64| (0..count).map(|n| [by * (n as f64).sin(), -by]).collect::<Vec<[f64; 2]>>();
+    let beside = aside(-1e-4);
     vec![
         new("reference", move |c| c.set_reference(&stretched), vec![call(move |c| c.set_reference(&given))], &[]),
+        new(
+            "offsets",
+            move |c| c.set_offsets(&aside(2e-4)),
+            vec![
+                call(|c| c.set_offsets(&[])),
+                call(move |c| c.set_offsets(&beside)),
+                call(move |c| c.adjust(&adjusted, 0.0, 0.1 * DELTA).map(drop)),
+            ],
+            &[],
+        ),
         new("planes of symmetry", move |c| c.set_symmetry_nodes(&left), vec![call(|c| c.set_symmetry_nodes(&[]))], &[]),
     ]
 }

@@ -212,12 +212,26 @@ void tangents() {
   EXPECT(limit > 0 && limit < 1 && close(contact.stable_step(coords, Numbers(8, 4.0)), 2 * limit, 1e-12));
   EXPECT(refused(FMC_ERROR_LENGTH, "masses", [&] { contact.stable_step(coords, Numbers(7, 1.0)); }));
 
+  const fmc::Options unset(0);
+  fmc::Context explicit_host(2, coords, {{FMC_QUAD4, quads}}, unset);
+  explicit_host.stiffness_from_masses(coords, Numbers(8, 1.0), 0.01);
+  EXPECT(explicit_host.evaluate(coords).energy > 0 && explicit_host.stable_step(coords, Numbers(8, 1.0)) > 0.01);
+
   // A step of nothing may be taken whole; one of twenty sizes, not.
   EXPECT(contact.step_limit(coords, Numbers(16, 0.0)).part == 1);
   Numbers far(16, 0.0);
   for (std::size_t k = 8; k < 16; k += 2) far[k] = -20;
   EXPECT(contact.step_limit(coords, far).part < 0.1);
   EXPECT(refused(FMC_ERROR_LENGTH, "coords", [&] { contact.step_limit(coords, Numbers(14, 0.0)); }));
+
+  // What overlaps is removed without strain, and comes back with the offsets.
+  const double pressed = contact.evaluate(coords, forces).energy;
+  const auto adjusted = contact.adjust(coords, 0, 1);
+  EXPECT(adjusted.count > 0 && adjusted.removed > 0 && adjusted.left < 0.1 * adjusted.removed);
+  EXPECT(contact.evaluate(coords, forces).energy < 0.1 * pressed && contact.offsets().size() == 16);
+  EXPECT(refused(FMC_ERROR_LENGTH, "offsets", [&] { contact.set_offsets(Numbers(15, 0.0)); }));
+  contact.set_offsets(Numbers());
+  EXPECT(contact.evaluate(coords, forces).energy == pressed);
 
   // One rank that shares with none but itself.
   fmc::Communicator ranks;

@@ -36,6 +36,37 @@ impl Host {
         }
     }
 
+    /// Gaps and overlaps up to a number; surfaces then go back.
+    pub(super) fn adjust(&mut self, number: f64, hole: Hole) {
+        let coords = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let at = coords.view;
+        // SAFETY: views of all nodes, a struct of the header, and room for as many numbers as were told.
+        unsafe {
+            let mut found = MaybeUninit::<fmc_adjustment>::zeroed().assume_init();
+            let status = fmc_context_adjust(
+                self.context,
+                unless(hole, 0, (&raw const at).cast_mut()),
+                number,
+                number,
+                &raw mut found,
+            );
+            if checked(status) == OK {
+                let most = 1.001 * number;
+                assert!(found.closed <= most && found.removed <= most && found.left >= 0.0);
+            } else {
+                assert_eq!(found.struct_size, 0);
+            }
+            let mut count = 0;
+            if checked(fmc_context_offsets(self.context, null_mut(), 0, &raw mut count)) == OK && count > 0 {
+                let kept = Guarded::new(&vec![0.0; count]);
+                assert_eq!(checked(fmc_context_offsets(self.context, kept.ptr(), count, &raw mut count)), OK);
+                assert_eq!(checked(fmc_context_set_offsets(self.context, kept.ptr(), count)), OK);
+                assert!(count == 1 || checked(fmc_context_set_offsets(self.context, kept.ptr(), count - 1)) != OK);
+            }
+            checked(fmc_context_set_offsets(self.context, null_mut(), 0));
+        }
+    }
+
     /// A host of springs, one for every coordinate, whose stiffness is a number.
     pub(super) fn equilibrium(&mut self, number: f64, hole: Hole) {
         let count = self.mesh.node_count() * self.mesh.dim;

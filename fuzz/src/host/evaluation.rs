@@ -90,6 +90,8 @@ impl Host {
         unsafe {
             let coords = unless(hole, 0, (&raw const view).cast_mut());
             let masses = unless(hole, 1, masses.ptr());
+            // What has a stiffness found would be no more what it is compared with.
+            assert_ne!(checked(fmc_context_stiffness_from_masses(self.context, coords, masses, -mass.abs())), OK);
             let status = fmc_context_stable_step(self.context, coords, masses, unless(hole, 2, &raw mut step));
             assert!(if checked(status) == OK { step > 0.0 } else { step == -77.0 }, "{step}");
         }

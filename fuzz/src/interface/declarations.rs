@@ -378,6 +378,17 @@ pub struct fmc_step_limit {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_adjustment {
+    pub struct_size: usize,
+    pub closed: f64,
+    pub removed: f64,
+    pub left: f64,
+    pub count: usize,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_augmentation {
     pub struct_size: usize,
     pub penetration: f64,
@@ -705,7 +716,11 @@ unsafe extern "C" {
     pub fn fmc_context_freeze_friction(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_keep_patches(context: *mut fmc_context, coords: *const fmc_coords, direction_count: *mut usize) -> fmc_status;
     pub fn fmc_context_stable_step(context: *mut fmc_context, coords: *const fmc_coords, masses: *const f64, step: *mut f64) -> fmc_status;
+    pub fn fmc_context_stiffness_from_masses(context: *mut fmc_context, coords: *const fmc_coords, masses: *const f64, limit: f64) -> fmc_status;
     pub fn fmc_context_step_limit(context: *mut fmc_context, coords: *const fmc_coords, step: *const fmc_coords, limit: *mut fmc_step_limit) -> fmc_status;
+    pub fn fmc_context_adjust(context: *mut fmc_context, coords: *const fmc_coords, close: f64, remove: f64, adjustment: *mut fmc_adjustment) -> fmc_status;
+    pub fn fmc_context_offsets(context: *const fmc_context, offsets: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_offsets(context: *mut fmc_context, offsets: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_augment(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, tolerance: f64, result: *mut fmc_augmentation) -> fmc_status;
     pub fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status;
     pub fn fmc_equilibrium_options_init(options: *mut fmc_equilibrium_options) -> fmc_status;

@@ -1,5 +1,6 @@
 //! What is kept from one step to the next: friction, patches, multipliers; and how long a step of explicit dynamics may be.
 
+pub(super) mod adjustment;
 pub(super) mod augmentation;
 pub(super) mod friction;
 pub(super) mod multipliers;

@@ -2,13 +2,16 @@
 
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
-use crate::contact::offsets::Offsets;
+use crate::contact::mesh::Offsets;
 use crate::geometry::Vector;
 use crate::overlap::Partner;
 use std::collections::BTreeSet;
 
 /// Passes over all points: both sides of a pair go half of the way, which leaves half of a mean of means each time.
 const PASSES: usize = 12;
+
+/// What is as large as was said may be larger by rounding.
+const ROUNDED: f64 = 1.0 + 1e-6;
 
 /// What was closed and removed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -68,7 +71,8 @@ fn adjusted<const D: usize>(
                 continue;
             }
             let mean = gaps.gaps[row] / area;
-            if pass == 0 && (if mean > 0.0 { mean <= close } else { -mean <= remove }) && mean != 0.0 {
+            let most = if mean > 0.0 { close } else { remove };
+            if pass == 0 && mean != 0.0 && mean.abs() <= ROUNDED * most {
                 chosen.insert((node, partners));
                 (found.closed, found.removed) = (found.closed.max(mean), found.removed.max(-mean));
             }

@@ -39,6 +39,12 @@ impl LayerStiffness {
         }
     }
 
+    /// Bodies of which a pair gets a part of the softer one's value as its stiffness k.
+    pub(crate) fn from_pairs(values: Vec<f64>, part: f64) -> Self {
+        let bodies = values.into_iter().map(|value| part * value / BY_LAYER).collect();
+        Self { bodies, near: BTreeMap::new() }
+    }
+
     pub(crate) fn times(&self, factor: f64) -> Self {
         let near = self.near.iter().map(|(key, value)| (*key, factor * value)).collect();
         Self { bodies: self.bodies.iter().map(|value| factor * value).collect(), near }

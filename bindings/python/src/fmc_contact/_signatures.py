@@ -10,6 +10,7 @@ from typing import Any
 
 from ._pointers import Float64Array, IndexArray, Int32Array
 from ._structs import (
+    fmc_adjustment,
     fmc_augmentation,
     fmc_boundary_facet,
     fmc_carried_slip,
@@ -147,10 +148,14 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_freeze_friction": (c_int32, [fmc_context, POINTER(fmc_coords)]),
     "fmc_context_keep_patches": (c_int32, [fmc_context, POINTER(fmc_coords), POINTER(c_size_t)]),
     "fmc_context_stable_step": (c_int32, [fmc_context, POINTER(fmc_coords), Float64Array, POINTER(c_double)]),
+    "fmc_context_stiffness_from_masses": (c_int32, [fmc_context, POINTER(fmc_coords), Float64Array, c_double]),
     "fmc_context_step_limit": (
         c_int32,
         [fmc_context, POINTER(fmc_coords), POINTER(fmc_coords), POINTER(fmc_step_limit)],
     ),
+    "fmc_context_adjust": (c_int32, [fmc_context, POINTER(fmc_coords), c_double, c_double, POINTER(fmc_adjustment)]),
+    "fmc_context_offsets": (c_int32, [fmc_context, Float64Array, c_size_t, POINTER(c_size_t)]),
+    "fmc_context_set_offsets": (c_int32, [fmc_context, Float64Array, c_size_t]),
     "fmc_context_augment": (
         c_int32,
         [fmc_context, POINTER(fmc_coords), c_double, c_double, POINTER(fmc_augmentation)],

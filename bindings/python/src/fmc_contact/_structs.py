@@ -241,6 +241,17 @@ class fmc_step_limit(Structure):
     ]
 
 
+class fmc_adjustment(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("closed", c_double),
+        ("removed", c_double),
+        ("left", c_double),
+        ("count", c_size_t),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_augmentation(Structure):
     _fields_ = [
         ("struct_size", c_size_t),

@@ -640,6 +640,41 @@ class Contact:
             self._core.handle.call(library.fmc_context_stable_step, byref(view.struct), lumped, byref(step))
         return step.value
 
+    def stiffness_from_masses(self, coords: ArrayLike, masses: ArrayLike, limit: float) -> None:
+        """Finds the stiffness of every pair for explicit dynamics, in place of the option ``stiffness``.
+
+        With contact of whole faces the time step becomes a tenth shorter than what your bodies allow by themselves.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        masses : array_like, (n,)
+            Lumped masses of the nodes; infinite for nodes that are held.
+        limit : float
+            Largest time step of central differences that your bodies allow by themselves (time).
+
+        Raises
+        ------
+        NotPositiveError, NotPositiveMassError
+            For a limit or a mass that is not positive.
+        UnsupportedError
+            If every surface is held.
+
+        Examples
+        --------
+        >>> free = Contact(coords, squares, "quad")
+        >>> free.stiffness_from_masses(coords, np.ones(8), 0.01)
+        >>> print(f"{free.stable_step(coords, np.ones(8)):.3f}")
+        0.024
+        """
+        view = coords_view(coords, self._core.dim)
+        lumped = vector(masses, self._core.unknown_count, "masses")
+        with self._core.handle:
+            self._core.handle.call(
+                library.fmc_context_stiffness_from_masses, byref(view.struct), lumped, c_double(limit)
+            )
+
     def step_limit(self, coords: ArrayLike, step: ArrayLike) -> StepLimit:
         """How far nodes may go along a step so that nothing passes through anything.
 

@@ -2,17 +2,47 @@
 
 from __future__ import annotations
 
-from ctypes import byref
+from ctypes import byref, c_double, c_size_t
+from dataclasses import dataclass
 from typing import Any, Optional
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import basis
-from ._arrays import coords_view, numbers
+from ._arrays import coords_view, floats, numbers
 from ._core import Core
 from ._library import library
+from ._structs import fmc_adjustment
 from .boundary import BoundaryFacets, boundary_facets
 from .points import PointWeights, point_weights
+
+
+@dataclass(frozen=True)
+class Adjustment:
+    """Result of ``Mesh.adjust``.
+
+    Attributes
+    ----------
+    closed : float
+        Largest mean gap of a surface point that was closed (length).
+    removed : float
+        Largest mean overlap of a surface point that was removed (length).
+    left : float
+        Largest mean gap or overlap that these points have now (length).
+    count : int
+        Number of points that were moved.
+
+    Examples
+    --------
+    >>> contact.mesh.adjust(coords).count
+    0
+    """
+
+    closed: float
+    removed: float
+    left: float
+    count: int
 
 
 class Mesh:
@@ -73,6 +103,75 @@ class Mesh:
         core = self._core
         with core.handle:
             return point_weights(core.handle, core.unknown_count, core.options.index_base)
+
+    def adjust(self, coords: ArrayLike, close: float = 0.0, remove: float = 0.0) -> Adjustment:
+        """Closes gaps and removes overlaps without strain.
+
+        Where the mean gap of a surface point is no more than ``close``, or its overlap no more than ``remove``, the surface is taken to lie
+        beside its nodes from then on, of two bodies each half of the way. Nodes and their strains stay. Any law and friction go with it.
+        For an interference fit, adjust, and set smaller and smaller parts of ``offsets`` before each load step.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Coordinates of all nodes, best those without deformation.
+        close : float
+            Gaps up to this are closed (length).
+        remove : float
+            Overlaps up to this are removed (length).
+
+        Returns
+        -------
+        Adjustment
+            What was closed and removed, and what is left.
+
+        Raises
+        ------
+        NotPositiveError
+            If a length is negative or not a number.
+        UnsupportedError
+            For a mesh in parts.
+
+        Examples
+        --------
+        >>> round(contact.mesh.adjust(coords, remove=0.2).removed, 3)
+        0.1
+        >>> contact.mesh.offsets = None
+        """
+        view, found = coords_view(coords, self._core.dim), fmc_adjustment()
+        with self._core.handle:
+            arguments = byref(view.struct), c_double(close), c_double(remove), byref(found)
+            self._core.handle.call(library.fmc_context_adjust, *arguments)
+        return Adjustment(found.closed, found.removed, found.left, found.count)
+
+    @property
+    def offsets(self) -> np.ndarray:
+        """How far the surface lies beside its nodes (length), (nodes, dim); with cells of second order (points, dim).
+
+        ``None`` sets it to nowhere. Offsets do not turn with bodies.
+
+        Raises
+        ------
+        LengthError
+            If an array that is set has another number of rows.
+
+        Examples
+        --------
+        >>> contact.mesh.offsets.any()
+        np.False_
+        """
+        core, count = self._core, c_size_t()
+        with core.handle:
+            core.handle.call(library.fmc_context_offsets, None, 0, byref(count))
+            found = np.empty(count.value)
+            core.handle.call(library.fmc_context_offsets, found, found.size, byref(count))
+        return found.reshape(-1, core.dim)
+
+    @offsets.setter
+    def offsets(self, values: Optional[ArrayLike]) -> None:
+        rows = np.empty(0) if values is None else np.ascontiguousarray(floats(values, "offsets"), np.float64)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_offsets, rows, rows.size)
 
     def set_basis(self, matrix: Optional[Any]) -> None:
         """Has the nodes moved by unknowns of your own: nodes = ``matrix`` @ unknowns.

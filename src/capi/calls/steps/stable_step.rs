@@ -40,3 +40,29 @@ pub unsafe extern "C" fn fmc_context_stable_step(
         Ok(())
     })
 }
+
+/// Finds the stiffness of every pair without a law of its own from the nodes' masses and the largest time step, `limit`, that the bodies
+/// allow by themselves in central differences: with contact of whole faces the step becomes a tenth shorter. For hosts without a matrix,
+/// with the option `stiffness` 0. `masses` as for `fmc_context_stable_step`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE` for the limit, `FMC_ERROR_NOT_POSITIVE_MASS`,
+/// `FMC_ERROR_UNSUPPORTED` where the host holds every surface, `FMC_ERROR_BUSY`; what was found before then stays. Threads: one call at a
+/// time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_stiffness_from_masses(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    masses: *const f64,
+    limit: f64,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context, a view, and one mass for every node.
+        unsafe {
+            write(context, |state| {
+                let coords = reference("coords", coords)?;
+                let masses = slice("masses", masses, in_either!(&state.session, one => one.counts()).unknowns, 1)?;
+                in_either!(&mut state.session, one => one.stiffness_from_masses(coords, masses, limit, state.index_base))
+            })
+        }
+    })
+}

@@ -1,11 +1,12 @@
 //! What is kept from one step to the next.
 
 use super::Resident;
+use crate::Error;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::structs::multiplier::fmc_multiplier;
 use crate::capi::structs::view::{check_node_count, fmc_coords};
-use crate::contact::Augmentation;
 use crate::contact::equilibrium::StepLimit;
+use crate::contact::{Adjustment, Augmentation};
 
 impl<const D: usize> Resident<D> {
     /// Begins a step with friction.
@@ -68,6 +69,44 @@ impl<const D: usize> Resident<D> {
     ) -> Result<f64, Failure> {
         // SAFETY: passed on to the caller.
         unsafe { self.at(coords, index_base, |contact, rows| contact.stable_step(rows, masses)) }
+    }
+
+    /// Closes gaps up to the first length and removes overlaps up to the second.
+    pub(crate) unsafe fn adjust(
+        &mut self,
+        coords: &fmc_coords,
+        [close, remove]: [f64; 2],
+        index_base: i32,
+    ) -> Result<Adjustment, Failure> {
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.adjust(rows, close, remove)) }
+    }
+
+    /// How far the surface lies beside its nodes.
+    pub(crate) fn offsets(&self) -> Vec<f64> {
+        self.held.contact().offsets().into_flattened()
+    }
+
+    /// Sets it.
+    pub(crate) fn set_offsets(&mut self, offsets: &[f64]) -> Result<(), Failure> {
+        let (rows, rest) = offsets.as_chunks::<D>();
+        if !rest.is_empty() {
+            let expected = self.held.contact().offsets().len() * D;
+            return Err(Error::Length { array: "offsets", expected, found: offsets.len() }.into());
+        }
+        Ok(self.held.contact_mut().set_offsets(rows)?)
+    }
+
+    /// Stiffness of the contact from masses.
+    pub(crate) unsafe fn stiffness_from_masses(
+        &mut self,
+        coords: &fmc_coords,
+        masses: &[f64],
+        limit: f64,
+        index_base: i32,
+    ) -> Result<(), Failure> {
+        // SAFETY: passed on to the caller.
+        unsafe { self.at(coords, index_base, |contact, rows| contact.stiffness_from_masses(rows, masses, limit)) }
     }
 
     /// How far a step may go.

@@ -1,0 +1,116 @@
+//! Gaps closed and overlaps removed without strain.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::list::Room;
+use crate::capi::boundary::pointer::{Output, reference, slice};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
+use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::view::fmc_coords;
+use crate::contact::Adjustment;
+
+/// What was closed and removed by `fmc_context_adjust`.
+///
+/// New fields take the place of reserved ones; the size of the struct does not change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_adjustment {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// Largest mean gap of a surface point that was closed, a length.
+    pub closed: f64,
+    /// Largest mean overlap of a surface point that was removed, a length.
+    pub removed: f64,
+    /// Largest mean gap or overlap that these points have now: what a mean at points leaves between meshes that do not match.
+    pub left: f64,
+    /// Number of points that were moved.
+    pub count: usize,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+impl From<Adjustment> for fmc_adjustment {
+    fn from(found: Adjustment) -> Self {
+        let Adjustment { closed, removed, left, count } = found;
+        Self { struct_size: size_of::<Self>(), closed, removed, left, count, reserved: [0; 4] }
+    }
+}
+
+/// Closes gaps and removes overlaps at `coords` without strain: where the mean gap of a surface point to a partner
+/// (`fmc_context_gap_constraints`) is no more than `close`, or its overlap no more than `remove`, both lengths, the surface is taken to lie
+/// beside its nodes from then on, of two bodies each half of the way. Nodes and their strains stay. Any law, friction and self-contact go
+/// with it. What is asked of the context afterwards, gaps too, is that of surfaces that lie there. Points that were moved by an earlier
+/// call are moved on.
+///
+/// An interference fit is brought on by parts: adjust, then before each load step give back a smaller part of `fmc_context_offsets` by
+/// `fmc_context_set_offsets`, at last none. Offsets do not turn with bodies.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or no number, `FMC_ERROR_UNSUPPORTED` for a mesh
+/// in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. Nothing has changed then. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_adjust(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    close: f64,
+    remove: f64,
+    adjustment: *mut fmc_adjustment,
+) -> fmc_status {
+    entry(|| {
+        let output = Output::optional("adjustment", adjustment)?;
+        // SAFETY: the host passes a context and a view, and a struct that may be written or NULL.
+        unsafe {
+            let found = write(context, |state| {
+                let coords = reference("coords", coords)?;
+                in_either!(&mut state.session, one => one.adjust(coords, [close, remove], state.index_base))
+            })?;
+            output.write(found.into());
+        }
+        Ok(())
+    })
+}
+
+/// How far the surface lies beside its nodes: `dim` numbers in dense rows for every node, with cells of second order for every point
+/// (`fmc_context_point_weights`), a length.
+///
+/// `count` becomes how many numbers there are; `offsets` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+/// context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_offsets(
+    context: *const fmc_context,
+    offsets: *mut f64,
+    capacity: usize,
+    count: *mut usize,
+) -> fmc_status {
+    entry(|| {
+        let room = Room::new(capacity, count)?;
+        // SAFETY: the host passes a context, and room for `capacity` numbers.
+        unsafe {
+            let state = read(context)?;
+            let found = in_either!(&state.session, one => one.offsets());
+            room.write("numbers of the offsets", "offsets", &found, offsets)
+        }
+    })
+}
+
+/// Has the surface lie so far beside its nodes: `count` numbers, as `fmc_context_offsets` writes them; none: nowhere. No body slides by that.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` for a number that is not finite,
+/// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; the old offsets then stay. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_offsets(
+    context: *mut fmc_context,
+    offsets: *const f64,
+    count: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and `count` numbers.
+        unsafe {
+            write(context, |state| {
+                let offsets = slice("offsets", offsets, count, 1)?;
+                in_either!(&mut state.session, one => one.set_offsets(offsets))
+            })
+        }
+    })
+}
