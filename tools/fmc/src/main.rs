@@ -57,7 +57,8 @@ enum Command {
     Study(commands::study::StudyArgs),
     #[cfg(feature = "plots")]
     Report(commands::report::ReportArgs),
-    Force(force::ForceArgs),
+    // The largest by far.
+    Force(Box<force::ForceArgs>),
     #[cfg(feature = "statics")]
     Verify(commands::verify::VerifyArgs),
     Man(man::ManArgs),
