@@ -11,4 +11,4 @@ pub(super) use bearings::Bearings;
 pub(super) use kept_patches::KeptPatches;
 pub use multipliers::Multiplier;
 pub(super) use multipliers::{Multipliers, check_law, sorted};
-pub(super) use past::History;
+pub(super) use past::{Begun, History};

@@ -5,6 +5,7 @@ use crate::contact::partners::{BearingRule, BearingRules};
 use crate::overlap::Partner;
 
 /// What was measured, and by which rules: of a pair that bears by others now nothing is known.
+#[derive(Clone)]
 pub(crate) struct Bearings {
     of_facets: FacetBearings,
     rules: BearingRules,

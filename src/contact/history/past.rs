@@ -24,6 +24,13 @@ pub(crate) struct History<const D: usize> {
     pub(crate) stiffened: f64,
 }
 
+/// Where a step began, and how facets bore there.
+#[derive(Clone)]
+pub(crate) struct Begun<const D: usize> {
+    step: Option<Step<D>>,
+    bearings: Option<Bearings>,
+}
+
 impl<const D: usize> History<D> {
     pub(crate) fn new() -> Self {
         Self {
@@ -39,6 +46,16 @@ impl<const D: usize> History<D> {
     /// Begins a step; frozen friction is released.
     pub(crate) fn begin(&mut self, step: Step<D>, bearings: Option<Bearings>) {
         (self.step, self.bearings, self.frozen) = (Some(step), bearings, None);
+    }
+
+    /// What has begun, so that it can be laid aside.
+    pub(crate) fn begun(&self) -> Begun<D> {
+        Begun { step: self.step.clone(), bearings: self.bearings.clone() }
+    }
+
+    /// Goes on with a step that was laid aside; frozen friction is released.
+    pub(crate) fn take_up(&mut self, begun: Begun<D>) {
+        (self.step, self.bearings, self.frozen) = (begun.step, begun.bearings, None);
     }
 
     /// The step that has begun.

@@ -12,6 +12,9 @@ use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::Unknowns;
 
+/// What is said where the slip of the way would hold no body.
+const COUNTED_ANEW: &str = "the bodies come to rest with slip counted from where they came to rest, but not with that from where the step began";
+
 /// Where a load step begins, and what it moves.
 pub(super) struct LoadStep<const D: usize> {
     pub(super) unknowns: Unknowns<D>,
@@ -36,9 +39,10 @@ pub(super) async fn equilibrium<const D: usize>(
 ) -> Result<Reached<D>, Trouble> {
     let settled = settle(&search.host, &search.assembly, &search.motions, x, search.has_friction).await?;
     *rigid_steps += settled.steps;
-    if search.has_friction && settled.steps > 0 {
+    if settled.is_anew {
         let coords = search.host.unknowns.coords(&settled.x);
         search.host.contact(move |contact| contact.begin_step(&coords)).await?;
+        search.warn(COUNTED_ANEW.to_owned());
     }
     balanced(search, &settled.x).await
 }

@@ -34,10 +34,10 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
         },
         Err(trouble) => return Err(Refusal::new(trouble, Vec::new(), host.solves())),
     };
+    let begun = search.host.contact(|contact| contact.history.begun()).await;
     match in_parts(&mut search, &step).await {
         Ok(found) => Ok(found),
         Err(trouble) => {
-            let (start, has_friction) = (search.host.unknowns.coords(&step.x), search.has_friction);
             let undo = search.host.contact(move |contact| {
                 contact.release_friction();
                 if contact.history.stiffened != stiffened {
@@ -45,7 +45,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
                 }
                 // What was there before the step was accepted then, and is now.
                 let _ = contact.set_multipliers(&before);
-                let _ = if has_friction { contact.begin_step(&start) } else { Ok(()) };
+                contact.history.take_up(begun);
             });
             undo.await;
             Err(Refusal::new(trouble, search.balance.history, search.host.solves()))

@@ -9,10 +9,11 @@ use super::unknowns::moved;
 use crate::contact::tangents::TangentPart;
 
 /// Steps, at most.
-const MOST: usize = 12;
+const MOST: usize = 16;
 
-/// Times running that the residual may stay above its smallest.
+/// Times running that the residual may stay above its smallest; with friction facets take turns to stick and to slide first.
 const ABOVE: usize = 2;
+const ABOVE_WITH_FRICTION: usize = 4;
 
 /// Part of the diagonal that holds what nothing else holds.
 const SHIFT: f64 = 1e-12;
@@ -47,6 +48,7 @@ async fn by_whole_steps<const D: usize>(
     search.begin_attempt();
     let mut state = State::at(&search.host, start.to_vec(), true).await?;
     let (mut least, mut above, mut updates) = (f64::INFINITY, 0, search.updates.count);
+    let most_above = if search.has_friction { ABOVE_WITH_FRICTION } else { ABOVE };
     for tried in 0..=MOST {
         let verdict;
         (state, verdict) = search.judged(state).await?;
@@ -59,7 +61,7 @@ async fn by_whole_steps<const D: usize>(
         }
         above = if norm > least { above + 1 } else { 0 };
         least = least.min(norm);
-        if tried == MOST || above > ABOVE || !search.may_go_on() {
+        if tried == MOST || above > most_above || !search.may_go_on() {
             return Ok(None);
         }
         let shift = if search.motions.is_empty() { 0.0 } else { SHIFT };

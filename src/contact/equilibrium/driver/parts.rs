@@ -41,6 +41,7 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
         // What did not balance at the start is taken off little by little.
         search.host.set_offset(start.residual.iter().map(|force| (1.0 - until) * force).collect());
         let target = moved(&step.x, until, &step.moved);
+        let begun = search.host.contact(|contact| contact.history.begun()).await;
         match led(search, &x, &target, &mut counts).await {
             Ok(reached) if until == 1.0 => return finished(search, reached, &counts).await,
             Ok(reached) => {
@@ -49,7 +50,10 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
             }
             Err(trouble @ (Trouble::Unheld(..) | Trouble::Hopeless(_))) => return Err(trouble),
             Err(trouble) if part <= SMALLEST || !search.may_go_on() => return Err(trouble),
-            Err(_) => part *= 0.5,
+            Err(_) => {
+                part *= 0.5;
+                search.host.contact(|contact| contact.history.take_up(begun)).await;
+            }
         }
     }
 }

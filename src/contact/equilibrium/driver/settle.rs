@@ -41,9 +41,11 @@ const STICK: f64 = 0.1;
 pub(super) struct Settled {
     pub(super) x: Vec<f64>,
     pub(super) steps: usize,
+    /// Whether they came to rest by friction that is counted from a place on the way, not from where the step began.
+    pub(super) is_anew: bool,
 }
 
-/// From x, whose matrix the host has.
+/// From x, whose matrix the host has. The step that has begun stays as it is.
 pub(super) async fn settle<const D: usize>(
     host: &Host<D>,
     assembly: &Assembly<D>,
@@ -51,35 +53,46 @@ pub(super) async fn settle<const D: usize>(
     start: &[f64],
     has_friction: bool,
 ) -> Result<Settled, Trouble> {
-    let first = attempt(host, assembly, motions, start, [has_friction, true]).await;
-    if first.is_ok() {
-        return first;
+    let ways = [OnTheWay::Slips, OnTheWay::None, OnTheWay::Sticks];
+    let mut first = None;
+    for friction in ways.into_iter().take(if has_friction { ways.len() } else { 1 }) {
+        let begun = host.contact(|contact| contact.history.begun()).await;
+        let tried = attempt(host, assembly, motions, start, (has_friction, friction)).await;
+        host.contact(|contact| contact.history.take_up(begun)).await;
+        match tried {
+            Ok(settled) => return Ok(settled),
+            Err(trouble) => first = first.or(Some(trouble)),
+        }
     }
-    let mut settled = first;
-    if has_friction {
-        // Another way from the same start: what is about to touch does not slip.
-        let coords = host.unknowns.coords(start);
-        host.contact(move |contact| contact.begin_step(&coords)).await?;
-        settled = attempt(host, assembly, motions, start, [true, false]).await.or(settled);
-    }
-    match settled {
+    match first {
+        Some(trouble) if motions.are_free => Err(trouble),
         // What springs hold needs no rest of its own: the equilibrium is sought from the start.
-        Err(_) if !motions.are_free => Ok(Settled { x: start.to_vec(), steps: 0 }),
-        settled => settled,
+        _ => Ok(Settled { x: start.to_vec(), steps: 0, is_anew: false }),
     }
 }
 
-/// With friction bodies on their way have none; where `slips`, nor have those that nearly rest.
+/// Friction of bodies on their way.
+#[derive(Clone, Copy, PartialEq)]
+enum OnTheWay {
+    /// By the slip since the step began.
+    Slips,
+    /// None, nor of those that nearly rest.
+    None,
+    /// None, but those that nearly rest stick.
+    Sticks,
+}
+
 async fn attempt<const D: usize>(
     host: &Host<D>,
     assembly: &Assembly<D>,
     motions: &Motions,
     start: &[f64],
-    [has_friction, slips]: [bool; 2],
+    (has_friction, friction): (bool, OnTheWay),
 ) -> Result<Settled, Trouble> {
     let mut x = start.to_vec();
+    let mut is_anew = false;
     if motions.is_empty() {
-        return Ok(Settled { x, steps: 0 });
+        return Ok(Settled { x, steps: 0, is_anew });
     }
     let (mean, turn) = motions.ways(host, assembly);
     let usual = 0.25 * assembly.thinnest();
@@ -90,13 +103,14 @@ async fn attempt<const D: usize>(
         let mut load;
         (load, worst) = resultants(motions, &state);
         if worst <= LEFT {
-            return Ok(Settled { x, steps });
+            return Ok(Settled { x, steps, is_anew });
         }
-        let is_moving = largest(&last) > if slips { 0.0 } else { FAR * usual };
-        if has_friction && worst > ON_ITS_WAY && is_moving {
+        let is_moving = largest(&last) > if friction == OnTheWay::Sticks { FAR * usual } else { 0.0 };
+        if has_friction && friction != OnTheWay::Slips && worst > ON_ITS_WAY && is_moving {
             // A body on its way has no friction yet.
             let coords = host.unknowns.coords(&x);
             host.contact(move |contact| contact.begin_step(&coords)).await?;
+            is_anew = true;
             state = state.again(host).await?;
             load = resultants(motions, &state).0;
         }
@@ -127,7 +141,7 @@ async fn attempt<const D: usize>(
     }
     let (late, steps) = (moved(&x, -1.0, &trail[trail.len() / 2]), trail.len() - 1);
     if worst <= 0.1 && largest(&late) < usual {
-        return Ok(Settled { x, steps });
+        return Ok(Settled { x, steps, is_anew });
     }
     let text = format!(
         "no rigid motion balances its load after {steps} steps: it is driven on for ever, or held by friction alone"
