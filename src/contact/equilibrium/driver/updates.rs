@@ -35,7 +35,10 @@ pub(super) struct Updates {
     /// The penetration that somebody has asked for.
     asked: Option<f64>,
     reach: f64,
+    /// How many are made at most, while anything is left of the penetration.
     most: usize,
+    /// The same while each of them still changes the forces.
+    most_by_force: usize,
     last: f64,
     /// Sum of the magnitudes of the contact forces at the last update.
     pressed: f64,
@@ -48,12 +51,14 @@ pub(super) struct Updates {
 impl Updates {
     pub(super) fn new(options: &DriverOptions, is_stiffness_found: bool, stiffened: f64) -> Self {
         let asked = (options.penetration > 0.0).then_some(options.penetration);
-        let most = if asked.is_some() { options.max_updates } else { BY_DEFAULT.min(options.max_updates) };
+        let all = options.max_updates;
+        let (most, most_by_force) = if asked.is_some() { (all, all) } else { (BY_DEFAULT.min(all), BY_FORCE.min(all)) };
         Self {
             is_possible: asked.is_some() || is_stiffness_found,
             asked,
             reach: options.reach,
             most,
+            most_by_force,
             last: f64::INFINITY,
             pressed: 0.0,
             stiffened,
@@ -78,12 +83,11 @@ impl Updates {
             return Ok(false);
         }
         let pressed: f64 = state.contact.pairs.iter().map(|pair| pair.pressure * pair.contact_area).sum();
-        let goes_on = self.asked.is_none() && self.most == BY_DEFAULT && self.count < BY_FORCE;
         let is_changing = (pressed - self.pressed).abs() > NEGLIGIBLE * pressed;
         if self.count >= self.most && !is_over {
             return Ok(false);
         }
-        let may = self.count < self.most || (goes_on && is_changing);
+        let may = self.count < self.most || (self.count < self.most_by_force && is_changing);
         let coords = host.unknowns.coords(&state.x);
         self.pressed = pressed;
         let (wanted, reach) = (self.wanted(host, state, pressed).await?, self.reach);
