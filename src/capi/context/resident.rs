@@ -1,6 +1,10 @@
 //! A contact of one dimension, as the C interface sees it.
 //!
 //! `mesh` · `partners` · `steps` · `results`
+//!
+//! # Safety
+//! Of all that is unsafe here the caller guarantees the views, shapes and functions that it passes on, as the host has guaranteed them: they
+//! are what they say they are as long as the call lasts, and nothing else writes what is read.
 
 mod mesh;
 mod partners;
@@ -60,9 +64,6 @@ impl<const D: usize> Resident<D> {
     }
 
     /// What `work` makes of the contact at the host's coordinates.
-    ///
-    /// # Safety
-    /// The host guarantees the view.
     unsafe fn at<T>(
         &mut self,
         coords: &fmc_coords,
@@ -76,9 +77,6 @@ impl<const D: usize> Resident<D> {
     }
 
     /// Evaluates by `work`, and writes the forces, if wanted, on success.
-    ///
-    /// # Safety
-    /// The host guarantees both views.
     unsafe fn evaluated<T>(
         &mut self,
         coords: &fmc_coords,

@@ -1,7 +1,6 @@
 //! The mesh of a context.
 
-use super::Held;
-use super::Resident;
+use super::{Held, Resident};
 use crate::capi::boundary::failure::Failure;
 use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 use crate::capi::structs::mesh::Numbering;
