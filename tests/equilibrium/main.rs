@@ -2,6 +2,7 @@
 
 mod bodies;
 mod held;
+mod limit;
 mod loose;
 mod protocol;
 mod refused;

@@ -49,11 +49,8 @@ pub(super) fn limit<const D: usize>(
     if most == 0.0 {
         return Ok(found);
     }
+    // Without a look at what is in reach of the whole step: gaps over many sizes of the bodies are looked for among all pairs of facets.
     let part = (0.5 * assembly.thinnest() / most).min(1.0);
-    if part < 1.0 && contact.gap_constraints(coords, 2.0 * most)?.gaps.is_empty() {
-        // Nothing is in reach of the whole step.
-        return Ok(found);
-    }
     found.part = part;
     let gaps = contact.gap_constraints(coords, (2.0 * part * most).max(1e-12 * assembly.size))?;
     for row in (0..gaps.gaps.len()).filter(|&row| gaps.areas[row] > 0.0) {
