@@ -33,11 +33,8 @@ pub(crate) fn adjust<const D: usize>(
     close: f64,
     remove: f64,
 ) -> Result<Adjustment, Error> {
-    for (name, value) in [("close", close), ("remove", remove)] {
-        if !(value.is_finite() && value >= 0.0) {
-            return Err(Error::NotPositive { name, value });
-        }
-    }
+    Error::check_not_negative("close", close)?;
+    Error::check_not_negative("remove", remove)?;
     contact.mesh.surface.refuse_submesh("offsets of a part of a mesh")?;
     let before = contact.mesh.offsets().clone();
     let found = adjusted(contact, coords, close, remove);
@@ -59,10 +56,11 @@ fn adjusted<const D: usize>(
     if reach == 0.0 {
         return Ok(found);
     }
+    let count = contact.mesh.points(coords)?.len();
     let mut chosen = BTreeSet::new();
     for pass in 0..=PASSES {
         let gaps = kernels::gap_constraints(contact, coords, 1.001 * reach)?;
-        let mut moves = vec![(0.0, Vector::<D>::zeros()); contact.mesh.points(coords)?.len()];
+        let mut moves = vec![(0.0, Vector::<D>::zeros()); count];
         found.left = 0.0;
         for row in 0..gaps.gaps.len() {
             let (node, partners, area) = (gaps.nodes[row], gaps.partners[row], gaps.areas[row]);
@@ -84,11 +82,10 @@ fn adjusted<const D: usize>(
             }
         }
         if pass < PASSES {
-            let mut vectors = contact.mesh.offsets().list(moves.len());
+            let mut vectors = contact.mesh.offsets().list(count);
             for (vector, (area, sum)) in vectors.iter_mut().zip(&moves).filter(|(_, (area, _))| *area > 0.0) {
                 (0..D).for_each(|axis| vector[axis] += sum[axis] / area);
             }
-            let count = moves.len();
             contact.mesh.replace_offsets(Offsets::new(vectors, count)?);
         }
     }

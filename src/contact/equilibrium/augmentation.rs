@@ -49,7 +49,7 @@ impl<const D: usize> Contact<D> {
     /// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as [`Self::evaluate`]. The
     /// multipliers have then stayed.
     pub fn augment(&mut self, coords: &[[f64; D]], reach: f64, enough: f64) -> Result<Augmentation, Error> {
-        check("penetration", enough)?;
+        Error::check_not_negative("penetration", enough)?;
         self.augment_unless(coords, reach, |found| found.penetration.max(found.change) <= enough)
     }
 
@@ -82,7 +82,7 @@ impl<const D: usize> Contact<D> {
     /// The next multipliers.
     fn measured(&self, coords: &[[f64; D]], reach: f64) -> Result<(Multipliers<D>, Augmentation), Error> {
         self.check_multipliers()?;
-        check("reach", reach)?;
+        Error::check_not_negative("reach", reach)?;
         let mut extent = Aabb::empty();
         self.mesh.surface.mesh_points(coords)?.iter().for_each(|x| extent.include(&Vector::from(*x)));
         let reach = if reach > 0.0 { reach } else { REACH * extent.extent().max() };
@@ -150,10 +150,6 @@ impl<const D: usize> Contact<D> {
         let is_rubbed = self.partners.has_friction(options) || options.self_contact;
         self.partners.energy_laws(options).try_for_each(|law| check_law(&law, is_rubbed))
     }
-}
-
-fn check(name: &'static str, value: f64) -> Result<(), Error> {
-    if value.is_finite() && value >= 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
 }
 
 impl<const D: usize> Multipliers<D> {

@@ -39,9 +39,9 @@ impl LayerStiffness {
         }
     }
 
-    /// Bodies of which a pair gets a part of the softer one's value as its stiffness k.
-    pub(crate) fn from_pairs(values: Vec<f64>, part: f64) -> Self {
-        let bodies = values.into_iter().map(|value| part * value / BY_LAYER).collect();
+    /// Bodies of which a pair gets the softer one's value as its stiffness k.
+    pub(crate) fn from_pairs(values: Vec<f64>) -> Self {
+        let bodies = values.into_iter().map(|value| value / BY_LAYER).collect();
         Self { bodies, near: BTreeMap::new() }
     }
 

@@ -45,10 +45,7 @@ impl ContactStepOptions {
         };
         positive("tolerance", self.tolerance)?;
         positive("full_below", self.full_below)?;
-        let absolute = self.absolute_tolerance;
-        if !(absolute.is_finite() && absolute >= 0.0) {
-            return Err(Error::NotPositive { name: "absolute_tolerance", value: absolute });
-        }
+        Error::check_not_negative("absolute_tolerance", self.absolute_tolerance)?;
         positive("max_iterations", self.max_iterations as f64)?;
         positive("max_trials", self.max_trials as f64)
     }

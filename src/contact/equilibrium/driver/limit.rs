@@ -23,13 +23,20 @@ pub(in crate::contact::equilibrium) fn step_limit<const D: usize>(
     coords: &[[f64; D]],
     step: &[[f64; D]],
 ) -> Result<StepLimit, Error> {
-    let expected = contact.surface().unknown_count();
-    for (array, found) in [("coords", coords.len()), ("step", step.len())] {
-        if found != expected {
-            return Err(Error::Length { array, expected, found });
-        }
-    }
+    check_lengths(contact, [("coords", coords.len()), ("step", step.len())])?;
     limit(contact, &Assembly::new(contact, coords)?, coords, step)
+}
+
+/// Refuses arrays with another number of rows than the contact has coordinates.
+pub(super) fn check_lengths<const D: usize>(
+    contact: &Contact<D>,
+    arrays: [(&'static str, usize); 2],
+) -> Result<(), Error> {
+    let expected = contact.surface().unknown_count();
+    match arrays.into_iter().find(|(_, found)| *found != expected) {
+        Some((array, found)) => Err(Error::Length { array, expected, found }),
+        None => Ok(()),
+    }
 }
 
 /// The same with what is known of the bodies.

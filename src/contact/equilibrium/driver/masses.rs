@@ -1,27 +1,21 @@
 //! How stiff the layers below surfaces are to a host that has masses and a time step, and no matrix.
 
 use super::assembly::Assembly;
+use super::limit::check_lengths;
 use crate::Error;
 use crate::contact::evaluation::Contact;
 use crate::contact::partners::LayerStiffness;
 
-/// Stiffness of a pair, by that with which the masses of the softer surface swing at the host's own limit: its step becomes a tenth
-/// shorter. A step of 0.95, 0.9, 0.7, 0.5 of the limit allows 0.46, 1.0, 4.5, 12.9.
-const TENTH: f64 = 1.0;
-
-/// Layers from the nodes' masses and the largest step that the bodies allow by themselves.
+/// Layers from the nodes' masses and the largest step that the bodies allow by themselves. A pair has the stiffness with which the masses
+/// of the softer surface swing at the host's own limit: its step becomes a tenth shorter. 4.5 times as much would make it three tenths
+/// shorter, 0.46 times as much a twentieth.
 pub(in crate::contact::equilibrium) fn layers_of_masses<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
     masses: &[f64],
     limit: f64,
 ) -> Result<LayerStiffness, Error> {
-    let expected = contact.surface().unknown_count();
-    for (array, found) in [("coords", coords.len()), ("masses", masses.len())] {
-        if found != expected {
-            return Err(Error::Length { array, expected, found });
-        }
-    }
+    check_lengths(contact, [("coords", coords.len()), ("masses", masses.len())])?;
     if !(limit.is_finite() && limit > 0.0) {
         return Err(Error::NotPositive { name: "limit", value: limit });
     }
@@ -46,5 +40,5 @@ pub(in crate::contact::equilibrium) fn layers_of_masses<const D: usize>(
         return Err(Error::Unsupported { what: "a stiffness from masses where the host holds every surface" });
     }
     bodies.iter_mut().for_each(|layer| *layer = if layer.is_finite() { *layer } else { softest });
-    Ok(LayerStiffness::from_pairs(bodies, TENTH))
+    Ok(LayerStiffness::from_pairs(bodies))
 }

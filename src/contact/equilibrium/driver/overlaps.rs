@@ -3,6 +3,7 @@
 use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
+use crate::contact::history::sorted;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
@@ -24,9 +25,7 @@ pub(super) async fn overlaps<const D: usize>(search: &mut Search<D>, start: &Sta
     let mut deepest: BTreeMap<[Partner; 2], f64> = BTreeMap::new();
     for (partners, (gap, area)) in gaps.partners.iter().zip(gaps.gaps.iter().zip(&gaps.areas)) {
         if *area > 0.0 {
-            let mut pair = *partners;
-            pair.sort();
-            let depth = deepest.entry(pair).or_default();
+            let depth = deepest.entry(sorted(*partners)).or_default();
             *depth = depth.max(-gap / area);
         }
     }
