@@ -152,9 +152,17 @@ impl Host {
         contact: &mut Contact<2>,
         prescribed: Option<&[f64]>,
     ) -> Result<Found<2>, Box<Refusal>> {
+        self.solved_with(contact, prescribed, DriverOptions::default())
+    }
+
+    pub(crate) fn solved_with(
+        &self,
+        contact: &mut Contact<2>,
+        prescribed: Option<&[f64]>,
+        options: DriverOptions,
+    ) -> Result<Found<2>, Box<Refusal>> {
         let start = vec![0.0; self.load.len()];
-        let mut search =
-            Equilibrium::new(contact, self.unknowns(), &start, prescribed, DriverOptions::default()).unwrap();
+        let mut search = Equilibrium::new(contact, self.unknowns(), &start, prescribed, options).unwrap();
         search
             .run(contact, |contact, request| self.answer(contact, request))
             .unwrap()

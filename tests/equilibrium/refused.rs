@@ -1,6 +1,8 @@
 //! What nothing stops is refused, with the body and its direction.
 
 use super::bodies::{Block, Host};
+use fmc_contact::Error;
+use fmc_contact::contact::equilibrium::DriverOptions;
 
 /// A block that is pulled off its floor.
 #[test]
@@ -64,4 +66,33 @@ fn a_refusal_leaves_the_contact_as_it_was() {
     host.solved(&mut contact, None).unwrap_err();
     assert!(contact.multipliers().is_empty());
     assert_eq!(contact.evaluate(&host.coords).unwrap().obstacles[0].force, [0.0, 0.0]);
+}
+
+/// A block whose top is pushed through its foot: what is in the way is named.
+#[test]
+fn a_body_pushed_through_itself_is_told_with_a_cell() {
+    let mut host = Host::new(&[Block::unit(0.0, 0.0, 2)]);
+    host.hold(0, |x| x[1] < 0.01 || x[1] > 0.99);
+    host.hold(1, |x| x[1] < 0.01 || x[1] > 0.99);
+    let mut contact = host.contact(Some(-5.0), 0.0);
+    let target: Vec<f64> = host.coords.iter().flat_map(|x| [0.0, if x[1] > 0.99 { -3.0 } else { 0.0 }]).collect();
+    let refusal = host.solved(&mut contact, Some(&target)).unwrap_err();
+    assert!(refusal.text.contains("cell "), "{}", refusal.text);
+}
+
+/// A penetration that is asked for where none can be had is refused before anything is solved.
+#[test]
+fn a_penetration_with_friction_is_refused_at_once() {
+    let mut host = Host::new(&[Block::unit(0.0, 1e-3, 2)]);
+    host.add_weight(0, [0.0, -10.0]);
+    let mut contact = host.contact(Some(0.0), 0.3);
+    let options = DriverOptions { penetration: 1e-6, ..DriverOptions::default() };
+    let refusal = host.solved_with(&mut contact, None, options).unwrap_err();
+    assert!(
+        matches!(refusal.error, Some(Error::Unsupported { what }) if what.contains("friction")),
+        "{}",
+        refusal.text
+    );
+    assert_eq!((refusal.solves, refusal.residuals.len()), (0, 0));
+    assert!(contact.layer_stiffness().is_none());
 }

@@ -144,7 +144,8 @@ impl<const D: usize> Contact<D> {
         Ok(())
     }
 
-    fn check_multipliers(&self) -> Result<(), Error> {
+    /// Refuses what surfaces are not moved out with.
+    pub(super) fn check_multipliers(&self) -> Result<(), Error> {
         self.mesh.surface.refuse_submesh("multipliers of a part of a mesh")?;
         let options = self.method.options();
         let is_rubbed = self.partners.has_friction(options) || options.self_contact;

@@ -58,6 +58,10 @@ async fn prepared<const D: usize>(
     host: &Host<D>,
     step: &LoadStep<D>,
 ) -> Result<(Assembly<D>, Motions, bool, f64), Trouble> {
+    if step.options.penetration > 0.0 {
+        // It would be refused where it is reached, after a whole search.
+        host.contact(|contact| contact.check_multipliers()).await?;
+    }
     let coords = host.unknowns.coords(&step.x);
     let at = coords.clone();
     let assembly = host.contact(move |contact| Assembly::new(contact, &at)).await?;

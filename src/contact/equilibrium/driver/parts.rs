@@ -23,11 +23,13 @@ const HALVINGS: usize = 8;
 /// Part of the diagonal that holds loose bodies while what is prescribed moves.
 const SHIFT: f64 = 1e-9;
 
-/// How often something was done.
+/// How often something was done, and what was in the way.
 #[derive(Default)]
 struct Counts {
     parts: usize,
     rigid_steps: usize,
+    /// Why what is prescribed last went no farther.
+    trouble: Option<String>,
 }
 
 /// All of a load step.
@@ -50,7 +52,8 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
             }
             Err(trouble @ (Trouble::Unheld(..) | Trouble::Hopeless(_))) => return Err(trouble),
             Err(trouble) if part <= SMALLEST || !search.may_go_on() => return Err(trouble),
-            Err(_) => {
+            Err(trouble) => {
+                counts.trouble = Some(trouble.to_string());
                 part *= 0.5;
                 search.host.contact(|contact| contact.history.take_up(begun)).await;
             }
@@ -70,26 +73,33 @@ async fn led<const D: usize>(
         counts.parts += 1;
         let free = &search.host.unknowns.free;
         let way: Vec<f64> = (0..x.len()).map(|k| if free[k] { 0.0 } else { target[k] - x[k] }).collect();
-        let part = if largest(&way) == 0.0 { 1.0 } else { carried(search, &mut x, &way).await? };
+        let part = if largest(&way) == 0.0 { 1.0 } else { carried(search, &mut x, &way, counts).await? };
         if part == 1.0 {
             let free = &search.host.unknowns.free;
             x = (0..x.len()).map(|k| if free[k] { x[k] } else { target[k] }).collect();
             return equilibrium(search, &x, &mut counts.rigid_steps).await;
         }
         if !search.may_go_on() {
-            return Err(not_reached(search));
+            return Err(not_reached(search, counts));
         }
         x = equilibrium(search, &x, &mut counts.rigid_steps).await?.state.x;
     }
 }
 
-fn not_reached<const D: usize>(search: &Search<D>) -> Trouble {
+/// With what was in the way: steps that become shorter and shorter end here, and not where they fail.
+fn not_reached<const D: usize>(search: &Search<D>, counts: &Counts) -> Trouble {
     let solves = search.host.solves();
-    Trouble::Failed(format!("what is prescribed was not reached after {solves} linear solves"))
+    let why = counts.trouble.as_ref().map_or_else(String::new, |trouble| format!(": {trouble}"));
+    Trouble::Failed(format!("what is prescribed was not reached after {solves} linear solves{why}"))
 }
 
 /// Moves what is prescribed, and the bodies with it as their tangent says, as far as nothing passes through anything: which part.
-async fn carried<const D: usize>(search: &mut Search<D>, x: &mut Vec<f64>, way: &[f64]) -> Result<f64, Trouble> {
+async fn carried<const D: usize>(
+    search: &mut Search<D>,
+    x: &mut Vec<f64>,
+    way: &[f64],
+    counts: &mut Counts,
+) -> Result<f64, Trouble> {
     let state = State::at(&search.host, x.clone(), true).await?;
     let mut step = None;
     if search.is_condensed() {
@@ -98,7 +108,7 @@ async fn carried<const D: usize>(search: &mut Search<D>, x: &mut Vec<f64>, way: 
     }
     let step = match step {
         Some(step) => step,
-        None if !search.may_go_on() => return Err(not_reached(search)),
+        None if !search.may_go_on() => return Err(not_reached(search, counts)),
         None => predicted(search, &state, way).await?,
     };
     if let Some(patches) = &mut search.patches {
@@ -108,7 +118,6 @@ async fn carried<const D: usize>(search: &mut Search<D>, x: &mut Vec<f64>, way: 
     if part <= 0.0 {
         return Err(Trouble::Failed("no part of what is prescribed can be moved: bodies overlap too far".into()));
     }
-    let mut why = String::new();
     for _ in 0..HALVINGS {
         let next = moved(&state.x, part, &step);
         match State::at(&search.host, next.clone(), true).await {
@@ -116,10 +125,13 @@ async fn carried<const D: usize>(search: &mut Search<D>, x: &mut Vec<f64>, way: 
                 *x = next;
                 return Ok(part);
             }
-            Err(trouble @ (Trouble::Contact(_) | Trouble::Host(_))) => (part, why) = (0.5 * part, trouble.to_string()),
+            Err(trouble @ (Trouble::Contact(_) | Trouble::Host(_))) => {
+                (part, counts.trouble) = (0.5 * part, Some(trouble.to_string()));
+            }
             Err(other) => return Err(other),
         }
     }
+    let why = counts.trouble.as_deref().unwrap_or_default();
     Err(Trouble::Failed(format!("bodies cannot be evaluated after any part of what is prescribed: {why}")))
 }
 
