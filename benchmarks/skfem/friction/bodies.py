@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from fmc_contact import newton
+from fmc_contact import find_equilibrium
 from fmc_contact_skfem import SkfemContact
 from scipy.sparse import block_diag, csr_matrix, identity
-from scipy.sparse.linalg import splu
 from skfem import Basis, ElementHex1, ElementQuad1, ElementVector, MeshHex, MeshQuad
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
@@ -31,20 +30,16 @@ class Bodies:
     """
 
     def __init__(self, meshes, youngs, poisson, stiffness, law="depth", **options):
-        self.meshes, self.dim, self.law, self.young = meshes, meshes[0].dim(), law, min(youngs)
+        self.meshes, self.dim, self.law = meshes, meshes[0].dim(), law
         # Two points along every axis; the default for hexahedra is four.
         bases = [Basis(mesh, ElementVector(_ELEMENTS[type(mesh)]()), intorder=3) for mesh in meshes]
         self.offsets = np.cumsum([0] + [basis.N for basis in bases])
-        elastic = [
-            linear_elasticity(*lame_parameters(young, poisson)).assemble(basis) for basis, young in zip(bases, youngs)
-        ]
+        elastic = [linear_elasticity(*lame_parameters(young, poisson)).assemble(basis) for basis, young in zip(bases, youngs)]
         self.stiffness = block_diag(elastic, "csr")
         """Of the bodies, and of what the problem adds: springs, arms. By the unknowns z."""
-        self.contact = SkfemContact(
-            list(zip(bases, self.offsets)), stiffness=stiffness, **{**LAWS[law], **options}
-        )
+        self.contact = SkfemContact(list(zip(bases, self.offsets)), stiffness=stiffness, **{**LAWS[law], **options})
         self.size = self.offsets[-1]
-        self.motion = self.onto = identity(self.size, format="csr")
+        self.motion = identity(self.size, format="csr")
         self.load = np.zeros(self.size)
         self.z = np.zeros(self.size)
         self.result = None
@@ -64,20 +59,9 @@ class Bodies:
         cols = np.concatenate([np.arange(len(single)), np.repeat(new, [len(group) for group in groups])])
         rows = np.concatenate([single, joined])
         self.motion = csr_matrix((np.ones(len(cols)), (rows, cols)), (self.size, len(single) + len(groups)))
-        self.onto = self.motion
         self.stiffness = (self.motion.T @ self.stiffness @ self.motion).tocsr()
         self.z = np.zeros(self.motion.shape[1])
         return new, single
-
-    def condense(self, kept):
-        """Leaves only these unknowns, between which the others follow as bodies without load do. What is held, loaded or may
-        come into contact, the inner nodes of cells at the surface with it, is to be kept."""
-        inner = np.setdiff1d(np.arange(len(self.z)), kept)
-        follow = -splu(self.stiffness[inner][:, inner].tocsc()).solve(self.stiffness[inner][:, kept].toarray())
-        self.stiffness = self.stiffness[kept][:, kept].toarray() + self.stiffness[kept][:, inner] @ follow
-        self.onto = self.motion[:, kept]
-        self.motion = self.onto.toarray() + self.motion[:, inner] @ follow
-        self.z = self.z[kept]
 
     @property
     def u(self):
@@ -86,7 +70,7 @@ class Bodies:
     @property
     def reactions(self):
         """What holds the unknowns z: inner forces less loads and contact, at the last evaluation."""
-        return self.stiffness @ self.z - self.onto.T @ (self.load + self.contact.on_dofs(self.result.forces))
+        return self.stiffness @ self.z - self.motion.T @ (self.load + self.contact.on_dofs(self.result.forces))
 
     def begin_friction(self, coefficient):
         """Friction from here on: nothing is carried."""
@@ -104,22 +88,22 @@ class Bodies:
         # The residual is measured by the loads, too, where they are larger than what contact bears.
         pushed = 0.0 if self.result is None else np.linalg.norm(self.result.forces)
         tolerance *= max(1.0, np.linalg.norm(self.load) / pushed) if pushed else 1.0
-        found = newton(
-            self._host, _OnUnknowns(self), self.z, free, end, young=self.young, tolerance=tolerance,
+        found = find_equilibrium(
+            self._host, _OnUnknowns(self), self.z, free, end, tolerance=tolerance,
             max_iterations=LIMIT, two_level=False,
         )  # fmt: skip
         self.z, self.result = found.x, found.result
         return found.iterations
 
     def _host(self, z):
-        return self.stiffness @ z - self.onto.T @ self.load, self.stiffness
+        return self.stiffness @ z - self.motion.T @ self.load, self.stiffness
 
     def commit(self):
         self.contact.commit_step(self.u)
 
 
 class _OnUnknowns:
-    """The contact by the unknowns z, as ``fmc_contact.newton`` wants it."""
+    """The contact by the unknowns z, as ``fmc_contact.find_equilibrium`` wants it."""
 
     def __init__(self, bodies):
         self.bodies, self.contact = bodies, bodies.contact.contact
@@ -127,9 +111,12 @@ class _OnUnknowns:
     def evaluate(self, z):
         return self.bodies.contact.evaluate(self.bodies.motion @ z)
 
-    def on_dofs(self, forces):
-        return self.bodies.onto.T @ self.bodies.contact.on_dofs(forces)
+    def coords(self, z):
+        return self.bodies.contact.coords(self.bodies.motion @ z)
 
-    def tangent(self, z, semidefinite=False):
-        onto = self.bodies.onto
-        return csr_matrix(onto.T @ self.bodies.contact.tangent(self.bodies.motion @ z, semidefinite) @ onto)
+    def on_dofs(self, forces):
+        return self.bodies.motion.T @ self.bodies.contact.on_dofs(forces)
+
+    def tangent(self, z, **kinds):
+        motion = self.bodies.motion
+        return csr_matrix(motion.T @ self.bodies.contact.tangent(motion @ z, **kinds) @ motion)

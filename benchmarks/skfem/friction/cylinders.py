@@ -61,8 +61,7 @@ class Cylinders:
     """``facets``: to the half width, of the upper body; of the lower one 0.7 times as many. ``factor``: k by E / h."""
 
     def __init__(self, facets=24, factor=2, law="depth", ratio=1.3, reach=20):
-        self.facets = facets, round(0.7 * facets)
-        meshes = [_cylinder(count, sign, ratio, reach) for count, sign in zip(self.facets, (1, -1))]
+        meshes = [_cylinder(count, sign, ratio, reach) for count, sign in ((facets, 1), (round(0.7 * facets), -1))]
         self.bodies = bodies = Bodies(meshes, [YOUNG] * 2, POISSON, factor * YOUNG * facets / WIDTH, law)
         bodies.contact.contact.mesh.set_symmetry_nodes([])
         far = bodies.dofs(lambda p: p[1] > (reach - 1e-6) * WIDTH)
@@ -70,20 +69,8 @@ class Cylinders:
         _, single = bodies.move_as_one([bottom[0], bottom[1], far[0], far[1]])
         # The upper body is moved down as one until it overlaps.
         bodies.z[np.append((single < bodies.offsets[1]) & (single % 2 == 1), [False] * 3 + [True])] = -0.05 * WIDTH**2 / RADIUS
-        # Of all that is linear, only what is loaded, held or by the contact is kept.
-        near = np.flatnonzero(self._near(single))
-        bodies.condense(np.concatenate([near, len(single) + np.arange(4)]))
-        self.held, (self.along, self.down) = len(near) + np.arange(2), len(near) + np.arange(2, 4)
+        self.held, (self.along, self.down) = len(single) + np.arange(2), len(single) + np.arange(2, 4)
         self.ends = {self.along: far[0], self.down: far[1]}
-
-    def _near(self, dofs):
-        """Whether unknowns belong to the first two layers of nodes where bodies can touch."""
-        found = []
-        for mesh, facets in zip(self.bodies.meshes, self.facets):
-            x, y = mesh.p
-            is_near = (np.abs(x) < 1.2 * WIDTH) & (np.abs(y) - x**2 / (4 * RADIUS) < 1.5 * WIDTH / facets)
-            found.append(is_near.repeat(2))
-        return np.concatenate(found)[dofs]
 
     def load(self, pressed, dragged):
         """P = ``pressed`` times the whole, Q = ``dragged`` mu P."""

@@ -1,11 +1,12 @@
-"""Iterations of the plain Newton's method on five problems: the table of docs/newton.md.
+"""Linear solves of load steps on five problems: the tables of docs/newton.md.
 
     python study.py [problem [cells [law [stiffness [recipe [load steps]]]]]]
 
 Each is a list with commas, but for the number of load steps; "all" are all problems. Stiffnesses are by Young's modulus and the
-size of a facet. Recipes: "soft" is ``fmc_contact.newton``; "first" has the semidefinite tangent in the
-first two iterations of each load step, "always" in all of them, "full" in none. With the law "fiber" patches are kept from
-the start of each load step; with "anew", which is "soft" otherwise, they are not.
+size of a facet. Recipes: "search" is ``fmc_contact.find_equilibrium``, "whole" the same with bodies that are not condensed. The others are
+a plain Newton's method: "first" has the semidefinite tangent in the first two iterations of each load step, "always" in all of them,
+"full" in none. With the law "fiber" patches are kept from the start of each load step; with "anew", which is "whole" otherwise, they
+are not.
 """
 
 import sys
@@ -13,8 +14,8 @@ import time
 
 import numpy as np
 import problems
-from fmc_contact import FmcError, NotConvergedError, newton
-from fmc_contact.newton.linear import solved
+from fmc_contact import FmcError, NotConvergedError, find_equilibrium
+from scipy.sparse.linalg import spsolve
 
 LAWS = {
     "depth": {"law": "depth", "estimator": "auto"},
@@ -38,12 +39,12 @@ def plainly(host, contact, u, problem, prescribed, semidefinite):
         if not step.any() and np.linalg.norm(residual[free]) <= 1e-9 * size:
             return u, iteration, inside
         matrix = (matrix + contact.tangent(u, semidefinite=iteration < semidefinite)).tocsr()
-        step[free] = solved(matrix[free][:, free], -(residual + matrix @ step)[free])
+        step[free] = spsolve(matrix[free][:, free], -(residual + matrix @ step)[free])
         u, step = u + step, np.zeros(len(u))
     raise NotConvergedError("no end", [])
 
 
-def load_steps(problem, contact, recipe="soft"):
+def load_steps(problem, contact, recipe="search"):
     """Linear solves of every load step, and what the moved unknowns are pressed with at the end. A load step that fails
     ends the list, by "x" after so many iterations or "inverted"."""
     u, counts, pressed = np.zeros(contact.size), [], float("nan")
@@ -57,8 +58,9 @@ def load_steps(problem, contact, recipe="soft"):
         if contact.contact.options["law"] == "fiber" and recipe != "anew":
             contact.keep_patches(u)
         try:
-            if recipe in ("soft", "anew"):
-                found = newton(host, contact, u, problem.free, prescribed, young=problem.young, max_iterations=LIMIT, two_level=False)
+            if recipe in ("search", "whole", "anew"):
+                two_level = None if recipe == "search" else False
+                found = find_equilibrium(host, contact, u, problem.free, prescribed, max_iterations=LIMIT, two_level=two_level)
                 u, count, pressed = found.x, found.iterations, found.reactions[problem.moved].sum()
             else:
                 u, count, inside = plainly(host, contact, u, problem, prescribed, SEMIDEFINITE[recipe])
@@ -70,7 +72,7 @@ def load_steps(problem, contact, recipe="soft"):
     return counts, pressed
 
 
-def main(names="all", cells="16,32", laws="depth", stiffnesses="10", recipes="soft", steps="8"):
+def main(names="all", cells="16,32", laws="depth", stiffnesses="10", recipes="search", steps="8"):
     for name in list(problems.ALL) if names == "all" else names.split(","):
         for count in map(int, cells.split(",")):
             problem = problems.ALL[name](count)

@@ -9,7 +9,7 @@ modulus 500. The last three are told, with the force on the block, or how the st
 import sys
 
 import numpy as np
-from fmc_contact import FmcError, newton
+from fmc_contact import FmcError, find_equilibrium
 from fmc_contact_skfem import SkfemContact
 from scipy.sparse import block_diag
 from skfem import Basis, BilinearForm, ElementTriP1, ElementVector, MeshTri
@@ -92,7 +92,7 @@ def stages(half_angle, material, law="depth", two_level=True, **options):
         prescribed[top[1]] = -depth
         try:
             host = lambda u: (solid.forces(u), solid.stiffness(u))
-            end = newton(host, contact, u, free, prescribed, young=BLOCK, max_iterations=40, two_level=two_level)
+            end = find_equilibrium(host, contact, u, free, prescribed, max_iterations=40, two_level=two_level)
             u = end.x
             found.append((-end.reactions[top[1]].sum(), end.iterations))
         except FmcError as error:

@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from fmc_contact import newton
+from fmc_contact import find_equilibrium
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "newton"))
 
@@ -21,7 +21,7 @@ def test_a_disc_on_a_block_over_load_steps():
             prescribed = u.copy()
             prescribed[problem.moved] = push
             host = lambda u: (problem.solid.forces(u), problem.solid.stiffness(u))
-            found = newton(host, contact, u, problem.free, prescribed, young=problem.young, penetration=penetration)
+            found = find_equilibrium(host, contact, u, problem.free, prescribed, penetration=penetration)
             u = found.x
             counts[penetration].append(found.iterations)
             if penetration is None:

@@ -1,4 +1,4 @@
-"""The plain Newton's method on the five problems of docs/newton.md, at the coarser of their meshes."""
+"""Bodies that are not condensed, on the five problems of docs/newton.md, at the coarser of their meshes."""
 
 import sys
 from pathlib import Path
@@ -16,7 +16,7 @@ CASES = [(name, count) for name in ("punch", "half-disc", "press fit", "disc") f
 @pytest.mark.parametrize(("name", "count"), [*CASES, ("punch Hex8", 8)])
 def test_every_load_step_takes_at_most_eight_iterations(name, count):
     problem = problems.ALL[name](count)
-    counts, pressed = study.load_steps(problem, problem.contact(10, **study.LAWS["depth"]))
+    counts, pressed = study.load_steps(problem, problem.contact(10, **study.LAWS["depth"]), "whole")
     assert len(counts) == len(problem.pushes) and all(iterations <= 8 for iterations in counts), counts
     assert (pressed < 0.0) == (name != "press fit")
 

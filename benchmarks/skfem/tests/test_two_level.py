@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from fmc_contact import newton
+from fmc_contact import find_equilibrium
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "newton"))
 
@@ -24,7 +24,7 @@ def _load_steps(problem, two_level, stiffness=10):
     for push in problem.pushes:
         prescribed = u.copy()
         prescribed[problem.moved] = push
-        step = newton(host, contact, u, problem.free, prescribed, young=problem.young, two_level=two_level)
+        step = find_equilibrium(host, contact, u, problem.free, prescribed, two_level=two_level)
         u = step.x
         found.append((step.iterations, u))
     return found

@@ -33,7 +33,7 @@ def test_a_step_of_a_solver():
     assert float(energy) == pytest.approx(5.0)
 
 
-def test_newton_in_load_steps():
+def test_equilibrium_in_load_steps():
     lines = [[float(number) for number in line.split()] for line in printed(PROGRAMS[2]).splitlines()]
     assert len(lines) == 3 and all(iterations <= 8 for iterations, *_ in lines)
     for push, (_, force, penetration) in zip((0.1, 0.12, 0.16), lines):

@@ -1,7 +1,7 @@
 """An elastic block on a rigid plane, pressed down and pulled along: it sticks, and slides at mu times what presses it."""
 
 import numpy as np
-from fmc_contact import newton
+from fmc_contact import find_equilibrium
 from fmc_contact_skfem import SkfemContact
 from skfem import Basis, ElementTriP1, ElementVector, MeshTri
 from skfem.models.elasticity import lame_parameters, linear_elasticity
@@ -19,7 +19,7 @@ ratios = []
 for pull in np.linspace(0, 0.02, 11):
     end = u.copy()
     end[held[0]], end[held[1]] = pull, -DOWN
-    step = newton(lambda u: (K @ u, K), contact, u, free, end, young=E)
+    step = find_equilibrium(lambda u: (K @ u, K), contact, u, free, end)
     u, plane, friction = step.x, step.result.obstacles[0], step.result.friction
     ratios.append(plane.friction[0] / (plane.friction - plane.force)[1])
     areas = f"{friction.stick_area:.2f} sticks, {friction.slip_area:.2f} slides"

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fmc_contact import NotConvergedError, newton
+from fmc_contact import NotConvergedError, find_equilibrium
 from fmc_contact_skfem import SkfemContact
 from skfem import Basis, ElementTriP1, ElementTriP2, ElementVector, MeshTri
 from skfem.models.elasticity import lame_parameters, linear_elasticity
@@ -11,7 +11,7 @@ R, E, NU, DOWN = 1.0, 1e3, 0.3, 0.02
 
 
 def pressed_disc(element, **options):
-    """A disc on a rigid plane, its upper half moved down as one: what ``newton`` asks for."""
+    """A disc on a rigid plane, its upper half moved down as one: what ``find_equilibrium`` asks for."""
     mesh = MeshTri.init_circle(5).translated((0, R))
     basis = Basis(mesh, ElementVector(element))
     stiffness = linear_elasticity(*lame_parameters(E, NU)).assemble(basis)
@@ -29,9 +29,9 @@ def pressed_disc(element, **options):
 def test_a_disc_on_a_plane(element, two_level):
     arguments = pressed_disc(element)
     contact = arguments[1]
-    soft = newton(*arguments, young=E, two_level=two_level)
+    soft = find_equilibrium(*arguments, two_level=two_level)
     left = contact.contact.gap_constraints(contact.coords(soft.x), reach=0.1 * R)
-    found = newton(*arguments, young=E, two_level=two_level, penetration=1e-6 * R)
+    found = find_equilibrium(*arguments, two_level=two_level, penetration=1e-6 * R)
     print(soft.iterations, found.iterations, found.updates, found.contact_iterations, found.penetration)
     gaps = contact.contact.gap_constraints(contact.coords(found.x), reach=0.1 * R)
     mean = gaps.gap / gaps.area
@@ -45,7 +45,7 @@ def test_a_disc_on_a_plane(element, two_level):
     # The law alone comes as near with a stiffness that is as much higher, and to the same force.
     contact.contact.multipliers.release()
     contact.contact.set_options(stiffness=1e3 * contact.contact.options["stiffness"])
-    hard = newton(*arguments[:2], soft.x, *arguments[3:], young=E, max_iterations=60)
+    hard = find_equilibrium(*arguments[:2], soft.x, *arguments[3:], max_iterations=60)
     pushed = arguments[4] != 0
     forces = [one.reactions[pushed].sum() for one in (soft, hard, found)]
     print(forces)
@@ -55,9 +55,9 @@ def test_a_disc_on_a_plane(element, two_level):
 
 def test_what_is_refused():
     arguments = pressed_disc(ElementTriP1(), friction_coefficient=0.3)
-    with pytest.raises(ValueError, match="with friction"):
-        newton(*arguments, young=E, penetration=1e-6)
+    with pytest.raises(NotConvergedError, match="with friction"):
+        find_equilibrium(*arguments, penetration=1e-6)
     with pytest.raises(ValueError, match="a positive one"):
-        newton(*pressed_disc(ElementTriP1()), young=E, penetration=0.0)
+        find_equilibrium(*pressed_disc(ElementTriP1()), penetration=0.0)
     with pytest.raises(NotConvergedError, match="after 1 updates, 1.0e-09 is wanted"):
-        newton(*pressed_disc(ElementTriP1()), young=E, penetration=1e-9, max_updates=1)
+        find_equilibrium(*pressed_disc(ElementTriP1()), penetration=1e-9, max_updates=1)

@@ -97,8 +97,8 @@ class Touching:
         """Contact forces (nodes, dim), as the adapter brings them to the unknowns."""
         return self.in_case(self.found(u).forces).reshape(u.shape)
 
-    def tangent(self, u: np.ndarray, semidefinite: bool) -> csr_matrix:
-        found = self.adapter.tangent(*self._taken(u), semidefinite=semidefinite)
+    def tangent(self, u: np.ndarray, semidefinite: bool, symmetric: bool) -> csr_matrix:
+        found = self.adapter.tangent(*self._taken(u), semidefinite=semidefinite, symmetric=symmetric)
         number = self._number_of_rows()
         return csr_matrix((found.values, (number[found.rows], number[found.cols])), (u.size, u.size))
 
@@ -118,9 +118,6 @@ class Touching:
 
     def begin_step(self, u: np.ndarray) -> None:
         self.adapter.begin_step(*self._taken(u))
-
-    def freeze_friction(self, u: np.ndarray) -> None:
-        self.adapter.freeze_friction(*self._taken(u))
 
     def commit_step(self, u: np.ndarray) -> None:
         self.adapter.commit_step(*self._taken(u))

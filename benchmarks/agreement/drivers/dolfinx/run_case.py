@@ -1,5 +1,5 @@
 """A case in dolfinx: ``python run_case.py CASE [--variant NAME] [--override KEY=VALUE ...] --out FOLDER``. Motions run on
-any number of ranks, and so do equilibria with ``--snes``: ``mpirun -n N python run_case.py ...``."""
+any number of ranks, and so do equilibria with ``--on-ranks``: ``mpirun -n N python run_case.py ...``."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-import by_snes
 import numpy as np
+import on_ranks
 import ufl
 from dolfinx import fem
 from fmc_agreement import bits, leapfrog, outcome, parts
@@ -45,15 +45,15 @@ def same_bits(out: Path, problem: Problem, model: Model, contact: Any) -> dict[s
     return bits.compared(out, problem, at)
 
 
-def at_rest(problem: Problem, out: Path, host: str, through_snes: bool) -> None:
+def at_rest(problem: Problem, out: Path, host: str, is_on_ranks: bool) -> None:
     """Solves a case of statics."""
     found: dict[str, float] = {}
-    if through_snes:
+    if is_on_ranks:
         if problem.has_friction:
-            raise ValueError(f"'{problem.name}' has friction, which is not sought by SNES")
+            raise ValueError(f"'{problem.name}' has friction, whose steps are not made on ranks")
         model = Model(problem)
         contact = contact_of(problem, model)
-        solved = by_snes.solved(problem, model, contact)
+        solved = on_ranks.solved(problem, model, contact)
         models, arrays = [model], same_bits(out, problem, model, contact)
     else:
         problems = parts.split(problem)
@@ -150,13 +150,13 @@ def main() -> None:
     parser.add_argument("--override", action="append", default=[])
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--host", default="dolfinx", help="name of the files")
-    parser.add_argument("--snes", action="store_true", help="an equilibrium by SNES")
+    parser.add_argument("--on-ranks", action="store_true", help="an equilibrium on any number of ranks")
     given = parser.parse_args()
     comm = MPI.COMM_WORLD
     raw = load(given.case, given.variant, tuple(given.override)).raw if comm.rank == 0 else None
     problem = from_json(comm.bcast(raw))
     if problem.is_static:
-        at_rest(problem, given.out, given.host, given.snes)
+        at_rest(problem, given.out, given.host, given.on_ranks)
     else:
         in_motion(problem, given.out, given.host)
 

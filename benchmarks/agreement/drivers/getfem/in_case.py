@@ -17,9 +17,7 @@ class Touching:
 
     def __init__(self, problem: Problem, bodies: Model) -> None:
         self.bodies = bodies
-        self.adapter = GetfemContact(
-            bodies.model, bodies.variables, bodies=problem.body_of_cell, **problem.contact_options()
-        )
+        self.adapter = GetfemContact(bodies.model, bodies.variables, bodies=problem.body_of_cell, **problem.contact_options())
         self.contact = self.adapter.contact
         problem.add_obstacles(self.contact)
         self.dofs = bodies.dofs
@@ -40,18 +38,15 @@ class Touching:
         """Contact forces (nodes, dim), as the adapter brings them to the unknowns."""
         return self.adapter.force(self.bodies.state(u))[self.dofs]
 
-    def tangent(self, u: np.ndarray, semidefinite: bool) -> csr_matrix:
+    def tangent(self, u: np.ndarray, semidefinite: bool, symmetric: bool) -> csr_matrix:
         dofs = self.dofs.ravel()
-        return self.adapter.tangent(self.bodies.state(u), semidefinite)[dofs][:, dofs]
+        return self.adapter.tangent(self.bodies.state(u), semidefinite, symmetric)[dofs][:, dofs]
 
     def keep_patches(self, u: np.ndarray) -> Any:
         return self.adapter.keep_patches(self.bodies.state(u))
 
     def begin_step(self, u: np.ndarray) -> None:
         self.adapter.begin_step(self.bodies.state(u))
-
-    def freeze_friction(self, u: np.ndarray) -> None:
-        self.adapter.freeze_friction(self.bodies.state(u))
 
     def commit_step(self, u: np.ndarray) -> None:
         self.adapter.commit_step(self.bodies.state(u))

@@ -44,17 +44,14 @@ class Touching:
         """Contact forces (nodes, dim), as the adapter brings them to the unknowns."""
         return self.adapter.force(self._on_dofs(u))[self.dofs].reshape(u.shape)
 
-    def tangent(self, u: np.ndarray, semidefinite: bool) -> csr_matrix:
-        return self.adapter.tangent(self._on_dofs(u), semidefinite)[self.dofs][:, self.dofs]
+    def tangent(self, u: np.ndarray, semidefinite: bool, symmetric: bool) -> csr_matrix:
+        return self.adapter.tangent(self._on_dofs(u), semidefinite, symmetric)[self.dofs][:, self.dofs]
 
     def keep_patches(self, u: np.ndarray) -> Any:
         return self.adapter.keep_patches(self._on_dofs(u))
 
     def begin_step(self, u: np.ndarray) -> None:
         self.adapter.begin_step(self._on_dofs(u))
-
-    def freeze_friction(self, u: np.ndarray) -> None:
-        self.adapter.freeze_friction(self._on_dofs(u))
 
     def commit_step(self, u: np.ndarray) -> None:
         self.adapter.commit_step(self._on_dofs(u))

@@ -1,4 +1,4 @@
-"""Bodies at rest: ``fmc_contact.newton`` for hosts that bring internal forces, their derivative, and contact.
+"""Bodies at rest: ``fmc_contact.find_equilibrium`` for hosts that bring internal forces, their derivative, and contact.
 
 Everything is in the numbering of the case: displacements and forces (nodes, dim), unknowns ``node * dim + axis``.
 """
@@ -9,15 +9,11 @@ from typing import Any, Protocol
 
 import numpy as np
 from fmc_contact import Equilibrium as Found
-from fmc_contact import FmcError, NotConvergedError, newton
-from fmc_contact.newton import predicted
+from fmc_contact import NotConvergedError, find_equilibrium
 from scipy.sparse import csr_matrix
 
 from .problem import Problem
 from .touching import InCase, Touching
-
-FAR = 0.1
-"""Residual by the forces of a rough equilibrium."""
 
 
 class Elastic(Protocol):
@@ -29,13 +25,12 @@ class Elastic(Protocol):
 
 
 class Equilibrium:
-    """A problem, and what Newton's method has taken for it."""
+    """A problem, and what the search has taken for it."""
 
     def __init__(self, problem: Problem, elastic: Elastic, touching: Touching, load: np.ndarray) -> None:
         self.problem, self.elastic, self.touching = problem, elastic, InCase(touching, problem.coords.shape)
         self.full_load, self.load = load, load
         self.free = np.flatnonzero(~problem.held)
-        self.young = min(body.material.young for body in problem.bodies)
         self.options: dict[str, Any] = {"max_iterations": problem.raw["load_steps"]["most_iterations"]}
         self.iterations = self.contact_iterations = self.factorisations = self.updates = 0
         self.residuals: list[float] = []
@@ -47,12 +42,12 @@ class Equilibrium:
             inside = np.full_like(inside, np.nan)
         return inside - self.load, self.elastic.stiffness(u), strain - float((self.load * u).sum())
 
-    def newton(self, u: np.ndarray, tolerance: float, **options: Any) -> Found:
-        """Equilibrium from a displacement. Errors: those of ``fmc_contact.newton``."""
+    def find(self, u: np.ndarray, prescribed: np.ndarray, tolerance: float, **options: Any) -> Found:
+        """Equilibrium from a displacement. Errors: those of ``fmc_contact.find_equilibrium``."""
         try:
-            found = newton(
-                self.host, self.touching, u, self.free, young=self.young, tolerance=tolerance,
-                find_patches=True, lagged=self.problem.has_friction, **{**self.options, **options},
+            found = find_equilibrium(
+                self.host, self.touching, u, self.free, prescribed, tolerance=tolerance,
+                find_patches=True, lagged=self.problem.has_friction, **self.options, **options,
             )  # fmt: skip
         except NotConvergedError as error:
             self.iterations += error.iterations
@@ -63,13 +58,3 @@ class Equilibrium:
         self.updates += found.updates
         self.residuals += found.residuals
         return found
-
-    def predicted(self, u: np.ndarray, prescribed: np.ndarray) -> np.ndarray | None:
-        """Bodies carried along by what is prescribed, as their tangent says."""
-        self.touching.keep_patches(u)
-        self.iterations += 1
-        self.factorisations += 1
-        try:
-            return predicted(self.host, self.touching, u, self.free, prescribed)
-        except FmcError:
-            return None

@@ -6,7 +6,7 @@ triangles M         three nodes of each
 held H              node, axis and displacement of each
 faces F             two nodes and the traction of each
 materials 1         Lame's lambda and mu
-contact 1           stiffness, stiffness of a soft contact, tolerance of the residual by the load
+contact 1           stiffness, tolerance of the residual by the forces
 half_spaces K       a point and the outward normal of each
 """
 
@@ -17,7 +17,6 @@ from pathlib import Path
 
 import numpy as np
 
-from .approach import soft_stiffness
 from .faces import loads
 from .problem import Problem
 
@@ -44,7 +43,7 @@ def write(problem: Problem, path: Path) -> None:
     table("faces", [[*nodes, *pull] for faces, traction in loads(problem) for nodes, pull in zip(faces, traction)])
     table("materials", [[material.lame, material.shear]])
     tolerance = problem.raw["load_steps"]["tolerance"]
-    table("contact", [[contact["stiffness"], min(contact["stiffness"], soft_stiffness(problem)), tolerance]])
+    table("contact", [[contact["stiffness"], tolerance]])
     up = [0.0, 1.0]
     table("half_spaces", [[*one.get("position", [0.0, 0.0]), *one.get("axis", up)] for one in problem.raw["obstacles"]])
     path.write_text("\n".join(lines) + "\n")

@@ -33,8 +33,8 @@ class Case:
     tolerance: float = 1e-8
     """How far displacements may be apart, by the largest."""
     hosts: tuple[tuple[str, int], ...] = SHARED
-    snes: bool = False
-    """Whether dolfinx solves it by PETSc's SNES, as its adapter offers, instead of the solver that the hosts share."""
+    on_ranks: bool = False
+    """Whether dolfinx solves it on any number of ranks, as its adapter offers, instead of by the path that the hosts share."""
 
     @property
     def title(self) -> str:
@@ -59,7 +59,7 @@ CASES = (
     Case(
         "hertz",
         hosts=(("skfem", 1), ("getfem", 1), *[("dolfinx", n) for n in (1, 2, 3, 4)], *[("petsc", n) for n in (1, 2, 4)]),
-        snes=True,
+        on_ranks=True,
     ),
     Case("hertz3d"),
     Case("patch3d"),
@@ -100,7 +100,7 @@ def run(host: str, ranks: int, case: Case, problem: Problem, folder: Path) -> fl
     for change in case.changes:
         command += ["--override", change]
     if host == "dolfinx":
-        command = [*mpirun(ranks), *command, "--host", label(host, ranks), *(["--snes"] if case.snes else [])]
+        command = [*mpirun(ranks), *command, "--host", label(host, ranks), *(["--on-ranks"] if case.on_ranks else [])]
     _call(command)
     return time.perf_counter() - begin
 

@@ -1,4 +1,4 @@
-"""A host's contact in the numbering of the case, and as ``fmc_contact.newton`` wants it."""
+"""A host's contact in the numbering of the case, and as ``fmc_contact.find_equilibrium`` wants it."""
 
 from __future__ import annotations
 
@@ -23,13 +23,11 @@ class Touching(Protocol):
 
     def coords(self, u: np.ndarray) -> np.ndarray: ...
 
-    def tangent(self, u: np.ndarray, semidefinite: bool) -> csr_matrix: ...
+    def tangent(self, u: np.ndarray, semidefinite: bool, symmetric: bool) -> csr_matrix: ...
 
     def keep_patches(self, u: np.ndarray) -> Any: ...
 
     def begin_step(self, u: np.ndarray) -> None: ...
-
-    def freeze_friction(self, u: np.ndarray) -> None: ...
 
     def commit_step(self, u: np.ndarray) -> None: ...
 
@@ -61,17 +59,14 @@ class InCase:
     def on_dofs(self, forces: np.ndarray) -> np.ndarray:
         return self.touching.in_case(forces)
 
-    def tangent(self, u: np.ndarray, semidefinite: bool = False) -> csr_matrix:
-        return self._timed(self.touching.tangent, u, semidefinite)
+    def tangent(self, u: np.ndarray, semidefinite: bool = False, symmetric: bool = False) -> csr_matrix:
+        return self._timed(self.touching.tangent, u, semidefinite, symmetric)
 
     def keep_patches(self, u: np.ndarray) -> Any:
         return self._timed(self.touching.keep_patches, u)
 
     def begin_step(self, u: np.ndarray) -> None:
         self._timed(self.touching.begin_step, u)
-
-    def freeze_friction(self, u: np.ndarray) -> None:
-        self._timed(self.touching.freeze_friction, u)
 
     def commit_step(self, u: np.ndarray) -> None:
         self._timed(self.touching.commit_step, u)

@@ -4,7 +4,7 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    search, newton  ->  contact_force, PartitionedContact  ->  Contact
+    search  ->  contact_force, PartitionedContact  ->  Contact
             ->  its parts: mesh, obstacles, pairs, friction, multipliers, patches, pattern, ranks
             ->  creation, _core, options; results: result, fields, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
@@ -19,14 +19,14 @@ from .contact_step import ContactStep
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
 from .gaps import GapConstraints
+from .mesh import Adjustment
 from .multipliers import MULTIPLIER, Augmentation
-from .newton import Equilibrium, NotConvergedError, newton
 from .options import Options, OtherOptions
 from .partition import CARRIED_SLIP, GatheredCounts, PartitionedContact
 from .points import PointWeights
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
-from .search import Balanced, NoSupportError, check_host, find_equilibrium
+from .search import Equilibrium, NoSupportError, NotConvergedError, check_host, find_equilibrium
 from .shape import Part, Shape
 from .stateless import contact_force, contact_force_step
 from .step_limit import StepLimit
@@ -61,8 +61,8 @@ def has_feature(name: str) -> bool:
 __all__ = [
     "CARRIED_SLIP",
     "MULTIPLIER",
+    "Adjustment",
     "Augmentation",
-    "Balanced",
     "BoundaryFacets",
     "Condensation",
     "Contact",
@@ -96,6 +96,5 @@ __all__ = [
     "errors",
     "find_equilibrium",
     "has_feature",
-    "newton",
     "suggest_stiffness",
 ]

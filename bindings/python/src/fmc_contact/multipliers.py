@@ -65,7 +65,7 @@ class Multipliers:
     def augment(self, coords: ArrayLike, penetration: float, reach: float = 0.0) -> Augmentation:
         """Moves surfaces out by their mean gap, so that the next equilibrium has less penetration.
 
-        Call it at an equilibrium, or near one, solve again, and repeat until ``is_converged``. ``newton`` does so with its argument
+        Call it at an equilibrium, or near one, solve again, and repeat until ``is_converged``. ``find_equilibrium`` does so with its argument
         ``penetration``. The stiffness may be any, but a low one takes more updates. A node moves up to four times as far where the
         last update closed less than it moved, and back where the surfaces have parted. Of two bodies the one with more nodes near
         the other has the multipliers; of equals the first.

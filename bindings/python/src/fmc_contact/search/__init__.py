@@ -1,10 +1,12 @@
 """The library's search for an equilibrium, with the matrices and solvers of Python.
 
-    find, check  ->  requests  ->  bodies, unknowns  ->  linear, condensed  ->  outcome
+    find, check  ->  requests  ->  bodies, unknowns, start  ->  host, linear, condensed  ->  outcome
 """
 
+from .bodies import TANGENTS
 from .check import check_host
 from .find import find_equilibrium
-from .outcome import Balanced, NoSupportError
+from .host import Host, Refused
+from .outcome import Equilibrium, NoSupportError, NotConvergedError
 
-__all__ = ["Balanced", "NoSupportError", "check_host", "find_equilibrium"]
+__all__ = ["TANGENTS", "Equilibrium", "Host", "NoSupportError", "NotConvergedError", "Refused", "check_host", "find_equilibrium"]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, cast
+from typing import Any, Callable, Optional, Union, cast
 
 import numpy as np
 
 from ..condensed import Condensed
 from ..errors import FmcError, IndefiniteStiffnessError, InvertedCellError, SingularStiffnessError
-from ..newton.linear import summed
-from .linear import factors, shifted
+from .host import Host, Refused
+from .linear import factors, shifted, summed
 
 _FAILURES = (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, IndefiniteStiffnessError, InvertedCellError)
 
@@ -26,23 +26,18 @@ Solve = Callable[[Any, np.ndarray], np.ndarray]
 """Takes a matrix and a right side, and returns the solution."""
 
 
-class Refused(Exception):
-    """What a search has asked for is not there."""
-
-
-class Bodies:
+class Bodies(Host):
     """The forces and the matrix of bodies, and systems of their sum with that of the contact."""
 
     def __init__(self, host: Residual, contact: Any, shape: tuple[int, ...], free: np.ndarray, solve: Optional[Solve]) -> None:
         self.host, self.contact, self.shape, self.free, self.solve_with = host, contact, shape, free, solve
         self.size = int(np.prod(shape))
         self.matrix: Any = None
-        self.factorisations = 0
         self._last: tuple[np.ndarray, Any] | None = None
         self._factors: tuple[Any, Any] = (None, None)
 
     def forces(self, x: np.ndarray, matrix: bool) -> tuple[np.ndarray, Optional[float]]:
-        """Internal less external forces, (size,), and an energy or ``None``. Errors: ``Refused`` for a state that the host refuses."""
+        """Errors: ``Refused`` for a state that the host refuses."""
         if self._last is None or not np.array_equal(self._last[0], x):
             try:
                 self._last = x, self.host(x.reshape(self.shape).copy())
@@ -57,17 +52,15 @@ class Bodies:
         return residual, float(rest[0]) if rest else None
 
     def product(self, vector: np.ndarray, magnitudes: bool) -> np.ndarray:
-        """The matrix, or that of its magnitudes, times a vector."""
         found: np.ndarray = (abs(self.matrix) if magnitudes else self.matrix) @ vector
         return np.ravel(found)
 
     def diagonal(self) -> np.ndarray:
-        """Its diagonal."""
         found: np.ndarray = self.matrix.diagonal()
         return np.array(found, np.float64)
 
     def solve(self, x: np.ndarray, flags: int, shift: float, right: np.ndarray) -> np.ndarray:
-        """Solution at free unknowns, zero elsewhere. Errors: ``Refused`` where the matrix is singular."""
+        """Errors: ``Refused`` where the matrix is singular."""
         key = x.tobytes(), flags, shift
         if self._factors[0] != key:
             tangent = self.contact.tangent(x.reshape(self.shape), **TANGENTS[flags])
@@ -91,6 +84,15 @@ class Bodies:
             raise Refused(f"the linear solver failed: {error}") from error
 
 
+def bodies_of(given: Union[Residual, Host], contact: Any, shape: tuple[int, ...], free: np.ndarray, solve: Optional[Solve]) -> Host:
+    """Bodies of a function, or those given. Errors: ``ValueError`` for a linear solver for bodies that solve by themselves."""
+    if not isinstance(given, Host):
+        return Bodies(given, contact, shape, free, solve)
+    if solve is not None:
+        raise ValueError("bodies that solve by themselves take no solve")
+    return given
+
+
 def condensed_of(bodies: Bodies) -> Condensed:
     """Bodies condensed on what feels contact, kept with the contact. Errors: ``ValueError``, ``ImportError`` where that cannot be."""
     known: Any = getattr(bodies.contact, _KEPT, None)
@@ -104,8 +106,8 @@ def condensed_of(bodies: Bodies) -> Condensed:
 class CondensedSteps:
     """Steps to the equilibrium of the contact with bodies that are linear."""
 
-    def __init__(self, bodies: Bodies, condensed: Condensed) -> None:
-        self.bodies, self.condensed = bodies, condensed
+    def __init__(self, bodies: Bodies, condensed: Condensed, is_wanted: bool) -> None:
+        self.bodies, self.condensed, self.is_wanted = bodies, condensed, is_wanted
         self.iterations, self.before, self.is_first = 0, condensed.factorisations, True
 
     @property

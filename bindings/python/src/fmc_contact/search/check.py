@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Union
 
 from numpy.typing import ArrayLike
 
-from ..newton.equilibrium import NotConvergedError
-from ..newton.prescribed import start
-from .bodies import Bodies, Residual
+from .bodies import Residual, bodies_of
+from .host import Host
+from .outcome import NotConvergedError
 from .requests import Search
+from .start import start
 from .unknowns import Moved
 
 
-def check_host(residual_and_tangent: Residual, contact: Any, x: ArrayLike, free: ArrayLike) -> list[str]:
+def check_host(residual_and_tangent: Union[Residual, Host], contact: Any, x: ArrayLike, free: ArrayLike) -> list[str]:
     """Sentences on a host's residual and matrix: a derivative that is none, a wrong sign, springs to the ground, loose bodies.
 
     Arguments as for ``find_equilibrium``. Nothing is solved. What is certainly wrong begins with a word and ``WRONG``.
@@ -47,8 +48,8 @@ def check_host(residual_and_tangent: Residual, contact: Any, x: ArrayLike, free:
     ['symmetry: the matrix is symmetric']
     """
     begin, solved_for = start(x, free)
-    bodies = Bodies(residual_and_tangent, contact, begin.shape, solved_for, None)
-    search = Search(bodies, Moved(contact, bodies.size), begin, None, {"check": 1}, None)
+    bodies = bodies_of(residual_and_tangent, contact, begin.shape, solved_for, None)
+    search = Search(bodies, Moved(contact, begin.size), begin, solved_for, None, {"check": 1}, None)
     search.run()
     result, way, texts = search.ended()
     if way == "none":

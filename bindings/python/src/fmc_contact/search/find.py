@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .._arrays import floats
-from ..newton.equilibrium import NotConvergedError
-from ..newton.prescribed import start
-from .bodies import Bodies, CondensedSteps, Residual, Solve, condensed_of
-from .outcome import Balanced, NoSupportError
+from .bodies import Bodies, CondensedSteps, Residual, Solve, bodies_of, condensed_of
+from .host import Host
+from .outcome import Equilibrium, NoSupportError, NotConvergedError
 from .requests import Search
+from .start import start
 from .unknowns import Moved
 
 
 def find_equilibrium(
-    residual_and_tangent: Residual,
+    residual_and_tangent: Union[Residual, Host],
     contact: Any,
     x: ArrayLike,
     free: ArrayLike,
@@ -32,7 +32,7 @@ def find_equilibrium(
     reach: float = 0.0,
     max_updates: int = 20,
     find_patches: bool = False,
-) -> Balanced:
+) -> Equilibrium:
     """Equilibrium of bodies in contact at the end of a load step, by the library's search.
 
     Nothing has to be chosen. A contact without a stiffness gets one from the bodies' matrix. Bodies that nothing holds move rigidly
@@ -46,7 +46,8 @@ def find_equilibrium(
     residual_and_tangent : callable
         Takes ``x`` and returns the residual of the bodies without contact, internal minus external forces in the shape of ``x``; its
         derivative, (size, size), a matrix of scipy or an array, with the rows of unknowns that are not free; and optionally
-        strain energy minus the work of loads. For coordinates the degree of freedom is ``node * dim + axis``.
+        strain energy minus the work of loads. For coordinates the degree of freedom is ``node * dim + axis``. Or a ``Host`` of
+        ``fmc_contact.search``, which answers by itself.
     contact : Contact or adapter
         A ``Contact``, for which ``x`` are coordinates, (n, dim). Or an adapter such as ``SkfemContact``, for which ``x`` is a
         displacement, (size,): an object with ``contact``, ``coords``, ``evaluate``, ``on_dofs`` and ``tangent``, which takes ``semidefinite``
@@ -68,7 +69,8 @@ def find_equilibrium(
         Linear solver, ``solve(matrix, right)``. Default: the library's Cholesky factors. If the matrix is not symmetric and positive
         definite, MUMPS if petsc4py was imported and has it, else scipy's ``splu``; for arrays numpy.
     two_level : bool, optional
-        Whether bodies are condensed on the unknowns that feel contact. Default: without a ``solve`` of your own.
+        Whether bodies are condensed on the unknowns that feel contact. Default: without a ``solve`` of your own, where more than weak
+        springs hold them. If it is wanted, the equilibrium is a stable one, which may be far from the start.
     penetration : float, optional
         Penetration tolerance: largest mean penetration of a node over its part of the surface (length). Surfaces are moved out at an
         equilibrium (``Multipliers.augment``), and stay so for the next load step. If an update leaves more than a quarter, the
@@ -85,7 +87,7 @@ def find_equilibrium(
 
     Returns
     -------
-    Balanced
+    Equilibrium
         Solution, contact and counts.
 
     Raises
@@ -108,8 +110,8 @@ def find_equilibrium(
     True
     """
     begin, solved_for = start(x, free)
-    bodies = Bodies(residual_and_tangent, contact, begin.shape, solved_for, solve)
-    unknowns = Moved(contact, bodies.size)
+    bodies = bodies_of(residual_and_tangent, contact, begin.shape, solved_for, solve)
+    unknowns = Moved(contact, begin.size)
     end = None if prescribed is None else floats(prescribed, "prescribed", begin.shape).ravel().astype(np.float64)
     if penetration is not None and not penetration > 0:
         raise ValueError(f"the penetration is {penetration}, a positive one is wanted")
@@ -123,26 +125,30 @@ def find_equilibrium(
         "max_updates": max_updates,
         "find_patches": int(find_patches),
     }
-    search = Search(bodies, unknowns, begin, end, options, steps)
+    search = Search(bodies, unknowns, begin, solved_for, end, options, steps)
     search.run()
-    return _ended(search, begin.shape)
+    return _ended(search, contact, begin.shape)
 
 
-def _condensed(bodies: Bodies, wanted: Optional[bool]) -> Optional[CondensedSteps]:
+def _condensed(bodies: Host, wanted: Optional[bool]) -> Optional[CondensedSteps]:
     """Condensed bodies where they are wanted, or where nothing stands in their way."""
+    if not isinstance(bodies, Bodies):
+        if wanted:
+            raise ValueError("bodies that solve by themselves are not condensed")
+        return None
     # A solver of an adapter is no wish of the user's.
     has_own = bodies.solve_with is not None and not getattr(bodies.solve_with, "is_of_adapter", False)
     if wanted is False or (wanted is None and has_own):
         return None
     try:
-        return CondensedSteps(bodies, condensed_of(bodies))
+        return CondensedSteps(bodies, condensed_of(bodies), bool(wanted))
     except (ValueError, ImportError):
         if wanted:
             raise
         return None
 
 
-def _ended(search: Search, shape: tuple[int, ...]) -> Balanced:
+def _ended(search: Search, contact: Any, shape: tuple[int, ...]) -> Equilibrium:
     result, way, texts = search.ended()
     bodies, steps = search.bodies, search.steps
     residuals = search.array_of(result.residuals, result.residual_count).tolist()
@@ -152,16 +158,16 @@ def _ended(search: Search, shape: tuple[int, ...]) -> Balanced:
             raise NotConvergedError(text, residuals or [float("nan")], result.solve_count)
         error = NoSupportError(text, residuals or [float("nan")], result.solve_count)
         error.body, error.is_rotation = result.unheld_body, not any(result.unheld_direction)
-        inner = getattr(bodies.contact, "contact", bodies.contact)
+        inner = getattr(contact, "contact", contact)
         error.direction = np.array(result.unheld_direction[: inner.dim])
         raise error
-    x = search.array_of(result.x, bodies.size).reshape(shape)
-    return Balanced(
+    x = search.array_of(result.x, search.size).reshape(shape)
+    return Equilibrium(
         x,
         result.solve_count,
         residuals,
-        bodies.contact.evaluate(x),
-        search.array_of(result.reactions, bodies.size).reshape(shape),
+        contact.evaluate(x),
+        search.array_of(result.reactions, search.size).reshape(shape),
         way,
         result.rigid_step_count,
         result.part_count,

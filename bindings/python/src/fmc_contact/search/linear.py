@@ -13,6 +13,16 @@ from ..errors import NotPositiveDefiniteError, RangeError, UnsymmetricError
 from ..schur import SYMMETRIC
 
 
+def summed(bodies: Any, contact: Any) -> Any:
+    """Both tangents; an array if that of the bodies is one. Without scipy, that of contact comes as triplets."""
+    if isinstance(contact, tuple):
+        rows, cols, values = contact
+        total = np.array(bodies, np.float64)
+        np.add.at(total, (rows, cols), values)
+        return total
+    return bodies + contact.toarray() if isinstance(bodies, np.ndarray) else (bodies + contact).tocsr()
+
+
 def shifted(matrix: Any, diagonal: np.ndarray, shift: float) -> Any:
     """The matrix with a part of a diagonal added."""
     if shift == 0.0:

@@ -7,8 +7,16 @@ from typing import Optional
 
 import numpy as np
 
-from ..newton.equilibrium import NotConvergedError
+from ..errors import FmcError
 from ..result import Result
+
+
+class NotConvergedError(FmcError, RuntimeError):
+    """No equilibrium was found. ``residuals`` are the relative residuals of all states on the way, ``iterations`` is the number of linear solves."""
+
+    def __init__(self, message: str, residuals: list[float], iterations: int = 0) -> None:
+        super().__init__(message)
+        self.residuals, self.iterations = residuals, iterations
 
 
 class NoSupportError(NotConvergedError):
@@ -23,7 +31,7 @@ class NoSupportError(NotConvergedError):
 
 
 @dataclass(frozen=True, eq=False)
-class Balanced:
+class Equilibrium:
     """Result of ``find_equilibrium``: an equilibrium of bodies and contact.
 
     Attributes

@@ -19,7 +19,8 @@ from .._structs import (
     fmc_equilibrium_request,
     fmc_equilibrium_result,
 )
-from .bodies import Bodies, CondensedSteps, Refused
+from .bodies import CondensedSteps
+from .host import Host, Refused
 from .unknowns import Moved
 
 
@@ -29,7 +30,11 @@ def _free(pointer: fmc_equilibrium) -> None:
 
 def _copied(address: int, count: int) -> np.ndarray:
     """A copy of numbers of the library."""
-    return np.array(np.ctypeslib.as_array((c_double * count).from_address(address))) if count else np.zeros(0)
+    found = np.zeros(count)
+    if count:
+        # By value: an array of ctypes has a type of its own, which mpi4py does not know.
+        found[:] = np.ctypeslib.as_array((c_double * count).from_address(address))
+    return found
 
 
 class Search:
@@ -37,25 +42,26 @@ class Search:
 
     def __init__(
         self,
-        bodies: Bodies,
+        bodies: Host,
         unknowns: Moved,
         x: np.ndarray,
+        solved_for: np.ndarray,
         prescribed: Optional[np.ndarray],
         options: dict[str, Any],
         steps: Optional[CondensedSteps],
     ) -> None:
-        self.bodies, self.steps, self.dim = bodies, steps, unknowns.inner.dim
+        self.bodies, self.steps, self.size = bodies, steps, unknowns.size
         self.handle = unknowns.inner._core.handle
-        base = np.ascontiguousarray(unknowns.coords(np.zeros(bodies.size)), np.float64)
+        base = np.ascontiguousarray(unknowns.coords(np.zeros(self.size)), np.float64)
         first = unknowns.inner.options["index_base"]
         of_coordinate = numbers(unknowns.of_coordinate, "of_coordinate", None, self.handle.index)
         of_coordinate = np.where(of_coordinate < 0, of_coordinate, of_coordinate + first).astype(self.handle.index)
-        free = np.zeros(bodies.size, np.uint8)
-        free[bodies.free] = 1
+        free = np.zeros(self.size, np.uint8)
+        free[solved_for] = 1
         start = np.ascontiguousarray(x.ravel(), np.float64)
         problem = fmc_equilibrium_problem()
         check(library.fmc_equilibrium_problem_init(byref(problem)))
-        problem.unknown_count, problem.row_count = bodies.size, len(base)
+        problem.unknown_count, problem.row_count = self.size, len(base)
         problem.unknown_of_coordinate = of_coordinate.ctypes.data
         problem.base, problem.free, problem.x = base.ctypes.data, free.ctypes.data, start.ctypes.data
         if prescribed is not None:
@@ -64,7 +70,7 @@ class Search:
         check(library.fmc_equilibrium_options_init(byref(asked)))
         for name, value in options.items():
             setattr(asked, name, value)
-        asked.condensed = int(steps is not None)
+        asked.condensed = 0 if steps is None else 2 if steps.is_wanted else 1
         self.pointer = fmc_equilibrium()
         self.handle.call(library.fmc_equilibrium_new, byref(problem), byref(asked), byref(self.pointer))
         weakref.finalize(self, _free, self.pointer).atexit = False
@@ -109,7 +115,7 @@ class Search:
         return byref(answer), (answer, vector, held)
 
     def _array(self, address: int) -> np.ndarray:
-        return _copied(address, self.bodies.size)
+        return _copied(address, self.size)
 
     def ended(self) -> tuple[fmc_equilibrium_result, str, list[str]]:
         """What it has led to, how, and what is said of it."""

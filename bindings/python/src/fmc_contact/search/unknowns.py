@@ -13,7 +13,7 @@ class Moved:
     """Unknown of every coordinate; -1 for one that never moves."""
 
     def __init__(self, contact: Any, size: int) -> None:
-        self.contact = contact
+        self.contact, self.size = contact, size
         self.inner: Contact = contact if isinstance(contact, Contact) else contact.contact
         count = self.inner.unknown_count * self.inner.dim
         self.of_coordinate = np.arange(count)

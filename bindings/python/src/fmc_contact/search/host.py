@@ -1,0 +1,40 @@
+"""Bodies whose matrix Python does not have."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Optional
+
+import numpy as np
+
+
+class Refused(Exception):
+    """What a search has asked for is not there."""
+
+
+class Host(ABC):
+    """What a search asks of bodies, in place of ``residual_and_tangent``, where their matrix is in parts on ranks, or in no memory at all.
+
+    Vectors are of all unknowns, (size,). On ranks each of them makes the same search, and returns the same bits. A method raises
+    ``Refused``, with why, for what it does not have.
+    """
+
+    factorisations = 0
+    """Matrices factorised, if they are counted."""
+
+    @abstractmethod
+    def forces(self, x: np.ndarray, matrix: bool) -> tuple[np.ndarray, Optional[float]]:
+        """Internal less external forces without contact, and an energy or ``None``. With ``matrix`` their derivative is asked for next."""
+
+    @abstractmethod
+    def product(self, vector: np.ndarray, magnitudes: bool) -> np.ndarray:
+        """The matrix, or that of its magnitudes, times a vector."""
+
+    @abstractmethod
+    def diagonal(self) -> np.ndarray:
+        """Its diagonal."""
+
+    @abstractmethod
+    def solve(self, x: np.ndarray, flags: int, shift: float, right: np.ndarray) -> np.ndarray:
+        """Solution, zero where unknowns are held, of the matrix, ``shift`` times its diagonal, and the contact's tangent at ``x`` with the
+        keywords ``TANGENTS[flags]``."""
