@@ -15,7 +15,7 @@ import own_contact
 from fmc_agreement import outcome, reference
 from fmc_agreement.approach import approach
 from fmc_agreement.problem import Problem
-from fmc_contact_getfem import GetfemContact, newton
+from fmc_contact_getfem import GetfemContact, find_equilibrium
 from model import Model
 
 CASES = (("hertz", None, 1), ("punch", "depth", 4), ("punch", None, 4))
@@ -39,7 +39,6 @@ def solve(problem: Problem, steps: int) -> tuple[np.ndarray, np.ndarray, int]:
     start = approach(problem, np.zeros_like(load), load, lambda u: contact.force(bodies.state(u))[bodies.dofs])
     bodies.model.to_variables(bodies.state(start))
     options = {
-        "young": min(body.material.young for body in problem.bodies),
         "held": bodies.dofs[problem.held],
         # That of the reference host.
         "tolerance": problem.raw["load_steps"]["tolerance"],
@@ -47,12 +46,12 @@ def solve(problem: Problem, steps: int) -> tuple[np.ndarray, np.ndarray, int]:
     solves = 0
     for step in range(1, steps + 1):
         contact.keep_patches()
-        found = newton(contact, prescribed=bodies.state(problem.prescribed * step / steps), **options)
+        found = find_equilibrium(contact, prescribed=bodies.state(problem.prescribed * step / steps), **options)
         solves += found.iterations
     # Found anew where bodies are now, patches of the law fiber are no longer those of the way.
     for _ in range(MOST_TURNS):
         contact.keep_patches()
-        found = newton(contact, **options)
+        found = find_equilibrium(contact, **options)
         solves += found.iterations
         if found.iterations == 0:
             break

@@ -2,16 +2,16 @@
 
 import sys
 import time
-from types import SimpleNamespace
 
-import fmc_contact_dolfinx
 import numpy as np
 import ufl
 from dolfinx import fem, mesh
+from dolfinx.fem import petsc
 from fmc_contact import errors
-from fmc_contact_dolfinx import ContactProblem, DolfinxContact, attach, by_input_number
+from fmc_contact_dolfinx import ContactProblem, DolfinxContact, attach, by_input_number, find_equilibrium
 from fmc_contact_dolfinx.entries import add_entries
-from fmc_contact_dolfinx.versions import mesh_from_cells, vector_space
+from fmc_contact_dolfinx.on_ranks import direct_solver
+from fmc_contact_dolfinx.versions import create_vector, mesh_from_cells, vector_of, vector_space
 from petsc4py import PETSc
 from scenes import COMM, block, blocks, bodies, interpolate, permuted, set_wave
 
@@ -49,20 +49,10 @@ def solve(out, kind, order, whole, permute, through):
     u, v = fem.Function(space), ufl.TestFunction(space)
     bcs = pressed(space)
     contact.keep_patches(u)
-    problem = ContactProblem(elastic(u, v), u, bcs, contact)
-    if through == "newton":
-        newton(problem, contact)
-    elif through == "recipe":
-        fmc_contact_dolfinx.newton(problem, young=200.0)
-    elif through == "attached":
-        snes = problem.solver()
-        alone = ContactProblem(elastic(u, v), u, bcs, _Nothing())
-        snes.setFunction(alone.F, alone.vector)
-        snes.setJacobian(alone.J, alone.matrix)
-        attach(snes, contact, bcs)
-        alone.solve(snes)
+    if through == "search":
+        find_equilibrium(ContactProblem(elastic(u, v), u, bcs, contact), tolerance=1e-12)
     else:
-        problem.solve()
+        {"newton": newton, "attached": attached}[through](elastic(u, v), u, bcs, contact)
     result = contact.evaluate(u)
     force = fem.Function(space)
     contact.add_forces(force.x.array, result)
@@ -73,37 +63,78 @@ def solve(out, kind, order, whole, permute, through):
         np.savez(out, u=tables[0][back], force=tables[1][back], energy=result.energy)
 
 
-class _Nothing:
-    """A contact that is not there."""
+def attached(form, u, bcs, contact):
+    """By SNES, whose functions know nothing of contact."""
+    residual, jacobian = fem.form(form), fem.form(ufl.derivative(form, u))
+    snes, vector = PETSc.SNES().create(COMM), create_vector(residual, u.function_space)
 
-    def evaluate(self, *_):
-        return SimpleNamespace(forces=np.zeros((0, 2)))
+    def function(snes, x, b):
+        x.copy(vector_of(u))
+        u.x.scatter_forward()
+        with b.localForm() as local:
+            local.set(0.0)
+        petsc.assemble_vector(b, residual)
+        petsc.apply_lifting(b, [jacobian], [bcs], [vector_of(u)], -1.0)
+        b.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
+        petsc.set_bc(b, bcs, vector_of(u), -1.0)
 
-    def tangent(self, *_, **__):
-        return None
+    def derivative(snes, x, a, p):
+        p.zeroEntries()
+        petsc.assemble_matrix(p, jacobian, bcs)
+        p.assemble()
 
-    def add_forces(self, *_):
-        pass
+    snes.setFunction(function, vector)
+    snes.setJacobian(derivative, petsc.create_matrix(jacobian))
+    attach(snes, contact, bcs)
+    snes.setKSP(direct_solver(COMM))
+    # A short step of a line search is no sign of convergence.
+    snes.setTolerances(rtol=1e-10, atol=1e-12, stol=0.0, max_it=50)
+    x = vector_of(u).copy()
+    snes.solve(None, x)
+    assert snes.getConvergedReason() > 0
+    x.copy(vector_of(u))
+    u.x.scatter_forward()
 
-    def add_tangent(self, *_):
-        pass
 
-
-def newton(problem, contact):
+def newton(form, u, bcs, contact):
     """Through dolfinx' own NonlinearProblem and NewtonSolver, where they have F and J."""
-    from dolfinx.fem.petsc import NonlinearProblem
     from dolfinx.nls.petsc import NewtonSolver
     from fmc_contact_dolfinx import with_contact
 
-    u = problem.u
-    form = elastic(u, ufl.TestFunction(u.function_space))
-    stock = with_contact(NonlinearProblem)(form, u, problem.bcs, contact=contact)
+    stock = with_contact(petsc.NonlinearProblem)(form, u, bcs, contact=contact)
     solver = NewtonSolver(COMM, stock)
     solver.rtol, solver.atol, solver.max_it = 1e-12, 1e-10, 40
     solver.krylov_solver.setType("preonly")
     solver.krylov_solver.getPC().setType("lu")
     solver.krylov_solver.getPC().setFactorSolverType("mumps")
     assert solver.solve(u)[1]
+
+
+def two_spaces(out):
+    """Hexahedra are pressed on tetrahedra and pulled along with friction: two meshes, two spaces, no stiffness."""
+    x, cells = block("tetra", 3, [0.0] * 3, [1.0] * 3)
+    y, more = block("hexahedron", 2, [0.2, 0.2, 1.0], [0.8, 0.8, 1.6])
+    spaces = [vector_space(mesh_from_cells(COMM, *one)) for one in ((x, cells, "tetra"), (y, more, "hexahedron"))]
+    contact = DolfinxContact(spaces, friction_coefficient=0.3)
+    us, moves = [fem.Function(space) for space in spaces], [fem.Function(space) for space in spaces]
+    bcs = []
+    for move, height in zip(moves, (0.0, 1.6)):
+        dofs = fem.locate_dofs_geometrical(move.function_space, lambda x: np.isclose(x[2], height))
+        bcs.append(fem.dirichletbc(move, dofs))
+    residuals = [elastic(u, ufl.TestFunction(u.function_space)) for u in us]
+    problem, forces = ContactProblem(residuals, us, bcs, contact), []
+    contact.begin_step(*us)
+    for down, along in ((0.01, 0.0), (0.02, 0.02)):
+        moves[1].interpolate(lambda x: np.outer([along, 0.0, -down], np.ones(x.shape[1])))
+        found = find_equilibrium(problem, tolerance=1e-11)
+        contact.commit_step(*us)
+        forces.append(found.result.bodies[1].force)
+        pushed = by_input_number(problem.functions(found.reactions)[1]).sum(axis=0)
+        # What holds the upper body against the contact.
+        assert np.abs(pushed + forces[-1]).max() < 1e-9 * np.abs(pushed).max()
+    tables = [by_input_number(u) for u in us]
+    if COMM.rank == 0:
+        np.savez(out, lower=tables[0], upper=tables[1], forces=np.array(forces))
 
 
 def two_meshes(out, kind):
@@ -265,7 +296,7 @@ def fail(kind):
         expected = errors.InvertedCellError
     elif kind == "layout":
         expected = TypeError
-    elif kind in ("length", "callback", "snes"):
+    elif kind in ("length", "callback", "search"):
         expected = (ValueError, ZeroDivisionError)
     begin = time.perf_counter()
     try:
@@ -274,8 +305,8 @@ def fail(kind):
             DolfinxContact(scalar if COMM.rank == last and scalar is not None else space, stiffness=1.0)
         elif kind == "length":
             contact.force(np.zeros(3) if COMM.rank == last else u)
-        elif kind in ("callback", "snes"):
-            other = DolfinxContact(space, stiffness=1e4)
+        elif kind in ("callback", "search"):
+            other = DolfinxContact(space, stiffness=1e4, in_parts=False)
 
             def distance(points):
                 if COMM.rank == last:
@@ -283,8 +314,8 @@ def fail(kind):
                 return points[:, 1] + 10.0, np.tile([0.0, 1.0], (len(points), 1))
 
             other.contact.obstacles.add_signed_distance(distance)
-            if kind == "snes":
-                ContactProblem(elastic(u, ufl.TestFunction(space)), u, pressed(space), other).solve()
+            if kind == "search":
+                find_equilibrium(ContactProblem(elastic(u, ufl.TestFunction(space)), u, pressed(space), other))
             other.force(u)
         else:
             contact.force(u)
@@ -298,4 +329,5 @@ def fail(kind):
 
 
 if __name__ == "__main__":
-    {"solve": solve, "tell": tell, "near": near, "entries": entries, "two_meshes": two_meshes, "fail": fail}[sys.argv[1]](*sys.argv[2:])
+    programs = solve, tell, near, entries, two_meshes, two_spaces, fail
+    {program.__name__: program for program in programs}[sys.argv[1]](*sys.argv[2:])

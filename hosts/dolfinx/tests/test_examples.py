@@ -53,27 +53,29 @@ def test_the_first_force_of_the_pages_runs_in_ten_lines():
     assert force == pytest.approx(500.0, rel=0.02)
 
 
-def test_the_newton_of_the_readme_presses_a_block_on_a_plane():
+def test_the_search_of_the_readme_presses_a_block_on_a_plane():
     text = (HERE / "README.md").read_text()
-    (code,) = [one.split("```")[0] for one in text.split("```python\n")[1:] if "newton(" in one]
+    (code,) = [one.split("```")[0] for one in text.split("```python\n")[1:] if "find_equilibrium(" in one]
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
     assert run.returncode == 0, run.stderr
     found = [[float(word) for word in line.split()] for line in run.stdout.splitlines()]
     # The block and the layer of contact, E / 1 and 160 E, one after the other.
     for (iterations, force), push in zip(found, (0.002, 0.01, 0.02), strict=True):
-        assert iterations <= 8
-        # Of a residual of 1e-9 of the forces.
-        assert force == pytest.approx(1e6 * push / (1 + 1 / 160), rel=1e-7)
+        assert iterations <= 3
+        # What is left of the penetration does a thousandth of the work.
+        assert force == pytest.approx(1e6 * push, rel=1e-3)
 
 
 def test_the_iterative_solver_of_the_pages():
     page = (Path(__file__).parents[3] / "docs" / "large-problems.md").read_text()
     (piece,) = [one.split("```")[0] for one in page.split("```python\n")[1:]]
     readme = (HERE / "README.md").read_text()
-    (program,) = [one.split("```")[0] for one in readme.split("```python\n")[1:] if "newton(" in one]
-    # The problem of the README, whose loop with Newton's method is left out.
+    (program,) = [one.split("```")[0] for one in readme.split("```python\n")[1:] if "find_equilibrium(" in one]
+    # The problem of the README, whose load steps are left out.
     assert piece.startswith("problem = ContactProblem(residual, u, bcs, contact)\n")
     before = program.split("problem = ")[0] + "bcs = [fem.dirichletbc(pushed, top)]\npushed.x.array[1::2] = -0.02\n"
+    # With a stiffness, so that the force is that of a row of springs.
+    before = before.replace("DolfinxContact(V)", "DolfinxContact(V, stiffness=1.6e8)")
     after = "\nprint(contact.evaluate(u).bodies[0].force[1])"
     run = subprocess.run([sys.executable, "-c", before + piece + after], capture_output=True, text=True, timeout=120)
     assert run.returncode == 0, run.stderr

@@ -16,6 +16,7 @@ from .points import Points, at_points, points_of
 from .replicated import Replicated
 from .space import Displacement, LayoutError
 from .together import together
+from .unknowns import Unknowns
 
 
 class DolfinxContact(Linearised):
@@ -31,8 +32,9 @@ class DolfinxContact(Linearised):
     spaces : FunctionSpace or list of FunctionSpace
         Displacements, each on a mesh of its own: Lagrange of order 1 or 2 (curved meshes too), or another continuous element, such as
         Lagrange of higher order on triangles, quadrilaterals and hexahedra, and serendipity of second order.
-    stiffness : float
-        Stiffness of the law: pressure per length for the default law.
+    stiffness : float, optional
+        Stiffness of the law: pressure per length for the default law. Default 0: ``find_equilibrium`` finds one from the bodies' matrix, and
+        every rank has the whole mesh. Until then an evaluation raises ``NoStiffnessError``.
     bodies : array_like of int or list of such, optional
         Body of every cell of this rank, ghosts included; one array for every space. Default: bodies are the connected components.
     whole_mesh : bool, optional
@@ -61,9 +63,8 @@ class DolfinxContact(Linearised):
 
     Examples
     --------
-    >>> contact = DolfinxContact(V, stiffness=1e9)
-    >>> problem = ContactProblem(residual_form, u, bcs, contact)
-    >>> problem.solve()
+    >>> contact = DolfinxContact(V)
+    >>> find_equilibrium(ContactProblem(residual_form, u, bcs, contact)).iterations
     """
 
     contact: Contact
@@ -76,7 +77,7 @@ class DolfinxContact(Linearised):
         self,
         spaces: Any,
         *,
-        stiffness: float,
+        stiffness: float = 0.0,
         bodies: Any = None,
         whole_mesh: bool | None = None,
         in_parts: bool | None = None,
@@ -99,6 +100,8 @@ class DolfinxContact(Linearised):
                 self.whole_because = "with the estimator 'fibers' the boundary alone is passed, unless in_parts=True"
             elif self.comm.size == 1:
                 self.whole_because = "there is one rank"
+            elif not stiffness:
+                self.whole_because = "find_equilibrium, which is to find a stiffness, wants the whole mesh on every rank"
         if in_parts is False:
             self.whole_because = "in_parts=False was asked for"
         if in_parts and self.whole_because:
@@ -118,6 +121,21 @@ class DolfinxContact(Linearised):
         if not whole_mesh and any(field.order > 1 for field in self._fields):
             raise ValueError("the boundary alone is for first order: cells of second order are passed whole")
         return Replicated(self.comm, self._fields, bodies, whole_mesh, {**({} if whole_mesh else {"law": "fiber"}), **options})
+
+    @property
+    def space_count(self) -> int:
+        """Number of spaces."""
+        return len(self._fields)
+
+    def numbering(self) -> Unknowns:
+        """Numbers of the unknowns of all spaces over all ranks. Collective.
+
+        Returns
+        -------
+        Unknowns
+            The numbers.
+        """
+        return Unknowns(self.comm, self._fields)
 
     @property
     def received_cell_count(self) -> int:

@@ -69,6 +69,16 @@ class Linearised:
         """
         return self._shows.points.unknowns(self.dim)
 
+    def spaces(self) -> np.ndarray:
+        """The space of every row of the last ``tangent``.
+
+        Returns
+        -------
+        ndarray of int
+            Its place among the spaces.
+        """
+        return self._shows.points.spaces(self.dim)
+
     def add_tangent(self, matrix: Any, tangent: Triplets, bcs: Sequence[Any] = (), scale: float = 1.0) -> None:
         """Adds a tangent to what this rank owns of an assembled PETSc matrix, and assembles it again.
 
@@ -122,18 +132,33 @@ class Linearised:
         use = mine[rows] & ~held[rows] & ~held[cols]
         return Triplets(rows[use], cols[use], values[use]), points.spaces(self.dim), points.unknowns(self.dim)
 
+    def held(self, bcs: Sequence[Any]) -> list[np.ndarray]:
+        """Which unknowns of this rank boundary conditions hold.
+
+        Parameters
+        ----------
+        bcs : sequence of DirichletBC
+            Boundary conditions of all spaces.
+
+        Returns
+        -------
+        list of ndarray of bool, (owned blocks, dim)
+            One for every space.
+        """
+        return [self._held(field, bcs) for field in self._fields]
+
     def _held(self, field: Displacement, bcs: Sequence[Any]) -> np.ndarray:
         """Whether an unknown that this rank owns is held, (owned, dim)."""
         count = field.owned * self.dim
         held = np.zeros(count, bool)
         for bc in bcs:
-            if _holds_part_of(field.space, bc.function_space):
+            if holds_part_of(field.space, bc.function_space):
                 dofs = held_dofs(bc)
                 held[dofs[dofs < count]] = True
         return held.reshape(-1, self.dim)
 
 
-def _holds_part_of(space: Any, other: Any) -> bool:
+def holds_part_of(space: Any, other: Any) -> bool:
     """Whether ``other`` is ``space``, or a component of it; wrappers do not count."""
     space, other = (getattr(one, "_cpp_object", one) for one in (space, other))
     return space is other or space == other or bool(space.contains(other))

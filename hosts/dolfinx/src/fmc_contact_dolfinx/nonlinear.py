@@ -20,7 +20,7 @@ def with_contact(kind: type) -> type:
     Returns
     -------
     type
-        A subclass that takes ``contact`` as a keyword.
+        A subclass that takes ``contact`` as a keyword. Its ``tangent`` is the contact's in the last matrix.
 
     Raises
     ------
@@ -40,6 +40,7 @@ def with_contact(kind: type) -> type:
         def __init__(self, *arguments: Any, contact: DolfinxContact, **options: Any) -> None:
             super().__init__(*arguments, **options)
             self.contact = contact
+            self.tangent: Any = None
 
         def F(self, x: Any, b: Any) -> None:
             super().F(x, b)
@@ -47,7 +48,8 @@ def with_contact(kind: type) -> type:
 
         def J(self, x: Any, A: Any) -> None:
             super().J(x, A)
-            self.contact.add_tangent(A, self.contact.tangent(x), self.bcs)
+            self.tangent = self.contact.tangent(x)
+            self.contact.add_tangent(A, self.tangent, self.bcs)
 
     return Problem
 

@@ -1,17 +1,16 @@
 """Contact in GetFEM: forces and tangent of ``fmc_contact`` on the variables of your model.
 
-    contact = GetfemContact(model, "u", stiffness=1e9)
-    newton(contact, young=1e9)
+    contact = GetfemContact(model, "u")
+    find_equilibrium(contact)
 
-or, in a model that GetFEM solves by itself, ``newton_by_bricks(Bricks(contact), young=1e9)``.
+``Bricks(contact)`` are for a loop of your own around GetFEM's ``solve``.
 
-Layers: newton, newton_by_bricks  ->  Bricks, system  ->  GetfemContact  ->  field  ->  cells  ->  fmc_contact
+Layers: find_equilibrium  ->  Bricks, system  ->  GetfemContact  ->  field  ->  cells  ->  fmc_contact
 """
 
 from .adapter import GetfemContact
 from .bricks import Bricks
-from .by_bricks import newton_by_bricks
 from .errors import LayoutError
-from .load_step import newton
+from .load_step import find_equilibrium
 
-__all__ = ["Bricks", "GetfemContact", "LayoutError", "newton", "newton_by_bricks"]
+__all__ = ["Bricks", "GetfemContact", "LayoutError", "find_equilibrium"]

@@ -27,8 +27,9 @@ class GetfemContact:
     variables : str or sequence of str
         Name of a fem variable, or several, on one mesh or more: displacements of continuous Lagrange elements of first or second order
         (``FEM_PK``, ``FEM_QK``, ``FEM_Q2_INCOMPLETE``; of first order also prisms and pyramids), mixed where they fit.
-    stiffness : float
-        Stiffness of the law: pressure per length for the default law.
+    stiffness : float, optional
+        Stiffness of the law: pressure per length for the default law. Default 0: ``find_equilibrium`` finds one from the bodies' matrix.
+        Until then an evaluation raises ``NoStiffnessError``.
     bodies : array_like of int, (cells,), optional
         Body of every cell, variable after variable, in the order of the cells' numbers. Default: bodies are the connected components.
     **options : OtherOptions
@@ -50,8 +51,8 @@ class GetfemContact:
 
     Examples
     --------
-    >>> contact = GetfemContact(model, "u", stiffness=1e9)
-    >>> newton(contact, young=1e9)
+    >>> contact = GetfemContact(model, "u")
+    >>> find_equilibrium(contact).iterations
     """
 
     contact: Contact
@@ -63,7 +64,7 @@ class GetfemContact:
         model: gf.Model,
         variables: str | Sequence[str],
         *,
-        stiffness: float,
+        stiffness: float = 0.0,
         bodies: ArrayLike | None = None,
         **options: Any,
     ) -> None:

@@ -17,8 +17,7 @@ class Bricks:
     """Contact as bricks of the model, by ``add_explicit_rhs`` and ``add_explicit_matrix`` for every variable and every pair.
 
     One ``model.solve`` of one iteration after ``update`` is then one iteration of Newton's method, whatever else the model has.
-    ``newton_by_bricks`` makes as many as it takes. GetFEM does not call back, so a longer ``solve`` uses contact linearised at
-    the last ``update``.
+    GetFEM does not call back, so a longer ``solve`` uses contact linearised at the last ``update``. The stiffness is that of the contact.
 
     Parameters
     ----------
@@ -33,7 +32,8 @@ class Bricks:
     Examples
     --------
     >>> bricks = Bricks(contact)
-    >>> newton_by_bricks(bricks, young=1e9)
+    >>> while bricks.update() and bricks.relative(bricks.residual()) > 1e-9:
+    ...     model.solve("max_iter", 1)
     """
 
     def __init__(self, contact: GetfemContact) -> None:

@@ -1,4 +1,4 @@
-"""One load step of a model by the Newton's method of ``fmc_contact``, fed with GetFEM's matrix and residual."""
+"""One load step of a model by the library's search, fed with GetFEM's matrix and residual."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 import fmc_contact
 import numpy as np
-from fmc_contact.newton import Equilibrium
+from fmc_contact import Equilibrium
 from numpy.typing import ArrayLike
 from scipy.sparse import csr_matrix
 
@@ -16,16 +16,15 @@ from .bricks import Bricks
 from .system import is_linear, residual_and_tangent
 
 
-def newton(
+def find_equilibrium(
     contact: GetfemContact,
     *,
-    young: float,
     held: ArrayLike | None = None,
     prescribed: ArrayLike | None = None,
     bricks: Bricks | None = None,
     **options: Any,
 ) -> Equilibrium:
-    """Equilibrium with contact at the end of a load step, by ``fmc_contact.newton``.
+    """Equilibrium with contact at the end of a load step, by ``fmc_contact.find_equilibrium``.
 
     The state of the model is where the step begins, and the solution at the end. Data of the model prescribe what the step changes: the value
     of a Dirichlet condition, a load.
@@ -33,32 +32,31 @@ def newton(
     Parameters
     ----------
     contact : GetfemContact
-        The contact.
-    young : float
-        Young's modulus of the softest body (pressure).
+        The contact. It may be made without a stiffness.
     held : array_like of int, optional
-        Unknowns of the state that are not solved for, instead of a Dirichlet condition with multipliers. Without multipliers the
-        two-level method may be used.
+        Unknowns of the state that are not solved for, instead of a Dirichlet condition with multipliers.
     prescribed : array_like, (size,), optional
         Values of the held unknowns at the end of the step.
     bricks : Bricks, optional
         Bricks of this contact, if the model has them. They are left out on the way, and are up to date at the end.
     **options
-        As for ``fmc_contact.newton``.
+        As for ``fmc_contact.find_equilibrium``: ``tolerance``, ``penetration``, ``lagged``, ...
 
     Returns
     -------
     Equilibrium
-        As from ``fmc_contact.newton``; ``x`` is the state.
+        As from ``fmc_contact.find_equilibrium``; ``x`` is the state.
 
     Raises
     ------
+    NoSupportError
+        As ``fmc_contact.find_equilibrium`` raises. The state is then that of the start.
     NotConvergedError
-        As ``fmc_contact.newton`` raises. The state is then that of the start.
+        The same.
 
     Examples
     --------
-    >>> newton(contact, young=1e9).iterations
+    >>> find_equilibrium(contact).iterations
     """
     model = contact.model
     start = model.from_variables()
@@ -73,7 +71,7 @@ def newton(
                 model.to_variables(state)
                 return residual_and_tangent(model, linear)
 
-            found = fmc_contact.newton(host, contact, start, free, prescribed, young=young, **options)
+            found = fmc_contact.find_equilibrium(host, contact, start, free, prescribed, **options)
     except BaseException:
         model.to_variables(start)
         raise
