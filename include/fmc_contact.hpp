@@ -12,6 +12,7 @@
 #ifndef FMC_CONTACT_HPP
 #define FMC_CONTACT_HPP
 
+#include "fmc_contact/bodies.hpp"
 #include "fmc_contact/condensation.hpp"
 #include "fmc_contact/context.hpp"
 #include "fmc_contact/equilibrium.hpp"

@@ -41,11 +41,11 @@ static int tables(FILE *file, Problem *p) {
   if (PetscMalloc2(p->face_count, &p->faces, p->face_count, &p->traction)) return 0;
   for (int f = 0; f < p->face_count; f++)
     if (!nodes(file, p->faces[f], 2) || !numbers(file, p->traction[f], 2)) return 0;
-  double material[2], contact[3];
+  double material[2], contact[2];
   if (heading(file, "materials") != 1 || !numbers(file, material, 2)) return 0;
-  if (heading(file, "contact") != 1 || !numbers(file, contact, 3)) return 0;
+  if (heading(file, "contact") != 1 || !numbers(file, contact, 2)) return 0;
   p->lame = material[0], p->shear = material[1];
-  p->stiffness = contact[0], p->soft = contact[1], p->tolerance = contact[2];
+  p->stiffness = contact[0], p->tolerance = contact[1];
   if ((p->half_space_count = heading(file, "half_spaces")) < 0) return 0;
   return !PetscMalloc1(p->half_space_count, &p->half_spaces) && numbers(file, p->half_spaces[0], 4 * p->half_space_count);
 }

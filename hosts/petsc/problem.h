@@ -17,7 +17,7 @@ typedef struct {
   int (*faces)[2];
   double (*traction)[2];   /* of every face */
   double lame, shear;      /* Pa */
-  double stiffness, soft;  /* of the contact, Pa/m; of one on which a loose body settles */
+  double stiffness;        /* of the contact, Pa/m; 0: the search finds it */
   double tolerance;        /* of the residual, by the load */
   double (*half_spaces)[4]; /* a point and the outward normal */
 } Problem;

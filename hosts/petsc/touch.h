@@ -1,4 +1,4 @@
-/* Contact of the whole body on every rank: each takes the forces and the rows of the tangent that it owns. */
+/* Contact of the whole body on every rank: all find it together, and each takes the rows of the tangent that it owns. */
 #ifndef TOUCH_H
 #define TOUCH_H
 #include "problem.h"
@@ -8,23 +8,21 @@
 typedef struct {
   const Problem *problem;
   fmc_context *context;
-  fmc_options options;
   MPI_Comm ranks;     /* those that share the work of the contact */
-  Vec all;            /* displacement of all nodes, on every rank */
-  VecScatter scatter; /* to it */
-  double *x, *force;  /* current coordinates and forces, (nodes, 2) */
+  double *x;          /* current coordinates, (nodes, 2) */
   double seconds;     /* spent in the contact */
-  char *is_held;      /* of every degree of freedom */
 } Touch;
 
 /* Processor time of this process, s. */
 double processor_seconds(void);
 
-PetscErrorCode touch_create(const Problem *problem, Vec like, Touch *touch);
-PetscErrorCode touch_stiffness(Touch *touch, double stiffness);
-PetscErrorCode touch_keep_patches(Touch *touch, Vec u);
-/* Evaluates; subtracts the forces from what this rank owns of a residual, if there is one. */
-PetscErrorCode touch_evaluate(Touch *touch, Vec u, Vec residual);
-PetscErrorCode touch_add_tangent(Touch *touch, Vec u, PetscBool semidefinite, Mat matrix);
+/* Makes a failure on one rank one of all of them, since one that left alone would keep the others waiting. */
+PetscErrorCode together(fmc_status status);
+
+PetscErrorCode touch_create(const Problem *problem, Touch *touch);
+/* Forces at the displacement of all nodes, the same on every rank. */
+PetscErrorCode touch_evaluate(Touch *touch, const double *u, double *forces);
+/* Adds the tangent there, with flags of `fmc_context_tangent`. */
+PetscErrorCode touch_add_tangent(Touch *touch, const double *u, uint32_t flags, Mat matrix);
 PetscErrorCode touch_free(Touch *touch);
 #endif

@@ -8,10 +8,10 @@
 
 namespace fmc {
 
-// Options of an evaluation: the fields of `fmc_options`, which has their units and defaults. Only the stiffness k has none;
-// with the law "depth", the default, it is a pressure per length.
+// Options of an evaluation: the fields of `fmc_options`, which has their units and defaults. The stiffness k is with the law "depth", the
+// default, a pressure per length; without one `find_equilibrium` finds it, and nothing can be evaluated before.
 struct Options : fmc_options {
-  explicit Options(double k) : fmc_options() {
+  explicit Options(double k = 0) : fmc_options() {
     check(fmc_options_init(this));
     stiffness = k;
   }

@@ -4,9 +4,12 @@
 
 #include "context.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <tuple>
 
 namespace fmc {
 
@@ -16,7 +19,7 @@ struct EquilibriumOptions : fmc_equilibrium_options {
 };
 
 // The bodies of a host. K is the derivative of the forces where they were last asked for with `matrix`. Arrays that are filled have a number
-// for every unknown; a function that returns false has none.
+// for every unknown, zero before; a function that returns false has none.
 struct EquilibriumHost {
   // Internal less external forces at x, without contact; NaN stays in `energy` where strain energy less the work of loads is not known.
   std::function<bool(View<const double> x, bool matrix, double *forces, double &energy)> forces;
@@ -29,7 +32,7 @@ struct EquilibriumHost {
 
 // Unknowns of a host: see `fmc_equilibrium_problem`.
 struct EquilibriumProblem {
-  View<const int64_t> unknown_of_coordinate;
+  View<const int64_t> unknown_of_coordinate;  // May be left out: each is moved by the unknown of its own number.
   View<const double> base;
   View<const uint8_t> free;
   View<const double> x;
@@ -49,14 +52,26 @@ namespace detail {
 class EquilibriumSearch {
  public:
   EquilibriumSearch(Context &context, const EquilibriumProblem &problem, const EquilibriumOptions &options) {
-    const std::size_t rows = problem.base.size() / static_cast<std::size_t>(context.dim());
-    // Numbers as wide as those of the mesh.
-    const std::vector<int32_t> narrow(problem.unknown_of_coordinate.begin(), problem.unknown_of_coordinate.end());
-    const auto wide = [&] { return static_cast<const void *>(problem.unknown_of_coordinate.data()); };
+    const auto axes = static_cast<std::size_t>(context.dim());
+    const std::size_t rows = problem.base.size() / axes, count = problem.x.size();
+    // Numbers as wide as those of the mesh, and counted as there.
+    std::vector<int64_t> wide(problem.unknown_of_coordinate.begin(), problem.unknown_of_coordinate.end());
+    if (wide.empty()) {
+      wide.resize(problem.base.size());
+      std::iota(wide.begin(), wide.end(), context.options().index_base);
+    }
+    const std::vector<int32_t> narrow(wide.begin(), wide.end());
+    for (const auto &[size, wanted, name] : {std::tuple(wide.size(), problem.base.size(), "unknown_of_coordinate"),
+                                             std::tuple(problem.base.size(), rows * axes, "base"),
+                                             std::tuple(problem.free.size(), count, "free"),
+                                             std::tuple(problem.prescribed.empty() ? count : problem.prescribed.size(), count, "prescribed")})
+      if (size != wanted)
+        refuse(FMC_ERROR_LENGTH, std::string(name) + ": " + std::to_string(size) + " numbers, needed are " + std::to_string(wanted));
     fmc_equilibrium_problem given;
     check(fmc_equilibrium_problem_init(&given));
-    given.unknown_count = problem.x.size(), given.row_count = rows;
-    given.unknown_of_coordinate = context.index_size() == 4 ? static_cast<const void *>(narrow.data()) : wide();
+    given.unknown_count = count, given.row_count = rows;
+    given.unknown_of_coordinate =
+        context.index_size() == 4 ? static_cast<const void *>(narrow.data()) : static_cast<const void *>(wide.data());
     given.base = problem.base.data(), given.free = problem.free.data(), given.x = problem.x.data();
     given.prescribed = problem.prescribed.size() > 0 ? problem.prescribed.data() : nullptr;
     fmc_equilibrium *made = nullptr;
@@ -90,6 +105,7 @@ inline Equilibrium find_equilibrium(Context &context, const EquilibriumProblem &
     check(fmc_equilibrium_next(context.get(), search.get(), given, &request));
     check(fmc_equilibrium_answer_init(&answer));
     bool is_there = true;
+    std::fill(found.begin(), found.end(), 0.0);
     switch (request.kind) {
       case FMC_REQUEST_FORCES:
         energy = std::numeric_limits<double>::quiet_NaN();
