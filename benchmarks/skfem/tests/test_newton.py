@@ -14,10 +14,10 @@ CASES = [(name, count) for name in ("punch", "half-disc", "press fit", "disc") f
 
 
 @pytest.mark.parametrize(("name", "count"), [*CASES, ("punch Hex8", 8)])
-def test_every_load_step_takes_at_most_eight_iterations(name, count):
+def test_every_load_step_takes_at_most_ten_iterations(name, count):
     problem = problems.ALL[name](count)
     counts, pressed = study.load_steps(problem, problem.contact(10, **study.LAWS["depth"]), "whole")
-    assert len(counts) == len(problem.pushes) and all(iterations <= 8 for iterations in counts), counts
+    assert len(counts) == len(problem.pushes) and all(iterations <= 10 for iterations in counts), counts
     assert (pressed < 0.0) == (name != "press fit")
 
 
