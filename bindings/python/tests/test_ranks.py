@@ -107,6 +107,68 @@ def test_one_error_is_told_on_all(blocks):
     assert all(isinstance(error, fmc_contact.errors.RanksDifferError) for error in shifted)
 
 
+SQUARES = (
+    np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.2, 0.95], [0.8, 0.95], [0.8, 2], [0.2, 2]]),
+    np.array([[0, 1, 2, 3], [4, 5, 6, 7]]),
+)
+
+
+@pytest.mark.parametrize("what", ["contact", "host"])
+@pytest.mark.parametrize("two_level", [None, False])
+def test_an_error_on_one_rank_ends_a_search_on_all(what, two_level):
+    """Whenever it comes: where others took it for a state that cannot be, they would go on with a shorter step, alone."""
+    coords = SQUARES[0]
+
+    def search(comm, fails_at):
+        contact, calls = shared(comm, SQUARES), 0
+
+        def count():
+            nonlocal calls
+            calls += 1
+            if comm.rank == 1 and calls == fails_at:
+                raise ZeroDivisionError("of one rank")
+
+        def distance(points):
+            if what == "contact":
+                count()
+            return points[:, 1] + 10.0, np.tile([0.0, 1.0], (len(points), 1))
+
+        def host(x):
+            if what == "host":
+                count()
+            return 100.0 * (x - coords).ravel(), 100.0 * np.eye(coords.size)
+
+        contact.obstacles.add_signed_distance(distance)
+        fmc_contact.find_equilibrium(host, contact, coords, range(coords.size), two_level=two_level)
+        return calls
+
+    (_, calls) = on_ranks(2, lambda comm: search(comm, 0))
+    assert calls > 1
+    for at in range(1, calls + 1):
+        kinds = [type(error) for error in on_ranks(2, lambda comm: search(comm, at))]
+        assert kinds == [fmc_contact.errors.OnOtherRankError, ZeroDivisionError], at
+
+
+def test_a_state_that_one_rank_refuses_is_refused_on_all():
+    coords, stiffness = SQUARES[0], 100.0 * np.eye(SQUARES[0].size)
+
+    def search(comm, refuses):
+        states = []
+
+        def host(x):
+            states.append(x)
+            if refuses and comm.rank == 1 and len(states) == 2:
+                raise fmc_contact.errors.InvertedCellError("cell 0")
+            return 100.0 * (x - coords).ravel(), stiffness
+
+        contact = shared(comm, SQUARES)
+        return fmc_contact.find_equilibrium(host, contact, coords, range(coords.size), two_level=False).x
+
+    plain, _ = on_ranks(2, lambda comm: search(comm, False))
+    one, other = on_ranks(2, lambda comm: search(comm, True))
+    assert np.array_equal(one, other) and np.abs(one - plain).max() < 1e-8
+
+
 def shared(comm, blocks):
     contact = contact_of(blocks)
     contact.ranks.set_communicator(comm)

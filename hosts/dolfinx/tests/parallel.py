@@ -1,13 +1,11 @@
 """Programs for several ranks, started by the tests: ``mpirun -n N python parallel.py PROGRAM [arguments]``."""
 
 import sys
-import time
 
 import numpy as np
 import ufl
 from dolfinx import fem, mesh
 from dolfinx.fem import petsc
-from fmc_contact import errors
 from fmc_contact_dolfinx import ContactProblem, DolfinxContact, attach, by_input_number, find_equilibrium
 from fmc_contact_dolfinx.entries import add_entries
 from fmc_contact_dolfinx.on_ranks import direct_solver
@@ -279,55 +277,8 @@ def entries():
         assert np.abs(found - np.linalg.solve(full, given)).max() < 1e-14, count
 
 
-def fail(kind):
-    """Something goes wrong, on one rank only where that is possible; every rank must see an exception."""
-    last = COMM.size - 1
-    x, cells = blocks("triangle")
-    space = vector_space(mesh_from_cells(COMM, x, cells, "triangle"))
-    contact = DolfinxContact(space, stiffness=1e4, estimator="exact")
-    u = fem.Function(space)
-    contact.force(u)
-    expected = errors.FmcError
-    if kind == "nan":
-        if COMM.rank == last:
-            u.x.array[0] = np.nan
-    elif kind == "inverted":
-        u.interpolate(lambda p: np.stack([-2.5 * p[0], 0 * p[0]]))
-        expected = errors.InvertedCellError
-    elif kind == "layout":
-        expected = TypeError
-    elif kind in ("length", "callback", "search"):
-        expected = (ValueError, ZeroDivisionError)
-    begin = time.perf_counter()
-    try:
-        if kind == "layout":
-            scalar = fem.FunctionSpace(space.mesh, ("CG", 1)) if hasattr(fem, "FunctionSpace") else None
-            DolfinxContact(scalar if COMM.rank == last and scalar is not None else space, stiffness=1.0)
-        elif kind == "length":
-            contact.force(np.zeros(3) if COMM.rank == last else u)
-        elif kind in ("callback", "search"):
-            other = DolfinxContact(space, stiffness=1e4, in_parts=False)
-
-            def distance(points):
-                if COMM.rank == last:
-                    raise ZeroDivisionError("of the last rank")
-                return points[:, 1] + 10.0, np.tile([0.0, 1.0], (len(points), 1))
-
-            other.contact.obstacles.add_signed_distance(distance)
-            if kind == "search":
-                find_equilibrium(ContactProblem(elastic(u, ufl.TestFunction(space)), u, pressed(space), other))
-            other.force(u)
-        else:
-            contact.force(u)
-    except expected as error:
-        print(
-            f"rank {COMM.rank} saw {type(error).__name__}: {error}: after {time.perf_counter() - begin} s", flush=True
-        )
-    u.x.array[:] = 0.0
-    contact.force(u)
-    print(f"rank {COMM.rank} goes on", flush=True)
-
-
 if __name__ == "__main__":
-    programs = solve, tell, near, entries, two_meshes, two_spaces, fail
+    from failures import fail, fail_later
+
+    programs = solve, tell, near, entries, two_meshes, two_spaces, fail, fail_later
     {program.__name__: program for program in programs}[sys.argv[1]](*sys.argv[2:])

@@ -109,3 +109,10 @@ def test_an_error_reaches_every_rank_and_the_host_lives(ranks, kind):
     # Ten seconds, of which forms that are compiled for the first time take some.
     assert all(float(seconds) < 10.0 for seconds in re.findall(r"after (\S+) s", run.stdout)), run.stdout
     assert run.stdout.count(" saw ") == 3 and run.stdout.count("goes on") == 3, run.stdout
+
+
+@pytest.mark.parametrize("what", ["contact", "forces"])
+def test_an_error_on_one_rank_ends_the_search_on_all_whenever_it_comes(ranks, what):
+    run = ranks(3, "fail_later", what, limit=60)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert run.stdout.count("goes on") == 3 and "was told nothing" not in run.stdout, run.stdout

@@ -64,6 +64,11 @@ class RankCounts:
 class Ranks:
     """Ranks of a parallel program that share the work of a contact.
 
+    Attributes
+    ----------
+    comm : Communicator or None
+        The communicator that was set.
+
     Examples
     --------
     >>> contact.ranks.set_communicator(None)
@@ -71,6 +76,7 @@ class Ranks:
 
     def __init__(self, core: Core) -> None:
         self._core = core
+        self.comm: Optional[Communicator] = None
 
     def set_communicator(self, comm: Optional[Communicator]) -> None:
         """Shares the work of evaluations among the ranks of a communicator.
@@ -100,11 +106,13 @@ class Ranks:
             with handle:
                 handle.call(library.fmc_context_set_communicator, None)
                 handle.release("communicator")
+            self.comm = None
             return
         own = described(comm, handle.guarded)
         with handle:
             handle.call(library.fmc_context_set_communicator, byref(own))
             handle.keep("communicator", (own.all_gather, own.all_to_all))
+        self.comm = comm
 
     def counts(self) -> RankCounts:
         """What was shared since the communicator was set; zeros without one.

@@ -17,7 +17,7 @@ class OnRanks(Host):
 
     def __init__(self, problem: ContactProblem, contact: Any, is_held: np.ndarray, solver: Any = None) -> None:
         self.problem, self.system, self.contact, self.is_held = problem, problem.system, contact, is_held
-        self.unknowns = self.system.unknowns
+        self.unknowns, self.comm = self.system.unknowns, problem.contact.comm
         self.solver = direct_solver(problem.contact.comm) if solver is None else solver
         self._solved_for: Any = None
 

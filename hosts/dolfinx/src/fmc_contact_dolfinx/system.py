@@ -12,7 +12,8 @@ from scipy.sparse import csr_matrix, vstack
 
 from .adapter import DolfinxContact
 from .linearised import holds_part_of
-from .versions import vector_of
+from .together import together
+from .versions import create_vector, vector_of
 
 
 class System:
@@ -61,13 +62,17 @@ class System:
 
     def forces(self) -> np.ndarray:
         """The residual at the displacements, at all unknowns, those that are held too, (size,)."""
-        found = []
-        for form in self.residuals:
-            vector = fpetsc.assemble_vector(form)
-            vector.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
-            found.append(vector.array.copy())
-            vector.destroy()
-        return self._gathered(found)
+        return self._gathered([self._residual(u, form) for u, form in zip(self.us, self.residuals)])
+
+    def _residual(self, u: Any, form: Any) -> np.ndarray:
+        vector = create_vector(form, u.function_space)
+        with vector.localForm() as local:
+            local.set(0.0)
+        together(self.contact.comm, lambda: fpetsc.assemble_vector(vector, form))
+        vector.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
+        found = vector.array.copy()
+        vector.destroy()
+        return found
 
     def stiffness(self) -> csr_matrix:
         """Its derivative: rows of the unknowns of this rank, (count, size)."""

@@ -32,6 +32,7 @@ class Bodies(Host):
     def __init__(self, host: Residual, contact: Any, shape: tuple[int, ...], free: np.ndarray, solve: Optional[Solve]) -> None:
         self.host, self.contact, self.shape, self.free, self.solve_with = host, contact, shape, free, solve
         self.size = int(np.prod(shape))
+        self.comm = getattr(contact, "contact", contact).ranks.comm
         self.matrix: Any = None
         self._last: tuple[np.ndarray, Any] | None = None
         self._factors: tuple[Any, Any] = (None, None)

@@ -70,7 +70,8 @@ def find_equilibrium(
         definite, MUMPS if petsc4py was imported and has it, else scipy's ``splu``; for arrays numpy.
     two_level : bool, optional
         Whether bodies are condensed on the unknowns that feel contact. Default: without a ``solve`` of your own, where more than weak
-        springs hold them. If it is wanted, the equilibrium is a stable one, which may be far from the start.
+        springs hold them. True: also where springs hardly hold them, and with a ``solve`` of your own for the other ways; the equilibrium
+        is a stable one, which may be far from the start, and bodies that cannot be condensed raise ``ValueError`` or ``ImportError``.
     penetration : float, optional
         Penetration tolerance: largest mean penetration of a node over its part of the surface (length). Surfaces are moved out at an
         equilibrium (``Multipliers.augment``), and stay so for the next load step. If an update leaves more than a quarter, the

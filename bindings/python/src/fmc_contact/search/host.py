@@ -7,6 +7,8 @@ from typing import Optional
 
 import numpy as np
 
+from ..ranks import Communicator
+
 
 class Refused(Exception):
     """What a search has asked for is not there."""
@@ -21,6 +23,8 @@ class Host(ABC):
 
     factorisations = 0
     """Matrices factorised, if they are counted."""
+    comm: Optional[Communicator] = None
+    """Of the ranks that make the same search. What a method raises on one of them ends the search on all, but for ``Refused``."""
 
     @abstractmethod
     def forces(self, x: np.ndarray, matrix: bool) -> tuple[np.ndarray, Optional[float]]:

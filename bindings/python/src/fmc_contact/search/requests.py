@@ -21,6 +21,7 @@ from .._structs import (
 )
 from .bodies import CondensedSteps
 from .host import Host, Refused
+from .together import together
 from .unknowns import Moved
 
 
@@ -79,7 +80,7 @@ class Search:
         """Answers until the search has ended."""
         request, answer = fmc_equilibrium_request(), None
         while True:
-            self.handle.call(library.fmc_equilibrium_next, self.pointer, answer, byref(request))
+            together(self.bodies.comm, lambda: self.handle.call(library.fmc_equilibrium_next, self.pointer, answer, byref(request)))
             kind = FMC_EQUILIBRIUM_REQUEST_KIND[request.kind]
             if kind in ("found", "refused"):
                 return
@@ -87,22 +88,10 @@ class Search:
 
     def _answered(self, kind: str, request: fmc_equilibrium_request) -> tuple[Any, Any]:
         """The answer to a request, and the arrays that it points to."""
-        answer, energy, is_definite, bodies = fmc_equilibrium_answer(), None, False, self.bodies
+        answer = fmc_equilibrium_answer()
         check(library.fmc_equilibrium_answer_init(byref(answer)))
         try:
-            if kind == "forces":
-                vector, energy = bodies.forces(self._array(request.x), bool(request.matrix))
-            elif kind == "product":
-                vector = bodies.product(self._array(request.vector), bool(request.magnitudes))
-            elif kind == "diagonal":
-                vector = bodies.diagonal()
-            elif kind == "solve":
-                right = self._array(request.vector)
-                vector = bodies.solve(self._array(request.x), request.tangent_flags, request.shift, right)
-            else:
-                assert self.steps is not None
-                x, moved, forces = (self._array(one) for one in (request.x, request.vector, request.forces))
-                vector, is_definite = self.steps.step(x, moved, forces, request.tolerance, request.absolute_tolerance)
+            vector, energy, is_definite = together(self.bodies.comm, lambda: self._asked(kind, request))
         except Refused as refused:
             why = create_string_buffer(str(refused).encode())
             answer.refusal = addressof(why)
@@ -113,6 +102,23 @@ class Search:
         if energy is not None:
             answer.energy = addressof(held)
         return byref(answer), (answer, vector, held)
+
+    def _asked(self, kind: str, request: fmc_equilibrium_request) -> tuple[np.ndarray, Optional[float], bool]:
+        """What was asked for, an energy, and whether bodies were found to be held where nothing touches. Errors: ``Refused``."""
+        bodies = self.bodies
+        if kind == "forces":
+            return (*bodies.forces(self._array(request.x), bool(request.matrix)), False)
+        if kind == "product":
+            return bodies.product(self._array(request.vector), bool(request.magnitudes)), None, False
+        if kind == "diagonal":
+            return bodies.diagonal(), None, False
+        if kind == "solve":
+            right = self._array(request.vector)
+            return bodies.solve(self._array(request.x), request.tangent_flags, request.shift, right), None, False
+        assert self.steps is not None
+        x, moved, forces = (self._array(one) for one in (request.x, request.vector, request.forces))
+        step, is_definite = self.steps.step(x, moved, forces, request.tolerance, request.absolute_tolerance)
+        return step, None, is_definite
 
     def _array(self, address: int) -> np.ndarray:
         return _copied(address, self.size)
