@@ -71,6 +71,12 @@ def test_numbers_of_the_input_do_not_matter(ranks, alone, tmp_path, kind, shown)
     assert distance(other, one, "u") < 1e-12 and distance(other, one, "force") < 1e-10
 
 
+@pytest.mark.parametrize("kind", ["triangle", "quad", "tetra"])
+def test_the_search_finds_what_snes_finds(alone, kind):
+    search, snes = (alone("solve", kind, 1, "whole", "plain", through) for through in ("search", "attached"))
+    assert distance(search, snes, "u") < 1e-9 and distance(search, snes, "force") < 1e-8
+
+
 @pytest.mark.parametrize("through", ["attached", "newton"])
 def test_ways_to_solve_agree(ranks, alone, tmp_path, through):
     from dolfinx.fem.petsc import NonlinearProblem
