@@ -102,6 +102,15 @@ fn equilibrium_of_a_loose_block_in_c() {
     assert!(printed.contains("free: body 0 along ("), "{printed}");
 }
 
+/// Two blocks on a floor, whose host has a matrix and no solver: gaps are closed, and each is borne by what is below.
+#[test]
+fn equilibrium_of_loose_blocks_in_cpp() {
+    let printed = output("equilibrium.cpp", Link::Shared);
+    let end = " linear solves; the floor bears 250.000000 of 250, the upper block is borne by 90.000000 of 90\n";
+    let solves = printed.strip_suffix(end).and_then(|before| before.lines().last());
+    assert!(solves.and_then(|count| count.parse::<u32>().ok()).is_some_and(|count| count <= 10), "{printed}");
+}
+
 #[test]
 fn arrays_of_cpp_hosts_in_any_container() {
     assert_eq!(output("arrays.cpp", Link::Shared), "0 failures\n");
