@@ -14,10 +14,12 @@ CASES = [(name, count) for name in ("punch", "half-disc", "press fit", "disc") f
 
 
 @pytest.mark.parametrize(("name", "count"), [*CASES, ("punch Hex8", 8)])
-def test_every_load_step_takes_at_most_ten_iterations(name, count):
+def test_every_load_step_takes_at_most_eight_iterations(name, count):
     problem = problems.ALL[name](count)
     counts, pressed = study.load_steps(problem, problem.contact(10, **study.LAWS["depth"]), "whole")
-    assert len(counts) == len(problem.pushes) and all(iterations <= 10 for iterations in counts), counts
+    # But the first one of a punch of 32 cells, which presses sharp corners in from a touch.
+    most = [10 if (name, count) == ("punch", 32) else 8] + [8] * (len(problem.pushes) - 1)
+    assert all(iterations <= bound for iterations, bound in zip(counts, most, strict=True)), counts
     assert (pressed < 0.0) == (name != "press fit")
 
 

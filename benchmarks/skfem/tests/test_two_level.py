@@ -51,6 +51,6 @@ def test_a_first_overlap_of_a_part_of_a_cell_ends_where_small_load_steps_do(stif
     *_, (_, wanted) = _load_steps(problem, False, stiffness)
     problem.pushes = pushes[-1:].tolist()
     ((solves, found),) = _load_steps(problem, True, stiffness)
-    # A contact as soft as the bodies is met by another way, where the condensed one does not lower the energy.
-    assert solves <= (18 if stiffness == 1 else 4)
+    # Deep in a contact as soft as the bodies the condensed way does not lower the energy, and another one is taken.
+    assert solves <= {(1, 0.1): 5, (1, 0.5): 18}.get((stiffness, overlap), 4)
     assert np.abs(found - wanted).max() < 1e-8 * np.abs(wanted).max()
