@@ -6,7 +6,7 @@
 //! q = k_T s      while that is below the limit μ p (stick), else the limit along s (slip)
 //! ```
 //!
-//! `options` · `return_mapping` (from slip to traction) · `step` (the state when
+//! `options` · `return_mapping` (from slip to traction) · `past_points`, `step` (the state when
 //! the step began) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carriers` (the facets on which a point
 //! lies) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
@@ -17,6 +17,7 @@ mod carriers;
 mod facet_sums;
 mod frozen;
 mod options;
+mod past_points;
 mod return_mapping;
 mod side_motion;
 mod slip_facets;
@@ -27,6 +28,7 @@ mod tractions;
 pub(super) use at_points::{NodalFriction, PointFriction};
 pub(super) use frozen::FrozenFriction;
 pub use options::Friction;
+pub(super) use past_points::PastPoints;
 pub(super) use return_mapping::Stick;
 pub(super) use slip_facets::SlipFacets;
 pub(super) use step::{Sliding, Step};

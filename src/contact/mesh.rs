@@ -5,6 +5,7 @@ mod offsets;
 pub(crate) use offsets::Offsets;
 
 use crate::Error;
+use crate::contact::partners::MeshHashes;
 use crate::depth_field::DepthField;
 use crate::geometry::submesh::hash_of;
 use crate::geometry::{Basis, Surface, Weighting};
@@ -20,24 +21,27 @@ pub(crate) struct Mesh<const D: usize> {
     in_symmetry_plane: Option<Vec<bool>>,
     /// Depth of the cells, found when it is asked for first.
     depth: OnceLock<Option<DepthField<D>>>,
-    /// From what they are found: hashes of the coordinates without deformation, and of the nodes in planes of symmetry.
-    depths: [u64; 2],
+    hashes: MeshHashes,
 }
 
 impl<const D: usize> Mesh<D> {
     pub(crate) fn new(surface: Surface<D>) -> Self {
-        let depths = [hash_of(surface.reference()), 0];
         let offsets = Offsets::none();
-        Self { surface, offsets, in_symmetry_plane: None, depth: OnceLock::new(), depths }
+        let hashes = MeshHashes { depths: [hash_of(surface.reference()), 0], offsets: offsets.hash() };
+        Self { surface, offsets, in_symmetry_plane: None, depth: OnceLock::new(), hashes }
     }
 
     /// The points of the straight mesh that is measured: those of the nodes at `coords`, with what the surface lies beside them.
     pub(crate) fn points<'a>(&self, coords: &'a [[f64; D]]) -> Result<Cow<'a, [[f64; D]]>, Error> {
-        let mut points = self.surface.mesh_points(coords)?;
+        Ok(self.placed(self.surface.mesh_points(coords)?))
+    }
+
+    /// Points of the straight mesh with what the surface lies beside them.
+    pub(crate) fn placed<'a>(&self, mut points: Cow<'a, [[f64; D]]>) -> Cow<'a, [[f64; D]]> {
         if !self.offsets.is_empty() {
             self.offsets.add_to(points.to_mut());
         }
-        Ok(points)
+        points
     }
 
     /// Where the surface lies beside its nodes.
@@ -47,6 +51,7 @@ impl<const D: usize> Mesh<D> {
 
     /// Has the surface lie elsewhere; returns where it lay.
     pub(crate) fn replace_offsets(&mut self, offsets: Offsets<D>) -> Offsets<D> {
+        self.hashes.offsets = offsets.hash();
         std::mem::replace(&mut self.offsets, offsets)
     }
 
@@ -56,9 +61,9 @@ impl<const D: usize> Mesh<D> {
         self.depth.get_or_init(new).as_ref()
     }
 
-    /// Which depths these are: others where this is another.
-    pub(crate) fn depths(&self) -> [u64; 2] {
-        self.depths
+    /// Of what decides how facets bear.
+    pub(crate) fn hashes(&self) -> MeshHashes {
+        self.hashes
     }
 
     /// Has depths found again, for another weighting.
@@ -69,7 +74,7 @@ impl<const D: usize> Mesh<D> {
     pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.surface.refuse_submesh("reference coordinates of a part of a mesh by itself")?;
         self.surface.set_reference(coords)?;
-        self.depths[0] = hash_of(self.surface.reference());
+        self.hashes.depths[0] = hash_of(self.surface.reference());
         self.forget_depth();
         Ok(())
     }
@@ -101,7 +106,7 @@ impl<const D: usize> Mesh<D> {
 
     /// Says by a hash which nodes are marked.
     pub(crate) fn tell_symmetry(&mut self, marks: u64) {
-        self.depths[1] = marks;
+        self.hashes.depths[1] = marks;
     }
 
     /// The same by node.
@@ -118,7 +123,7 @@ impl<const D: usize> Mesh<D> {
     /// Takes other cells of the same mesh, with marks of the nodes in planes of symmetry.
     pub(crate) fn take_cells(&mut self, surface: Surface<D>, in_symmetry_plane: Option<Vec<bool>>) {
         // How facets bore before is known of those that are still there.
-        *self = Self { depths: self.depths, ..Self::new(surface) };
+        *self = Self { hashes: self.hashes, ..Self::new(surface) };
         if let Some(marked) = in_symmetry_plane {
             self.mark_symmetry(marked);
         }

@@ -13,7 +13,7 @@ mod pair_table;
 mod parallel;
 mod rigid;
 
-pub(crate) use bearing_rules::{BearingRule, BearingRules};
+pub(crate) use bearing_rules::{BearingRule, BearingRules, MeshHashes};
 pub use layers::LayerStiffness;
 pub(crate) use list::Partners;
 pub(crate) use obstacles::Poses;

@@ -159,6 +159,29 @@ fn other_depths_forget_how_facets_bore_by_them() {
     }
 }
 
+/// A surface that lies elsewhere beside its nodes bears elsewhere, against bodies and obstacles alike.
+#[test]
+fn other_offsets_forget_how_facets_bore_where_they_lay() {
+    let aside: Vec<[f64; 2]> =
+        (0..crate::problem::scene().coords.len()).map(|n| [0.0, -1e-4 * (n % 3) as f64]).collect();
+    for problem in rough() {
+        let smooth = Options { friction: Friction::default(), ..problem.options };
+        let no_friction = |contact: &mut Contact<2>| contact.set_options(smooth).expect("options");
+        let told = |contact: &mut Contact<2>| contact.set_offsets(&aside).expect("offsets");
+        let again = |contact: &mut Contact<2>| {
+            told(contact);
+            contact.set_offsets(&[]).expect("offsets");
+        };
+        let unknown = forces(problem, no_friction, |contact| {
+            contact.set_options(problem.options).expect("options");
+            told(contact);
+        });
+        assert_eq!(forces(problem, none, told), unknown, "{:?}", problem.options.law);
+        assert_eq!(forces(problem, none, again), forces(problem, none, none), "{:?}", problem.options.law);
+        assert_ne!(forces(problem, told, none), unknown, "{:?}", problem.options.law);
+    }
+}
+
 /// Surfaces that are moved out against a partner that is left out are where they are again, also against all others.
 #[test]
 fn what_is_left_out_moves_no_surface_out() {

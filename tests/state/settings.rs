@@ -200,7 +200,8 @@ fn of_mesh(scene: &Scene<2>) -> Vec<Setting> {
     let left: Vec<u32> = scene.nodes_of(1).filter(|&n| given[n][0] == 1.0).map(|n| n as u32).collect();
     let (count, adjusted) = (given.len(), moved(scene, 1e-4, 0.0));
     let aside = move |by: f64| (0..count).map(|n| [by * (n as f64).sin(), -by]).collect::<Vec<[f64; 2]>>();
-    let beside = aside(-1e-4);
+    // So far that the last bits of places are lost on the way.
+    let (beside, far) = (aside(-1e-4), aside(0.3));
     vec![
         new("reference", move |c| c.set_reference(&stretched), vec![call(move |c| c.set_reference(&given))], &[]),
         new(
@@ -209,6 +210,7 @@ fn of_mesh(scene: &Scene<2>) -> Vec<Setting> {
             vec![
                 call(|c| c.set_offsets(&[])),
                 call(move |c| c.set_offsets(&beside)),
+                call(move |c| c.set_offsets(&far)),
                 call(move |c| c.adjust(&adjusted, 0.0, 0.1 * DELTA).map(drop)),
             ],
             &[],

@@ -105,14 +105,13 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, offsets: &[[f64; D]]
 
 /// Has the surface lie elsewhere. No body slides by that: the step that has begun, and frozen friction, begin where it lies now.
 fn replace<const D: usize>(contact: &mut Contact<D>, offsets: Offsets<D>) {
-    let before = contact.mesh.replace_offsets(offsets);
+    contact.mesh.replace_offsets(offsets);
     let Contact { mesh, history, state, .. } = contact;
     if let Some(step) = &mut history.step {
-        mesh.offsets().moves(&before, &mut step.coords);
-        step.points = mesh.surface.points(&step.coords);
+        step.place(&mesh.surface, |points| mesh.placed(points.into()));
     }
     if let Some(frozen) = &mut history.frozen {
-        mesh.offsets().moves(&before, frozen.coords_mut());
+        frozen.coords.place(|points| mesh.placed(points.into()));
     }
     state.forget_found();
 }

@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
-use crate::contact::friction::{FrozenFriction, SlipFacets, Step};
+use crate::contact::friction::{FrozenFriction, PastPoints, SlipFacets, Step};
 use crate::contact::history::Bearings;
 use crate::geometry::Vector;
 
@@ -50,15 +50,21 @@ pub(crate) fn freeze<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     contact.history.step()?;
     let pairs = kernels::slip_facets(contact, coords)?;
     contact.mesh.check_brought(coords)?;
-    let (points, poses) = (contact.mesh.points(coords)?, contact.partners.obstacles.poses());
-    contact.history.frozen = Some(FrozenFriction::new(pairs, &points, poses, contact.mesh.epoch()));
+    let (points, poses) = (past_points(contact, coords)?, contact.partners.obstacles.poses());
+    contact.history.frozen = Some(FrozenFriction::new(pairs, points, poses, contact.mesh.epoch()));
     Ok(())
 }
 
 /// A step that begins here.
 fn step_at<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], slip: Vec<[f64; D]>) -> Result<Step<D>, Error> {
     let Contact { mesh, partners, .. } = contact;
-    Ok(Step::new(&mesh.surface, &mesh.points(coords)?, partners.obstacles.poses(), slip, mesh.epoch()))
+    Ok(Step::new(&mesh.surface, past_points(contact, coords)?, partners.obstacles.poses(), slip, mesh.epoch()))
+}
+
+/// Points of the mesh to remember.
+fn past_points<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<PastPoints<D>, Error> {
+    let mesh = &contact.mesh;
+    Ok(PastPoints::new(mesh.surface.mesh_points(coords)?.into_owned(), |points| mesh.placed(points.into())))
 }
 
 /// How all facets bear, where any pair has friction; without a stiffness nothing bears yet.
@@ -71,6 +77,6 @@ fn bearings<const D: usize>(
     if !partners.has_friction(options) || partners.check_stiffness(options).is_err() {
         return Ok(None);
     }
-    let rules = partners.bearing_rules(options, mesh.depths());
+    let rules = partners.bearing_rules(options, mesh.hashes());
     Ok(Some(Bearings::new(&pairs()?, rules, partners.obstacles.count())))
 }

@@ -27,7 +27,7 @@ pub(crate) fn sliding<'a, const D: usize>(
             Stick::Spring(friction.stiffness.or(measured.law.initial_stiffness()).ok_or(Error::Unsupported { what })?)
         }
     };
-    let now = partners.bearing_rule(&measured.pair.partners, method.options(), mesh.depths());
+    let now = partners.bearing_rule(&measured.pair.partners, method.options(), mesh.hashes());
     let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(&measured.pair.partners, now));
     Ok(Some(Sliding { friction, stick, step, bearings }))
 }

@@ -1,5 +1,6 @@
 //! Friction with the facets and the pressure of an earlier iteration: the forces are then those of a convex potential.
 
+use super::past_points::PastPoints;
 use super::slip_facets::SlipFacets;
 use crate::geometry::{Pose, Vector};
 use crate::overlap::Partner;
@@ -8,7 +9,8 @@ use crate::overlap::Partner;
 #[derive(Clone)]
 pub(crate) struct FrozenFriction<const D: usize> {
     pairs: Vec<SlipFacets<D>>,
-    coords: Vec<[f64; D]>,
+    /// Points of the mesh.
+    pub(crate) coords: PastPoints<D>,
     /// Where the obstacles stood.
     pub(crate) poses: Vec<Option<Pose<D>>>,
     /// Which coordinates these are, of a mesh that is given in parts.
@@ -19,7 +21,7 @@ impl<const D: usize> FrozenFriction<D> {
     /// Freezes the facets as they are.
     pub(crate) fn new(
         mut pairs: Vec<SlipFacets<D>>,
-        coords: &[[f64; D]],
+        coords: PastPoints<D>,
         poses: Vec<Option<Pose<D>>>,
         epoch: u64,
     ) -> Self {
@@ -31,12 +33,7 @@ impl<const D: usize> FrozenFriction<D> {
                 facet.is_frozen = true;
             });
         }
-        Self { pairs, coords: coords.to_vec(), poses, epoch }
-    }
-
-    /// Where nodes stood when it was frozen.
-    pub(crate) fn coords_mut(&mut self) -> &mut [[f64; D]] {
-        &mut self.coords
+        Self { pairs, coords, poses, epoch }
     }
 
     /// Releases the pairs of which this holds: those against what is gone, or left out.

@@ -1,16 +1,18 @@
 //! The state at the start of a step.
 
 use super::options::Friction;
+use super::past_points::PastPoints;
 use super::return_mapping::Stick;
 use super::touch::{Bearing, FacetBearings};
 use crate::geometry::{Pose, Surface, Vector};
 use crate::overlap::Partner;
+use std::borrow::Cow;
 
 /// Where all stood when the step began, and the elastic slip that was carried into it.
 #[derive(Clone)]
 pub(crate) struct Step<const D: usize> {
-    /// Coordinates of all nodes.
-    pub(crate) coords: Vec<[f64; D]>,
+    /// Points of the mesh.
+    pub(crate) coords: PastPoints<D>,
     /// Places of the surface's vertices.
     pub(crate) points: Vec<Vector<D>>,
     /// Which coordinates these are, of a mesh that is given in parts.
@@ -24,12 +26,18 @@ pub(crate) struct Step<const D: usize> {
 impl<const D: usize> Step<D> {
     pub(crate) fn new(
         surface: &Surface<D>,
-        coords: &[[f64; D]],
+        coords: PastPoints<D>,
         poses: Vec<Option<Pose<D>>>,
         slip: Vec<[f64; D]>,
         epoch: u64,
     ) -> Self {
-        Self { coords: coords.to_vec(), points: surface.points(coords), epoch, poses, slip }
+        Self { points: surface.points(coords.placed()), coords, epoch, poses, slip }
+    }
+
+    /// Has the surface have lain elsewhere when it began.
+    pub(crate) fn place(&mut self, surface: &Surface<D>, place: impl FnOnce(&[[f64; D]]) -> Cow<'_, [[f64; D]]>) {
+        self.coords.place(place);
+        self.points = surface.points(self.coords.placed());
     }
 
     /// The same step of other cells of the mesh, whose points were here when it began; `facet` is the new number of a facet, if it is
@@ -46,7 +54,7 @@ impl<const D: usize> Step<D> {
                 slip[new] = *carried;
             }
         }
-        Self::new(surface, points, self.poses, slip, self.epoch)
+        Self::new(surface, PastPoints::new(points.to_vec(), |points| points.into()), self.poses, slip, self.epoch)
     }
 
     /// Where an obstacle stood; one that came later has not moved.

@@ -5,6 +5,7 @@
 //! energy as before. The vectors do not turn with the bodies.
 
 use crate::Error;
+use crate::geometry::submesh::hash_of;
 
 /// The vectors, by point of the straight mesh; none: all are zero.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,6 +38,11 @@ impl<const D: usize> Offsets<D> {
         self.0.is_empty()
     }
 
+    /// Hash of its bits.
+    pub(crate) fn hash(&self) -> u64 {
+        hash_of(&self.0)
+    }
+
     /// Its numbers, none where all are zero.
     pub(crate) fn numbers(&self) -> &[f64] {
         self.0.as_flattened()
@@ -45,12 +51,6 @@ impl<const D: usize> Offsets<D> {
     /// Moves points to where the surface lies.
     pub(crate) fn add_to(&self, points: &mut [[f64; D]]) {
         points.as_flattened_mut().iter_mut().zip(self.0.as_flattened()).for_each(|(x, offset)| *x += offset);
-    }
-
-    /// Moves points that lie where others have the surface to where these have it.
-    pub(crate) fn moves(&self, from: &Self, points: &mut [[f64; D]]) {
-        from.0.as_flattened().iter().zip(points.as_flattened_mut()).for_each(|(offset, x)| *x -= offset);
-        self.add_to(points);
     }
 
     /// One vector for every point.

@@ -6,6 +6,15 @@ use crate::contact::method::Options;
 use crate::overlap::{Estimator, Partner};
 use std::collections::BTreeMap;
 
+/// Hashes of what a mesh has to do with it: another hash, another way to bear.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct MeshHashes {
+    /// Of that from which depths are found: the coordinates without deformation, and the nodes in planes of symmetry.
+    pub(crate) depths: [u64; 2],
+    /// Of how far the surface lies beside its nodes.
+    pub(crate) offsets: u64,
+}
+
 /// By what the facets of a pair bear. While it is the same, they bear the same at the same places.
 #[derive(Debug, PartialEq)]
 pub(crate) struct BearingRule {
@@ -13,6 +22,8 @@ pub(crate) struct BearingRule {
     lines: Option<Estimator>,
     /// Which depths these are, of two bodies.
     depths: Option<[u64; 2]>,
+    /// How far the surface lies beside its nodes.
+    offsets: u64,
     gap_offset: f64,
     axisymmetric: bool,
 }
@@ -23,7 +34,7 @@ impl BearingRule {
         pair: &[Partner; 2],
         own: Option<PairOptions>,
         options: &Options,
-        depths: [u64; 2],
+        mesh: MeshHashes,
     ) -> Option<Self> {
         let is_evaluated = match own {
             Some(own) => !own.excluded,
@@ -35,7 +46,8 @@ impl BearingRule {
         let is_of_bodies = matches!(pair[1], Partner::Body(_));
         (is_evaluated && friction.unwrap_or(options.friction).is_active()).then_some(Self {
             lines: is_local.then_some(options.estimator),
-            depths: (is_of_bodies && !is_local).then_some(depths),
+            depths: (is_of_bodies && !is_local).then_some(mesh.depths),
+            offsets: mesh.offsets,
             gap_offset: own.gap_offset,
             axisymmetric: options.axisymmetric,
         })
@@ -47,11 +59,11 @@ impl BearingRule {
 pub(crate) struct BearingRules {
     pub(super) of_pairs: BTreeMap<[Partner; 2], PairOptions>,
     pub(super) options: Options,
-    pub(super) depths: [u64; 2],
+    pub(super) mesh: MeshHashes,
 }
 
 impl BearingRules {
     pub(crate) fn of(&self, pair: &[Partner; 2]) -> Option<BearingRule> {
-        BearingRule::new(pair, self.of_pairs.get(pair).copied(), &self.options, self.depths)
+        BearingRule::new(pair, self.of_pairs.get(pair).copied(), &self.options, self.mesh)
     }
 }

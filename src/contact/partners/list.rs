@@ -1,6 +1,6 @@
 //! The partners of a contact.
 
-use super::bearing_rules::{BearingRule, BearingRules};
+use super::bearing_rules::{BearingRule, BearingRules, MeshHashes};
 use super::layers::{LayerLaws, LayerStiffness};
 use super::obstacles::Obstacles;
 use super::pair_options::PairOptions;
@@ -142,14 +142,14 @@ impl<const D: usize> Partners<D> {
         self.table.friction(pair, options.friction)
     }
 
-    /// By what the facets of a pair bear, where bodies have these depths; `None` without friction.
-    pub(crate) fn bearing_rule(&self, pair: &[Partner; 2], options: &Options, depths: [u64; 2]) -> Option<BearingRule> {
-        BearingRule::new(pair, self.table.options(pair), options, depths)
+    /// By what the facets of a pair bear, of a mesh with these hashes; `None` without friction.
+    pub(crate) fn bearing_rule(&self, pair: &[Partner; 2], options: &Options, mesh: MeshHashes) -> Option<BearingRule> {
+        BearingRule::new(pair, self.table.options(pair), options, mesh)
     }
 
     /// The same of all pairs, to compare with later.
-    pub(crate) fn bearing_rules(&self, options: &Options, depths: [u64; 2]) -> BearingRules {
-        BearingRules { of_pairs: self.table.all_options(), options: *options, depths }
+    pub(crate) fn bearing_rules(&self, options: &Options, mesh: MeshHashes) -> BearingRules {
+        BearingRules { of_pairs: self.table.all_options(), options: *options, mesh }
     }
 
     /// Whether a pair adds to results.
