@@ -125,14 +125,13 @@ fn what_cannot_be_is_refused() {
         let error = contact.augment(&coords, 0.0, 1e-6).unwrap_err();
         assert!(matches!(error, Error::Unsupported { what } if what.contains("penetration")), "{error}");
     };
-    let rubbed = Options { friction: Friction::coulomb(0.3), ..Options::new(EnergyLaw::depth(1.0)) };
     let itself = Options { self_contact: true, ..Options::new(EnergyLaw::depth(1.0)) };
     let volume = Options::new(EnergyLaw::volume(1.0));
     // What a shift presses with would not stay when the law is made stiffer, and never comes to more than the law's k.
     let profile = EnergyProfile::Linear { smoothing_length: 1e-3 };
     let estimator = Estimator::Fibers(FiberOptions::default());
     let fiber = Options { estimator, ..Options::new(EnergyLaw::Fiber(PenetrationLaw { stiffness: 1.0, profile })) };
-    for options in [rubbed, itself, volume, fiber] {
+    for options in [itself, volume, fiber] {
         refused(options);
     }
     let law = Options::new(EnergyLaw::fiber(1.0));
@@ -142,7 +141,7 @@ fn what_cannot_be_is_refused() {
     }
     contact.augment(&coords, 0.0, 1e-6).unwrap();
     let kept = contact.multipliers();
-    for options in [rubbed, itself, volume, fiber] {
+    for options in [itself, volume, fiber] {
         assert!(matches!(contact.set_options(options), Err(Error::Unsupported { .. })));
     }
     let with = |change: fn(&mut Multiplier<2>)| {
@@ -156,6 +155,30 @@ fn what_cannot_be_is_refused() {
     let unknown = with(|one| one.partners[1] = Partner::Obstacle(7));
     assert!(matches!(contact.set_multipliers(&unknown), Err(Error::ObstacleOutOfRange { .. })));
     assert_eq!(contact.multipliers(), kept);
+}
+
+/// A block that slides is held by the coefficient times the pressure of the surfaces moved out; one that sticks by as much after its law
+/// was made stiffer as before, and back again to the bit.
+#[test]
+fn friction_has_the_pressure_of_surfaces_moved_out() {
+    let (coords, mut contact) = square(-0.01);
+    let friction = Friction::coulomb(0.3);
+    contact.set_options(Options { friction, ..Options::new(EnergyLaw::depth(crate::springs::K)) }).unwrap();
+    contact.begin_step(&coords).unwrap();
+    let by_law = contact.evaluate(&coords).unwrap().bodies[0].force[1];
+    contact.augment(&coords, 0.0, 1e-6).unwrap();
+    let moved = |by: f64| -> Vec<[f64; 2]> { coords.iter().map(|x| [x[0] + by, x[1]]).collect() };
+    let of = |contact: &fmc_contact::Contact<2>, by: f64| contact.evaluate(&moved(by)).unwrap().bodies[0].force;
+    let sliding = of(&contact, 0.1);
+    println!("{by_law:e} {sliding:?}");
+    // At its rims a contact bears less than k times the penetration, by a part of the order of 0.01.
+    assert!((sliding[1] - 2.0 * by_law).abs() < 0.02 * by_law && (sliding[0] + 0.3 * sliding[1]).abs() < 0.01 * by_law);
+    contact.commit_step(&moved(1e-3)).unwrap();
+    let (before, kept) = (of(&contact, 1e-3), contact.slip().unwrap().to_vec());
+    contact.stiffen(4.0).unwrap();
+    assert!((of(&contact, 1e-3)[0] - before[0]).abs() < 1e-12 * by_law && before[0] < 0.0);
+    contact.stiffen(0.25).unwrap();
+    assert_eq!((of(&contact, 1e-3), contact.slip().unwrap()), (before, &kept[..]));
 }
 
 /// What surfaces that just touch press with stays, and what they penetrate is resisted more.

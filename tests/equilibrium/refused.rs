@@ -2,6 +2,7 @@
 
 use super::bodies::{Block, Host};
 use fmc_contact::Error;
+use fmc_contact::contact::Options;
 use fmc_contact::contact::equilibrium::DriverOptions;
 
 /// A block that is pulled off its floor.
@@ -82,14 +83,15 @@ fn a_body_pushed_through_itself_is_told_with_a_cell() {
 
 /// A penetration that is asked for where none can be had is refused before anything is solved.
 #[test]
-fn a_penetration_with_friction_is_refused_at_once() {
+fn a_penetration_with_self_contact_is_refused_at_once() {
     let mut host = Host::new(&[Block::unit(0.0, 1e-3, 2)]);
     host.add_weight(0, [0.0, -10.0]);
-    let mut contact = host.contact(Some(0.0), 0.3);
+    let mut contact = host.contact(Some(0.0), 0.0);
+    contact.set_options(Options { self_contact: true, ..*contact.options() }).unwrap();
     let options = DriverOptions { penetration: 1e-6, ..DriverOptions::default() };
     let refusal = host.solved_with(&mut contact, None, options).unwrap_err();
     assert!(
-        matches!(refusal.error, Some(Error::Unsupported { what }) if what.contains("friction")),
+        matches!(refusal.error, Some(Error::Unsupported { what }) if what.contains("self-contact")),
         "{}",
         refusal.text
     );

@@ -77,7 +77,7 @@ class Bodies:
         self.contact.contact.set_options(friction_coefficient=coefficient)
         self.contact.begin_step(self.u)
 
-    def solve(self, held, prescribed=0.0, tolerance=1e-9):
+    def solve(self, held, prescribed=0.0, tolerance=1e-9, penetration=None):
         """Equilibrium with these values of the unknowns ``held``; number of linear solves. What is prescribed moves with the
         first of them."""
         free = np.setdiff1d(np.arange(len(self.z)), held)
@@ -90,7 +90,7 @@ class Bodies:
         tolerance *= max(1.0, np.linalg.norm(self.load) / pushed) if pushed else 1.0
         found = find_equilibrium(
             self._host, _OnUnknowns(self), self.z, free, end, tolerance=tolerance,
-            max_iterations=LIMIT, two_level=False,
+            max_iterations=LIMIT, two_level=False, penetration=penetration,
         )  # fmt: skip
         self.z, self.result = found.x, found.result
         return found.iterations

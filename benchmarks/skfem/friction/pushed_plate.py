@@ -10,7 +10,7 @@ PUBLISHED = 1e-5 * np.array([2.86, 2.72, 2.28, 1.98, 1.54])
 
 
 class Plate:
-    def __init__(self, cells, factor=10, law="depth"):
+    def __init__(self, cells, factor=10, law="depth", penetration=None):
         line = np.linspace(0, SIDE, cells + 1)
         mesh, facet = grid(line, line), SIDE / cells
         k = factor * YOUNG / facet
@@ -18,6 +18,7 @@ class Plate:
         plate.contact.contact.obstacles.add_half_space((0, 0), (0, 1))
         share = np.full(cells + 1, facet)
         share[[0, -1]] /= 2
+        self.penetration = penetration
         self.full = np.zeros(plate.size)
         self.full[plate.dofs(lambda p: p[0] < 1e-9)[0]] = PUSH * share
         self.full[plate.dofs(lambda p: p[1] > SIDE - 1e-9)[1]] = -PRESS * share
@@ -31,7 +32,7 @@ class Plate:
         plate, counts = self.plate, []
         for step in range(1, steps + 1):
             plate.load = self.full * step / steps
-            counts.append(plate.solve(self.held))
+            counts.append(plate.solve(self.held, penetration=self.penetration))
             self.friction = plate.result.friction
             plate.commit()
         return np.interp(PLACES, plate.meshes[0].p[0, self.lower[0] // 2], plate.u[self.lower[0]]), counts

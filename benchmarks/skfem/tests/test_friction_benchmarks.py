@@ -65,6 +65,16 @@ def test_a_plate_is_pressed_on_a_plane_and_pushed_along_it(law):
     assert counts[0] <= 15
 
 
+def test_a_soft_plane_bears_as_a_hard_one_where_no_penetration_is_wanted():
+    """k = E / 10 h: by the law alone u is a fifth too small."""
+    soft = pushed_plate.Plate(16, factor=0.1, penetration=1e-8)
+    u, counts = soft.push()
+    assert u == pytest.approx(pushed_plate.PUBLISHED, rel=5e-3)
+    assert max(counts) <= 20
+    # It was made stiffer on the way.
+    assert soft.plate.contact.contact.options["stiffness"] > 0.1 * pushed_plate.YOUNG * 16 / pushed_plate.SIDE
+
+
 def test_cylinders_that_are_dragged_have_the_traction_of_cattaneo():
     """Facets a/12: one of them in 12 is cut by the rim, and one by the end of the stick on either side."""
     pair = cylinders.Cylinders(12)

@@ -306,8 +306,8 @@ def test_what_is_prescribed_is_moved_in_parts_where_all_of_it_turns_a_cell_insid
     target = coords - [0.0, 1.5]
     found = find_equilibrium(hanging, contact, coords, np.arange(4), target, two_level=False)
     assert np.array_equal(found.x[2:], target[2:]) and np.abs(found.x - target).max() < 1e-12
-    # Half of it turns none.
-    assert found.parts == 2
+    # Half a thickness at a time, and less where that turns the cell.
+    assert 3 <= found.parts <= 6
 
 
 def test_a_contact_without_a_stiffness_gets_one_from_the_bodies(column):

@@ -62,8 +62,8 @@ def test_what_is_refused(pressed):
         bad[field][0] = value
         with pytest.raises(error):
             contact.multipliers.values = bad
-    with pytest.raises(errors.UnsupportedError, match="friction"):
-        contact.set_options(friction_coefficient=0.3)
+    with pytest.raises(errors.UnsupportedError, match="self-contact"):
+        contact.set_options(self_contact=True)
     assert np.array_equal(contact.multipliers.values, kept)
     contact.multipliers.release()
     contact.set_options(law="volume")

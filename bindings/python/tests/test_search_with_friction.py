@@ -102,3 +102,37 @@ def test_a_refused_step_leaves_the_one_that_has_begun(block):
     with pytest.raises(NoSupportError):
         find_equilibrium(host(2 * MU * WEIGHT), contact, held, range(8))
     assert np.array_equal(contact.evaluate(held).forces, before)
+
+
+def test_a_block_that_is_pushed_has_no_penetration_where_none_is_wanted(block):
+    """Of a contact as soft as the block: the law alone leaves a hundredth of its height."""
+    coords, contact, host = block
+    contact.set_options(stiffness=YOUNG)
+    contact.friction.begin_step(coords)
+    x = coords
+    for push in (0.0, 0.2, 0.1):
+        found = find_equilibrium(host(push), contact, x, range(8), penetration=1e-7)
+        assert found.penetration <= 1e-7 and np.abs(found.x[:2, 1]).max() < 1e-6
+        assert found.result.forces[:, 0].sum() == pytest.approx(-push, abs=1e-8)
+        contact.friction.commit_step(found.x)
+        x = found.x
+    # The law was made stiffer, and the slip that was carried pulls as before; other options leave that as it is.
+    assert contact.options["stiffness"] > YOUNG
+    before = contact.evaluate(x).forces
+    contact.set_options(threads=2)
+    assert np.array_equal(contact.evaluate(x).forces, before)
+
+
+def test_a_law_made_stiffer_leaves_the_pull_of_what_is_carried(block):
+    coords, contact, host = block
+    contact.friction.begin_step(coords)
+    pressed = find_equilibrium(host(0.0), contact, coords, range(8)).x
+    contact.friction.commit_step(pressed)
+    held = find_equilibrium(host(0.2), contact, pressed, range(8)).x
+    contact.friction.commit_step(held)
+    before = contact.evaluate(held)
+    contact.stiffen(4.0)
+    # At rest the slip is all carried: the traction is k_T times it.
+    assert contact.evaluate(held).forces[:, 0].sum() == pytest.approx(before.forces[:, 0].sum(), rel=1e-12)
+    contact.stiffen(0.25)
+    assert np.array_equal(contact.evaluate(held).forces, before.forces)

@@ -54,8 +54,8 @@ def test_a_disc_on_a_plane(element, two_level):
 
 
 def test_what_is_refused():
-    arguments = pressed_disc(ElementTriP1(), friction_coefficient=0.3)
-    with pytest.raises(NotConvergedError, match="with friction"):
+    arguments = pressed_disc(ElementTriP1(), self_contact=True)
+    with pytest.raises(NotConvergedError, match="with self-contact"):
         find_equilibrium(*arguments, penetration=1e-6)
     with pytest.raises(ValueError, match="a positive one"):
         find_equilibrium(*pressed_disc(ElementTriP1()), penetration=0.0)

@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
 use crate::contact::friction::{FrozenFriction, PastPoints, SlipFacets, Step};
-use crate::contact::history::Bearings;
+use crate::contact::history::{Bearings, Begun};
 use crate::geometry::Vector;
 
 /// Begins a step at these coordinates. On an error nothing has changed.
@@ -43,6 +43,12 @@ pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     let bearings = bearings(contact, || Ok(pairs))?;
     contact.history.begin(next, bearings);
     Ok(())
+}
+
+/// Goes on with a step that was laid aside.
+pub(crate) fn take_up<const D: usize>(contact: &mut Contact<D>, begun: Begun<D>) {
+    let is_slip_of_law = contact.method.options().friction.stiffness.is_none();
+    contact.history.take_up(begun, is_slip_of_law);
 }
 
 /// Freezes the facets on which friction acts and their pressure. On an error what was frozen before stays.

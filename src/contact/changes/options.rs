@@ -12,7 +12,7 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) ->
     let Contact { mesh, partners, method, work, history, state } = contact;
     Method::check(&options, &mesh.surface)?;
     partners.table.check(&options)?;
-    history.multipliers.check(&options.law, options.friction.is_active() || options.self_contact)?;
+    history.multipliers.check(&options.law, options.self_contact)?;
     let (new, old) = (method.with(options)?, *method.options());
     if options.law != old.law {
         partners.take_law(&options.law)?;
@@ -44,10 +44,9 @@ pub(crate) fn set_pair<const D: usize>(
     let pair = contact.partners.checked_pair(partners, contact.mesh.surface.body_count())?;
     let of_contact = *contact.method.options();
     let before = contact.partners.friction_of(&pair, &of_contact);
-    if let Some(PairOptions { law, friction_coefficient, excluded, .. }) = options {
-        let is_rubbed = friction_coefficient.is_some_and(|coefficient| coefficient > 0.0);
+    if let Some(PairOptions { law, excluded, .. }) = options {
         let is_own = pair[0] == pair[1] && !excluded;
-        contact.history.multipliers.check(&law.unwrap_or(of_contact.law), is_rubbed || is_own)?;
+        contact.history.multipliers.check(&law.unwrap_or(of_contact.law), is_own)?;
     }
     contact.partners.set_pair_options(pair, options, &of_contact)?;
     let after = contact.partners.friction_of(&pair, &of_contact);

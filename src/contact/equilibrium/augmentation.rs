@@ -45,7 +45,7 @@ impl<const D: usize> Contact<D> {
     /// change that are left alone.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a reach or a penetration that is negative or no number; [`Error::Unsupported`] with friction,
+    /// [`Error::NotPositive`] for a reach or a penetration that is negative or no number; [`Error::Unsupported`] with
     /// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as [`Self::evaluate`]. The
     /// multipliers have then stayed.
     pub fn augment(&mut self, coords: &[[f64; D]], reach: f64, enough: f64) -> Result<Augmentation, Error> {
@@ -123,7 +123,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Multiplies the stiffness of the law, and of those that pairs have of their own, by a factor; what surfaces that are moved out
-    /// press with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, this
+    /// press with where they just touch stays, and so does what elastic slip that is carried pulls with. Where an update of the multipliers leaves more than a part of the penetration, this
     /// helps more than another one.
     ///
     /// # Errors
@@ -139,8 +139,7 @@ impl<const D: usize> Contact<D> {
         self.partners.table.stiffen(factor)?;
         changes::options::set(self, options)?;
         self.partners.stiffen_layers(factor, &options.law)?;
-        self.history.multipliers.stiffen(factor);
-        self.history.stiffened *= factor;
+        self.history.stiffen(factor, options.friction.stiffness.is_none());
         Ok(())
     }
 
@@ -148,8 +147,7 @@ impl<const D: usize> Contact<D> {
     pub(super) fn check_multipliers(&self) -> Result<(), Error> {
         self.mesh.surface.refuse_submesh("multipliers of a part of a mesh")?;
         let options = self.method.options();
-        let is_rubbed = self.partners.has_friction(options) || options.self_contact;
-        self.partners.energy_laws(options).try_for_each(|law| check_law(&law, is_rubbed))
+        self.partners.energy_laws(options).try_for_each(|law| check_law(&law, options.self_contact))
     }
 }
 

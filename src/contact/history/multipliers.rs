@@ -31,9 +31,9 @@ const MOST_PACE: f64 = 4.0;
 
 /// Refuses what does not go with multipliers: a shift stands for a pressure, whatever the stiffness is raised to, only where pressure is
 /// stiffness times penetration.
-pub(crate) fn check_law(law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
+pub(crate) fn check_law(law: &EnergyLaw, is_own: bool) -> Result<(), Error> {
     let what = match law {
-        _ if is_rubbed => "a penetration asked for with friction or self-contact",
+        _ if is_own => "a penetration asked for with self-contact",
         EnergyLaw::Fiber(PenetrationLaw { profile: EnergyProfile::Quadratic, .. }) | EnergyLaw::Depth { .. } => {
             return Ok(());
         }
@@ -59,8 +59,8 @@ impl<const D: usize> Multipliers<D> {
     }
 
     /// Refuses what does not go with them, where there are some.
-    pub(crate) fn check(&self, law: &EnergyLaw, is_rubbed: bool) -> Result<(), Error> {
-        if self.is_empty() { Ok(()) } else { check_law(law, is_rubbed) }
+    pub(crate) fn check(&self, law: &EnergyLaw, is_own: bool) -> Result<(), Error> {
+        if self.is_empty() { Ok(()) } else { check_law(law, is_own) }
     }
 
     /// Moves points out.

@@ -29,6 +29,7 @@ pub(crate) struct History<const D: usize> {
 pub(crate) struct Begun<const D: usize> {
     step: Option<Step<D>>,
     bearings: Option<Bearings>,
+    stiffened: f64,
 }
 
 impl<const D: usize> History<D> {
@@ -50,12 +51,32 @@ impl<const D: usize> History<D> {
 
     /// What has begun, so that it can be laid aside.
     pub(crate) fn begun(&self) -> Begun<D> {
-        Begun { step: self.step.clone(), bearings: self.bearings.clone() }
+        Begun { step: self.step.clone(), bearings: self.bearings.clone(), stiffened: self.stiffened }
     }
 
-    /// Goes on with a step that was laid aside; frozen friction is released.
-    pub(crate) fn take_up(&mut self, begun: Begun<D>) {
+    /// Goes on with a step that was laid aside; frozen friction is released. As [`Self::stiffen`].
+    pub(crate) fn take_up(&mut self, begun: Begun<D>, is_slip_of_law: bool) {
         (self.step, self.bearings, self.frozen) = (begun.step, begun.bearings, None);
+        if is_slip_of_law {
+            self.divide_slip(self.stiffened / begun.stiffened);
+        }
+    }
+
+    /// What surfaces and elastic slip press and pull with stays, by laws that are stiffer by a factor: slip, where its stiffness is that of
+    /// the law.
+    pub(crate) fn stiffen(&mut self, factor: f64, is_slip_of_law: bool) {
+        self.multipliers.stiffen(factor);
+        self.stiffened *= factor;
+        if is_slip_of_law {
+            self.divide_slip(factor);
+        }
+    }
+
+    fn divide_slip(&mut self, factor: f64) {
+        if let Some(step) = self.step.as_mut().filter(|_| factor != 1.0) {
+            step.slip.iter_mut().flatten().for_each(|slip| *slip /= factor);
+            self.frozen = None;
+        }
     }
 
     /// The step that has begun.

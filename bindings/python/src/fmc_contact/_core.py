@@ -17,6 +17,10 @@ class Core:
         self.obstacle_count = 0
         self.count()
 
+    def renew_options(self) -> None:
+        """Asks for the options, which the library may have changed: a search makes the law stiffer."""
+        self.handle.call(library.fmc_context_options, byref(self.options))
+
     def count(self) -> None:
         """Asks for the counts of the mesh."""
         counts = [c_size_t() for _ in range(3)]

@@ -260,7 +260,7 @@ class Contact:
         """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_stiffen, c_double(factor))
-            self._core.handle.call(library.fmc_context_options, byref(self._core.options))
+            self._core.renew_options()
 
     def evaluate(self, coords: ArrayLike, out: Optional[np.ndarray] = None, add: bool = False) -> Result:
         """Contact forces at the current coordinates.

@@ -89,7 +89,7 @@ class Multipliers:
         NotPositiveError
             If a length is negative or not a number.
         UnsupportedError
-            With friction, with self-contact, and with the law ``"volume"``.
+            With self-contact, and with the law ``"volume"``.
         FmcError
             As ``Contact.evaluate`` raises.
 

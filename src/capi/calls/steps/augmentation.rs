@@ -22,8 +22,8 @@ use crate::capi::structs::view::fmc_coords;
 /// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`: the penetration and
 /// the change that are left alone, a length. `result` receives what there was.
 ///
-/// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with friction,
-/// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
+/// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with self-contact,
+/// a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
 /// `fmc_context_evaluate`. The multipliers have then stayed. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_augment(

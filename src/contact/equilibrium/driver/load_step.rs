@@ -13,6 +13,7 @@ use super::patches::Patches;
 use super::search::Search;
 use super::trouble::Trouble;
 use super::updates::Updates;
+use crate::contact::changes::friction_steps::take_up;
 use std::sync::Arc;
 
 /// All of it. After a refusal the contact's history is as it was.
@@ -45,7 +46,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
                 }
                 // What was there before the step was accepted then, and is now.
                 let _ = contact.set_multipliers(&before);
-                contact.history.take_up(begun);
+                take_up(contact, begun);
             });
             undo.await;
             Err(Refusal::new(trouble, search.balance.history, search.host.solves()))

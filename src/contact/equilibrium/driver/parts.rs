@@ -12,6 +12,7 @@ use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::{largest, moved};
 use crate::Error;
+use crate::contact::changes::friction_steps::take_up;
 use crate::contact::tangents::TangentPart;
 
 /// Smallest part of a load step.
@@ -55,7 +56,7 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
             Err(trouble) => {
                 counts.trouble = Some(trouble.to_string());
                 part *= 0.5;
-                search.host.contact(|contact| contact.history.take_up(begun)).await;
+                search.host.contact(|contact| take_up(contact, begun)).await;
             }
         }
     }

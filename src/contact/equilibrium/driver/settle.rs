@@ -9,6 +9,7 @@ use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::{dot, largest, moved};
 use crate::Error;
+use crate::contact::changes::friction_steps::take_up;
 use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
@@ -58,7 +59,7 @@ pub(super) async fn settle<const D: usize>(
     for friction in ways.into_iter().take(if has_friction { ways.len() } else { 1 }) {
         let begun = host.contact(|contact| contact.history.begun()).await;
         let tried = attempt(host, assembly, motions, start, (has_friction, friction)).await;
-        host.contact(|contact| contact.history.take_up(begun)).await;
+        host.contact(|contact| take_up(contact, begun)).await;
         match tried {
             Ok(settled) => return Ok(settled),
             Err(trouble) => first = first.or(Some(trouble)),
@@ -98,7 +99,10 @@ async fn attempt<const D: usize>(
     let usual = 0.25 * assembly.thinnest();
     let (mut length, mut trail, mut worst, mut caution) = (usual, vec![x.clone()], f64::INFINITY, 1.0);
     let mut last = vec![0.0; x.len()];
-    for steps in 0..MOST.max(BY_BODY * assembly.rows.len()) {
+    // Bodies that fall on one another go far to and fro: slip that is counted all the way seldom lets them rest.
+    let is_counted = has_friction && friction == OnTheWay::Slips;
+    let by_bodies = if is_counted { 0 } else { BY_BODY * assembly.rows.len() };
+    for steps in 0..MOST.max(by_bodies) {
         let mut state = State::at(host, x.clone(), false).await?;
         let mut load;
         (load, worst) = resultants(motions, &state);

@@ -93,7 +93,7 @@ impl Updates {
         let (wanted, reach) = (self.wanted(host, state, pressed).await?, self.reach);
         let update = match host.contact(move |contact| update(contact, &coords, wanted, reach, may)).await {
             Ok(update) => update,
-            // With friction, self-contact or another law the penetration stays what the law leaves.
+            // With self-contact or another law the penetration stays what the law leaves.
             Err(Error::Unsupported { .. }) if self.asked.is_none() => {
                 self.is_possible = false;
                 return Ok(false);

@@ -128,6 +128,7 @@ def find_equilibrium(
     }
     search = Search(bodies, unknowns, begin, solved_for, end, options, steps)
     search.run()
+    unknowns.inner._core.renew_options()
     return _ended(search, contact, begin.shape)
 
 
