@@ -373,3 +373,34 @@ def test_bodies_are_carried_along_by_what_is_prescribed(column):
     wanted = coords.copy()
     wanted[4:, 1] -= 0.05
     assert np.abs(found.x - wanted).max() < 1e-12
+
+
+@pytest.mark.parametrize("degrees", [10, 30, 45, 77])
+def test_without_any_load_nothing_moves_that_rounding_alone_presses(degrees):
+    """Two squares that touch on an inclined plane: their faces overlap, or not, by what their coordinates are rounded to."""
+    turn = np.array([[np.cos(np.radians(degrees)), -np.sin(np.radians(degrees))], [np.sin(np.radians(degrees)), np.cos(np.radians(degrees))]])
+    square = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+    coords = np.concatenate([square, square + [0.1, 1.0]]) @ turn.T + [0.3, 0.7]
+    # Springs between all nodes of a square.
+    one = YOUNG * np.kron(4 * np.eye(4) - 1, np.eye(2))
+    matrix = np.kron(np.eye(2), one)
+    contact = Contact(coords, [[0, 1, 2, 3], [4, 5, 6, 7]], "quad")
+    for friction in (0.0, 0.5):
+        contact.set_options(friction_coefficient=friction)
+        found = find_equilibrium(lambda x: (matrix @ (x - coords).ravel(), matrix), contact, coords, range(8, 16))
+        assert np.array_equal(found.x, coords) and found.iterations == 0
+
+
+@pytest.mark.parametrize(
+    ("free", "said"),
+    [
+        (np.ones(15, bool), "15 marks for 16 unknowns"),
+        ([3, 16], r"free\[1\] is 16"),
+        ([-1], r"free\[0\] is -1"),
+        ([0, 1, 1, 0], "twice: marks"),
+    ],
+)
+def test_unknowns_that_cannot_be_free_are_told(column, free, said):
+    coords, contact, host = column
+    with pytest.raises(ValueError, match=said):
+        find_equilibrium(host, contact, coords, free)

@@ -37,6 +37,9 @@ pub(super) async fn equilibrium<const D: usize>(
     x: &[f64],
     rigid_steps: &mut usize,
 ) -> Result<Reached<D>, Trouble> {
+    if search.is_at_rest(x).await? {
+        return balanced(search, x).await;
+    }
     let settled = settle(&search.host, &search.assembly, &search.motions, x, search.has_friction).await?;
     *rigid_steps += settled.steps;
     if settled.is_anew {

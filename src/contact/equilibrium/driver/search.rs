@@ -40,6 +40,18 @@ impl<const D: usize> Search<D> {
         options.is_condensed && is_held && !options.is_lagged
     }
 
+    /// Whether loose bodies are in equilibrium where they are: rounding alone would move them.
+    pub(super) async fn is_at_rest(&mut self, x: &[f64]) -> Result<bool, Trouble> {
+        if self.motions.is_empty() {
+            return Ok(true);
+        }
+        let state = State::at(&self.host, x.to_vec(), true).await?;
+        self.balance.again();
+        let verdict = self.balance.judge(&self.host, &self.assembly, &state).await?;
+        self.balance.history.pop();
+        Ok(verdict != Verdict::Not)
+    }
+
     /// Another way from the same start.
     pub(super) fn begin_attempt(&mut self) {
         self.balance.again();

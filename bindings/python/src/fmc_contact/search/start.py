@@ -10,5 +10,16 @@ from .._arrays import floats, numbers
 
 def start(x: ArrayLike, free: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """A copy of where it begins, and the numbers of the unknowns that are solved for, given as numbers or marks."""
-    marks = np.asarray(free)
-    return floats(x, "x").copy(), np.flatnonzero(marks) if marks.dtype == bool else numbers(free, "free")
+    begin, marks = floats(x, "x").copy(), np.asarray(free)
+    if marks.dtype == bool:
+        if marks.size != begin.size:
+            raise ValueError(f"free has {marks.size} marks for {begin.size} unknowns")
+        return begin, np.flatnonzero(marks)
+    solved_for = numbers(free, "free")
+    outside = np.flatnonzero((solved_for < 0) | (solved_for >= begin.size))
+    if outside.size:
+        place = outside[0]
+        raise ValueError(f"free[{place}] is {solved_for[place]}, and there are {begin.size} unknowns")
+    if np.unique(solved_for).size != solved_for.size:
+        raise ValueError("free names an unknown twice: marks are given as bool")
+    return begin, solved_for
