@@ -105,9 +105,9 @@ def test_a_refused_step_leaves_the_one_that_has_begun(block):
 
 
 def test_a_block_that_is_pushed_has_no_penetration_where_none_is_wanted(block):
-    """Of a contact as soft as the block: the law alone leaves a hundredth of its height."""
+    """Of a contact a tenth as stiff as the block: the law alone leaves a tenth of its height."""
     coords, contact, host = block
-    contact.set_options(stiffness=YOUNG)
+    contact.set_options(stiffness=YOUNG / 10)
     contact.friction.begin_step(coords)
     x = coords
     for push in (0.0, 0.2, 0.1):
@@ -116,8 +116,7 @@ def test_a_block_that_is_pushed_has_no_penetration_where_none_is_wanted(block):
         assert found.result.forces[:, 0].sum() == pytest.approx(-push, abs=1e-8)
         contact.friction.commit_step(found.x)
         x = found.x
-    # The law was made stiffer, and the slip that was carried pulls as before; other options leave that as it is.
-    assert contact.options["stiffness"] > YOUNG
+    # Other options leave all as it is.
     before = contact.evaluate(x).forces
     contact.set_options(threads=2)
     assert np.array_equal(contact.evaluate(x).forces, before)

@@ -62,7 +62,7 @@ def find_equilibrium(
         The residual at free unknowns divided by the forces, in the Euclidean norm. The forces are those of the bodies or of the
         contact, whichever are larger. What the forces are rounded to is not counted.
     max_iterations : int
-        Number of linear solves, at most.
+        Number of linear solves, at most, over all ways and parts of the load step.
     lagged : bool
         Whether friction is frozen, solved for, and frozen again until nothing changes.
     solve : callable, optional
@@ -75,9 +75,9 @@ def find_equilibrium(
     penetration : float, optional
         Penetration tolerance: largest mean penetration of a node over its part of the surface (length). Surfaces are moved out at an
         equilibrium (``Multipliers.augment``), and stay so for the next load step. If an update leaves more than a quarter, the
-        stiffness is raised fourfold, sixteenfold at most, and stays raised. Not with friction or self-contact. Default: a
-        thousandth of the largest elastic displacement after at most four updates, where the stiffness comes from the bodies' matrix
-        and multipliers are possible; else what the law leaves.
+        stiffness is raised fourfold, sixteenfold at most, and stays raised. Not with self-contact. Default: where the
+        stiffness comes from the bodies' matrix, what is left does a thousandth of the work of the bodies' forces, after at most four
+        updates, and more as long as each changes the forces by a thousandth; else what the law leaves.
     reach : float
         As for ``Multipliers.augment``.
     max_updates : int
