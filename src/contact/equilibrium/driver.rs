@@ -7,7 +7,7 @@
 //! - `motions`, `settle`: bodies that nothing holds move rigidly until contact balances their loads, or are refused by name;
 //! - `overlaps`: overlaps that no load explains are told;
 //! - `parts`: what is prescribed moves as far as nothing passes through anything, then the next part;
-//! - `levels`, `nearest`, `downhill`: the equilibrium, each from the same start where the one before has not found it;
+//! - `levels`, `nearest` (with `secant`), `downhill`: the equilibrium, each from the same start where the one before has not found it;
 //! - `updates`: multipliers, until what is left of the penetration does not matter;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;
 //! - `standing`: whether bodies that only contact holds stand.
@@ -40,6 +40,7 @@ mod quadratic;
 mod request;
 mod rows;
 mod search;
+mod secant;
 mod settle;
 mod standing;
 mod state;

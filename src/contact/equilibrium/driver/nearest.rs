@@ -3,6 +3,7 @@
 use super::balance::Verdict;
 use super::host::System;
 use super::search::Search;
+use super::secant::Secant;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::moved;
@@ -20,6 +21,9 @@ const SHIFT: f64 = 1e-12;
 
 /// Residual by the forces above which surfaces are not where they will press.
 const FAR: f64 = 0.1;
+
+/// Residual by the forces below which facets stay as they are, and what a step has shown holds for the next.
+const SETTLED: f64 = 1e-4;
 
 /// Part of a step below which it leads nowhere.
 const SHORTEST: f64 = 1e-3;
@@ -47,6 +51,7 @@ async fn by_whole_steps<const D: usize>(
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     search.begin_attempt();
     let mut state = State::at(&search.host, start.to_vec(), true).await?;
+    let (mut secant, mut counted) = (Secant::default(), search.updates.count);
     let (mut least, mut above, mut updates) = (f64::INFINITY, 0, search.updates.count);
     let most_above = if search.has_friction { ABOVE_WITH_FRICTION } else { ABOVE };
     for tried in 0..=MOST {
@@ -69,13 +74,19 @@ async fn by_whole_steps<const D: usize>(
         let part = if is_far { TangentPart::Semidefinite } else { TangentPart::Full };
         let system = System { x: &state.x, part, shift };
         let right = state.residual.iter().map(|force| -force).collect();
-        let Ok(step) = search.host.solve(system, right).await else { return Ok(None) };
+        let Ok(newton) = search.host.solve(system, right).await else { return Ok(None) };
+        let is_near = search.has_friction && search.updates.count == counted && search.balance.relative() < SETTLED;
+        let step = secant.corrected(newton, is_near);
+        counted = search.updates.count;
         let Ok(part) = search.allowed(&state.x, &step).await else { return Ok(None) };
         if part < SHORTEST {
             return Ok(None);
         }
         match State::at(&search.host, moved(&state.x, part, &step), true).await {
-            Ok(next) => state = next,
+            Ok(next) => {
+                secant.taken(part, step);
+                state = next;
+            }
             Err(Trouble::Contact(_) | Trouble::Host(_)) => return Ok(None),
             Err(other) => return Err(other),
         }
