@@ -47,7 +47,7 @@ pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
 
 /// Goes on with a step that was laid aside.
 pub(crate) fn take_up<const D: usize>(contact: &mut Contact<D>, begun: Begun<D>) {
-    let is_slip_of_law = contact.method.options().friction.stiffness.is_none();
+    let is_slip_of_law = contact.method.options().friction.has_stiffness_of_law();
     contact.history.take_up(begun, is_slip_of_law);
 }
 

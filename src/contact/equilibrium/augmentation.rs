@@ -123,8 +123,8 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Multiplies the stiffness of the law, and of those that pairs have of their own, by a factor; what surfaces that are moved out
-    /// press with where they just touch stays, and so does what elastic slip that is carried pulls with. Where an update of the multipliers leaves more than a part of the penetration, this
-    /// helps more than another one.
+    /// press with where they just touch stays, and so does what elastic slip that is carried pulls with. Where an update of the
+    /// multipliers leaves more than a part of the penetration, this helps more than another one.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a factor that is not, or a stiffness that would not be; nothing has then changed.
@@ -139,7 +139,7 @@ impl<const D: usize> Contact<D> {
         self.partners.table.stiffen(factor)?;
         changes::options::set(self, options)?;
         self.partners.stiffen_layers(factor, &options.law)?;
-        self.history.stiffen(factor, options.friction.stiffness.is_none());
+        self.history.stiffen(factor, options.friction.has_stiffness_of_law());
         Ok(())
     }
 

@@ -43,6 +43,11 @@ impl Friction {
         self.coefficient > 0.0 || self.cohesion > 0.0
     }
 
+    /// Whether the stick is as stiff as the law: elastic slip that is carried then pulls with the stiffness of now.
+    pub(crate) fn has_stiffness_of_law(&self) -> bool {
+        self.stiffness.is_none()
+    }
+
     /// Checks every value.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let refuse = |name, value: f64| Err(Error::NotPositive { name, value });

@@ -51,7 +51,7 @@ async fn by_whole_steps<const D: usize>(
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     search.begin_attempt();
     let mut state = State::at(&search.host, start.to_vec(), true).await?;
-    let (mut secant, mut counted) = (Secant::default(), search.updates.count);
+    let (mut secant, mut counted) = (search.has_friction.then(Secant::default), search.updates.count);
     let (mut least, mut above, mut updates) = (f64::INFINITY, 0, search.updates.count);
     let most_above = if search.has_friction { ABOVE_WITH_FRICTION } else { ABOVE };
     for tried in 0..=MOST {
@@ -74,9 +74,10 @@ async fn by_whole_steps<const D: usize>(
         let part = if is_far { TangentPart::Semidefinite } else { TangentPart::Full };
         let system = System { x: &state.x, part, shift };
         let right = state.residual.iter().map(|force| -force).collect();
-        let Ok(newton) = search.host.solve(system, right).await else { return Ok(None) };
-        let is_near = search.has_friction && search.updates.count == counted && search.balance.relative() < SETTLED;
-        let step = secant.corrected(newton, is_near);
+        let Ok(mut step) = search.host.solve(system, right).await else { return Ok(None) };
+        if let Some(secant) = &mut secant {
+            step = secant.corrected(step, search.updates.count == counted && search.balance.relative() < SETTLED);
+        }
         counted = search.updates.count;
         let Ok(part) = search.allowed(&state.x, &step).await else { return Ok(None) };
         if part < SHORTEST {
@@ -84,7 +85,9 @@ async fn by_whole_steps<const D: usize>(
         }
         match State::at(&search.host, moved(&state.x, part, &step), true).await {
             Ok(next) => {
-                secant.taken(part, step);
+                if let Some(secant) = &mut secant {
+                    secant.taken(part, step);
+                }
                 state = next;
             }
             Err(Trouble::Contact(_) | Trouble::Host(_)) => return Ok(None),
