@@ -5,6 +5,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from launch import printed
 
 
 @pytest.mark.parametrize("ranks", [1, 3, 4])
@@ -14,7 +15,4 @@ def test_every_byte_arrives(parts, ranks, tmp_path):
     program = tmp_path / "messages"
     library = ["-I", prefix / "include", "-L", prefix / "lib", "-lfmc_contact", f"-Wl,-rpath,{prefix / 'lib'}"]
     subprocess.run(["mpicc", "-std=c99", "-Wall", "-Wextra", "-Werror", *parts, source, "-o", program, *library], check=True)
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    command = ["timeout", "60", "mpirun", "--oversubscribe", "-n", str(ranks), program]
-    found = subprocess.run(command, capture_output=True, text=True, env=environment)
-    assert found.returncode == 0, found.stdout + found.stderr
+    printed(ranks, program)
