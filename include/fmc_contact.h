@@ -1903,12 +1903,12 @@ typedef enum {
 typedef struct {
   // Set by `fmc_nodal_contact_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // Contact pressure: the mean of the law's over the part of the facets at the node that is in contact, weighted with the
-  // node's shape function, int N p dA / int N dA; with the law "volume" that of the pair.
+  // Contact pressure: the nodal force by the area on which it acts, |F| / int N dA.
   double *pressure;
   // Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
   double *gap;
-  // Area (2D: length), int N dA, up to the curvature of the surface.
+  // Area (2D: length) on which it acts: int N dA over the part of the facets at the node that is in contact, N being the node's
+  // shape function. Never more than the node's part of the surface.
   double *area;
   // Unit vector outwards of the node's body.
   double *normal;
@@ -1918,8 +1918,11 @@ typedef struct {
   double *sliding;
   // Values of `fmc_node_status`.
   int32_t *status;
+  // The mean of the law's pressure over the same part, weighted with the node's shape function, int N p dA / int N dA; with the law
+  // "volume" that of the pair. On curved surfaces it scatters more than `pressure`.
+  double *local_pressure;
   // Zero. Room for outputs of later versions.
-  uint64_t reserved[9];
+  uint64_t reserved[8];
 } fmc_nodal_contact;
 
 // One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second

@@ -32,6 +32,7 @@ pub(crate) mod submesh;
 mod surface;
 mod surface_division;
 mod surface_of_facets;
+mod surface_shares;
 pub(crate) mod tree;
 pub(crate) mod weighting;
 

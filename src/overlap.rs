@@ -20,7 +20,7 @@ pub(crate) use normal_lines::patches::partition::Patches;
 pub(crate) use normal_lines::patches::search::{Reach, find as find_patches};
 pub(crate) use normal_lines::points::contact_point::ContactPoint;
 pub(crate) use normal_lines::points::contact_points::{ContactPoints, PointGradient};
-pub(crate) use normal_lines::points::nodal_sums::NodalSum;
+pub(crate) use normal_lines::points::nodal_sums::{NodalSum, NodalSums};
 pub use pair::fiber_trace::FiberTrace;
 pub(crate) use pair::imbalance::Imbalance;
 pub(crate) use pair::obstacle_distance::distance_from_facets;

@@ -498,11 +498,13 @@ contains
     call checked(fmc_context_set_slip(self%handle, values, size(values, kind=c_size_t)), stat)
   end subroutine
 
-  ! Contact at every node of x: any of pressure(nodes), gap, area, sliding, status(nodes), normal(dim, nodes), friction.
-  subroutine nodal_contact(self, x, pressure, gap, area, normal, friction, sliding, status, stat)
+  ! Contact at every node of x: any of pressure(nodes), gap, area, sliding, status(nodes), normal(dim, nodes), friction,
+  ! local_pressure(nodes).
+  subroutine nodal_contact(self, x, pressure, gap, area, normal, friction, sliding, status, stat, local_pressure)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
-    real(c_double), intent(out), contiguous, target, optional :: pressure(:), gap(:), area(:), sliding(:)
+    real(c_double), intent(out), contiguous, target, optional :: pressure(:), gap(:), area(:), sliding(:), &
+                                                                   local_pressure(:)
     real(c_double), intent(out), contiguous, target, optional :: normal(:, :), friction(:, :)
     integer(c_int32_t), intent(out), contiguous, target, optional :: status(:)
     integer, intent(out), optional :: stat
@@ -515,6 +517,7 @@ contains
     if (present(friction)) nodal%friction = c_loc(friction)
     if (present(sliding)) nodal%sliding = c_loc(sliding)
     if (present(status)) nodal%status = c_loc(status)
+    if (present(local_pressure)) nodal%local_pressure = c_loc(local_pressure)
     call checked(fmc_context_nodal_contact(self%handle, view(x), nodal), stat)
   end subroutine
 

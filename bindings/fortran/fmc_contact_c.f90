@@ -463,7 +463,8 @@ module fmc_contact_c
     type(c_ptr) :: friction
     type(c_ptr) :: sliding
     type(c_ptr) :: status
-    integer(c_int64_t) :: reserved(9)
+    type(c_ptr) :: local_pressure
+    integer(c_int64_t) :: reserved(8)
   end type
 
   type, bind(c) :: fmc_contact_side

@@ -271,7 +271,8 @@ fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -
         });
         Ok(answer.energy.map(|energy| (energy, answer.nodal_sums, friction)))
     })?;
-    NodalContact::assemble(coords.len(), &pairs)
+    let surface = &contact.mesh.surface;
+    NodalContact::assemble(&surface.shares(coords, contact.method.weighting()), &pairs)
 }
 
 fn contact_points_in<const D: usize>(
