@@ -266,7 +266,16 @@ pub enum Error {
         /// What is not supported.
         what: &'static str,
     },
-    /// A signed-distance function failed, or returned a value that is not finite, or grows faster than a distance can.
+    /// A signed-distance function grows faster between two points than a distance can: contact would be missed.
+    SteepDistance {
+        /// Obstacle.
+        obstacle: usize,
+        /// The points in space; in the plane the third coordinate is 0.
+        places: [[f64; 3]; 2],
+        /// What the function is there, in units of length.
+        phi: [f64; 2],
+    },
+    /// A signed-distance function failed, or returned a value that is not finite.
     SignedDistance {
         /// Obstacle.
         obstacle: usize,

@@ -33,6 +33,7 @@ mod surface;
 mod surface_division;
 mod surface_of_facets;
 mod surface_shares;
+pub(crate) mod symmetry;
 pub(crate) mod tree;
 pub(crate) mod weighting;
 

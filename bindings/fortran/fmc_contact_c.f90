@@ -140,6 +140,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_WARNING_PATCH_LEFT_OUT = 4
   integer(c_int32_t), parameter :: FMC_WARNING_UNBALANCED = 5
   integer(c_int32_t), parameter :: FMC_WARNING_FLUSH_FACES = 6
+  integer(c_int32_t), parameter :: FMC_WARNING_GENTLE_DISTANCE = 8
   integer(c_int32_t), parameter :: FMC_REQUEST_FORCES = 0
   integer(c_int32_t), parameter :: FMC_REQUEST_PRODUCT = 1
   integer(c_int32_t), parameter :: FMC_REQUEST_DIAGONAL = 2
@@ -728,6 +729,14 @@ module fmc_contact_c
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
       integer(c_int32_t) :: fmc_context_set_reference
+    end function
+    function fmc_context_set_symmetry_planes(context, points, normals, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: points(*)
+      real(c_double), intent(in), optional :: normals(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_symmetry_planes
     end function
     function fmc_context_set_symmetry_nodes(context, nodes, count) bind(c)
       import

@@ -56,6 +56,7 @@ impl Error {
             | Error::DegenerateHull { point_count: _ }
             | Error::TooFewHeights { axis: _, count: _ }
             | Error::NonFiniteHeight { point: _ }
+            | Error::SteepDistance { obstacle: _, places: _, phi: _ }
             | Error::SignedDistance { obstacle: _, point: _ }
             | Error::UnfinishedLines { obstacle: _, lines: _, steps: _ }
             | Error::TooManyPieces { sides: _, limit: _ }

@@ -132,10 +132,17 @@ impl fmt::Display for Error {
             Error::NonFiniteHeight { point } => write!(f, "height {point} is not finite"),
             Error::EmptyCompound => write!(f, "the compound has no parts"),
             Error::Unsupported { what } => write!(f, "not supported: {what}"),
+            Error::SteepDistance { obstacle, places: [[a, b, c], [d, e, g]], phi: [p, q] } => {
+                write!(
+                    f,
+                    "the signed distance of obstacle {obstacle} grows faster than a distance can: it is {p:.6e} at ({a:.6}, {b:.6}, {c:.6}) \
+                     and {q:.6e} at ({d:.6}, {e:.6}, {g:.6}); divide it by its steepest slope"
+                )
+            }
             Error::SignedDistance { obstacle, point } => {
                 write!(
                     f,
-                    "the signed distance of obstacle {obstacle} failed or is not finite at point {point} of the batch, or grows faster there than a distance"
+                    "the signed distance of obstacle {obstacle} failed or is not finite at point {point} of the batch"
                 )
             }
             Error::TooManyFibers { needed, limit } => {

@@ -44,7 +44,8 @@ pub enum Warning {
         depth: f64,
     },
     /// Forces or moments of the pair do not add up to zero, as those of an exact overlap should: a facet was taken to lie
-    /// on the wrong side, or patches of the contact could not be told apart. Forces may be wrong by as much.
+    /// on the wrong side, or patches of the contact could not be told apart; or, with the law `depth`, faces that are pressed were
+    /// named as faces in planes of symmetry. Forces may be wrong by as much.
     Unbalanced {
         /// First body of the pair.
         a: Partner,
@@ -64,6 +65,14 @@ pub enum Warning {
         b: Partner,
         /// Area (2D: length) of what coincides.
         area: f64,
+    },
+    /// With the law `depth`, a signed distance grows more slowly at its surface than a distance: penetrations, and with them pressures,
+    /// are too small by that factor.
+    GentleDistance {
+        /// Obstacle.
+        obstacle: Partner,
+        /// The least and the largest slope that were found at its surface.
+        slopes: [f64; 2],
     },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
@@ -96,6 +105,11 @@ impl fmt::Display for Warning {
                 f,
                 "{a} and {b}: faces of an area of {area:.3e} lie in one plane and look the same way; if it is a plane of \
                  symmetry, name its nodes (symmetry nodes), if not, name none"
+            ),
+            Warning::GentleDistance { obstacle, slopes: [least, largest] } => write!(
+                f,
+                "the signed distance of {obstacle} changes by {least:.3} to {largest:.3} per length at its surface, not by 1: penetrations \
+                 and pressures are too small by this factor; divide it by its slope"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }
