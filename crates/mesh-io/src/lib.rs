@@ -1,6 +1,6 @@
 //! Meshes from files: nodes, and the cells of highest dimension with the numbers that the file gives them.
 //!
-//! Gmsh 4.1 and VTU are told apart by their content, not by their name. Cells of lower dimension (boundary lines,
+//! Gmsh (4.1 and 2.2) and VTU are told apart by their content, not by their name. Cells of lower dimension (boundary lines,
 //! points) are left out. Numbers of nodes and cells in messages are those of the file: tags in Gmsh, indices from 0 in
 //! VTU. Indices that a mesh holds are valid; coordinates may be anything, also NaN.
 
@@ -12,7 +12,6 @@ use std::path::Path;
 mod element_type;
 mod fibers;
 mod gmsh;
-mod gmsh_stream;
 mod vtu;
 mod vtu_array;
 mod vtu_write;
@@ -65,7 +64,7 @@ pub struct Mesh {
 const FLATNESS: f64 = 1e-9;
 
 impl Mesh {
-    /// Reads a Gmsh 4.1 or VTU file.
+    /// Reads a Gmsh (4.1 or 2.2) or VTU file.
     ///
     /// # Errors
     /// A file that cannot be read, is of another format, is damaged or has no cells.
@@ -78,7 +77,7 @@ impl Mesh {
         } else if start.starts_with(b"<") {
             vtu::parse(&bytes).with_context(|| file.clone())?
         } else {
-            bail!("{file} is neither a Gmsh mesh (.msh, format 4.1) nor a VTK unstructured grid (.vtu)");
+            bail!("{file} is neither a Gmsh mesh (.msh, format 4.1 or 2.2) nor a VTK unstructured grid (.vtu)");
         };
         ensure!(
             !mesh.blocks.is_empty(),
@@ -147,9 +146,11 @@ mod tests {
     use std::path::PathBuf;
 
     /// Files written by Gmsh, by meshio and by VTK from the mesh that Gmsh wrote.
-    const PLANE: [&str; 9] = [
+    const PLANE: [&str; 11] = [
         "plane_text.msh",
         "plane_binary.msh",
+        "plane_meshio_22_text.msh",
+        "plane_meshio_22_binary.msh",
         "plane_meshio_ascii.vtu",
         "plane_meshio_binary.vtu",
         "plane_meshio_zlib.vtu",
@@ -183,9 +184,12 @@ mod tests {
                 assert!((0..3).all(|axis| (x[axis] - y[axis]).abs() < 1e-12), "{name}: {x:?} {y:?}");
             }
         }
-        let (text, binary) = ["solid_text.msh", "solid_binary.msh"].map(|name| Mesh::read(&data(name)).unwrap()).into();
-        assert_eq!((text.kind(), binary.kind()), (Kind::Solid, Kind::Solid));
-        assert_eq!(text.blocks, binary.blocks);
+        let text = Mesh::read(&data("solid_text.msh")).unwrap();
+        assert_eq!(text.kind(), Kind::Solid);
+        for name in ["solid_binary.msh", "solid_meshio_22_text.msh", "solid_meshio_22_binary.msh"] {
+            let mesh = Mesh::read(&data(name)).unwrap();
+            assert_eq!((cells(&mesh), &mesh.group_names), (cells(&text), &text.group_names), "{name}");
+        }
         assert_eq!(Mesh::read(&data("shell_text.msh")).unwrap().kind(), Kind::Surface);
     }
 
