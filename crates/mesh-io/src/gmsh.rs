@@ -5,10 +5,11 @@
 //! `$PhysicalNames`, `$Entities` (for the physical groups, which format 2 has beside each element), `$Nodes`, `$Elements`.
 
 use super::Mesh;
+use super::excerpt::shortened;
 use anyhow::{Context, Result, bail, ensure};
 use elements::{ElementBlock, cells};
 use std::collections::BTreeMap;
-use stream::{Encoding, Stream, shortened};
+use stream::{Encoding, Stream};
 use version_4::Groups;
 
 mod elements;

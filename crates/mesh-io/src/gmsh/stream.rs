@@ -1,5 +1,6 @@
 //! Numbers of an MSH file, one after the other, whether written as text or in binary.
 
+use crate::excerpt::shortened;
 use anyhow::{Result, bail, ensure};
 use std::str::FromStr;
 
@@ -159,9 +160,4 @@ impl<'a> Stream<'a> {
             _ => format!("byte {}", self.at),
         }
     }
-}
-
-/// The start of a text that may be long.
-pub(super) fn shortened(text: &str) -> String {
-    if text.chars().count() <= 40 { text.into() } else { text.chars().take(40).chain("…".chars()).collect() }
 }

@@ -91,21 +91,30 @@ impl<const D: usize> Assembly<D> {
         })
     }
 
-    /// Mesh that a cell belongs to, and its number in the file.
-    pub(super) fn cell_origin(&self, mut cell: usize) -> (usize, u64) {
-        for (mesh, contents) in self.meshes.iter().enumerate() {
+    /// Where a cell stands, file and instance, and its number there.
+    pub(super) fn cell_origin(&self, mut cell: usize) -> (String, u64) {
+        for contents in &self.meshes {
             match contents.cells().nth(cell) {
-                Some((_, _, tag, _)) => return (mesh, tag),
+                Some((_, nodes, tag, _)) => return (place(contents, nodes[0] as usize), tag),
                 None => cell -= contents.cell_count(),
             }
         }
         unreachable!("cells come from meshes")
     }
 
-    /// Mesh that a node belongs to, and its number in the file.
-    pub(super) fn node_origin(&self, node: usize) -> (usize, u64) {
+    /// Where a node stands, file and instance, and its number there.
+    pub(super) fn node_origin(&self, node: usize) -> (String, u64) {
         let mesh = self.node_starts.partition_point(|&start| start as usize <= node) - 1;
-        (mesh, self.meshes[mesh].node_tags[node - self.node_starts[mesh] as usize])
+        let node = node - self.node_starts[mesh] as usize;
+        (place(&self.meshes[mesh], node), self.meshes[mesh].node_tags[node])
+    }
+}
+
+/// The file, and the instance in it to which a node belongs: numbers are unique within one only.
+fn place(mesh: &Mesh, node: usize) -> String {
+    match mesh.instances.iter().find(|instance| instance.nodes.contains(&node)) {
+        Some(instance) => format!("{}, {}", mesh.file, instance.name),
+        None => mesh.file.clone(),
     }
 }
 

@@ -7,10 +7,7 @@ use fmc_contact::Error;
 /// `names` are those of the bodies, as far as known.
 pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, names: &[String]) -> anyhow::Error {
     // Facets of a surface that was given directly are pieces of cells; all other numbers are those of cells.
-    let cell = |number: usize| {
-        let (mesh, tag) = assembly.cell_origin(assembly.cell_of_error(number));
-        (assembly.meshes[mesh].file.as_str(), tag)
-    };
+    let cell = |number: usize| assembly.cell_origin(assembly.cell_of_error(number));
     let node = |number: usize| assembly.node_origin(number).1;
     let between = |nodes: &[usize; 2]| match nodes.map(node) {
         [a, b] if a == b => format!("node {a}"),
@@ -18,7 +15,7 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
     };
     let sentence = match error {
         Error::NonFiniteCoordinate { node: n, axis } => {
-            let file = &assembly.meshes[assembly.node_origin(*n).0].file;
+            let file = assembly.node_origin(*n).0;
             format!("{file}: coordinate {} of node {} is not finite", ["x", "y", "z"][*axis], node(*n))
         }
         Error::RepeatedNode { cell: c, node: n } => {

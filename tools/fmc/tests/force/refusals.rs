@@ -54,8 +54,8 @@ fn gmsh_files_that_cannot_be_used() {
     let square = msh(2, &CORNERS, 3, &["11 12 13 14"]);
     assert_file_refused(
         "old.msh",
-        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n",
-        &["version 2.2", "save it as version 4.1"],
+        "$MeshFormat\n4 0 8\n$EndMeshFormat\n",
+        &["version 4;", "save it as version 4.1"],
     );
     assert_file_refused("new.msh", "$MeshFormat\n5 0 8\n$EndMeshFormat\n", &["version 5", "save it as version 4.1"]);
     assert_file_refused("cut.msh", &square[..square.len() - 30], &["ends"]);
