@@ -446,6 +446,9 @@ typedef struct {
 } fmc_forces;
 
 // Cells of one type; a mixed mesh has a block for each.
+//
+// A cell may name nodes repeatedly, as a hexahedron of which an edge or a face has become a point: it is the wedge, pyramid,
+// tetrahedron or triangle that its faces make it, also of second order. Cells and faces count as given.
 typedef struct {
   // A value of `fmc_cell_type`.
   int32_t cell_type;

@@ -8,6 +8,7 @@ mod cell;
 mod cell_faces;
 pub(crate) mod cells;
 mod closed;
+mod collapsed;
 pub(crate) mod components;
 pub(crate) mod convex_piece;
 pub(crate) mod crossing;

@@ -118,10 +118,12 @@ impl Cells {
         &self.hanging
     }
 
-    /// For every block as given: its type, its cells and their nodes one after the other.
-    pub(super) fn blocks(&self) -> impl Iterator<Item = (CellType, Range<usize>, &[u32])> {
-        let filled = self.blocks.iter().filter(|cells| !cells.is_empty());
-        filled.map(|cells| {
+    /// For every block with some of these cells: its type, its cells and their nodes one after the other. Blocks may be many, where
+    /// collapsed cells stand between others.
+    pub(super) fn blocks_of(&self, cells: Range<usize>) -> impl Iterator<Item = (CellType, Range<usize>, &[u32])> {
+        let first = self.blocks.partition_point(|block| block.end <= cells.start);
+        let within = self.blocks[first..].iter().take_while(move |block| block.start < cells.end);
+        within.filter(|block| !block.is_empty()).map(|cells| {
             let conn = &self.conn[self.offsets[cells.start]..self.offsets[cells.end]];
             (self.types[cells.start], cells.clone(), conn)
         })

@@ -27,7 +27,7 @@ impl Cells {
     /// Checks that none of some cells of one block is inverted or without measure at `coords`; the lowest offending
     /// cell is named.
     pub(crate) fn check_range<const D: usize>(&self, cells: Range<usize>, coords: &[[f64; D]]) -> Result<(), Error> {
-        for (cell_type, of_block, conn) in self.blocks() {
+        for (cell_type, of_block, conn) in self.blocks_of(cells.clone()) {
             let (start, end) = (cells.start.max(of_block.start), cells.end.min(of_block.end));
             if start < end {
                 let size = cell_type.node_count();

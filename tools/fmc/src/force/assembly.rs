@@ -86,8 +86,15 @@ impl<const D: usize> Assembly<D> {
     /// Cells of a surface as triangles, each with the cell that it belongs to.
     fn facets(&self) -> impl Iterator<Item = ([u32; D], usize)> {
         self.cells().enumerate().flat_map(|(cell, (cell_type, nodes))| {
-            let pieces = if cell_type == CellType::Quad4 { &HALVES[..] } else { &HALVES[..1] };
-            pieces.iter().map(move |piece| (std::array::from_fn(|k| nodes[piece[k]]), cell))
+            let halves = if cell_type == CellType::Quad4 { &HALVES[..] } else { &HALVES[..1] };
+            // Of a quadrilateral with a repeated node, a triangle, one half is left; what is neither is for the module to name.
+            let is_whole = |half: &&[usize; 3]| {
+                let [a, b, c] = half.map(|k| nodes[k]);
+                a != b && b != c && c != a
+            };
+            let is_triangle = halves.iter().filter(is_whole).count() == 1;
+            let pieces = halves.iter().filter(move |half| !is_triangle || is_whole(half));
+            pieces.map(move |piece| (std::array::from_fn(|k| nodes[piece[k]]), cell))
         })
     }
 

@@ -20,7 +20,7 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
         }
         Error::RepeatedNode { cell: c, node: n } => {
             format!(
-                "{}: cell {} names node {} twice: leave it out, or repair it in the mesh generator",
+                "{}: cell {} names node {} twice, and is no smaller cell: repair it in the mesh generator",
                 cell(*c).0,
                 cell(*c).1,
                 node(*n)

@@ -61,6 +61,28 @@ fn instances_are_bodies() {
     }
 }
 
+/// Tetrahedra as hexahedra, and as surfaces in which a triangle is a quadrilateral, are tetrahedra.
+#[test]
+fn collapsed_cells_are_what_they_are() {
+    let nodes = "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n5,0,0,.9\n6,1,0,.9\n7,0,1,.9\n8,0,0,1.9\n";
+    let decks = [
+        "*ELEMENT,TYPE=C3D4\n1,1,2,3,4\n2,5,6,7,8\n",
+        "*ELEMENT,TYPE=C3D8I\n1,1,2,3,3,4,4,4,4\n*ELEMENT,TYPE=C3D6\n2,5,6,7,8,8,8\n",
+        "*ELEMENT,TYPE=R3D3\n1,1,3,2\n2,1,2,4\n3,2,3,4\n*ELEMENT,TYPE=S4\n4,1,4,3,1\n5,5,7,6,6\n6,5,5,6,8\n7,6,7,7,8\n8,7,5,8,8\n",
+    ];
+    let found = decks.map(|deck| {
+        std::fs::write(folder("collapsed_cells").join("tets.inp"), format!("{nodes}{deck}")).unwrap();
+        json("collapsed_cells", "{}/tets.inp --stiffness 1e6 --law volume --estimator exact")
+    });
+    let forces = found.each_ref().map(|found| [force_on(found, 0), force_on(found, 1)].concat());
+    assert!(forces[0][2] < -1.0);
+    for others in &forces[1..] {
+        for (f, g) in others.iter().zip(&forces[0]) {
+            assert!((f - g).abs() <= 1e-12 * forces[0][2].abs(), "{forces:?}");
+        }
+    }
+}
+
 /// Labels are those of a part: an error says which of its instances it means.
 #[test]
 fn errors_name_the_instance() {

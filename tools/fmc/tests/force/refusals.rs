@@ -103,7 +103,7 @@ fn meshes_that_cannot_be_bodies() {
         &msh(2, &["0 0 0", "1 0 0", "1 nan 0", "0 1 0"], 3, &["11 12 13 14"]),
         &["coordinate y of node 13 is not finite"],
     );
-    assert_file_refused("double.msh", &msh(2, &CORNERS, 3, &["11 12 13 11"]), &["cell 101 names node 11 twice"]);
+    assert_file_refused("double.msh", &msh(2, &CORNERS, 3, &["11 12 11 13"]), &["cell 101 names node 11 twice"]);
     assert_file_refused("thin.msh", &msh(2, &["0 0 0", "1 0 0", "2 0 0"], 2, &["11 12 13"]), &["cell 101 has no area"]);
     let dart = msh(2, &["0 0 0", "1 0 0", "0.1 0.1 0", "0 1 0"], 3, &["11 12 13 14"]);
     assert_file_refused("dart.msh", &dart, &["cell 101 is inverted"]);
