@@ -939,6 +939,10 @@ typedef enum {
   // gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
   // penetration by the size of the cells.
   FMC_WARNING_FLUSH_FACES = 6,
+  // Faces of one body lie on one another and look at each other, without deformation: nodes were not merged there, a flat cell
+  // was left out, or a crack is meant. The text gives the area and nodes, counted from `index_base`. The law "depth" takes such
+  // faces for surface, and a contact near them bears too little.
+  FMC_WARNING_COINCIDING_FACES = 7,
   // With the law "depth", a signed distance grows more slowly at its surface than a distance; the text gives the slopes.
   // Penetrations, and with them pressures, are too small by that factor.
   FMC_WARNING_GENTLE_DISTANCE = 8,

@@ -89,6 +89,13 @@ pub enum Error {
         /// Cell, or facet.
         cell: usize,
     },
+    /// Several cells are inverted when a mesh is made, or one is a quadrilateral whose edges cross.
+    InvertedCells {
+        /// The cells, ascending.
+        cells: Vec<usize>,
+        /// How many of them are quadrilaterals whose nodes go to and fro, as a bow tie.
+        bow_ties: usize,
+    },
     /// The map of a cell of second order folds: its Jacobian determinant is negative, or positive in a mirrored cell, at a node or
     /// a quadrature point; at the coordinates of an evaluation at a quadrature point. Zero is allowed.
     FoldedCell {

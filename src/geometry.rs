@@ -8,6 +8,7 @@ mod cell;
 mod cell_faces;
 pub(crate) mod cells;
 mod closed;
+mod coinciding;
 mod collapsed;
 pub(crate) mod components;
 pub(crate) mod convex_piece;
@@ -40,6 +41,7 @@ pub(crate) mod weighting;
 
 pub use boundary_facet::BoundaryFacet;
 pub use cell::{Bodies, CellBlock, CellType};
+pub(crate) use coinciding::CoincidingFaces;
 pub(crate) use facet::moment;
 pub use facet_block::{FacetBlock, FacetType};
 pub(crate) use march::{Intersection, MarchFailure, ROUNDS as MARCH_ROUNDS, SearchInterval, march};

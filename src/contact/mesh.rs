@@ -9,7 +9,7 @@ use crate::contact::partners::MeshHashes;
 use crate::depth_field::DepthField;
 use crate::geometry::submesh::hash_of;
 use crate::geometry::symmetry::{Symmetry, SymmetryPlane, planes_of};
-use crate::geometry::{Basis, Surface, Weighting};
+use crate::geometry::{Basis, CoincidingFaces, Surface, Weighting};
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
@@ -23,6 +23,8 @@ pub(crate) struct Mesh<const D: usize> {
     symmetry: Option<Symmetry<D>>,
     /// Depth of the cells, found when it is asked for first.
     depth: OnceLock<Option<DepthField<D>>>,
+    /// Faces of one body that coincide, found when they are asked for first.
+    coinciding: OnceLock<Vec<CoincidingFaces>>,
     hashes: MeshHashes,
 }
 
@@ -30,7 +32,8 @@ impl<const D: usize> Mesh<D> {
     pub(crate) fn new(surface: Surface<D>) -> Self {
         let offsets = Offsets::none();
         let hashes = MeshHashes { depths: [hash_of(surface.reference()), 0], offsets: offsets.hash() };
-        Self { surface, offsets, told: None, symmetry: None, depth: OnceLock::new(), hashes }
+        let (depth, coinciding) = (OnceLock::new(), OnceLock::new());
+        Self { surface, offsets, told: None, symmetry: None, depth, coinciding, hashes }
     }
 
     /// The points of the straight mesh that is measured: those of the nodes at `coords`, with what the surface lies beside them.
@@ -63,6 +66,11 @@ impl<const D: usize> Mesh<D> {
         self.depth.get_or_init(new).as_ref()
     }
 
+    /// Faces of one body that lie on one another without deformation.
+    pub(crate) fn coinciding_faces(&self) -> &[CoincidingFaces] {
+        self.coinciding.get_or_init(|| self.surface.coinciding_faces())
+    }
+
     /// Of what decides how facets bear.
     pub(crate) fn hashes(&self) -> MeshHashes {
         self.hashes
@@ -78,6 +86,7 @@ impl<const D: usize> Mesh<D> {
         self.surface.set_reference(coords)?;
         self.hashes.depths[0] = hash_of(self.surface.reference());
         self.forget_depth();
+        self.coinciding = OnceLock::new();
         self.find_symmetry()
     }
 

@@ -20,6 +20,7 @@ impl Error {
                 *cell += base;
                 *node += base;
             }
+            Error::InvertedCells { cells, bow_ties: _ } => cells.iter_mut().for_each(|cell| *cell += base),
             Error::UnknownOutOfRange { row, unknown: _, count: _ } => *row += base,
             Error::NonConforming { cells } | Error::RepeatedCell { cells } => {
                 cells.iter_mut().for_each(|cell| *cell += base);

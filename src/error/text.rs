@@ -37,6 +37,19 @@ impl fmt::Display for Error {
                 "cell {cell} is inverted (a facet, where there are no cells): its nodes are numbered against the others, one in \
                  the middle of an edge is too near to a corner, or a step of the host was too large"
             ),
+            Error::InvertedCells { cells, bow_ties } => {
+                let first = cells.first().copied().unwrap_or_default();
+                let (is, count) =
+                    if cells.len() == 1 { ("is", "1 cell".into()) } else { ("are", format!("{} cells", cells.len())) };
+                write!(f, "{count} {is} inverted, the first is {first}")?;
+                match bow_ties {
+                    0 => write!(f, ": nodes are numbered against the others, or cells are folded"),
+                    _ => write!(
+                        f,
+                        "; edges cross in {bow_ties} of them (a bow tie): their nodes do not go around the quadrilateral"
+                    ),
+                }
+            }
             Error::FoldedCell { cell, at, determinant } => {
                 let (kind, number) = match at {
                     MapPoint::Node(node) => ("node", node),

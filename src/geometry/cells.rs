@@ -308,7 +308,7 @@ impl Cells {
             volume[root] += if turned { -measure } else { measure };
         }
         self.flipped = relative.iter().map(|&(root, turned)| turned != (volume[root] < 0.0)).collect();
-        self.check_range(0..self.len(), coords)
+        self.check_all(coords)
     }
 }
 

@@ -66,7 +66,8 @@ impl<const D: usize> Surface<D> {
     /// repeated node that leaves none of the cells that there are), [`Error::NonFiniteCoordinate`], [`Error::RepeatedCell`], [`Error::NonManifold`] (more than two cells at a face),
     /// [`Error::InconsistentOrientation`], [`Error::NonConforming`] (an edge that has a node in its middle in one of two
     /// cells; a node that hangs up to 1 % beside the middle), [`Error::Unsupported`] (nodes that hang beside cells of second
-    /// order), [`Error::InvertedCell`], [`Error::ZeroMeasure`].
+    /// order), [`Error::InvertedCell`], [`Error::InvertedCells`] (several, or quadrilaterals whose edges cross),
+    /// [`Error::ZeroMeasure`].
     pub fn from_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         match D {
             2 => recast(from_cells_in_plane(rows(coords), blocks, bodies)?),

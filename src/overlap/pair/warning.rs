@@ -66,6 +66,16 @@ pub enum Warning {
         /// Area (2D: length) of what coincides.
         area: f64,
     },
+    /// Faces of one body lie on one another and look at each other, without deformation: nodes were not merged there, a flat cell was
+    /// left out, or a crack is meant. The law `depth` takes them for surface, and a contact near them bears too little.
+    CoincidingFaces {
+        /// The body.
+        body: Partner,
+        /// Area (2D: length), counted once for both sides; with axisymmetry that of the section.
+        area: f64,
+        /// Nodes of these faces, ascending.
+        nodes: Vec<usize>,
+    },
     /// With the law `depth`, a signed distance grows more slowly at its surface than a distance: penetrations, and with them pressures,
     /// are too small by that factor.
     GentleDistance {
@@ -81,6 +91,20 @@ pub enum Warning {
         /// The body around it.
         outer: Partner,
     },
+}
+
+/// How many nodes a sentence names.
+const NAMED: usize = 8;
+
+impl Warning {
+    /// The same with its nodes counted from `base`; bodies and obstacles stay.
+    #[must_use]
+    pub fn counted_from(mut self, base: usize) -> Self {
+        if let Warning::CoincidingFaces { nodes, .. } = &mut self {
+            nodes.iter_mut().for_each(|node| *node += base);
+        }
+        self
+    }
 }
 
 impl fmt::Display for Warning {
@@ -106,6 +130,17 @@ impl fmt::Display for Warning {
                 "{a} and {b}: faces of an area of {area:.3e} lie in one plane and look the same way; if it is a plane of \
                  symmetry, name its nodes (symmetry nodes), if not, name none"
             ),
+            Warning::CoincidingFaces { body, area, nodes } => {
+                let named: Vec<String> = nodes.iter().take(NAMED).map(usize::to_string).collect();
+                let more = if nodes.len() > NAMED { ", …" } else { "" };
+                write!(
+                    f,
+                    "{body}: faces of an area of {area:.3e} lie on one another and look at each other, as where nodes were not merged \
+                     or a cell was left out; their nodes, {} in all: {}{more}",
+                    nodes.len(),
+                    named.join(", ")
+                )
+            }
             Warning::GentleDistance { obstacle, slopes: [least, largest] } => write!(
                 f,
                 "the signed distance of {obstacle} changes by {least:.3} to {largest:.3} per length at its surface, not by 1: penetrations \

@@ -154,8 +154,9 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind, sta
     }
     stages.begin("evaluating the contact");
     let start = Instant::now();
-    let forces = contact.evaluate(&assembly.coords).map_err(explained)?;
+    let mut forces = contact.evaluate(&assembly.coords).map_err(explained)?;
     let seconds = start.elapsed().as_secs_f64();
+    explain::in_numbers_of_files(&mut forces.warnings, &assembly);
     stages.begin("tracing the overlap");
     let traces = contact.trace(&assembly.coords).map_err(explained)?;
     stages.begin("pressures and gaps at the nodes");

@@ -83,6 +83,18 @@ fn collapsed_cells_are_what_they_are() {
     }
 }
 
+/// Two squares in a row whose nodes were not merged, under a third: told with the labels of the file.
+#[test]
+fn nodes_that_were_not_merged_are_told() {
+    let nodes = "*NODE\n11,0,0\n12,1,0\n13,1,1\n14,0,1\n21,1,0\n22,2,0\n23,2,1\n24,1,1\n31,.5,.99\n32,1.5,.99\n33,1.5,2\n34,.5,2\n";
+    let cells =
+        "*ELEMENT,TYPE=CPS4,ELSET=LOW\n1,11,12,13,14\n2,21,22,23,24\n*ELEMENT,TYPE=CPS4,ELSET=UP\n3,31,32,33,34\n";
+    std::fs::write(folder("not_merged").join("torn.inp"), format!("{nodes}{cells}")).unwrap();
+    let found = json("not_merged", "{}/torn.inp --stiffness 1e6 --bodies physical");
+    let text = found["warnings"].to_string();
+    assert!(text.contains("an area of 1.000e0") && text.contains("4 in all: 12, 13, 21, 24"), "{found}");
+}
+
 /// Labels are those of a part: an error says which of its instances it means.
 #[test]
 fn errors_name_the_instance() {
