@@ -49,7 +49,7 @@ class NodalContact:
     --------
     >>> nodal = contact.nodal_contact(coords)
     >>> print(nodal.pressure.max().round(1))
-    89.9
+    100.0
     """
 
     pressure: np.ndarray
