@@ -85,18 +85,9 @@ impl<const D: usize> DepthPlace<D> {
         let is_weight = |weight: &f64| (-ROUNDING..=1.0 + ROUNDING).contains(weight);
         let in_cell = self.other.as_ref().map_or(&[][..], |place| &place.weights);
         match self.weights.iter().chain(in_cell).all(is_weight) {
-            true => self.or_nearest(),
+            true => self,
             false => another,
         }
-    }
-
-    /// The same without what rounding leaves outside the facet and the cell.
-    pub(crate) fn or_nearest(mut self) -> Self {
-        nearest(&mut self.weights);
-        if let Some(place) = &mut self.other {
-            nearest(&mut place.weights);
-        }
-        self
     }
 }
 
@@ -105,8 +96,8 @@ pub(crate) fn no_deeper(mean: f64, deepest: f64) -> f64 {
     if mean <= deepest * (1.0 + ROUNDING) { mean } else { deepest }
 }
 
-/// Weights between 0 and 1 whose sum is 1.
-fn nearest(weights: &mut [f64]) {
+/// Weights without what rounding leaves below 0 and above 1; their sum stays 1.
+pub(crate) fn without_rounding(weights: &mut [f64]) {
     if weights.iter().all(|weight| (0.0..=1.0).contains(weight)) {
         return;
     }

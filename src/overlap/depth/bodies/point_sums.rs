@@ -104,7 +104,7 @@ impl<const D: usize> InCell<D> {
         let weights: [f64; D] =
             std::array::from_fn(|c| corners.iter().map(|w| w[c]).sum::<f64>() / corners.len() as f64);
         let in_cell = PlaceInCell { cell: self.cell, weights: piece.at_nodes(&at(&weights)) };
-        (self.largest, self.inside) = (area.abs(), DepthPlace { weights, other: Some(in_cell) }.or_nearest());
+        (self.largest, self.inside) = (area.abs(), DepthPlace { weights, other: Some(in_cell) });
     }
 }
 
