@@ -21,7 +21,7 @@ def plank(corners: list[np.ndarray]) -> MeshQuad:
     return MeshQuad(sum(part * corner[:, None] for part, corner in zip(parts, corners)), mesh.t)
 
 
-@pytest.mark.parametrize(("young", "loads"), [(2e7, (1, 2)), (2e8, (1, 1.1, 1.2, 1.5, 2)), (2e9, (1, 1.1, 1.2, 1.5))])
+@pytest.mark.parametrize(("young", "loads"), [(2e7, (1, 2)), (2e8, (1, 1.1, 1.2, 1.5, 2)), (2e9, (1, 1.1, 1.2))])
 def test_a_disc_in_a_trough_of_planks_comes_to_rest(young: float, loads: tuple[float, ...]) -> None:
     """A disc of radius 1, three tenths of a facet above planks at 45° that are held along their backs: both bear the same."""
     disc = MeshTri.init_circle(3)
