@@ -5,7 +5,6 @@ use super::submesh::hash_of;
 use super::{Surface, Vector};
 use crate::Error;
 use crate::geometry::facet::area_vector;
-use crate::ranks::packed;
 
 /// How far from a plane the points of a face in it may lie, in parts of its longest edge: coordinates from files have seven digits.
 const IN_PLANE: f64 = 1e-3;
@@ -34,8 +33,6 @@ pub(crate) struct NamedFace<const D: usize> {
     pub(crate) nodes: Vec<u64>,
     pub(crate) corners: [Vector<D>; D],
 }
-
-packed!(NamedFace<D> { nodes, corners });
 
 impl<const D: usize> SymmetryPlane<D> {
     /// Through a point, across a direction.

@@ -13,8 +13,10 @@ use crate::contact::{Contact, Needed, Options, hash_in_common, needed};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::symmetry::{NamedFace, Symmetry, SymmetryPlane, planes_of};
-use crate::ranks::{Communicator, Ranks};
+use crate::ranks::{Communicator, Ranks, packed};
 use std::collections::BTreeMap;
+
+packed!(NamedFace<D> { nodes, corners });
 
 /// Contact of a mesh that ranks hold in parts: [`Contact`] of the cells that may be in contact, which all ranks have.
 ///

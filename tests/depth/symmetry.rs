@@ -63,10 +63,12 @@ fn parts_bear_as_the_full_model_does() {
                 let is_named = |x: &[f64; 3]| axes.iter().any(|&axis| x[axis] == 0.0);
                 let nodes: Vec<u32> = (0..).zip(&part.coords).filter(|(_, x)| is_named(x)).map(|(n, _)| n).collect();
                 by_nodes.set_symmetry_nodes(&nodes).expect("nodes");
+                // Tetrahedra in edges are divided in the order of their nodes, which images have otherwise.
+                let tolerance = if lower.nodes_per_cell == 4 { 1e-4 } else { 1e-9 };
                 for contact in [by_planes, by_nodes] {
                     let found = force(&contact, &part);
                     assert!(
-                        (found / expected - 1.0).abs() < 1e-9,
+                        (found / expected - 1.0).abs() < tolerance,
                         "{axes:?}, turned {is_turned}: {found} of {expected}"
                     );
                 }
