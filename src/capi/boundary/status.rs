@@ -337,7 +337,6 @@ mod tests {
             Error::EmptyCompound,
             Error::Unsupported { what: "this" },
             Error::SignedDistance { obstacle: 0, point: 0 },
-            Error::SteepDistance { obstacle: 0, places: [[0.0; 3]; 2], phi: [0.0; 2] },
             Error::TooManyFibers { needed: 2.0, limit: 1.0 },
             Error::TooManyPieces { sides: [("body", 0), ("body", 1)], limit: 1 },
             Error::UnfinishedLines { obstacle: 0, lines: 1, steps: 1 },

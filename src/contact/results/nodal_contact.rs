@@ -65,6 +65,8 @@ struct NodeTotals<const D: usize> {
     /// The largest pressure of the pairs that press the node.
     largest: f64,
     touches: bool,
+    /// Whether the areas are those of facets, not of forces by the pressure of a pair.
+    is_measured: bool,
     /// ∫ N q dA, and the areas over which friction acts and slides.
     friction: Vector<D>,
     rubbed: f64,
@@ -107,7 +109,9 @@ impl<const D: usize> NodalContact<D> {
                 }
             }
             for found in sums.iter().flat_map(|sums| &sums.sums) {
-                nodes[found.node as usize].add(found.area, found.pressure, found.penetration);
+                let sum = &mut nodes[found.node as usize];
+                sum.add(found.area, found.pressure, found.penetration);
+                sum.is_measured = true;
             }
             for found in friction {
                 nodes[found.node as usize].add_friction(found);
@@ -147,6 +151,7 @@ impl<const D: usize> NodeTotals<D> {
             share,
             largest: 0.0,
             touches: false,
+            is_measured: false,
             friction,
             rubbed: 0.0,
             sliding: 0.0,
@@ -182,8 +187,8 @@ impl<const D: usize> NodeTotals<D> {
         let force = self.force.norm();
         let least = quotient(force, self.largest);
         match force > 0.0 {
-            true if self.share > 0.0 => self.area.max(least).min(self.share),
-            true => least,
+            true if self.share > 0.0 && self.is_measured => self.area.max(least).min(self.share),
+            true => self.area.max(least),
             false => self.area.clamp(0.0, self.share.max(0.0)),
         }
     }
