@@ -3,7 +3,6 @@
 #[path = "../scene/scene.rs"]
 mod scene;
 
-mod collapsed;
 mod cubes;
 mod derivatives;
 mod fields;

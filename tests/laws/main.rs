@@ -40,7 +40,6 @@ mod tangent;
 mod tangled;
 mod through_nodes;
 mod together;
-mod torn;
 mod touching;
 mod turned_obstacles;
 mod units;

@@ -397,8 +397,7 @@ class fmc_nodal_contact(Structure):
         ("friction", c_void_p),
         ("sliding", c_void_p),
         ("status", c_void_p),
-        ("local_pressure", c_void_p),
-        ("reserved", c_uint64 * 8),
+        ("reserved", c_uint64 * 9),
     ]
 
 

@@ -1,6 +1,5 @@
 //! The command `fmc force`, run as a user runs it.
 
-mod abaqus;
 mod command;
 mod mixed;
 mod picture;
