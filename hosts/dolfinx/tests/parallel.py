@@ -124,7 +124,7 @@ def two_spaces(out):
     contact.begin_step(*us)
     for down, along in ((0.01, 0.0), (0.02, 0.02)):
         moves[1].interpolate(lambda x: np.outer([along, 0.0, -down], np.ones(x.shape[1])))
-        # One rank would condense, and stop at other multipliers, as little penetration as they leave.
+        # By default one rank condenses, and ends at other multipliers than several do, within the penetration that is left.
         found = find_equilibrium(problem, tolerance=1e-11, two_level=False)
         contact.commit_step(*us)
         forces.append(found.result.bodies[1].force)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from fmc_contact import find_equilibrium
+from fmc_contact import NotConvergedError, find_equilibrium
 from fmc_contact_skfem import SkfemContact
 from scipy.sparse import block_diag
 from skfem import Basis, ElementQuad1, ElementTriP1, ElementVector, LinearForm, MeshQuad, MeshTri
@@ -21,7 +21,15 @@ def plank(corners: list[np.ndarray]) -> MeshQuad:
     return MeshQuad(sum(part * corner[:, None] for part, corner in zip(parts, corners)), mesh.t)
 
 
-@pytest.mark.parametrize(("young", "loads"), [(2e7, (1, 2)), (2e8, (1, 1.1, 1.2, 1.5, 2)), (2e9, (1, 1.1, 1.2))])
+# The tangent of friction leaves terms out: with stiff planks the fourth load stays at 1e-8 to 1e-6 of the forces, or not, by the last bits of
+# the bodies' matrix.
+BY_LAST_BITS = pytest.mark.xfail(raises=(NotConvergedError, AssertionError), strict=False, reason="ends or not by the last bits of the matrix")
+SERIES = (1, 1.1, 1.2, 1.5, 2)
+
+
+@pytest.mark.parametrize(
+    ("young", "loads"), [(2e7, (1, 2)), (2e8, SERIES), (2e9, SERIES[:3]), pytest.param(2e9, SERIES, marks=BY_LAST_BITS)]
+)
 def test_a_disc_in_a_trough_of_planks_comes_to_rest(young: float, loads: tuple[float, ...]) -> None:
     """A disc of radius 1, three tenths of a facet above planks at 45° that are held along their backs: both bear the same."""
     disc = MeshTri.init_circle(3)
