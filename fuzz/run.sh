@@ -11,13 +11,13 @@ cd "$(dirname "$0")"
 
 extent=${1:-60}
 [ $# -gt 0 ] && shift
-targets=${*:-c_calls gmsh vtu case}
+targets=${*:-c_calls gmsh inp vtu case}
 host=$(rustc -vV | sed -n 's/^host: //p')
 out=${CARGO_TARGET_DIR:-target}
 
 # What the targets asked for need.
 features() {
-  case " $targets " in *" gmsh "* | *" vtu "*) printf 'meshes ' ;; esac
+  case " $targets " in *" gmsh "* | *" inp "* | *" vtu "*) printf 'meshes ' ;; esac
   case " $targets " in *" case "*) printf 'cases ' ;; esac
 }
 

@@ -446,6 +446,9 @@ typedef struct {
 } fmc_forces;
 
 // Cells of one type; a mixed mesh has a block for each.
+//
+// A cell may name nodes repeatedly, as a hexahedron of which an edge or a face has become a point: it is the wedge, pyramid,
+// tetrahedron or triangle that its faces make it, also of second order. Cells and faces count as given.
 typedef struct {
   // A value of `fmc_cell_type`.
   int32_t cell_type;
@@ -608,13 +611,24 @@ typedef struct {
 fmc_status fmc_context_set_reference(fmc_context *context,
                                      const fmc_coords *coords);
 
-// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
-// surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are named too.
-// The host holds such nodes in their plane. Replaces what was named before;
-// `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
+// Says where `count` planes of symmetry are: `points` and `normals` are dense rows of `dim` numbers, a point in each plane and a vector
+// across it, of any length. For the law "depth" a face without deformation in one of them is no surface, since the body goes on behind
+// it. The host holds the nodes of such faces in their plane. Replaces what was said before, by planes or by nodes; `count` 0: all of the
+// surface is surface, and flush faces are not warned of. With a mesh in parts all ranks say the same.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a normal without length, `FMC_ERROR_UNSUPPORTED` for a body
+// that would have no surface left; what was said before then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_symmetry_planes(fmc_context *context,
+                                           const double *points,
+                                           const double *normals,
+                                           size_t count);
+
+// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry, as `fmc_context_set_symmetry_planes` does by planes: those
+// in which the faces lie all of whose nodes are named, the fewest that hold all these nodes. A face of the contact surface in a corner
+// between two planes is none. Of second order those in the middle of edges and faces are named too.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
-// that would have no surface left; what was named before then stays. Threads: one call at a time on a context.
+// that would have no surface left, or for nodes of a curved surface; what was named before then stays. Threads: one call at a time on a context.
 fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
                                           const void *nodes,
                                           size_t count);
@@ -916,14 +930,22 @@ typedef enum {
   // The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
   // its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
   FMC_WARNING_PATCH_LEFT_OUT = 4,
-  // Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
-  // gives the imbalance. Forces may be wrong by as much.
+  // Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; or, with the law "depth", by
+  // more than a tenth, since faces in contact were named as faces in planes of symmetry. The text gives the imbalance. Forces may be
+  // wrong by as much.
   FMC_WARNING_UNBALANCED = 5,
   // With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
   // symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
   // gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
   // penetration by the size of the cells.
   FMC_WARNING_FLUSH_FACES = 6,
+  // Faces of one body lie on one another and look at each other, without deformation: nodes were not merged there, a flat cell
+  // was left out, or a crack is meant. The text gives the area and nodes, counted from `index_base`. The law "depth" takes such
+  // faces for surface, and a contact near them bears too little.
+  FMC_WARNING_COINCIDING_FACES = 7,
+  // With the law "depth", a signed distance grows more slowly at its surface than a distance; the text gives the slopes.
+  // Penetrations, and with them pressures, are too small by that factor.
+  FMC_WARNING_GENTLE_DISTANCE = 8,
 } fmc_warning;
 
 // Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,
@@ -1903,12 +1925,12 @@ typedef enum {
 typedef struct {
   // Set by `fmc_nodal_contact_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // Contact pressure: the mean of the law's over the part of the facets at the node that is in contact, weighted with the
-  // node's shape function, int N p dA / int N dA; with the law "volume" that of the pair.
+  // Contact pressure: the nodal force by the area on which it acts, |F| / int N dA.
   double *pressure;
   // Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
   double *gap;
-  // Area (2D: length), int N dA, up to the curvature of the surface.
+  // Area (2D: length) on which it acts: int N dA over the part of the facets at the node that is in contact, N being the node's
+  // shape function. Never more than the node's part of the surface.
   double *area;
   // Unit vector outwards of the node's body.
   double *normal;
@@ -1918,8 +1940,11 @@ typedef struct {
   double *sliding;
   // Values of `fmc_node_status`.
   int32_t *status;
+  // The mean of the law's pressure over the same part, weighted with the node's shape function, int N p dA / int N dA; with the law
+  // "volume" that of the pair. On curved surfaces it scatters more than `pressure`.
+  double *local_pressure;
   // Zero. Room for outputs of later versions.
-  uint64_t reserved[9];
+  uint64_t reserved[8];
 } fmc_nodal_contact;
 
 // One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second

@@ -24,7 +24,6 @@ pub use friction::{Friction, FrictionTotals};
 pub use history::Multiplier;
 pub use interface::{FrictionStep, contact_force, contact_force_step};
 pub use laws::{EnergyLaw, EnergyProfile, PenetrationLaw, StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
-pub(crate) use mesh::hash_of_marks;
 pub use method::Options;
 pub(crate) use partners::Poses;
 pub use partners::{LayerStiffness, PairOptions};

@@ -89,6 +89,13 @@ pub enum Error {
         /// Cell, or facet.
         cell: usize,
     },
+    /// Several cells are inverted when a mesh is made, or one is a quadrilateral whose edges cross.
+    InvertedCells {
+        /// The cells, ascending.
+        cells: Vec<usize>,
+        /// How many of them are quadrilaterals whose nodes go to and fro, as a bow tie.
+        bow_ties: usize,
+    },
     /// The map of a cell of second order folds: its Jacobian determinant is negative, or positive in a mirrored cell, at a node or
     /// a quadrature point; at the coordinates of an evaluation at a quadrature point. Zero is allowed.
     FoldedCell {
@@ -266,7 +273,16 @@ pub enum Error {
         /// What is not supported.
         what: &'static str,
     },
-    /// A signed-distance function failed, or returned a value that is not finite, or grows faster than a distance can.
+    /// A signed-distance function grows faster between two points than a distance can: contact would be missed.
+    SteepDistance {
+        /// Obstacle.
+        obstacle: usize,
+        /// The points in space; in the plane the third coordinate is 0.
+        places: [[f64; 3]; 2],
+        /// What the function is there, in units of length.
+        phi: [f64; 2],
+    },
+    /// A signed-distance function failed, or returned a value that is not finite.
     SignedDistance {
         /// Obstacle.
         obstacle: usize,

@@ -13,14 +13,14 @@ pub(crate) mod volume;
 
 pub(crate) use depth::integral::{DepthIntegral, DepthRequest};
 pub(crate) use depth::measure::depth_integral;
-pub(crate) use depth::points::{DepthPlace, DepthPoint, PlaceInCell, PointLists};
+pub(crate) use depth::points::{DepthPlace, DepthPoint, PlaceInCell, PointLists, without_rounding};
 pub(crate) use gaps::{NodalGap, nodal_gaps};
 pub(crate) use lines::pair_estimator::PairEstimator;
 pub(crate) use normal_lines::patches::partition::Patches;
 pub(crate) use normal_lines::patches::search::{Reach, find as find_patches};
 pub(crate) use normal_lines::points::contact_point::ContactPoint;
 pub(crate) use normal_lines::points::contact_points::{ContactPoints, PointGradient};
-pub(crate) use normal_lines::points::nodal_sums::NodalSum;
+pub(crate) use normal_lines::points::nodal_sums::{NodalSum, NodalSums};
 pub use pair::fiber_trace::FiberTrace;
 pub(crate) use pair::imbalance::Imbalance;
 pub(crate) use pair::obstacle_distance::distance_from_facets;

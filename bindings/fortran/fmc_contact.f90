@@ -24,7 +24,7 @@ module fmc_contact
   public
   ! Procedures of the type: their names remain the host's.
   private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_reference, &
-             set_symmetry_nodes, set_basis, evaluate, tangent, evaluate_tangent, stable_step, body, &
+             set_symmetry_planes, set_symmetry_nodes, set_basis, evaluate, tangent, evaluate_tangent, stable_step, body, &
              obstacle, pair, warning, add_obstacle, add_half_space, add_polytope, &
              add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
@@ -37,7 +37,7 @@ module fmc_contact
     integer :: dim = 0
   contains
     procedure :: from_cells, from_blocks, from_facets, free
-    procedure :: set_options, set_pair_options, set_reference, set_symmetry_nodes, set_basis
+    procedure :: set_options, set_pair_options, set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
     procedure :: evaluate, tangent, evaluate_tangent, stable_step
     procedure :: body, obstacle, pair, warning
     procedure :: add_obstacle, add_half_space, add_polytope, add_convex_hull, add_signed_distance
@@ -184,6 +184,14 @@ contains
     real(c_double), intent(in), contiguous, target :: x(:, :)
     integer, intent(out), optional :: stat
     call checked(fmc_context_set_reference(self%handle, view(x)), stat)
+  end subroutine
+
+  ! Planes of symmetry, a point in each and a vector across it: (dim, planes) (fmc_context_set_symmetry_planes).
+  subroutine set_symmetry_planes(self, points, normals, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous :: points(:, :), normals(:, :)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_symmetry_planes(self%handle, points, normals, size(points, 2, c_size_t)), stat)
   end subroutine
 
   ! Nodes in planes of symmetry, none if there are none (fmc_context_set_symmetry_nodes).
@@ -498,11 +506,13 @@ contains
     call checked(fmc_context_set_slip(self%handle, values, size(values, kind=c_size_t)), stat)
   end subroutine
 
-  ! Contact at every node of x: any of pressure(nodes), gap, area, sliding, status(nodes), normal(dim, nodes), friction.
-  subroutine nodal_contact(self, x, pressure, gap, area, normal, friction, sliding, status, stat)
+  ! Contact at every node of x: any of pressure(nodes), gap, area, sliding, status(nodes), normal(dim, nodes), friction,
+  ! local_pressure(nodes).
+  subroutine nodal_contact(self, x, pressure, gap, area, normal, friction, sliding, status, stat, local_pressure)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
-    real(c_double), intent(out), contiguous, target, optional :: pressure(:), gap(:), area(:), sliding(:)
+    real(c_double), intent(out), contiguous, target, optional :: pressure(:), gap(:), area(:), sliding(:), &
+                                                                   local_pressure(:)
     real(c_double), intent(out), contiguous, target, optional :: normal(:, :), friction(:, :)
     integer(c_int32_t), intent(out), contiguous, target, optional :: status(:)
     integer, intent(out), optional :: stat
@@ -515,6 +525,7 @@ contains
     if (present(friction)) nodal%friction = c_loc(friction)
     if (present(sliding)) nodal%sliding = c_loc(sliding)
     if (present(status)) nodal%status = c_loc(status)
+    if (present(local_pressure)) nodal%local_pressure = c_loc(local_pressure)
     call checked(fmc_context_nodal_contact(self%handle, view(x), nodal), stat)
   end subroutine
 

@@ -140,6 +140,8 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_WARNING_PATCH_LEFT_OUT = 4
   integer(c_int32_t), parameter :: FMC_WARNING_UNBALANCED = 5
   integer(c_int32_t), parameter :: FMC_WARNING_FLUSH_FACES = 6
+  integer(c_int32_t), parameter :: FMC_WARNING_COINCIDING_FACES = 7
+  integer(c_int32_t), parameter :: FMC_WARNING_GENTLE_DISTANCE = 8
   integer(c_int32_t), parameter :: FMC_REQUEST_FORCES = 0
   integer(c_int32_t), parameter :: FMC_REQUEST_PRODUCT = 1
   integer(c_int32_t), parameter :: FMC_REQUEST_DIAGONAL = 2
@@ -463,7 +465,8 @@ module fmc_contact_c
     type(c_ptr) :: friction
     type(c_ptr) :: sliding
     type(c_ptr) :: status
-    integer(c_int64_t) :: reserved(9)
+    type(c_ptr) :: local_pressure
+    integer(c_int64_t) :: reserved(8)
   end type
 
   type, bind(c) :: fmc_contact_side
@@ -727,6 +730,14 @@ module fmc_contact_c
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
       integer(c_int32_t) :: fmc_context_set_reference
+    end function
+    function fmc_context_set_symmetry_planes(context, points, normals, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: points(*)
+      real(c_double), intent(in), optional :: normals(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_symmetry_planes
     end function
     function fmc_context_set_symmetry_nodes(context, nodes, count) bind(c)
       import

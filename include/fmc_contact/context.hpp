@@ -304,8 +304,15 @@ class Context : public AddsShapes<Context> {
     return step;
   }
 
-  // The law "depth": coordinates without deformation; nodes in planes of symmetry, none for none.
+  // The law "depth": coordinates without deformation; planes of symmetry by a point in each and a vector across it, in dense rows of
+  // dim numbers, or by the nodes in them; none for none.
   void set_reference(Coords coords) { at(fmc_context_set_reference, coords); }
+  void set_symmetry_planes(View<const double> points, View<const double> normals) {
+    std::size_t count = points.size() / static_cast<std::size_t>(dim());
+    detail::one_for_each(points, count * static_cast<std::size_t>(dim()), "points");
+    detail::one_for_each(normals, points.size(), "normals");
+    call(fmc_context_set_symmetry_planes(get(), points.data(), normals.data(), count));
+  }
   void set_symmetry_nodes(View<const int64_t> nodes) {
     detail::Numbers numbers(index_size_, nodes);
     call(fmc_context_set_symmetry_nodes(get(), numbers.data(), nodes.size()));

@@ -277,15 +277,17 @@ struct Obstacle {
 struct NodalContact {
   std::vector<double> pressure, gap, area, normal, friction, sliding;
   std::vector<int32_t> status;
+  std::vector<double> local_pressure;
 
   // Makes room for it all, and says where it is.
   fmc_nodal_contact as_c(std::size_t nodes, std::size_t axes) {
-    for (auto *field : {&pressure, &gap, &area, &sliding}) field->resize(nodes);
+    for (auto *field : {&pressure, &gap, &area, &sliding, &local_pressure}) field->resize(nodes);
     normal.resize(nodes * axes), friction.resize(nodes * axes), status.resize(nodes);
     fmc_nodal_contact to;
     check(fmc_nodal_contact_init(&to));
     to.pressure = pressure.data(), to.gap = gap.data(), to.area = area.data(), to.normal = normal.data();
     to.friction = friction.data(), to.sliding = sliding.data(), to.status = status.data();
+    to.local_pressure = local_pressure.data();
     return to;
   }
 };

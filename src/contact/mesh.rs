@@ -8,7 +8,8 @@ use crate::Error;
 use crate::contact::partners::MeshHashes;
 use crate::depth_field::DepthField;
 use crate::geometry::submesh::hash_of;
-use crate::geometry::{Basis, Surface, Weighting};
+use crate::geometry::symmetry::{Symmetry, SymmetryPlane, planes_of};
+use crate::geometry::{Basis, CoincidingFaces, Surface, Weighting};
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
@@ -17,10 +18,13 @@ pub(crate) struct Mesh<const D: usize> {
     pub(crate) surface: Surface<D>,
     /// Where the surface lies beside its nodes.
     offsets: Offsets<D>,
-    /// Whether a node lies in a plane of symmetry; `None` where that was not said.
-    in_symmetry_plane: Option<Vec<bool>>,
+    /// Planes of symmetry, as they were told, and the faces in them; `None` where nothing was said.
+    told: Option<Told<D>>,
+    symmetry: Option<Symmetry<D>>,
     /// Depth of the cells, found when it is asked for first.
     depth: OnceLock<Option<DepthField<D>>>,
+    /// Faces of one body that coincide, found when they are asked for first.
+    coinciding: OnceLock<Vec<CoincidingFaces>>,
     hashes: MeshHashes,
 }
 
@@ -28,7 +32,8 @@ impl<const D: usize> Mesh<D> {
     pub(crate) fn new(surface: Surface<D>) -> Self {
         let offsets = Offsets::none();
         let hashes = MeshHashes { depths: [hash_of(surface.reference()), 0], offsets: offsets.hash() };
-        Self { surface, offsets, in_symmetry_plane: None, depth: OnceLock::new(), hashes }
+        let (depth, coinciding) = (OnceLock::new(), OnceLock::new());
+        Self { surface, offsets, told: None, symmetry: None, depth, coinciding, hashes }
     }
 
     /// The points of the straight mesh that is measured: those of the nodes at `coords`, with what the surface lies beside them.
@@ -57,8 +62,13 @@ impl<const D: usize> Mesh<D> {
 
     /// How deep the cells of bodies lie below their surfaces, where there are cells.
     pub(crate) fn depth_field(&self, weighting: Weighting) -> Option<&DepthField<D>> {
-        let new = || DepthField::new(&self.surface, self.in_symmetry_plane.as_deref(), weighting);
+        let new = || DepthField::new(&self.surface, self.symmetry.as_ref(), weighting);
         self.depth.get_or_init(new).as_ref()
+    }
+
+    /// Faces of one body that lie on one another without deformation.
+    pub(crate) fn coinciding_faces(&self) -> &[CoincidingFaces] {
+        self.coinciding.get_or_init(|| self.surface.coinciding_faces())
     }
 
     /// Of what decides how facets bear.
@@ -76,7 +86,8 @@ impl<const D: usize> Mesh<D> {
         self.surface.set_reference(coords)?;
         self.hashes.depths[0] = hash_of(self.surface.reference());
         self.forget_depth();
-        Ok(())
+        self.coinciding = OnceLock::new();
+        self.find_symmetry()
     }
 
     pub(crate) fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Error> {
@@ -92,40 +103,65 @@ impl<const D: usize> Mesh<D> {
             let mark = marked.get_mut(node as usize);
             *mark.ok_or(Error::NodeOutOfRange { cell, node: node.into(), node_count })? = true;
         }
-        let mut has_surface = vec![false; self.surface.body_count()];
-        for (body, nodes) in self.surface.faces() {
-            has_surface[body] |= !nodes.iter().all(|&n| marked[n as usize]);
+        self.tell(Told::Nodes(marked))
+    }
+
+    pub(crate) fn set_symmetry_planes(&mut self, planes: &[SymmetryPlane<D>]) -> Result<(), Error> {
+        self.surface.refuse_submesh("planes of symmetry of a part of a mesh by itself")?;
+        self.tell(Told::Planes(planes.to_vec()))
+    }
+
+    /// Replaces what was told; after an error it stays.
+    fn tell(&mut self, told: Told<D>) -> Result<(), Error> {
+        let before = self.told.replace(told);
+        let found = self.find_symmetry();
+        if found.is_err() {
+            self.told = before;
         }
-        if has_surface.contains(&false) {
+        found
+    }
+
+    /// Finds the faces in planes of symmetry, where the mesh is without deformation.
+    fn find_symmetry(&mut self) -> Result<(), Error> {
+        let node_count = self.surface.node_count();
+        let symmetry = match &self.told {
+            None => return Ok(()),
+            Some(Told::Planes(planes)) => Symmetry { planes: planes.clone(), marks: vec![true; node_count] },
+            Some(Told::Nodes(marks)) => {
+                let planes = planes_of(self.surface.named_faces(marks, u64::from))?;
+                Symmetry { planes, marks: marks.clone() }
+            }
+        };
+        if self.surface.has_body_without(&symmetry) {
             return Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" });
         }
-        self.tell_symmetry(hash_of_marks(&marked));
-        self.mark_symmetry(marked);
+        self.tell_symmetry(symmetry.hash());
+        self.mark_symmetry(symmetry);
         Ok(())
     }
 
-    /// Says by a hash which nodes are marked.
-    pub(crate) fn tell_symmetry(&mut self, marks: u64) {
-        self.hashes.depths[1] = marks;
+    /// Says by a hash where planes of symmetry are.
+    pub(crate) fn tell_symmetry(&mut self, hash: u64) {
+        self.hashes.depths[1] = hash;
     }
 
-    /// The same by node.
-    fn mark_symmetry(&mut self, mut marked: Vec<bool>) {
+    /// The same by point.
+    fn mark_symmetry(&mut self, mut symmetry: Symmetry<D>) {
         if let Some(division) = self.surface.division() {
             let map = &division.interpolation;
-            let of_point = |point| map.row(point).all(|(node, _)| marked[node as usize]);
-            marked = (0..map.point_count()).map(of_point).collect();
+            let of_point = |point| map.row(point).all(|(node, _)| symmetry.marks[node as usize]);
+            symmetry.marks = (0..map.point_count()).map(of_point).collect();
         }
-        self.in_symmetry_plane = Some(marked);
+        self.symmetry = Some(symmetry);
         self.forget_depth();
     }
 
-    /// Takes other cells of the same mesh, with marks of the nodes in planes of symmetry.
-    pub(crate) fn take_cells(&mut self, surface: Surface<D>, in_symmetry_plane: Option<Vec<bool>>) {
+    /// Takes other cells of the same mesh, with its planes of symmetry and marks of the nodes in them.
+    pub(crate) fn take_cells(&mut self, surface: Surface<D>, symmetry: Option<Symmetry<D>>) {
         // How facets bore before is known of those that are still there.
         *self = Self { hashes: self.hashes, ..Self::new(surface) };
-        if let Some(marked) = in_symmetry_plane {
-            self.mark_symmetry(marked);
+        if let Some(symmetry) = symmetry {
+            self.mark_symmetry(symmetry);
         }
     }
 
@@ -156,8 +192,9 @@ impl<const D: usize> Mesh<D> {
     }
 }
 
-/// Hash of marks of nodes; of none 0.
-pub(crate) fn hash_of_marks(marked: &[bool]) -> u64 {
-    let places: Vec<[f64; 1]> = (0..marked.len()).filter(|&n| marked[n]).map(|n| [n as f64 + 1.0]).collect();
-    hash_of(&places)
+/// How planes of symmetry were told.
+enum Told<const D: usize> {
+    /// By the nodes in them.
+    Nodes(Vec<bool>),
+    Planes(Vec<SymmetryPlane<D>>),
 }

@@ -3,7 +3,7 @@
 use super::cell_parts::{Part, mean, own_points, parts};
 use super::divide::{Between, divide};
 use super::divisions::{CellPoint, CellSimplex, MOST_NODES};
-use super::incentre::{height, incentre};
+use super::incentre::{height, incentre, rounding_of_height};
 use super::near_surface::NearSurface;
 use crate::geometry::{CellType, Vector};
 
@@ -13,8 +13,11 @@ const TRIANGLES: [u8; 4] = [0b1110, 0b1101, 0b1011, 0b0111];
 /// Corners of edges.
 const EDGES: [u8; 6] = [0b0011, 0b0101, 0b0110, 0b1001, 0b1010, 0b1100];
 
-/// Part of the height above a facet by which a depth may differ from it by rounding.
+/// Part of the height above a facet by which a depth may differ from it by rounding of what is computed.
 const ROUNDING: f64 = 1e-10;
+
+/// Roundings of the coordinates by which it may differ, on a facet that is as wide as it is long: depths and heights take some twenty.
+const ROUNDINGS: f64 = 64.0;
 
 /// Points and simplices of a cell.
 pub(super) struct CellDivision<'a, const D: usize> {
@@ -120,8 +123,10 @@ impl<'a, const D: usize> CellDivision<'a, D> {
     /// Whether the depth in a simplex is the height above each facet that it has for a face.
     fn has_heights(&self, part: &Part, simplex: &Kept) -> bool {
         (0..=D).filter(|&k| self.has_facet_below(part, simplex, k)).all(|k| {
-            let height = height(&self.places(&simplex.corners), k);
-            (self.depth(simplex.corners[k]) - height).abs() <= ROUNDING * height
+            let corners = self.places(&simplex.corners);
+            let height = height(&corners, k);
+            let rounding = ROUNDINGS * rounding_of_height(&corners, k);
+            (self.depth(simplex.corners[k]) - height).abs() <= (ROUNDING * height).max(rounding)
         })
     }
 

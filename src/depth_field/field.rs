@@ -10,6 +10,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::components::Components;
 use crate::geometry::nearest_on_facet::nearest;
+use crate::geometry::symmetry::Symmetry;
 use crate::geometry::{CellType, Surface, Vector, Weighting};
 
 /// Depth below the surface of its body at every point of every cell.
@@ -37,12 +38,11 @@ const TYPES: [CellType; 6] =
     [CellType::Tri3, CellType::Quad4, CellType::Tet4, CellType::Hex8, CellType::Wedge6, CellType::Pyramid5];
 
 impl<const D: usize> DepthField<D> {
-    /// The field of a surface that has cells; `None` for one that has none. Faces all of whose nodes are marked lie in
-    /// planes of symmetry; so does what lies on an axis.
-    pub(crate) fn new(surface: &Surface<D>, in_symmetry_plane: Option<&[bool]>, weighting: Weighting) -> Option<Self> {
+    /// The field of a surface that has cells; `None` for one that has none. Faces in planes of symmetry are no surface, nor is what
+    /// lies on an axis.
+    pub(crate) fn new(surface: &Surface<D>, symmetry: Option<&Symmetry<D>>, weighting: Weighting) -> Option<Self> {
         let cells = surface.cells.as_ref()?;
         let coords = surface.reference();
-        let marks = in_symmetry_plane.unwrap_or_default();
         let rounding = match weighting {
             Weighting::Plain => 0.0,
             Weighting::Axisymmetric => match &surface.submesh {
@@ -50,14 +50,13 @@ impl<const D: usize> DepthField<D> {
                 None => Aabb::of(&surface.points(coords)).rounding(),
             },
         };
-        let is_marked = |node: u32| {
-            let is_told = marks.get(node as usize).copied().unwrap_or(false);
-            is_told || weighting.is_axis([&Vector::<D>::from(coords[node as usize])], rounding)
+        let goes_on = |nodes: &[u32]| {
+            let places: Vec<Vector<D>> = nodes.iter().map(|&node| coords[node as usize].into()).collect();
+            weighting.is_axis(&places, rounding) || symmetry.is_some_and(|symmetry| symmetry.has(nodes, &places))
         };
         let is_cut =
             |cell: usize, face: usize| surface.submesh.as_ref().is_some_and(|submesh| submesh.is_cut_face(cell, face));
-        let is_surface =
-            |cell: usize, face: usize| !is_cut(cell, face) && !cells.face_nodes(cell, face).into_iter().all(is_marked);
+        let is_surface = |cell: usize, face: usize| !is_cut(cell, face) && !goes_on(&cells.face_nodes(cell, face));
         let surface_faces: Vec<u8> = (0..cells.len())
             .map(|cell| {
                 let boundary = (0..8).filter(|face| cells.boundary[cell] >> face & 1 == 1);
@@ -66,8 +65,8 @@ impl<const D: usize> DepthField<D> {
             .collect();
         let facet_is_surface = |facet: usize| {
             let is_surface = surface.is_surface_facet(facet);
-            let mut nodes = surface.facets[facet].iter().flat_map(|&v| surface.nodes_of_vertex(v));
-            is_surface && !nodes.all(|(node, _)| is_marked(node))
+            let nodes = surface.facets[facet].iter().flat_map(|&v| surface.nodes_of_vertex(v));
+            is_surface && !goes_on(&nodes.map(|(node, _)| node).collect::<Vec<_>>())
         };
         let distances = Distances::new(surface, coords, facet_is_surface);
         let (nodes, anchors) = node_depths(cells, coords, &surface_faces, &distances);
@@ -83,7 +82,7 @@ impl<const D: usize> DepthField<D> {
         });
         let division_of = division_of.collect();
         let connected = connected_bodies(cells, surface.body_count());
-        let is_surface_told = in_symmetry_plane.is_some();
+        let is_surface_told = symmetry.is_some();
         Some(Self { nodes, anchors, divisions, division_of, connected, is_surface_told })
     }
 

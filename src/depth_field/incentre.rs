@@ -20,6 +20,16 @@ pub(super) fn height<const D: usize>(corners: &[Vector<D>; 4], corner: usize) ->
     area.dot(&(corners[corner] - other)).abs() / area.norm()
 }
 
+/// By how much such a height changes as coordinates do by one rounding: far away from the origin, and above faces that are slivers, the
+/// more.
+pub(super) fn rounding_of_height<const D: usize>(corners: &[Vector<D>; 4], corner: usize) -> f64 {
+    let farthest = corners[..=D].iter().map(|x| x.amax()).fold(0.0, f64::max);
+    let face: [Vector<D>; D] = std::array::from_fn(|k| corners[k + usize::from(k >= corner)]);
+    let longest = face.iter().map(|x| (x - face[0]).norm()).fold(0.0, f64::max);
+    let aspect = longest.powi(D as i32 - 1) / area_vector(&face).norm();
+    f64::EPSILON * farthest * aspect.max(1.0)
+}
+
 fn opposite_area<const D: usize>(corners: &[Vector<D>; 4], corner: usize) -> Vector<D> {
     let face: [Vector<D>; D] = std::array::from_fn(|k| corners[k + usize::from(k >= corner)]);
     area_vector(&face)

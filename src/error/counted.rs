@@ -20,6 +20,7 @@ impl Error {
                 *cell += base;
                 *node += base;
             }
+            Error::InvertedCells { cells, bow_ties: _ } => cells.iter_mut().for_each(|cell| *cell += base),
             Error::UnknownOutOfRange { row, unknown: _, count: _ } => *row += base,
             Error::NonConforming { cells } | Error::RepeatedCell { cells } => {
                 cells.iter_mut().for_each(|cell| *cell += base);
@@ -56,6 +57,7 @@ impl Error {
             | Error::DegenerateHull { point_count: _ }
             | Error::TooFewHeights { axis: _, count: _ }
             | Error::NonFiniteHeight { point: _ }
+            | Error::SteepDistance { obstacle: _, places: _, phi: _ }
             | Error::SignedDistance { obstacle: _, point: _ }
             | Error::UnfinishedLines { obstacle: _, lines: _, steps: _ }
             | Error::TooManyPieces { sides: _, limit: _ }

@@ -37,6 +37,19 @@ impl fmt::Display for Error {
                 "cell {cell} is inverted (a facet, where there are no cells): its nodes are numbered against the others, one in \
                  the middle of an edge is too near to a corner, or a step of the host was too large"
             ),
+            Error::InvertedCells { cells, bow_ties } => {
+                let first = cells.first().copied().unwrap_or_default();
+                let (is, count) =
+                    if cells.len() == 1 { ("is", "1 cell".into()) } else { ("are", format!("{} cells", cells.len())) };
+                write!(f, "{count} {is} inverted, the first is {first}")?;
+                match bow_ties {
+                    0 => write!(f, ": nodes are numbered against the others, or cells are folded"),
+                    _ => write!(
+                        f,
+                        "; edges cross in {bow_ties} of them (a bow tie): their nodes do not go around the quadrilateral"
+                    ),
+                }
+            }
             Error::FoldedCell { cell, at, determinant } => {
                 let (kind, number) = match at {
                     MapPoint::Node(node) => ("node", node),
@@ -132,10 +145,17 @@ impl fmt::Display for Error {
             Error::NonFiniteHeight { point } => write!(f, "height {point} is not finite"),
             Error::EmptyCompound => write!(f, "the compound has no parts"),
             Error::Unsupported { what } => write!(f, "not supported: {what}"),
+            Error::SteepDistance { obstacle, places: [[a, b, c], [d, e, g]], phi: [p, q] } => {
+                write!(
+                    f,
+                    "the signed distance of obstacle {obstacle} grows faster than a distance can: it is {p:.6e} at ({a:.6}, {b:.6}, {c:.6}) \
+                     and {q:.6e} at ({d:.6}, {e:.6}, {g:.6}); divide it by its steepest slope"
+                )
+            }
             Error::SignedDistance { obstacle, point } => {
                 write!(
                     f,
-                    "the signed distance of obstacle {obstacle} failed or is not finite at point {point} of the batch, or grows faster there than a distance"
+                    "the signed distance of obstacle {obstacle} failed or is not finite at point {point} of the batch"
                 )
             }
             Error::TooManyFibers { needed, limit } => {

@@ -1,6 +1,6 @@
 //! The boundary facets of a mesh, as a host asks for them.
 
-use super::Surface;
+use super::{CellType, Surface};
 
 /// A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
 /// of second order is divided first, an edge in two, a triangle or quadrilateral in four.
@@ -38,7 +38,12 @@ impl<const D: usize> Surface<D> {
             };
             let of_whole = self.division.as_ref().and_then(|division| division.cell_type(cell));
             let cell_type = of_whole.or_else(|| self.cells.as_ref().map(|cells| cells.cell_type(cell)));
-            (Some(whole), cell_type.zip(face).map(|(cell_type, face)| cell_type.vtk_face(face)))
+            let as_given = self.collapsed.get(&(whole as u32));
+            let face_number = |(cell_type, face): (CellType, usize)| match as_given {
+                Some(faces) => faces[face],
+                None => cell_type.vtk_face(face),
+            };
+            (Some(whole), cell_type.zip(face).map(face_number))
         };
         let (cell, local_face) = cell.map_or((None, None), of_whole);
         let of_given = || self.division.as_ref().map_or(source, |division| division.cell(source));

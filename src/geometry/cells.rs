@@ -118,10 +118,12 @@ impl Cells {
         &self.hanging
     }
 
-    /// For every block as given: its type, its cells and their nodes one after the other.
-    pub(super) fn blocks(&self) -> impl Iterator<Item = (CellType, Range<usize>, &[u32])> {
-        let filled = self.blocks.iter().filter(|cells| !cells.is_empty());
-        filled.map(|cells| {
+    /// For every block with some of these cells: its type, its cells and their nodes one after the other. Blocks may be many, where
+    /// collapsed cells stand between others.
+    pub(super) fn blocks_of(&self, cells: Range<usize>) -> impl Iterator<Item = (CellType, Range<usize>, &[u32])> {
+        let first = self.blocks.partition_point(|block| block.end <= cells.start);
+        let within = self.blocks[first..].iter().take_while(move |block| block.start < cells.end);
+        within.filter(|block| !block.is_empty()).map(|cells| {
             let conn = &self.conn[self.offsets[cells.start]..self.offsets[cells.end]];
             (self.types[cells.start], cells.clone(), conn)
         })
@@ -306,7 +308,7 @@ impl Cells {
             volume[root] += if turned { -measure } else { measure };
         }
         self.flipped = relative.iter().map(|&(root, turned)| turned != (volume[root] < 0.0)).collect();
-        self.check_range(0..self.len(), coords)
+        self.check_all(coords)
     }
 }
 

@@ -27,7 +27,7 @@ impl Cells {
     /// Checks that none of some cells of one block is inverted or without measure at `coords`; the lowest offending
     /// cell is named.
     pub(crate) fn check_range<const D: usize>(&self, cells: Range<usize>, coords: &[[f64; D]]) -> Result<(), Error> {
-        for (cell_type, of_block, conn) in self.blocks() {
+        for (cell_type, of_block, conn) in self.blocks_of(cells.clone()) {
             let (start, end) = (cells.start.max(of_block.start), cells.end.min(of_block.end));
             if start < end {
                 let size = cell_type.node_count();
@@ -36,6 +36,35 @@ impl Cells {
             }
         }
         Ok(())
+    }
+
+    /// Checks all cells of a mesh that is made: names how many are inverted, unless one without measure comes first.
+    pub(super) fn check_all<const D: usize>(&self, coords: &[[f64; D]]) -> Result<(), Error> {
+        let Err(first) = self.check_range(0..self.len(), coords) else { return Ok(()) };
+        let (mut cells, mut bow_ties) = (Vec::new(), 0);
+        for cell in 0..self.len() {
+            let is_bow_tie = self.is_bow_tie(cell, coords);
+            match self.check_cell(cell, coords) {
+                Err(Error::ZeroMeasure { .. }) if !is_bow_tie && cells.is_empty() => return Err(first),
+                Err(Error::InvertedCell { .. }) => cells.push(cell),
+                Err(_) if is_bow_tie => cells.push(cell),
+                _ => continue,
+            }
+            bow_ties += usize::from(is_bow_tie && cells.last() == Some(&cell));
+        }
+        if cells.len() > 1 || bow_ties > 0 { Err(Error::InvertedCells { cells, bow_ties }) } else { Err(first) }
+    }
+
+    /// Whether edges of a quadrilateral cross: two of its corners turn one way, and two the other. One that turns the other way
+    /// makes a dart.
+    fn is_bow_tie<const D: usize>(&self, cell: usize, coords: &[[f64; D]]) -> bool {
+        if self.cell_type(cell) != CellType::Quad4 {
+            return false;
+        }
+        let found: Vec<f64> = self.jacobians(cell, coords).collect();
+        let least = 1e-13 * found.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let turning = |sign: f64| found.iter().filter(|&&x| sign * x > least).count();
+        turning(1.0) == 2 && turning(-1.0) == 2
     }
 
     fn check_chunk<const D: usize>(

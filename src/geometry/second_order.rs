@@ -30,7 +30,14 @@ mod point_rows;
 mod refined;
 mod shape_functions;
 
+use super::CellType;
+
 pub use basis::Basis;
 pub(crate) use curved_cells::{CurvedCells, MapCheck};
 pub(crate) use division::Division;
 pub(crate) use interpolation::Interpolation;
+
+/// Ends of every edge of a cell of second order, in the order of the nodes in their middle.
+pub(super) fn middle_edges(cell_type: CellType) -> &'static [[usize; 2]] {
+    entities::Entities::of(cell_type).map_or(&[], |entities| entities.edges)
+}

@@ -1,6 +1,7 @@
 //! Boundary facets of bodies.
 
 use super::cells::Cells;
+use super::collapsed::{Collapsed, FacesAsGiven};
 use super::components::Components;
 use super::second_order::Division;
 use super::submesh::Submesh;
@@ -40,6 +41,8 @@ pub struct Surface<const D: usize> {
     reference: Vec<[f64; D]>,
     /// Where there are cells of second order, their division: all nodes named here are then its points.
     pub(super) division: Option<Division>,
+    /// Faces of cells with repeated nodes, as those of the cells that were given.
+    pub(super) collapsed: FacesAsGiven,
     /// Where these are some cells of a larger mesh, what lies outside of them.
     pub(crate) submesh: Option<Box<Submesh<D>>>,
 }
@@ -55,12 +58,16 @@ impl<const D: usize> Surface<D> {
     /// (in lengths of the edge). These are inner faces. A node that hangs is where the nodes put it in whose middle it is,
     /// whatever its own coordinates are later, and forces on it are brought to these.
     ///
+    /// A cell may name nodes repeatedly, as a hexahedron in which an edge or a face has become a point: it is the wedge, pyramid,
+    /// tetrahedron or triangle that its faces make it, of second order too. Cells and their faces count as given.
+    ///
     /// # Errors
-    /// [`Error::Empty`], [`Error::Dimension`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
-    /// [`Error::NonFiniteCoordinate`], [`Error::RepeatedCell`], [`Error::NonManifold`] (more than two cells at a face),
+    /// [`Error::Empty`], [`Error::Dimension`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`] (a
+    /// repeated node that leaves none of the cells that there are), [`Error::NonFiniteCoordinate`], [`Error::RepeatedCell`], [`Error::NonManifold`] (more than two cells at a face),
     /// [`Error::InconsistentOrientation`], [`Error::NonConforming`] (an edge that has a node in its middle in one of two
     /// cells; a node that hangs up to 1 % beside the middle), [`Error::Unsupported`] (nodes that hang beside cells of second
-    /// order), [`Error::InvertedCell`], [`Error::ZeroMeasure`].
+    /// order), [`Error::InvertedCell`], [`Error::InvertedCells`] (several, or quadrilaterals whose edges cross),
+    /// [`Error::ZeroMeasure`].
     pub fn from_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         match D {
             2 => recast(from_cells_in_plane(rows(coords), blocks, bodies)?),
@@ -69,6 +76,15 @@ impl<const D: usize> Surface<D> {
     }
 
     fn of_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
+        let Some(Collapsed { blocks, faces }) = Collapsed::of::<D>(blocks) else {
+            return Self::of_distinct_nodes(coords, blocks, bodies);
+        };
+        let blocks: Vec<_> = blocks.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
+        Ok(Self { collapsed: faces, ..Self::of_distinct_nodes(coords, &blocks, bodies)? })
+    }
+
+    /// The same of cells none of which names a node twice.
+    fn of_distinct_nodes(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
         let Some(mut division) = Division::of::<D>(coords.len(), blocks)? else {
             return Self::of_straight_cells(coords, blocks, bodies)?.refined(coords, blocks);
         };
@@ -128,6 +144,7 @@ impl<const D: usize> Surface<D> {
             cells: None,
             reference: Vec::new(),
             division: None,
+            collapsed: FacesAsGiven::new(),
             submesh: None,
         }
     }

@@ -3,6 +3,7 @@
 pub(crate) mod assembly;
 pub(crate) mod body_facet;
 pub(crate) mod bounds;
+pub(crate) mod distance_slopes;
 pub(crate) mod fiber_trace;
 pub(crate) mod half_space;
 pub(crate) mod imbalance;

@@ -34,26 +34,26 @@ struct Ball<const D: usize> {
 }
 
 impl<const D: usize> Anchors<D> {
-    /// Of the own facets, but for those all of whose nodes are marked: they lie in planes of symmetry, or on an axis.
-    pub(super) fn new(own: &OwnMesh<D>, is_marked: Option<&dyn Fn(u32) -> bool>) -> Self {
+    /// Of the own facets, but for those behind which the body goes on: they lie in planes of symmetry, or on an axis.
+    pub(super) fn new(own: &OwnMesh<D>, goes_on: Option<&dyn Fn(&[u32]) -> bool>) -> Self {
         let mut bodies: Vec<BodyFacets<D>> = own.body_ids.iter().map(|_| BodyFacets::default()).collect();
         for surface in own.surface.iter() {
             let points = surface.points(surface.reference());
             let facets = surface.boundary_facets();
             for (body, range) in surface.ranges.iter().enumerate() {
                 let of_body = &mut bodies[own.body_of(surface, body)];
-                let is_marked = |facet: usize| {
-                    let nodes = || facets[facet].nodes.iter().filter(|&&node| (node as usize) < own.node_count());
-                    is_marked.is_some_and(|is_marked| nodes().all(|&node| is_marked(node)))
+                let is_no_surface = |facet: usize| {
+                    let nodes = facets[facet].nodes.iter().copied().filter(|&node| (node as usize) < own.node_count());
+                    goes_on.is_some_and(|goes_on| goes_on(&nodes.collect::<Vec<_>>()))
                 };
-                for facet in range.clone().filter(|&facet| surface.is_surface_facet(facet) && !is_marked(facet)) {
+                for facet in range.clone().filter(|&facet| surface.is_surface_facet(facet) && !is_no_surface(facet)) {
                     of_body.cells.push(facets[facet].cell.unwrap_or(0) as u32);
                     of_body.boxes.push(box_of(surface, facet, &points));
                 }
                 of_body.tree = Some(Tree::new(&of_body.boxes));
             }
         }
-        Self { bodies, are_some_left_out: is_marked.is_some() }
+        Self { bodies, are_some_left_out: goes_on.is_some() }
     }
 
     /// Own cells that have facets from which depths in some cells, of all ranks and without deformation, may be measured.

@@ -5,6 +5,7 @@ use crate::contact::{Contact, Poses};
 use crate::geometry::Surface;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::submesh::hash_of;
+use crate::geometry::symmetry::Symmetry;
 
 /// Something that was done at coordinates of an earlier epoch, and would be needed again for other cells.
 #[derive(Clone, Debug)]
@@ -47,10 +48,10 @@ pub(super) fn take_cells<const D: usize>(
     surface: Surface<D>,
     started: Option<&[[f64; D]]>,
     facet: impl Fn(usize) -> Option<usize>,
-    in_symmetry_plane: Option<Vec<bool>>,
+    symmetry: Option<Symmetry<D>>,
 ) -> Result<(), Error> {
     let Contact { mesh, history, state, .. } = contact;
-    mesh.take_cells(surface, in_symmetry_plane);
+    mesh.take_cells(surface, symmetry);
     state.forget();
     let started = started.map(|coords| mesh.surface.mesh_points(coords)).transpose()?;
     history.take_cells(&mesh.surface, started.as_deref(), facet);

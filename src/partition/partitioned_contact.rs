@@ -9,10 +9,14 @@ use super::selection::{Search, selected};
 use super::zone::Zone;
 use crate::Error;
 use crate::configuration::CellCheck;
-use crate::contact::{Contact, Needed, Options, hash_in_common, hash_of_marks, needed};
+use crate::contact::{Contact, Needed, Options, hash_in_common, needed};
+use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
-use crate::ranks::{Communicator, Ranks};
+use crate::geometry::symmetry::{NamedFace, Symmetry, SymmetryPlane, planes_of};
+use crate::ranks::{Communicator, Ranks, packed};
 use std::collections::BTreeMap;
+
+packed!(NamedFace<D> { nodes, corners });
 
 /// Contact of a mesh that ranks hold in parts: [`Contact`] of the cells that may be in contact, which all ranks have.
 ///
@@ -36,7 +40,7 @@ pub struct PartitionedContact<const D: usize> {
     earlier: BTreeMap<u64, Vec<[f64; D]>>,
     gathering: Option<Gathering<D>>,
     reach: f64,
-    in_symmetry_plane: Option<Vec<bool>>,
+    symmetry: Option<Symmetry<D>>,
     cell_check: Option<CellCheck<D>>,
     gather_count: u64,
     facet_count: usize,
@@ -101,7 +105,7 @@ impl<const D: usize> PartitionedContact<D> {
             earlier: BTreeMap::new(),
             gathering: None,
             reach,
-            in_symmetry_plane: None,
+            symmetry: None,
             cell_check: None,
             gather_count: 0,
             facet_count,
@@ -220,24 +224,44 @@ impl<const D: usize> PartitionedContact<D> {
             outside.map_or(Ok(()), |(cell, &node)| Err(Error::NodeOutOfRange { cell, node: node.into(), node_count }));
         self.ranks()?.agree(outside, 6)?;
         nodes.iter().for_each(|&node| marked[node as usize] = true);
-        let of_ranks = self.ranks()?.gather_lists(&[hash_of_marks(&marked)])?.concat();
+        let number = |node: u32| self.own.node_numbers[node as usize];
+        let named = self.own.surface.iter().flat_map(|surface| surface.named_faces(&marked, number));
+        let faces = self.ranks()?.gather_lists(&named.collect::<Vec<NamedFace<D>>>())?.concat();
+        self.take_symmetry(Symmetry { planes: planes_of(faces)?, marks: marked })
+    }
+
+    /// Says where planes of symmetry are, as [`Contact::set_symmetry_planes`] does. All ranks say the same, together, and bring the mesh to
+    /// its coordinates again after it.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a normal without length.
+    pub fn set_symmetry_planes(&mut self, planes: &[[[f64; D]; 2]]) -> Result<(), Error> {
+        let planes = planes.iter().map(|[point, normal]| SymmetryPlane::new(point, normal)).collect::<Result<_, _>>();
+        let planes: Vec<SymmetryPlane<D>> = self.ranks()?.agree(planes, 6)?;
+        self.take_symmetry(Symmetry { planes, marks: vec![true; self.own.node_count()] })
+    }
+
+    fn take_symmetry(&mut self, symmetry: Symmetry<D>) -> Result<(), Error> {
+        let of_ranks = self.ranks()?.gather_lists(&[symmetry.hash()])?.concat();
         self.contact.mesh.tell_symmetry(of_ranks.into_iter().fold(0, u64::wrapping_add));
-        self.in_symmetry_plane = Some(marked);
+        self.symmetry = Some(symmetry);
         self.gathering = None;
         self.find_anchors();
         Ok(())
     }
 
-    /// Facets all of whose nodes lie in planes of symmetry, or on an axis, are no surface.
+    /// Facets in planes of symmetry, or on an axis, are no surface.
     fn find_anchors(&mut self) {
         self.has_axis = self.contact.options().axisymmetric;
         let (has_axis, reference) = (self.has_axis, &self.own.reference);
         let rounding = self.own.whole.reference_box.rounding();
-        let marks = self.in_symmetry_plane.as_deref();
-        let is_marked = |node: u32| {
-            marks.is_some_and(|marks| marks[node as usize]) || has_axis && reference[node as usize][0] <= rounding
+        let symmetry = self.symmetry.as_ref();
+        let goes_on = |nodes: &[u32]| {
+            let places: Vec<Vector<D>> = nodes.iter().map(|&node| reference[node as usize].into()).collect();
+            has_axis && places.iter().all(|x| x[0] <= rounding)
+                || symmetry.is_some_and(|symmetry| symmetry.has(nodes, &places))
         };
-        self.anchors = Anchors::new(&self.own, (has_axis || marks.is_some()).then_some(&is_marked));
+        self.anchors = Anchors::new(&self.own, (has_axis || symmetry.is_some()).then_some(&goes_on));
     }
 
     fn ranks(&self) -> Result<&Ranks, Error> {
@@ -279,15 +303,15 @@ impl<const D: usize> PartitionedContact<D> {
         let searches: Vec<Search<D>> = std::iter::once(now).chain(then).collect();
         let mut cells = selected(&self.own, &searches);
         cells.extend(self.own.cells_of(&self.cells_with_slip()));
-        let marks = self.in_symmetry_plane.as_deref().unwrap_or_default();
+        let marks = self.symmetry.as_ref().map_or(&[][..], |symmetry| &symmetry.marks);
         let ranks = self.ranks()?;
         let (zone, surface, marked) = Zone::gather(&self.own, &cells, Some(&self.anchors), marks, ranks)?;
         let started = places_then[0].as_ref().map(|then| zone.coords(&then.coords, ranks)).transpose()?;
         let old = std::mem::replace(&mut self.zone, zone);
-        let marked = self.in_symmetry_plane.is_some().then_some(marked);
+        let symmetry = self.symmetry.as_ref().map(|s| Symmetry { planes: s.planes.clone(), marks: marked });
         let numbers = self.zone.facet_numbers();
         let facet = |facet: usize| numbers.get(&old.facets[facet]).copied();
-        carried::take_cells(&mut self.contact, surface, started.as_deref(), facet, marked)?;
+        carried::take_cells(&mut self.contact, surface, started.as_deref(), facet, symmetry)?;
         for (number, then) in places_then.iter().enumerate().skip(1) {
             let (Some(then), Some(earlier)) = (then, &earlier[number]) else { continue };
             let coords = self.zone.coords(&then.coords, self.ranks()?)?;

@@ -3,6 +3,7 @@
 #[path = "../scene/scene.rs"]
 mod scene;
 
+mod collapsed;
 mod cubes;
 mod derivatives;
 mod fields;

@@ -192,7 +192,7 @@ fn functions_that_are_no_distances() {
     let shape = Shape::SignedDistance(Arc::new(steep));
     let (scene, contact) = against(&mesh, &shape, Pose::at([0.4, 1.2]), 1.0);
     let found = contact.evaluate(&scene.coords);
-    assert!(matches!(found, Err(Error::SignedDistance { obstacle: 0, .. })), "{found:?}");
+    assert!(matches!(found, Err(Error::SteepDistance { obstacle: 0, .. })), "{found:?}");
 }
 
 /// A wall that lies along a capsule and goes on where that turns away from it touches it to rounding: nothing is found, and looking

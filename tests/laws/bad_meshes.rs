@@ -93,18 +93,35 @@ fn coordinates_that_are_no_numbers() {
 #[test]
 fn cells_inside_out() {
     // A bow tie: positive at two corners, negative at two. It has no area at all; a dart has, and is concave at one.
-    let tie = of_cells(&SQUARE, CellType::Quad4, &[0, 1, 3, 2]);
-    assert!(matches!(tie, Err(Error::InvertedCell { cell: 0 } | Error::ZeroMeasure { cell: 0 })));
+    let tie = Error::InvertedCells { cells: vec![0], bow_ties: 1 };
+    refused(of_cells(&SQUARE, CellType::Quad4, &[0, 1, 3, 2]), tie, &["the first is 0", "bow tie"]);
+    // All of them are counted.
+    let row: Vec<[f64; 2]> = (0..8).map(|k| [f64::from(k / 2), f64::from(k % 2)]).collect();
+    let ties = Error::InvertedCells { cells: vec![0, 2], bow_ties: 2 };
+    refused(
+        of_cells(&row, CellType::Quad4, &[0, 2, 1, 3, 2, 4, 5, 3, 4, 6, 5, 7]),
+        ties.clone(),
+        &["2 cells are inverted", "the first is 0", "cross in 2"],
+    );
+    assert_eq!(ties.counted_from(1), Error::InvertedCells { cells: vec![1, 3], bow_ties: 2 });
     let dart = [[0.0, 0.0], [1.0, 0.0], [0.2, 0.2], [0.0, 1.0]];
     refused(of_cells(&dart, CellType::Quad4, &[0, 1, 2, 3]), Error::InvertedCell { cell: 0 }, &["cell 0", "inverted"]);
     // A triangle folded over its neighbour, while the body as a whole is positive.
     let mesh = rectangle_tri3([0.0; 2], [1.0; 2], [3, 3], Diagonals::Same);
     let mut coords = mesh.coords.clone();
     coords[5] = [0.4, 0.9];
-    let Err(Error::InvertedCell { cell }) = of_cells(&coords, CellType::Tri3, &mesh.conn) else {
+    let Err(Error::InvertedCells { cells, bow_ties: 0 }) = of_cells(&coords, CellType::Tri3, &mesh.conn) else {
         panic!("not noticed")
     };
-    assert!(mesh.conn[3 * cell..3 * cell + 3].contains(&5));
+    // By the area of each triangle, all of which are counter-clockwise before.
+    let area = |t: &[u32]| {
+        let [a, b, c] = [0, 1, 2].map(|k| coords[t[k] as usize]);
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    };
+    let folded: Vec<usize> =
+        (0..).zip(mesh.conn.chunks_exact(3)).filter(|(_, t)| area(t) < 0.0).map(|(k, _)| k).collect();
+    assert_eq!(cells, folded);
+    let cell = cells[0];
     // The same in an evaluation, where it can be allowed.
     let surface = of_cells(&mesh.coords, CellType::Tri3, &mesh.conn).unwrap();
     let contact = Contact::new(surface.clone(), exact()).unwrap();

@@ -40,6 +40,7 @@ mod tangent;
 mod tangled;
 mod through_nodes;
 mod together;
+mod torn;
 mod touching;
 mod turned_obstacles;
 mod units;

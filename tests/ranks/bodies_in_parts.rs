@@ -64,7 +64,8 @@ fn symmetry_and_an_axis() {
     let in_plane = |x: &[f64; 2]| x[0] == 0.0;
     let nodes =
         |coords: &[[f64; 2]]| (0..coords.len() as u32).filter(|&n| in_plane(&coords[n as usize])).collect::<Vec<_>>();
-    for axisymmetric in [false, true] {
+    let plane = [[[0.0, 3.0], [-2.0, 0.0]]];
+    for (axisymmetric, by_plane) in [(false, false), (false, true), (true, false)] {
         let options = Options { law: EnergyLaw::depth(50.0), axisymmetric, ..exact() };
         let mut whole = scene.contact(options);
         whole.set_symmetry_nodes(&nodes(&scene.coords)).unwrap();
@@ -72,7 +73,10 @@ fn symmetry_and_an_axis() {
         let found = on_ranks(3, None, |rank, own| {
             let part = Part::of(&scene, |cell, _| cell % 3 == rank);
             let mut parts = PartitionedContact::new(own, &part.given(&part.blocks()), options, 0.02).unwrap();
-            parts.set_symmetry_nodes(&nodes(&part.coords)).unwrap();
+            match by_plane {
+                true => parts.set_symmetry_planes(&plane).unwrap(),
+                false => parts.set_symmetry_nodes(&nodes(&part.coords)).unwrap(),
+            }
             parts.set_coords(&part.coords).unwrap();
             told(parts.contact(), parts.coords(), parts.node_numbers(), scene.coords.len())
         });

@@ -97,6 +97,7 @@ fn mesh(coords: &[[f64; 2]]) -> Vec<Refused> {
         refused(move |contact| contact.set_reference(&mirrored)),
         refused(move |contact| contact.set_symmetry_nodes(&all)),
         refused(move |contact| contact.set_symmetry_nodes(&[0, count as u32])),
+        refused(|contact| contact.set_symmetry_planes(&[[[0.0; 2], [1.0, 0.0]], [[0.0; 2], [0.0; 2]]])),
         basis(count - 1, 1.0),
         basis(count, f64::NAN),
     ]

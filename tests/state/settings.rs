@@ -215,7 +215,13 @@ fn of_mesh(scene: &Scene<2>) -> Vec<Setting> {
             ],
             &[],
         ),
-        new("planes of symmetry", move |c| c.set_symmetry_nodes(&left), vec![call(|c| c.set_symmetry_nodes(&[]))], &[]),
+        new("nodes of symmetry", move |c| c.set_symmetry_nodes(&left), vec![call(|c| c.set_symmetry_nodes(&[]))], &[]),
+        new(
+            "planes of symmetry",
+            |c| c.set_symmetry_planes(&[[[0.0; 2], [1.0, 0.0]]]),
+            vec![call(|c| c.set_symmetry_nodes(&[])), call(|c| c.set_symmetry_planes(&[]))],
+            &[],
+        ),
     ]
 }
 

@@ -138,6 +138,11 @@ void forces_and_getters() {
   EXPECT(contact.evaluate(coords).energy >= energy);
   contact.set_symmetry_nodes({});
   EXPECT(contact.evaluate(coords).energy == energy);
+  contact.set_symmetry_planes(std::vector<double>{-7, 0}, std::vector<double>{2, 0});
+  EXPECT(contact.evaluate(coords).energy == energy);
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "", [&] {
+    contact.set_symmetry_planes(std::vector<double>{0, 0}, std::vector<double>{0, 0});
+  }));
   EXPECT(refused(FMC_ERROR_NODE_OUT_OF_RANGE, "", [&] { contact.set_symmetry_nodes({8}); }));
 }
 

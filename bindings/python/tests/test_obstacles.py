@@ -189,7 +189,7 @@ def test_a_keyboard_interrupt_comes_out():
 def test_bad_signed_distances_are_refused():
     for error, text, function in [
         (SignedDistanceError, "obstacle 0", lambda x: (np.full(len(x), np.nan), x)),
-        (ValueError, r"phi, returned by the signed distance, has shape \(1,\), expected \(4,\)", lambda x: (np.zeros(1), x)),
+        (ValueError, r"phi, returned by the signed distance, has shape \(1,\), expected \(9,\)", lambda x: (np.zeros(1), x)),
         (ValueError, "grad, returned by the signed distance, has shape", lambda x: (np.zeros(len(x)), x[:, :1])),
         (TypeError, "None", lambda x: None),
     ]:

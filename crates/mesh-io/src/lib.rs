@@ -1,18 +1,20 @@
 //! Meshes from files: nodes, and the cells of highest dimension with the numbers that the file gives them.
 //!
-//! Gmsh 4.1 and VTU are told apart by their content, not by their name. Cells of lower dimension (boundary lines,
-//! points) are left out. Numbers of nodes and cells in messages are those of the file: tags in Gmsh, indices from 0 in
-//! VTU. Indices that a mesh holds are valid; coordinates may be anything, also NaN.
+//! Gmsh (4.1 and 2.2), VTU and Abaqus' `.inp` are told apart by their content, not by their name. Cells of lower dimension (boundary
+//! lines, points) are left out. Numbers of nodes and cells in messages are those of the file: tags in Gmsh, labels in Abaqus, indices
+//! from 0 in VTU. Indices that a mesh holds are valid; coordinates may be anything, also NaN.
 
 use anyhow::{Context, Result, bail, ensure};
 use fmc_contact::CellType;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::Path;
 
 mod element_type;
+mod excerpt;
 mod fibers;
 mod gmsh;
-mod gmsh_stream;
+mod inp;
 mod vtu;
 mod vtu_array;
 mod vtu_write;
@@ -31,7 +33,8 @@ pub struct Block {
     pub conn: Vec<u32>,
     /// Number of each cell in the file.
     pub tags: Vec<u64>,
-    /// Group of each cell: its physical group (Gmsh) or the entry of a cell array (VTU).
+    /// Group of each cell: its physical group (Gmsh), the entry of a cell array (VTU), its instance (Abaqus) or, without parts, the
+    /// element set of its section, else the first that has it.
     pub groups: Vec<Option<i64>>,
 }
 
@@ -44,6 +47,15 @@ pub enum Kind {
     Surface,
     /// Tetrahedra, hexahedra, wedges and pyramids.
     Solid,
+}
+
+/// A part of a file that is there once or several times, each a body: its numbers are unique within it only.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Instance {
+    /// Its name in the file.
+    pub name: String,
+    /// Its nodes among those of the mesh.
+    pub nodes: Range<usize>,
 }
 
 /// A mesh as it stands in a file.
@@ -59,13 +71,15 @@ pub struct Mesh {
     pub blocks: Vec<Block>,
     /// Names of the groups that have one.
     pub group_names: BTreeMap<i64, String>,
+    /// Instances of parts (Abaqus), in whose order the groups of their cells count from 1; empty where there are no parts.
+    pub instances: Vec<Instance>,
 }
 
 /// z counts as constant if it varies by less than this part of the extent: meshes turned into the plane carry rounding.
 const FLATNESS: f64 = 1e-9;
 
 impl Mesh {
-    /// Reads a Gmsh 4.1 or VTU file.
+    /// Reads a Gmsh (4.1 or 2.2), VTU or Abaqus file.
     ///
     /// # Errors
     /// A file that cannot be read, is of another format, is damaged or has no cells.
@@ -77,8 +91,13 @@ impl Mesh {
             gmsh::parse(&bytes).with_context(|| file.clone())?
         } else if start.starts_with(b"<") {
             vtu::parse(&bytes).with_context(|| file.clone())?
+        } else if start.starts_with(b"*") {
+            inp::parse(&bytes).with_context(|| file.clone())?
         } else {
-            bail!("{file} is neither a Gmsh mesh (.msh, format 4.1) nor a VTK unstructured grid (.vtu)");
+            bail!(
+                "{file} is neither a Gmsh mesh (.msh, format 4.1 or 2.2), nor a VTK unstructured grid (.vtu), nor an Abaqus input \
+                 file (.inp)"
+            );
         };
         ensure!(
             !mesh.blocks.is_empty(),
@@ -147,9 +166,11 @@ mod tests {
     use std::path::PathBuf;
 
     /// Files written by Gmsh, by meshio and by VTK from the mesh that Gmsh wrote.
-    const PLANE: [&str; 9] = [
+    const PLANE: [&str; 11] = [
         "plane_text.msh",
         "plane_binary.msh",
+        "plane_meshio_22_text.msh",
+        "plane_meshio_22_binary.msh",
         "plane_meshio_ascii.vtu",
         "plane_meshio_binary.vtu",
         "plane_meshio_zlib.vtu",
@@ -164,7 +185,11 @@ mod tests {
     }
 
     fn parse(bytes: &[u8]) -> Result<Mesh> {
-        if bytes.starts_with(b"$") { gmsh::parse(bytes) } else { vtu::parse(bytes) }
+        match bytes.first() {
+            Some(b'$') => gmsh::parse(bytes),
+            Some(b'*') => inp::parse(bytes),
+            _ => vtu::parse(bytes),
+        }
     }
 
     #[test]
@@ -183,9 +208,12 @@ mod tests {
                 assert!((0..3).all(|axis| (x[axis] - y[axis]).abs() < 1e-12), "{name}: {x:?} {y:?}");
             }
         }
-        let (text, binary) = ["solid_text.msh", "solid_binary.msh"].map(|name| Mesh::read(&data(name)).unwrap()).into();
-        assert_eq!((text.kind(), binary.kind()), (Kind::Solid, Kind::Solid));
-        assert_eq!(text.blocks, binary.blocks);
+        let text = Mesh::read(&data("solid_text.msh")).unwrap();
+        assert_eq!(text.kind(), Kind::Solid);
+        for name in ["solid_binary.msh", "solid_meshio_22_text.msh", "solid_meshio_22_binary.msh"] {
+            let mesh = Mesh::read(&data(name)).unwrap();
+            assert_eq!((cells(&mesh), &mesh.group_names), (cells(&text), &text.group_names), "{name}");
+        }
         assert_eq!(Mesh::read(&data("shell_text.msh")).unwrap().kind(), Kind::Surface);
     }
 
@@ -207,7 +235,7 @@ mod tests {
     #[test]
     fn damaged_files_do_not_panic() {
         let mut random = fmc_shapes::Splitmix::new(1);
-        for name in PLANE {
+        for name in PLANE.into_iter().chain(["plane_meshio.inp", "instances.inp"]) {
             let bytes = std::fs::read(data(name)).unwrap();
             for _ in 0..2000 {
                 let mut damaged = bytes.clone();

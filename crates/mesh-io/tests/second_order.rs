@@ -1,4 +1,4 @@
-//! Cells of second order: Gmsh's order of nodes, VTK's, and ours.
+//! Cells of second order: Gmsh's order of nodes, Abaqus', VTK's, and ours.
 
 use fmc_contact::{Bodies, CellBlock, CellType, Surface};
 use fmc_mesh_io::{Kind, Mesh, VtkCell, VtuWriter};
@@ -72,6 +72,21 @@ fn path(name: String) -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
+/// Abaqus' names, with what lies between which corners where its order is another than ours (Abaqus Analysis User's Guide, "Three-
+/// dimensional solid element library": node 21 of C3D27 is the centre, the nodes after it lie on faces 1 to 6, 1-2-3-4, 5-8-7-6,
+/// 1-5-6-2, 2-6-7-3, 3-7-8-4, 4-8-5-1).
+fn abaqus(layout: &Layout) -> Option<(&'static str, &'static str)> {
+    Some(match layout.cell_type {
+        CellType::Tri6 => ("CPE6", layout.ours),
+        CellType::Quad8 => ("cps8r", layout.ours),
+        CellType::Tet10 => ("C3D10M", layout.ours),
+        CellType::Hex20 => ("C3D20R", layout.ours),
+        CellType::Hex27 => ("C3D27", "01 12 23 30 45 56 67 74 04 15 26 37 01234567 0123 4765 0451 1562 2673 3740"),
+        CellType::Wedge15 => ("C3D15", layout.ours),
+        _ => return None,
+    })
+}
+
 /// One cell as read: its nodes are where ours are, and the body has the volume of the cell.
 fn is_ours(layout: &Layout, mesh: &Mesh) {
     let Layout { cell_type, ours, .. } = layout;
@@ -107,6 +122,25 @@ fn nodes_of_gmsh_are_put_in_order() {
         writeln!(text, "$EndNodes\n$Elements\n1 1 1 1\n{dimension} 1 {gmsh} 1\n1 {}\n$EndElements", row.join(" "))
             .unwrap();
         let path = path(format!("{cell_type:?}.msh"));
+        std::fs::write(&path, text).unwrap();
+        is_ours(layout, &Mesh::read(&path).expect("a mesh"));
+    }
+}
+
+#[test]
+fn nodes_of_abaqus_are_put_in_order() {
+    for layout in &LAYOUTS {
+        let Some((name, between)) = abaqus(layout) else { continue };
+        let points = nodes(layout.cell_type, between);
+        let mut text = "*Node\n".to_owned();
+        for (label, [x, y, z]) in (1..).zip(&points) {
+            writeln!(text, "{label}, {x}, {y}, {z}").unwrap();
+        }
+        // Sixteen entries a line, as Abaqus has it.
+        let entries: Vec<String> = std::iter::once(7).chain(1..=points.len()).map(|label| label.to_string()).collect();
+        let rows: Vec<String> = entries.chunks(16).map(|row| row.join(", ")).collect();
+        writeln!(text, "*Element, type={name}\n{}", rows.join(",\n")).unwrap();
+        let path = path(format!("{:?}.inp", layout.cell_type));
         std::fs::write(&path, text).unwrap();
         is_ours(layout, &Mesh::read(&path).expect("a mesh"));
     }

@@ -44,5 +44,11 @@ impl Host {
         checked(unsafe {
             fmc_context_set_symmetry_nodes(self.context, unless(hole, 0, numbers.ptr()).cast_const(), nodes.len())
         });
+        // As many planes as there are numbers for, in space.
+        let (rows, count) = (nodes.iter().map(|&n| n as f64).collect::<Vec<f64>>(), nodes.len() / 6);
+        let (points, normals) = rows.split_at(3 * count);
+        let points = unless(hole, 1, points.as_ptr().cast_mut()).cast_const();
+        // SAFETY: three numbers for each plane and more.
+        checked(unsafe { fmc_context_set_symmetry_planes(self.context, points, normals.as_ptr(), count) });
     }
 }

@@ -135,6 +135,8 @@ pub const FMC_WARNING_SWALLOWED_BODY: i32 = 3;
 pub const FMC_WARNING_PATCH_LEFT_OUT: i32 = 4;
 pub const FMC_WARNING_UNBALANCED: i32 = 5;
 pub const FMC_WARNING_FLUSH_FACES: i32 = 6;
+pub const FMC_WARNING_COINCIDING_FACES: i32 = 7;
+pub const FMC_WARNING_GENTLE_DISTANCE: i32 = 8;
 pub const FMC_REQUEST_FORCES: i32 = 0;
 pub const FMC_REQUEST_PRODUCT: i32 = 1;
 pub const FMC_REQUEST_DIAGONAL: i32 = 2;
@@ -685,6 +687,12 @@ unsafe extern "C" {
     pub fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status;
     pub fn fmc_context_counts(context: *const fmc_context, node_count: *mut usize, facet_count: *mut usize, body_count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
+    pub fn fmc_context_set_symmetry_planes(
+        context: *mut fmc_context,
+        points: *const f64,
+        normals: *const f64,
+        count: usize,
+    ) -> fmc_status;
     pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const c_void, count: usize) -> fmc_status;
     pub fn fmc_csr_init(matrix: *mut fmc_csr) -> fmc_status;
     pub fn fmc_context_set_basis(context: *mut fmc_context, weights: *const fmc_csr, unknown_count: usize) -> fmc_status;

@@ -8,44 +8,38 @@
 //! K(u) = ∂²Π/∂u² = K_elastic + ∂²w/∂x²                 Model::tangent, Contact::tangent
 //! ```
 //!
-//! [`Equilibrium`] is solved by Newton's method with a line search on Π, see [`NewtonSettings`]. An iteration linearises
-//! the bodies and solves for the contact as it is, on the equations on which it acts: sparse factors of the bodies, once for
-//! linear ones, leave a dense Schur complement there. [`Path`] leads there in load steps that halve and grow. Bodies that
-//! only contact holds are first brought into light contact. [`Equilibrium::continue_smoothing`] makes the linear fiber law
-//! sharp, and [`NewtonSettings::penetration`] is as little as is wanted, whatever the stiffness. [`FixedPoint`] is the loop
-//! of Wang, Xu and Xue (Algorithm 2), to compare.
+//! [`Equilibrium`] is found by the library's search, [`fmc_contact::contact::equilibrium`], to which the bodies are the host that it
+//! asks for forces, for products with their matrix and for solutions: as any host's. Bodies are factorised down to the equations on which
+//! contact acts, once if they are linear. [`Path`] leads there in load steps that halve and grow.
+//! [`Equilibrium::continue_smoothing`] makes the linear fiber law sharp, and [`NewtonSettings::penetration`] is as little as is wanted,
+//! whatever the stiffness. [`FixedPoint`] is the loop of Wang, Xu and Xue (Algorithm 2), to compare. [`Linearised`] contact is a part
+//! of the bodies to the search.
 //!
-//! Friction has no energy, since its limit follows the pressure: [`FrictionPressure`] says how its equilibrium is found. A load
-//! step is a step of friction, committed where the path accepts it; a step that is halved leaves nothing behind.
+//! A load step is a step of friction, committed where the path accepts it; a step that is halved leaves nothing behind.
 //!
 //! For the fiber law the lines are kept during a solve, so that the forces are those of one energy; its forces are not
 //! corrected to balance, for the same reason.
 
-mod approach;
+mod answers;
 mod balance;
-mod contact_model;
-mod contact_step;
+mod condensed;
+mod condensed_step;
 mod continuation;
-mod current_pressure;
+mod counts;
+mod equations;
 mod equilibrium;
 mod error;
 mod fixed_point;
-mod friction;
+mod follower;
 mod iteration;
-mod kept;
-mod kept_equations;
-mod line_search;
 mod linearised;
-mod motion;
-mod newton;
+mod matrices;
 mod newton_settings;
-mod noise;
 mod path;
-mod penetration;
 mod pressure;
 mod problem;
-mod soft_contact;
-mod stiffness;
+mod report;
+mod search;
 mod turn;
 
 pub use balance::Balance;

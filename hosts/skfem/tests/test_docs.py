@@ -1,4 +1,4 @@
-"""What docs/second-order.md shows of scikit-fem runs after the lines that a reader has to have already."""
+"""What docs/second-order.md shows of scikit-fem runs after the lines that a reader has to have already; docs/starts.md as it stands."""
 
 import re
 import subprocess
@@ -27,3 +27,18 @@ def test_elements_of_third_order():
     (piece,) = [one for one in pieces if "SkfemContact" in one]
     run = subprocess.run([sys.executable, "-c", BEFORE + piece + AFTER], capture_output=True, text=True, timeout=60)
     assert run.returncode == 0, run.stderr
+
+
+def test_problems_that_start_by_themselves():
+    page = PAGE.with_name("starts.md")
+    pieces = re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.S)
+    run = subprocess.run([sys.executable, "-c", "\n".join(pieces)], capture_output=True, text=True, timeout=300)
+    assert run.returncode == 0, run.stderr
+    touching, stack, stands, falls, removed, pressure = run.stdout.splitlines()
+    for told in (touching, stack):
+        solves, force = told.split()
+        assert int(solves) <= 6 and abs(float(force) - 1) < 1e-9
+    assert "stands" in stands and "stands" not in falls
+    # Facets of a circle of 96: the overlap of their middles is by 5e-4 smaller or larger than 0.002.
+    assert abs(float(removed) - 0.002) < 1e-4
+    assert abs(float(pressure) / 515 - 1) < 0.03

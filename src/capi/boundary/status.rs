@@ -220,7 +220,9 @@ impl From<&Error> for fmc_status {
             Error::NonFiniteCoordinate { .. } => FMC_ERROR_NON_FINITE_COORDINATE,
             Error::RepeatedNode { .. } => FMC_ERROR_REPEATED_NODE,
             // A host does the same about both.
-            Error::InvertedCell { .. } | Error::FoldedCell { .. } => FMC_ERROR_INVERTED_CELL,
+            Error::InvertedCell { .. } | Error::InvertedCells { .. } | Error::FoldedCell { .. } => {
+                FMC_ERROR_INVERTED_CELL
+            }
             Error::ZeroMeasure { .. } => FMC_ERROR_ZERO_MEASURE,
             Error::OpenSurface { .. } => FMC_ERROR_OPEN_SURFACE,
             Error::NonManifold { .. } | Error::RepeatedCell { .. } => FMC_ERROR_NON_MANIFOLD,
@@ -254,7 +256,7 @@ impl From<&Error> for fmc_status {
             Error::NonFiniteHeight { .. } => FMC_ERROR_NON_FINITE_HEIGHT,
             Error::EmptyCompound => FMC_ERROR_EMPTY_COMPOUND,
             Error::Unsupported { .. } => FMC_ERROR_UNSUPPORTED,
-            Error::SignedDistance { .. } => FMC_ERROR_SIGNED_DISTANCE,
+            Error::SignedDistance { .. } | Error::SteepDistance { .. } => FMC_ERROR_SIGNED_DISTANCE,
             Error::TooManyFibers { .. } => FMC_ERROR_TOO_MANY_FIBERS,
             Error::TooManyPieces { .. } => FMC_ERROR_TOO_MANY_PIECES,
             Error::UnfinishedLines { .. } => FMC_ERROR_UNFINISHED_LINES,

@@ -90,7 +90,7 @@ impl<const D: usize> Resident<D> {
         let output = forces.map(|forces| forces.output::<D>(node_count)).transpose()?;
         // SAFETY: passed on to the caller.
         let (found, more) = unsafe { self.at(coords, index_base, work) }?;
-        let evaluation = Evaluation::from(&found);
+        let evaluation = Evaluation::of(&found, index_base);
         if let Some(output) = output {
             // SAFETY: the output was checked for as many rows; the caller guarantees that it may be written.
             unsafe { output.write(&found.forces, add) };

@@ -181,6 +181,7 @@ impl fmc_equilibrium_options {
             max_updates: self.max_updates,
             is_condensed: self.condensed == 2 || switch("condensed", self.condensed)?,
             is_condensed_first: self.condensed == 2,
+            is_condensed_on_contact: false,
             is_lagged: switch("lagged", self.lagged)?,
             finds_patches: switch("find_patches", self.find_patches)?,
             is_check: switch("check", self.check)?,

@@ -144,14 +144,22 @@ pub enum fmc_warning {
     /// The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
     /// its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
     FMC_WARNING_PATCH_LEFT_OUT = 4,
-    /// Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; the text
-    /// gives the imbalance. Forces may be wrong by as much.
+    /// Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; or, with the law "depth", by
+    /// more than a tenth, since faces in contact were named as faces in planes of symmetry. The text gives the imbalance. Forces may be
+    /// wrong by as much.
     FMC_WARNING_UNBALANCED = 5,
     /// With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
     /// symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
     /// gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
     /// penetration by the size of the cells.
     FMC_WARNING_FLUSH_FACES = 6,
+    /// Faces of one body lie on one another and look at each other, without deformation: nodes were not merged there, a flat cell
+    /// was left out, or a crack is meant. The text gives the area and nodes, counted from `index_base`. The law "depth" takes such
+    /// faces for surface, and a contact near them bears too little.
+    FMC_WARNING_COINCIDING_FACES = 7,
+    /// With the law "depth", a signed distance grows more slowly at its surface than a distance; the text gives the slopes.
+    /// Penetrations, and with them pressures, are too small by that factor.
+    FMC_WARNING_GENTLE_DISTANCE = 8,
 }
 
 fn warning_code(warning: &Warning) -> i32 {
@@ -161,6 +169,8 @@ fn warning_code(warning: &Warning) -> i32 {
         Warning::PatchLeftOut { .. } => fmc_warning::FMC_WARNING_PATCH_LEFT_OUT,
         Warning::Unbalanced { .. } => fmc_warning::FMC_WARNING_UNBALANCED,
         Warning::FlushFaces { .. } => fmc_warning::FMC_WARNING_FLUSH_FACES,
+        Warning::CoincidingFaces { .. } => fmc_warning::FMC_WARNING_COINCIDING_FACES,
+        Warning::GentleDistance { .. } => fmc_warning::FMC_WARNING_GENTLE_DISTANCE,
         Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
     };
     code as i32
@@ -176,8 +186,10 @@ pub(crate) struct Evaluation {
     pub(crate) warnings: Vec<(i32, CString)>,
 }
 
-impl<const D: usize> From<&ContactForces<D>> for Evaluation {
-    fn from(forces: &ContactForces<D>) -> Self {
+impl Evaluation {
+    /// What a host gets, which counts nodes from `index_base`.
+    pub(crate) fn of<const D: usize>(forces: &ContactForces<D>, index_base: i32) -> Self {
+        let warning = |w: &Warning| (warning_code(w), c_text(&w.clone().counted_from(index_base as usize).to_string()));
         Self {
             result: fmc_result {
                 struct_size: size_of::<fmc_result>(),
@@ -203,7 +215,7 @@ impl<const D: usize> From<&ContactForces<D>> for Evaluation {
             bodies: forces.bodies.iter().map(resultant).collect(),
             obstacles: forces.obstacles.iter().map(resultant).collect(),
             pairs: forces.pairs.iter().map(pair).collect(),
-            warnings: forces.warnings.iter().map(|w| (warning_code(w), c_text(&w.to_string()))).collect(),
+            warnings: forces.warnings.iter().map(warning).collect(),
         }
     }
 }

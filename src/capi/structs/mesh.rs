@@ -44,6 +44,9 @@ pub enum fmc_cell_type {
 }
 
 /// Cells of one type; a mixed mesh has a block for each.
+///
+/// A cell may name nodes repeatedly, as a hexahedron of which an edge or a face has become a point: it is the wedge, pyramid,
+/// tetrahedron or triangle that its faces make it, also of second order. Cells and faces count as given.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_cell_block {

@@ -27,12 +27,12 @@ pub enum fmc_node_status {
 pub struct fmc_nodal_contact {
     /// Set by `fmc_nodal_contact_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// Contact pressure: the mean of the law's over the part of the facets at the node that is in contact, weighted with the
-    /// node's shape function, int N p dA / int N dA; with the law "volume" that of the pair.
+    /// Contact pressure: the nodal force by the area on which it acts, |F| / int N dA.
     pub pressure: *mut f64,
     /// Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
     pub gap: *mut f64,
-    /// Area (2D: length), int N dA, up to the curvature of the surface.
+    /// Area (2D: length) on which it acts: int N dA over the part of the facets at the node that is in contact, N being the node's
+    /// shape function. Never more than the node's part of the surface.
     pub area: *mut f64,
     /// Unit vector outwards of the node's body.
     pub normal: *mut f64,
@@ -42,8 +42,11 @@ pub struct fmc_nodal_contact {
     pub sliding: *mut f64,
     /// Values of `fmc_node_status`.
     pub status: *mut i32,
+    /// The mean of the law's pressure over the same part, weighted with the node's shape function, int N p dA / int N dA; with the law
+    /// "volume" that of the pair. On curved surfaces it scatters more than `pressure`.
+    pub local_pressure: *mut f64,
     /// Zero. Room for outputs of later versions.
-    pub reserved: [u64; 9],
+    pub reserved: [u64; 8],
 }
 
 impl Default for fmc_nodal_contact {
@@ -58,7 +61,8 @@ impl Default for fmc_nodal_contact {
             friction: none,
             sliding: none,
             status: std::ptr::null_mut(),
-            reserved: [0; 9],
+            local_pressure: none,
+            reserved: [0; 8],
         }
     }
 }
@@ -68,7 +72,8 @@ impl fmc_nodal_contact {
     pub(crate) fn check(&self) -> Result<(), Failure> {
         check_struct::<Self>("fmc_nodal_contact", self.struct_size, self.reserved)?;
         let numbers = [("pressure", self.pressure), ("gap", self.gap), ("area", self.area), ("normal", self.normal)];
-        for (name, output) in numbers.into_iter().chain([("friction", self.friction), ("sliding", self.sliding)]) {
+        let others = [("friction", self.friction), ("sliding", self.sliding), ("local_pressure", self.local_pressure)];
+        for (name, output) in numbers.into_iter().chain(others) {
             Output::optional(name, output)?;
         }
         Output::optional("status", self.status).map(|_| ())
@@ -82,6 +87,7 @@ impl fmc_nodal_contact {
         // SAFETY: passed on to the caller.
         unsafe {
             copy(&lists.pressure, self.pressure);
+            copy(&lists.local_pressure, self.local_pressure);
             copy(&lists.gap, self.gap);
             copy(&lists.area, self.area);
             copy(&lists.normal, self.normal);
@@ -106,6 +112,7 @@ unsafe fn copy<T: Copy>(list: &[T], output: *mut T) {
 /// The contact at the nodes, with its dimension hidden: one list per quantity.
 pub(crate) struct NodalLists {
     pub(crate) pressure: Vec<f64>,
+    pub(crate) local_pressure: Vec<f64>,
     pub(crate) gap: Vec<f64>,
     pub(crate) area: Vec<f64>,
     pub(crate) normal: Vec<f64>,
@@ -128,6 +135,7 @@ impl<const D: usize> From<NodalContact<D>> for NodalLists {
             sliding: field.sliding,
             status: field.status.iter().map(status).collect(),
             pressure: field.pressure,
+            local_pressure: field.local_pressure,
             gap: field.gap,
             area: field.area,
         }

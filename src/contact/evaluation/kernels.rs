@@ -13,7 +13,7 @@ use crate::contact::results::{
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::dimension::{recast, rows};
 use crate::overlap::normal_lines::estimate as normal_lines;
-use crate::overlap::{self, FiberTrace, Overlap, Partner, Patches, Reach};
+use crate::overlap::{self, FiberTrace, Overlap, Partner, Patches, Reach, Warning};
 use std::any::Any;
 
 /// Facets with friction by pair.
@@ -160,13 +160,18 @@ fn forces_of<const D: usize>(
     tractions: &[Tractions<D>],
 ) -> Result<ContactForces<D>, Error> {
     let energies: Vec<_> = energies.collect();
-    let forces = ContactForces::assemble(
+    let mut forces = ContactForces::assemble(
         &contact.mesh.surface,
         contact.partners.obstacles.count(),
         coords,
         &energies,
         tractions,
     )?;
+    forces.warnings.extend(contact.mesh.coinciding_faces().iter().map(|found| Warning::CoincidingFaces {
+        body: Partner::Body(found.body),
+        area: found.area,
+        nodes: found.nodes.iter().map(|&node| node as usize).collect(),
+    }));
     Ok(if contact.method.options().axisymmetric { forces.without_moments() } else { forces })
 }
 
@@ -271,7 +276,8 @@ fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -
         });
         Ok(answer.energy.map(|energy| (energy, answer.nodal_sums, friction)))
     })?;
-    NodalContact::assemble(coords.len(), &pairs)
+    let surface = &contact.mesh.surface;
+    NodalContact::assemble(&surface.shares(coords, contact.method.weighting()), &pairs)
 }
 
 fn contact_points_in<const D: usize>(

@@ -7,6 +7,7 @@ use crate::contact::method::Options;
 use crate::contact::partners::PairOptions;
 use crate::contact::results::{ContactForces, GapConstraints, NodalContact, PointOfContact};
 use crate::contact::tangents::{Tangent, TangentPart};
+use crate::geometry::symmetry::SymmetryPlane;
 use crate::geometry::{Basis, BoundaryFacet, Obstacle, PointWeights, Pose, Surface};
 use crate::overlap::{FiberTrace, Overlap, Partner};
 use crate::ranks::{Communicator, RankCounts};
@@ -60,15 +61,26 @@ impl<const D: usize> Contact<D> {
         self.mesh.set_basis(basis)
     }
 
-    /// Names the nodes that lie in planes of symmetry: for the law `depth` a face all of whose nodes are named is no
-    /// surface, since the body goes on behind it, and its depth does not vanish there. Of a face of second order those in
-    /// the middles of its edges, and its own, are named too. The host holds such nodes in
-    /// their plane. Replaces what was named before. With none, all of the surface is surface, and flush faces are not warned
-    /// of.
+    /// Says where planes of symmetry are, each by a point in it and a normal: for the law `depth` a face without deformation in one of
+    /// them is no surface, since the body goes on behind it, and its depth does not vanish there. The host holds the nodes of such
+    /// faces in their plane. Replaces what was said before, by planes or by nodes. With none, all of the surface is surface, and flush
+    /// faces are not warned of.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a normal without length; [`Error::Unsupported`] for a body that would have no surface left. What was
+    /// said before then stays.
+    pub fn set_symmetry_planes(&mut self, planes: &[[[f64; D]; 2]]) -> Result<(), Error> {
+        let planes = planes.iter().map(|[point, normal]| SymmetryPlane::new(point, normal));
+        self.mesh.set_symmetry_planes(&planes.collect::<Result<Vec<_>, _>>()?)
+    }
+
+    /// Names the nodes that lie in planes of symmetry, as [`Self::set_symmetry_planes`] does by planes: those in which the faces lie all of
+    /// whose nodes are named, the fewest that hold all these nodes. A face of the contact surface in a corner between two planes is
+    /// none. Of a face of second order those in the middles of its edges, and its own, are named too.
     ///
     /// # Errors
     /// [`Error::NodeOutOfRange`], naming the index in `nodes` as its cell; [`Error::Unsupported`] for a body that would
-    /// have no surface left. What was named before then stays.
+    /// have no surface left, or for nodes of a curved surface. What was named before then stays.
     pub fn set_symmetry_nodes(&mut self, nodes: &[u32]) -> Result<(), Error> {
         self.mesh.set_symmetry_nodes(nodes)
     }

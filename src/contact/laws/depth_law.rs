@@ -7,7 +7,7 @@ use super::pressure_point::of_depth_points;
 use crate::Error;
 use crate::contact::tangents::Tangent;
 use crate::overlap::volume::estimate as volume;
-use crate::overlap::{DepthIntegral, DepthRequest, NodalSum, Overlap, Pair, depth_integral};
+use crate::overlap::{DepthIntegral, DepthRequest, NodalSum, NodalSums, Overlap, Pair, depth_integral};
 
 /// The depth law.
 pub(super) struct DepthLaw {
@@ -36,12 +36,12 @@ impl DepthLaw {
     }
 
     /// The pressure of a point of a facet is k times its depth.
-    fn nodal_sums<const D: usize>(&self, depth: &DepthIntegral<D>, pair: &Pair<D>) -> Vec<NodalSum> {
+    fn nodal_sums<const D: usize>(&self, depth: &DepthIntegral<D>, pair: &Pair<D>) -> NodalSums {
         let mut sums = Vec::with_capacity(D * depth.facets.len());
         depth.for_each_share(pair, |node, area, penetration| {
             sums.push(NodalSum { node, area, pressure: self.stiffness * penetration, penetration });
         });
-        sums
+        NodalSums { sums, largest_pressure: self.stiffness * depth.overlap.penetration.max(0.0) }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::Error;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::overlap::normal_lines::estimate as normal_lines;
 use crate::overlap::{
-    ContactPoints, NodalSum, Overlap, Pair, PairEstimator, Partner, Patches, Reach, SecondDerivative, find_patches,
+    ContactPoints, NodalSums, Overlap, Pair, PairEstimator, Partner, Patches, Reach, SecondDerivative, find_patches,
 };
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -69,7 +69,7 @@ impl Asked {
 pub(crate) struct Answer<const D: usize> {
     pub(crate) energy: Option<PairEnergy<D>>,
     pub(crate) tangent: Option<Tangent<D>>,
-    pub(crate) nodal_sums: Option<Vec<NodalSum>>,
+    pub(crate) nodal_sums: Option<NodalSums>,
     /// Empty for a law that has one pressure for the whole pair, but for friction.
     pub(crate) points: Vec<PressurePoint<D>>,
 }

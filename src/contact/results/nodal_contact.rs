@@ -4,7 +4,7 @@ use crate::Error;
 use crate::contact::friction::NodalFriction;
 use crate::contact::laws::PairEnergy;
 use crate::geometry::Vector;
-use crate::overlap::NodalSum;
+use crate::overlap::NodalSums;
 
 /// Whether a node is in contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,19 +24,23 @@ pub enum NodeStatus {
 /// The contact at every node of the mesh, in the order of the coordinates; zero where nothing touches.
 ///
 /// Pressure, area and normal are those of the nodal force without friction: F = −p A n, to rounding, so that their sum is
-/// the resultant. The law `depth` has forces on inner nodes too, which come at the nearest points of the surface first. With cells of
+/// the resultant. The area is that of the geometry, and the pressure follows from the force: the mortar pressure. The law `depth` has forces on inner nodes too, which come at the nearest points of the surface first. With cells of
 /// second order a node has what is at the point of their division that stands for it, with that
 /// point's straight shape function; the sum is then the resultant only with those of the points that are no nodes, which
 /// are not told.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NodalContact<const D: usize> {
-    /// Contact pressure: the mean of that of the law over the part of the facets in contact, weighted with the node's
-    /// shape function (∫ N p dA / ∫ N dA). With the law `volume` that of the pair.
+    /// Contact pressure: the nodal force by the area on which it acts, |F| / ∫ N dA.
     pub pressure: Vec<f64>,
+    /// The mean of the pressure of the law over the part of the facets in contact, weighted with the node's shape function
+    /// (∫ N p dA / ∫ N dA); with the law `volume` that of the pair. On curved surfaces it scatters more than [`Self::pressure`].
+    pub local_pressure: Vec<f64>,
     /// Minus the penetration, the mean over the same part; with the law `volume` minus the mean of the pair, V by its
     /// area of contact. Never positive: distances of what is apart are not measured.
     pub gap: Vec<f64>,
-    /// Area (2D: length) on which the pressure acts: ∫ N dA over the part in contact, up to the curvature of the surface.
+    /// Area (2D: length) on which the pressure acts: ∫ N dA over the part of the facets in contact, N being the node's shape
+    /// function. Never larger than ∫ N dA over all of the node's facets; not so small that the pressure would be larger than that
+    /// of the law anywhere.
     pub area: Vec<f64>,
     /// Unit normal, outwards of the node's body, against the nodal force.
     pub normal: Vec<[f64; D]>,
@@ -53,12 +57,16 @@ pub struct NodalContact<const D: usize> {
 #[derive(Clone, Copy)]
 struct NodeTotals<const D: usize> {
     force: Vector<D>,
+    /// ∫ N dA over all of the node's facets, and over what touches of them.
+    share: f64,
     area: f64,
     pressure: f64,
     penetration: f64,
-    /// Pressure of the pair, for nodes that carry force at edges alone.
-    of_pair: f64,
+    /// The largest pressure of the pairs that press the node.
+    largest: f64,
     touches: bool,
+    /// Whether the areas are those of facets, not of forces by the pressure of a pair.
+    is_measured: bool,
     /// ∫ N q dA, and the areas over which friction acts and slides.
     friction: Vector<D>,
     rubbed: f64,
@@ -66,13 +74,13 @@ struct NodeTotals<const D: usize> {
 }
 
 /// A pair's energy, its sums at the nodes, where its law acts at contact points, and its friction.
-pub(crate) type NodalParts<const D: usize> = (PairEnergy<D>, Option<Vec<NodalSum>>, Vec<NodalFriction<D>>);
+pub(crate) type NodalParts<const D: usize> = (PairEnergy<D>, Option<NodalSums>, Vec<NodalFriction<D>>);
 
 impl<const D: usize> NodalContact<D> {
     /// What is at the first `count` nodes.
     pub(crate) fn truncated(mut self, count: usize) -> Self {
-        let Self { pressure, gap, area, normal, friction, sliding, status } = &mut self;
-        for field in [pressure, gap, area, sliding] {
+        let Self { pressure, local_pressure, gap, area, normal, friction, sliding, status } = &mut self;
+        for field in [pressure, local_pressure, gap, area, sliding] {
             field.truncate(count);
         }
         normal.truncate(count);
@@ -81,32 +89,39 @@ impl<const D: usize> NodalContact<D> {
         self
     }
 
-    /// NodeTotals up, in the order of the pairs; pairs whose law does not act at contact points come without sums.
-    pub(crate) fn assemble(node_count: usize, pairs: &[NodalParts<D>]) -> Result<Self, Error> {
-        let mut nodes = vec![NodeTotals::new(); node_count];
+    /// Adds up in the order of the pairs; pairs whose law does not act at contact points come without sums. `shares` is the area of
+    /// the surface that belongs to each node.
+    pub(crate) fn assemble(shares: &[f64], pairs: &[NodalParts<D>]) -> Result<Self, Error> {
+        let mut nodes: Vec<NodeTotals<D>> = shares.iter().map(|share| NodeTotals::new(*share)).collect();
         for (energy, sums, friction) in pairs {
             let depth = energy.overlap.volume / energy.overlap.contact_area.max(f64::MIN_POSITIVE);
+            let largest = sums.as_ref().map_or(energy.pressure, |sums| sums.largest_pressure);
             for (&node, gradient) in energy.nodes.iter().zip(&energy.gradient) {
                 let sum = &mut nodes[node as usize];
                 sum.force -= gradient;
-                sum.of_pair = sum.of_pair.max(energy.pressure);
                 let size = gradient.norm();
+                if size > 0.0 {
+                    sum.largest = sum.largest.max(largest);
+                }
                 if size > 0.0 && sums.is_none() && energy.pressure > 0.0 {
                     let area = size / energy.pressure;
                     sum.add(area, size, area * depth);
                 }
             }
-            for found in sums.iter().flatten() {
-                nodes[found.node as usize].add(found.area, found.pressure, found.penetration);
+            for found in sums.iter().flat_map(|sums| &sums.sums) {
+                let sum = &mut nodes[found.node as usize];
+                sum.add(found.area, found.pressure, found.penetration);
+                sum.is_measured = true;
             }
             for found in friction {
                 nodes[found.node as usize].add_friction(found);
             }
         }
         let field = Self {
-            pressure: nodes.iter().map(NodeTotals::pressure).collect(),
-            gap: nodes.iter().map(|sum| if sum.area > 0.0 { -sum.penetration / sum.area } else { 0.0 }).collect(),
-            area: nodes.iter().map(|sum| quotient(sum.force.norm(), sum.pressure())).collect(),
+            pressure: nodes.iter().map(|sum| quotient(sum.force.norm(), sum.pressed_area())).collect(),
+            local_pressure: nodes.iter().map(|sum| sum.mean(sum.pressure).min(sum.largest)).collect(),
+            gap: nodes.iter().map(|sum| 0.0 - sum.mean(sum.penetration)).collect(),
+            area: nodes.iter().map(NodeTotals::pressed_area).collect(),
             normal: nodes
                 .iter()
                 .map(|sum| (-sum.force).try_normalize(0.0).unwrap_or_else(Vector::zeros).into())
@@ -115,8 +130,10 @@ impl<const D: usize> NodalContact<D> {
             sliding: nodes.iter().map(|sum| quotient(sum.sliding, sum.rubbed)).collect(),
             status: nodes.iter().map(NodeTotals::status).collect(),
         };
-        let numbers = (field.pressure.iter().chain(&field.gap).chain(&field.area)).chain(field.friction.as_flattened());
-        match numbers.copied().find(|x| !x.is_finite()) {
+        let numbers = [&field.pressure, &field.local_pressure, &field.gap, &field.area].into_iter().flatten();
+        let numbers = numbers.chain(field.friction.as_flattened());
+        let strange = numbers.copied().find(|x| !x.is_finite());
+        match strange {
             Some(value) => Err(Error::Overflow { quantity: "contact at a node", value }),
             None => Ok(field),
         }
@@ -124,15 +141,17 @@ impl<const D: usize> NodalContact<D> {
 }
 
 impl<const D: usize> NodeTotals<D> {
-    fn new() -> Self {
+    fn new(share: f64) -> Self {
         let (force, friction) = (Vector::zeros(), Vector::zeros());
         Self {
             force,
             area: 0.0,
             pressure: 0.0,
             penetration: 0.0,
-            of_pair: 0.0,
+            share,
+            largest: 0.0,
             touches: false,
+            is_measured: false,
             friction,
             rubbed: 0.0,
             sliding: 0.0,
@@ -162,11 +181,21 @@ impl<const D: usize> NodeTotals<D> {
         self.touches |= area > 0.0;
     }
 
-    fn pressure(&self) -> f64 {
-        match quotient(self.pressure, self.area) {
-            0.0 if self.force.norm() > 0.0 => self.of_pair,
-            mean => mean,
+    /// The area on which the force acts. Other sides press nodes whose own facets hardly touch: then it is that on which the largest
+    /// pressure there is makes the force.
+    fn pressed_area(&self) -> f64 {
+        let force = self.force.norm();
+        let least = quotient(force, self.largest);
+        match force > 0.0 {
+            true if self.share > 0.0 && self.is_measured => self.area.max(least).min(self.share),
+            true => self.area.max(least),
+            false => self.area.clamp(0.0, self.share.max(0.0)),
         }
+    }
+
+    /// A mean over what touches, never negative.
+    fn mean(&self, sum: f64) -> f64 {
+        quotient(sum, self.area).max(0.0)
     }
 }
 

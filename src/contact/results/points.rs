@@ -4,7 +4,7 @@ use super::point_of_contact::{PointOfContact, SideOfPoint};
 use crate::contact::friction::PointFriction;
 use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::Vector;
-use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint};
+use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint, without_rounding};
 
 /// The contact points of a pair, with what friction does at each; `None` without friction.
 pub(crate) fn points_of_contact<const D: usize>(
@@ -54,6 +54,7 @@ fn of_surface<const D: usize>(pair: &Pair<D>, end: &SurfacePoint<D>) -> SideOfPo
             side.weights[place] += weight * part;
         });
     }
+    without_rounding(&mut side.weights);
     side
 }
 
@@ -65,6 +66,7 @@ fn in_cell<const D: usize>(pair: &Pair<D>, place: &PlaceInCell) -> SideOfPoint<D
     side.node_count = nodes.len();
     side.nodes[..nodes.len()].copy_from_slice(nodes);
     side.weights = place.weights;
+    without_rounding(&mut side.weights);
     side
 }
 

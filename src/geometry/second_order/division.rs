@@ -247,7 +247,11 @@ impl Division {
     /// The error of an inverted straight part, as one of its whole cell where the map of that folds.
     pub(crate) fn folded<const D: usize>(&self, error: Error, points: &[[f64; D]]) -> Error {
         let error = self.in_host_numbers(error);
-        let Error::InvertedCell { cell } = error else { return error };
+        let cell = match &error {
+            Error::InvertedCell { cell } => *cell,
+            Error::InvertedCells { cells, .. } if !cells.is_empty() => cells[0],
+            _ => return error,
+        };
         let curved = self.curved.iter().find(|curved| curved.numbers().contains(&cell));
         curved.and_then(|curved| curved.fold(cell - curved.numbers().start, points)).unwrap_or(error)
     }
@@ -256,6 +260,15 @@ impl Division {
     pub(crate) fn in_host_numbers(&self, mut error: Error) -> Error {
         match &mut error {
             Error::InvertedCell { cell } | Error::ZeroMeasure { cell } => *cell = self.cell(*cell),
+            Error::InvertedCells { cells, bow_ties: 0 } => {
+                cells.iter_mut().for_each(|cell| *cell = self.cell(*cell));
+                cells.dedup();
+                if let [cell] = cells[..] {
+                    return Error::InvertedCell { cell };
+                }
+            }
+            // Parts of a cell are no quadrilaterals of the host's.
+            Error::InvertedCells { cells, .. } => return Error::InvertedCell { cell: self.cell(cells[0]) },
             Error::RepeatedCell { cells } => *cells = cells.map(|cell| self.cell(cell)),
             Error::NonManifold { facet, .. }
             | Error::InconsistentOrientation { facet, .. }

@@ -76,6 +76,36 @@ pub(crate) struct DepthPlace<const D: usize> {
 
 packed!(DepthPlace<D> { weights, other });
 
+/// How far beyond 0 and 1 the weights of a mean place may be by rounding: beyond it the sums are rounding themselves.
+const ROUNDING: f64 = 1e-9;
+
+impl<const D: usize> DepthPlace<D> {
+    /// This place, where it is one: on the facet, and in the cell. Another otherwise.
+    pub(crate) fn or(self, another: Self) -> Self {
+        let is_weight = |weight: &f64| (-ROUNDING..=1.0 + ROUNDING).contains(weight);
+        let in_cell = self.other.as_ref().map_or(&[][..], |place| &place.weights);
+        match self.weights.iter().chain(in_cell).all(is_weight) {
+            true => self,
+            false => another,
+        }
+    }
+}
+
+/// A mean depth, or the largest where the mean is more by more than rounding: then it is a quotient of what is rounding itself.
+pub(crate) fn no_deeper(mean: f64, deepest: f64) -> f64 {
+    if mean <= deepest * (1.0 + ROUNDING) { mean } else { deepest }
+}
+
+/// Weights without what rounding leaves below 0 and above 1; their sum stays 1.
+pub(crate) fn without_rounding(weights: &mut [f64]) {
+    if weights.iter().all(|weight| (0.0..=1.0).contains(weight)) {
+        return;
+    }
+    weights.iter_mut().for_each(|weight| *weight = weight.clamp(0.0, 1.0));
+    let sum: f64 = weights.iter().sum();
+    weights.iter_mut().for_each(|weight| *weight /= sum);
+}
+
 /// A place in a cell.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlaceInCell {

@@ -1,5 +1,6 @@
 //! The signed distance of any obstacle, in space.
 
+use super::distance_slopes::{STEEP, steep};
 use super::sides::{Counterpart, ImplicitSide};
 use crate::Error;
 use crate::configuration::FacetSide;
@@ -11,10 +12,6 @@ use crate::geometry::shapes::{ConvexShape, HalfSpace, ImplicitShape};
 use crate::geometry::tree::Tree;
 use crate::geometry::{Pose, SignedDistance, Vector};
 use std::cell::Cell;
-
-/// A value that is larger than the distance from a point where it is known allows by more than this part of it is no
-/// rounding.
-const STEEP: f64 = 1e-6;
 
 /// What the distance of an obstacle comes from.
 pub(crate) struct ObstacleDistance<'a, const D: usize> {
@@ -93,12 +90,12 @@ impl<'a, const D: usize> ObstacleDistance<'a, D> {
     /// reach would else be missed.
     ///
     /// # Errors
-    /// [`Error::SignedDistance`] if it does.
-    pub(crate) fn check(&self, point: usize, x: &Vector<D>, phi: f64, y: &Vector<D>, other: f64) -> Result<(), Error> {
+    /// [`Error::SteepDistance`] if it does.
+    pub(crate) fn check(&self, x: &Vector<D>, phi: f64, y: &Vector<D>, other: f64) -> Result<(), Error> {
         let Source::Function { obstacle, .. } = self.source else { return Ok(()) };
         let rounding = STEEP * STEEP * (x.amax() + phi.abs());
         if (phi - other).abs() > (x - y).norm() * (1.0 + STEEP) + rounding {
-            return Err(Error::SignedDistance { obstacle, point });
+            return Err(steep(obstacle, [*x, *y], [phi, other]));
         }
         Ok(())
     }

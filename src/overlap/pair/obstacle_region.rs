@@ -1,5 +1,6 @@
 //! Where an obstacle that has no facets can be.
 
+use super::distance_slopes::check_slopes;
 use super::sides::ImplicitSide;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
@@ -19,6 +20,8 @@ pub(crate) fn region<const D: usize>(side: &ImplicitSide<D>, within: &Aabb<D>) -
     let shape = match side.shape {
         ImplicitShape::Convex(shape) => shape,
         ImplicitShape::Function(function) => {
+            // Before anything is left out by its value.
+            check_slopes(function.as_ref(), side, within)?;
             return reached(within, side, ROUNDS_OF_FUNCTION, |x| evaluated(function.as_ref(), side, x));
         }
     };

@@ -44,7 +44,8 @@ pub enum Warning {
         depth: f64,
     },
     /// Forces or moments of the pair do not add up to zero, as those of an exact overlap should: a facet was taken to lie
-    /// on the wrong side, or patches of the contact could not be told apart. Forces may be wrong by as much.
+    /// on the wrong side, or patches of the contact could not be told apart; or, with the law `depth`, faces that are pressed were
+    /// named as faces in planes of symmetry. Forces may be wrong by as much.
     Unbalanced {
         /// First body of the pair.
         a: Partner,
@@ -65,6 +66,24 @@ pub enum Warning {
         /// Area (2D: length) of what coincides.
         area: f64,
     },
+    /// Faces of one body lie on one another and look at each other, without deformation: nodes were not merged there, a flat cell was
+    /// left out, or a crack is meant. The law `depth` takes them for surface, and a contact near them bears too little.
+    CoincidingFaces {
+        /// The body.
+        body: Partner,
+        /// Area (2D: length), counted once for both sides; with axisymmetry that of the section.
+        area: f64,
+        /// Nodes of these faces, ascending.
+        nodes: Vec<usize>,
+    },
+    /// With the law `depth`, a signed distance grows more slowly at its surface than a distance: penetrations, and with them pressures,
+    /// are too small by that factor.
+    GentleDistance {
+        /// Obstacle.
+        obstacle: Partner,
+        /// The least and the largest slope that were found at its surface.
+        slopes: [f64; 2],
+    },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
         /// The body inside.
@@ -72,6 +91,20 @@ pub enum Warning {
         /// The body around it.
         outer: Partner,
     },
+}
+
+/// How many nodes a sentence names.
+const NAMED: usize = 8;
+
+impl Warning {
+    /// The same with its nodes counted from `base`; bodies and obstacles stay.
+    #[must_use]
+    pub fn counted_from(mut self, base: usize) -> Self {
+        if let Warning::CoincidingFaces { nodes, .. } = &mut self {
+            nodes.iter_mut().for_each(|node| *node += base);
+        }
+        self
+    }
 }
 
 impl fmt::Display for Warning {
@@ -96,6 +129,22 @@ impl fmt::Display for Warning {
                 f,
                 "{a} and {b}: faces of an area of {area:.3e} lie in one plane and look the same way; if it is a plane of \
                  symmetry, name its nodes (symmetry nodes), if not, name none"
+            ),
+            Warning::CoincidingFaces { body, area, nodes } => {
+                let named: Vec<String> = nodes.iter().take(NAMED).map(usize::to_string).collect();
+                let more = if nodes.len() > NAMED { ", …" } else { "" };
+                write!(
+                    f,
+                    "{body}: faces of an area of {area:.3e} lie on one another and look at each other, as where nodes were not merged \
+                     or a cell was left out; their nodes, {} in all: {}{more}",
+                    nodes.len(),
+                    named.join(", ")
+                )
+            }
+            Warning::GentleDistance { obstacle, slopes: [least, largest] } => write!(
+                f,
+                "the signed distance of {obstacle} changes by {least:.3} to {largest:.3} per length at its surface, not by 1: penetrations \
+                 and pressures are too small by this factor; divide it by its slope"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }

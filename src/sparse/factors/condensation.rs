@@ -1,7 +1,7 @@
 //! Bodies whose stiffness is factorised once, down to the equations that feel contact.
 
-use super::Factorisation;
 use super::symmetric::checked_list;
+use super::{Factorisation, Lower};
 use crate::Error;
 use crate::sparse::Compressed;
 use std::cmp::Ordering::Greater;
@@ -26,13 +26,25 @@ pub struct Condensation {
 }
 
 impl Condensation {
+    /// Of matrices whose equations are at these places: by them the order of elimination is found.
+    pub fn new(places: Vec<[f64; 3]>) -> Self {
+        Self { factorisation: Factorisation::new(places), ..Self::default() }
+    }
+
     /// Factorises a matrix; `kept` ascends. Where it is not positive definite, there are no factors then.
     ///
     /// Errors: [`Error::Length`], [`Error::DofOutOfRange`], [`Error::RepeatedDof`], [`Error::NonFiniteStiffness`],
     /// [`Error::Unsymmetric`] for what is given; [`Error::NotPositiveDefinite`]; [`Error::Overflow`].
     pub fn factorise(&mut self, matrix: &Compressed, kept: &[usize]) -> Result<(), Error> {
         checked_list(kept, matrix.size())?;
-        let lower = matrix.lower()?;
+        self.factorise_lower(matrix.lower()?, kept)
+    }
+
+    /// The same for a lower triangle.
+    ///
+    /// Errors: [`Error::DofOutOfRange`], [`Error::RepeatedDof`]; [`Error::NotPositiveDefinite`]; [`Error::Overflow`].
+    pub fn factorise_lower(&mut self, lower: Lower, kept: &[usize]) -> Result<(), Error> {
+        checked_list(kept, lower.size())?;
         self.size = None;
         let mut springs = vec![0.0; lower.size()];
         for (row, column, value) in lower.entries() {
@@ -62,6 +74,14 @@ impl Condensation {
         finite("Schur complement", self.complement_of(kept.len()))?;
         self.size = Some(own.len());
         Ok(())
+    }
+
+    /// The factors of the last matrix with springs on what is kept, for hosts that follow a part of it alone. What is condensed does not
+    /// feel the springs.
+    ///
+    /// Errors: [`Error::NotFactorised`].
+    pub fn factors(&self) -> Result<&Factorisation, Error> {
+        self.size().map(|_| &self.factorisation)
     }
 
     /// Number of equations of the last matrix. Errors: [`Error::NotFactorised`].

@@ -55,8 +55,9 @@ Examples:
 #[derive(Args, Debug)]
 #[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct ForceArgs {
-    /// Meshes: Gmsh 4.1 (.msh, text or binary) or VTK unstructured grids (.vtu) with Tri3, Quad4, Tet4, Hex8, Wedge6,
-    /// Pyramid5 cells, or of second order Tri6, Quad8, Quad9, Tet10, Hex20, Hex27, Wedge15, Pyramid13. 2D: triangles and
+    /// Meshes: Gmsh 4.1 or 2.2 (.msh, text or binary), VTK unstructured grids (.vtu) or Abaqus input files (.inp) with
+    /// Tri3, Quad4, Tet4, Hex8, Wedge6, Pyramid5 cells, or of second order Tri6, Quad8, Quad9, Tet10, Hex20, Hex27,
+    /// Wedge15, Pyramid13. 2D: triangles and
     /// quadrilaterals at constant z; 3D: tetrahedra, hexahedra, wedges and pyramids, or a closed surface of triangles and
     /// quadrilaterals, also of second order
     #[arg(value_name = "MESH", required = true)]
@@ -75,8 +76,10 @@ pub(crate) struct ForceArgs {
     #[arg(long, value_name = "MESH=[X,Y,Z,]ANGLE")]
     rotate: Vec<Rotation>,
 
-    /// What a body is: each file, each connected part of the meshes, or each physical group (VTU: each value of the
-    /// cell array body, gmsh:physical, medit:ref or CellEntityIds) [default: file; component if there is one file only]
+    /// What a body is: each file, each connected part of the meshes, each instance of a part (Abaqus), or each physical
+    /// group (VTU: each value of the cell array body, gmsh:physical, medit:ref or CellEntityIds; Abaqus without parts: the
+    /// element set of a section, else the first) [default: instance if there are any; else file, or component if there is
+    /// one file only]
     #[arg(long, value_enum, value_name = "WHAT")]
     bodies: Option<DivideBy>,
 
@@ -141,8 +144,7 @@ fn nature(kind: Kind) -> &'static str {
 fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind, stages: Stages) -> Result<()> {
     stages.begin("finding the bodies");
     let assembly = Assembly::<D>::new(meshes, kind)?;
-    let several = assembly.meshes.len() > 1;
-    let by = args.bodies.unwrap_or(if several { DivideBy::File } else { DivideBy::Component });
+    let by = args.bodies.unwrap_or_else(|| DivideBy::default_of(&assembly.meshes));
     let (surface, division) = Division::new(&assembly, by)?;
     let facet_count = surface.facet_count();
     let explained = |error| explain::explain(&error, &assembly, &division.names);
@@ -152,8 +154,9 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind, sta
     }
     stages.begin("evaluating the contact");
     let start = Instant::now();
-    let forces = contact.evaluate(&assembly.coords).map_err(explained)?;
+    let mut forces = contact.evaluate(&assembly.coords).map_err(explained)?;
     let seconds = start.elapsed().as_secs_f64();
+    explain::in_numbers_of_files(&mut forces.warnings, &assembly);
     stages.begin("tracing the overlap");
     let traces = contact.trace(&assembly.coords).map_err(explained)?;
     stages.begin("pressures and gaps at the nodes");

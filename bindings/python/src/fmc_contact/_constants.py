@@ -135,6 +135,8 @@ FMC_WARNING_SWALLOWED_BODY = 3
 FMC_WARNING_PATCH_LEFT_OUT = 4
 FMC_WARNING_UNBALANCED = 5
 FMC_WARNING_FLUSH_FACES = 6
+FMC_WARNING_COINCIDING_FACES = 7
+FMC_WARNING_GENTLE_DISTANCE = 8
 FMC_REQUEST_FORCES = 0
 FMC_REQUEST_PRODUCT = 1
 FMC_REQUEST_DIAGONAL = 2
@@ -281,6 +283,8 @@ FMC_WARNING: dict[int, str] = {
     4: "patch_left_out",
     5: "unbalanced",
     6: "flush_faces",
+    7: "coinciding_faces",
+    8: "gentle_distance",
 }
 
 FMC_EQUILIBRIUM_REQUEST_KIND: dict[int, str] = {

@@ -397,7 +397,8 @@ class fmc_nodal_contact(Structure):
         ("friction", c_void_p),
         ("sliding", c_void_p),
         ("status", c_void_p),
-        ("reserved", c_uint64 * 9),
+        ("local_pressure", c_void_p),
+        ("reserved", c_uint64 * 8),
     ]
 
 

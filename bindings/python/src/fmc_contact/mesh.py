@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from ctypes import byref, c_double, c_size_t
 from dataclasses import dataclass
 from typing import Any, Optional
@@ -226,11 +227,43 @@ class Mesh:
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_reference, byref(view.struct))
 
-    def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
-        """Names the nodes that lie in planes of symmetry, in place of those named before.
+    def set_symmetry_planes(self, planes: Iterable[tuple[ArrayLike, ArrayLike]]) -> None:
+        """Says where planes of symmetry are, in place of what was said before.
 
-        For the law ``"depth"`` a face is no surface if all its nodes are named, since the body goes on behind it. With cells of
-        second order the nodes in the middle of edges and faces are named too.
+        For the law ``"depth"`` a face without deformation in one of them is no surface, since the body goes on behind it. The host
+        holds the nodes of such faces in their plane.
+
+        Parameters
+        ----------
+        planes : iterable of (point, normal)
+            For each plane a point in it, (dim,), and a vector across it, (dim,), of any length. None at all: all of the surface is
+            surface, and flush faces are not warned of.
+
+        Raises
+        ------
+        LengthError
+            If a point or a vector has another number of coordinates.
+        NotPositiveError
+            If a vector has no length.
+        UnsupportedError
+            If a body would have no surface left.
+
+        Examples
+        --------
+        >>> contact.mesh.set_symmetry_planes([((0.0, 0.0), (1.0, 0.0))])
+        """
+        given = list(planes)
+        rows = [floats(part, "planes", (self._core.dim,)) for plane in given for part in plane]
+        points, normals = np.concatenate([np.empty(0), *rows[::2]]), np.concatenate([np.empty(0), *rows[1::2]])
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_symmetry_planes, points, normals, len(given))
+
+    def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
+        """Names the nodes that lie in planes of symmetry, in place of what was said before.
+
+        The planes are those in which the faces lie all of whose nodes are named, the fewest that hold all these nodes: see
+        ``set_symmetry_planes``. A face of the contact surface in a corner between two planes is none. With cells of second order the
+        nodes in the middle of edges and faces are named too.
 
         Parameters
         ----------

@@ -131,8 +131,8 @@ class ContactWarning:
     Attributes
     ----------
     kind : str
-        ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"``, ``"unbalanced"`` or
-        ``"flush_faces"``.
+        ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"``, ``"unbalanced"``,
+        ``"flush_faces"``, ``"coinciding_faces"`` or ``"gentle_distance"``.
     text : str
         A sentence.
 

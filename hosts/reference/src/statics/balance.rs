@@ -1,9 +1,7 @@
 //! Forces and energies of a state.
 
-use super::noise::Noise;
 use crate::fem::Constraints;
 use fmc_contact::ContactForces;
-use fmc_contact::contact::equilibrium::descent::Descent;
 
 /// Energies of a displacement, and what they miss to balance.
 #[derive(Clone, Debug)]
@@ -22,8 +20,6 @@ pub struct Balance<const D: usize> {
     pub norm: f64,
     /// Largest of the norms of the internal, contact and external forces.
     pub scale: f64,
-    /// What rounding of the displacement calls up; a residual below it is none.
-    pub(super) noise: Noise,
     /// What the contact had to say.
     pub contact: ContactForces<D>,
 }
@@ -34,26 +30,9 @@ impl<const D: usize> Balance<D> {
         self.strain + self.contact_energy + self.friction_energy - self.work
     }
 
-    /// Residual by the forces; 0 where there are none. A body that is free of stress after it was moved has forces of rounding
-    /// alone, and by themselves these would never balance.
+    /// Residual by the forces; 0 where there are none.
     pub fn relative(&self) -> f64 {
-        if self.norm <= self.noise.force { 0.0 } else { self.norm / self.scale }
-    }
-
-    /// As far as the rules of a descent go.
-    pub(super) fn descent(&self) -> Descent {
-        let flat = Descent::flatness(self.magnitude()) + self.noise.energy;
-        Descent { energy: self.energy(), norm: self.norm, rounding: self.rounding(), flat }
-    }
-
-    /// What rounding may change in the energy.
-    pub(super) fn rounding(&self) -> f64 {
-        64.0 * f64::EPSILON * self.magnitude() + self.noise.energy
-    }
-
-    /// Sum of the energies' magnitudes.
-    pub(super) fn magnitude(&self) -> f64 {
-        self.strain + self.contact_energy.abs() + self.friction_energy + self.work.abs()
+        if self.norm == 0.0 { 0.0 } else { self.norm / self.scale }
     }
 
     pub(super) fn new(
@@ -80,12 +59,7 @@ impl<const D: usize> Balance<D> {
         let norm = free.iter().flatten().map(|r| r * r).sum::<f64>().sqrt();
         let scale = squares.into_iter().fold(0.0, f64::max).sqrt();
         let friction_energy = contact.friction.stored + contact.friction.dissipated;
-        let (contact_energy, noise) = (contact.energy, Noise::default());
-        Self { strain, contact_energy, friction_energy, work, residual, norm, scale, noise, contact }
-    }
-
-    /// Slope of the energy along a direction that moves nothing held.
-    pub(super) fn slope(&self, direction: &[[f64; D]]) -> f64 {
-        self.residual.iter().flatten().zip(direction.iter().flatten()).map(|(r, d)| r * d).sum()
+        let contact_energy = contact.energy;
+        Self { strain, contact_energy, friction_energy, work, residual, norm, scale, contact }
     }
 }

@@ -1,8 +1,10 @@
 //! The linear fiber law made sharp.
 
+use super::balance::Balance;
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
-use super::newton::Watch;
+use super::report::Watch;
+use super::search::Reached;
 use fmc_contact::{EnergyLaw, EnergyProfile, PenetrationLaw};
 
 /// Part to which ε is reduced at once: smaller ones cost more iterations than they save.
@@ -28,9 +30,9 @@ impl<const D: usize> Equilibrium<D> {
                 stiffness: k,
                 profile: EnergyProfile::Linear { smoothing_length: next },
             }))?;
-            match self.newton(self.displacement.clone(), self.load, watch) {
-                Ok((u, balance)) => {
-                    self.accept(u, balance, self.load);
+            match self.search(&self.displacement.clone(), self.load, true, watch) {
+                Ok(Reached { displacement, balance }) => {
+                    self.accept(displacement, balance, self.load);
                     self.commit_step()?;
                     stride = STRIDE.max(stride * stride);
                 }
@@ -48,5 +50,20 @@ impl<const D: usize> Equilibrium<D> {
             }
         }
         self.too_soft(&self.balance).map_or(Ok(()), Err)
+    }
+
+    /// With the linear law, whether bodies pass through one another: the pressure is then that of the law far from
+    /// zero.
+    pub(super) fn too_soft(&self, balance: &Balance<D>) -> Option<StaticsError> {
+        let penetration = balance.contact.penetration;
+        match self.problem.contact.law {
+            // k L/√(L² + ε²) is k to 0.5 % at L = 10 ε: what resists more is elastic, or nothing.
+            EnergyLaw::Fiber(PenetrationLaw { stiffness: k, profile: EnergyProfile::Linear { smoothing_length } })
+                if penetration > 10.0 * smoothing_length =>
+            {
+                Some(StaticsError::PeakPressureAboveStiffness { stiffness: k, penetration, smoothing_length })
+            }
+            _ => None,
+        }
     }
 }

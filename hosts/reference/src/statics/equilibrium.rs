@@ -1,59 +1,45 @@
 //! State and means of a solver.
 
 use super::balance::Balance;
+use super::equations::Equations;
 use super::error::StaticsError;
-use super::kept_equations::Kept;
+use super::matrices::Matrices;
 use super::newton_settings::NewtonSettings;
-use super::noise::Noise;
 use super::problem::Problem;
 use crate::fem::{Constraints, Model};
-use fmc_contact::sparse::{Entries, Factorisation, Lower};
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
-use std::sync::Arc;
 use std::time::Instant;
 
 /// A problem, the last state in equilibrium that was found, and what finding it took.
 pub struct Equilibrium<const D: usize> {
     pub(super) problem: Problem<D>,
     pub(super) contact: Contact<D>,
-    /// Equation of every degree of freedom; `u32::MAX` for those that are held.
-    pub(super) equations: Vec<u32>,
-    pub(super) equation_count: usize,
-    /// Degree of freedom of every equation.
-    pub(super) freedoms: Vec<u32>,
-    pub(super) system: Factorisation,
-    /// Stiffness of the bodies, if it does not change.
-    pub(super) elastic: Option<Arc<Lower>>,
-    /// The bodies, and what of the contact holds them, factorised down to the equations on which contact acts.
-    pub(super) bulk: Factorisation,
-    pub(super) ground: Entries,
-    pub(super) kept: Kept,
-    /// How Newton's method is led.
+    pub(super) matrices: Matrices,
+    /// Where the bodies' matrix is taken.
+    pub(super) linearised_at: Vec<f64>,
+    pub(super) shortest_edge: f64,
+    /// How an equilibrium is sought.
     pub settings: NewtonSettings,
     pub(super) displacement: Vec<[f64; D]>,
     pub(super) balance: Balance<D>,
     pub(super) load: f64,
     /// Displacement and part of the dead loads at which the stage began.
     pub(super) from: (Vec<[f64; D]>, f64),
-    /// Equilibrium before the last one, and its load, if both are of this stage.
-    pub(super) before: Option<(Vec<[f64; D]>, f64)>,
     /// See [`Equilibrium::unturned`].
     pub(super) unturned: Option<f64>,
     /// See [`Equilibrium::stalled_turn`].
     pub(super) stalled_turn: Option<f64>,
-    /// Iterations: with each, the bodies have been linearised anew.
+    /// Iterations: linear systems solved.
     pub iterations: usize,
     /// Iterations of the contact alone, within these.
     pub contact_iterations: usize,
-    /// Factor by which the stiffness was raised for a penetration that is wanted.
-    pub(super) raised: f64,
     /// Updates of the multipliers, where a penetration is wanted.
     pub updates: usize,
     /// Load steps that failed and were halved.
     pub halvings: usize,
     /// Evaluations of forces and energy.
     pub evaluations: usize,
-    /// Seconds in the contact.
+    /// Seconds in the contact and in the search.
     pub contact_seconds: f64,
 }
 
@@ -78,18 +64,13 @@ impl<const D: usize> Equilibrium<D> {
         for obstacle in problem.obstacles.iter().filter(|_| problem.linearised.is_none()) {
             contact.add_obstacle(obstacle.clone())?;
         }
-        let mut equations = vec![0; expected * D];
-        problem.supports.iter().for_each(|(node, axis, _)| equations[node * D + axis] = u32::MAX);
-        let mut freedoms = Vec::new();
-        for (freedom, equation) in equations.iter_mut().enumerate().filter(|(_, equation)| **equation == 0) {
-            *equation = freedoms.len() as u32;
-            freedoms.push(freedom as u32);
-        }
-        let place = |freedom: &u32| {
-            let x = problem.model.coords()[*freedom as usize / D];
+        let held = problem.supports.iter().map(|(node, axis, _)| node * D + axis);
+        let equations = Equations::new(expected * D, held);
+        let place = |equation: usize| {
+            let x = problem.model.coords()[equations.freedom(equation) / D];
             std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
         };
-        let places: Vec<[f64; 3]> = freedoms.iter().map(place).collect();
+        let places: Vec<[f64; 3]> = (0..equations.count()).map(place).collect();
         if problem.contact.friction.is_active() {
             // Its line search goes by the potential of frozen friction, stored and dissipated energy together.
             if problem.contact.friction.memoryless_slip.is_some() {
@@ -102,6 +83,7 @@ impl<const D: usize> Equilibrium<D> {
             }
             contact.begin_step(problem.model.coords())?;
         }
+        let shortest_edge = shortest_edge(&contact, problem.model.coords());
         let displacement = vec![[0.0; D]; expected];
         let from = (displacement.clone(), 0.0);
         let touch = contact.evaluate(problem.model.coords())?;
@@ -110,25 +92,18 @@ impl<const D: usize> Equilibrium<D> {
         Ok(Self {
             problem,
             contact,
-            equations,
-            equation_count: freedoms.len(),
-            freedoms,
-            system: Factorisation::new(places.clone()),
-            elastic: None,
-            bulk: Factorisation::new(places),
-            ground: Vec::new(),
-            kept: Kept::default(),
+            matrices: Matrices::new(equations, places),
+            linearised_at: vec![0.0; expected * D],
+            shortest_edge,
             settings: NewtonSettings::default(),
             displacement,
             balance,
             load: 0.0,
             from,
-            before: None,
             halvings: 0,
             unturned: None,
             stalled_turn: None,
             updates: 0,
-            raised: 1.0,
             iterations: 0,
             contact_iterations: 0,
             evaluations: 0,
@@ -168,7 +143,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Equations that are solved.
     pub fn equation_count(&self) -> usize {
-        self.equation_count
+        self.matrices.equations.count()
     }
 
     /// What contact finds at the last equilibrium where surfaces are, not where multipliers have moved them.
@@ -180,7 +155,7 @@ impl<const D: usize> Equilibrium<D> {
     }
 
     /// Contact at a displacement, with the coordinates that it is shown.
-    pub(super) fn touch(&self, u: &[[f64; D]], coords: &[[f64; D]]) -> Result<ContactForces<D>, fmc_contact::Error> {
+    fn touch(&self, u: &[[f64; D]], coords: &[[f64; D]]) -> Result<ContactForces<D>, fmc_contact::Error> {
         let mut touch = self.contact.evaluate(coords)?;
         if let Some(linearised) = &self.problem.linearised {
             linearised.add_to(&mut touch, &self.problem.contact.law, u);
@@ -210,7 +185,7 @@ impl<const D: usize> Equilibrium<D> {
         }
         self.problem.supports = supports;
         self.from = (self.displacement.clone(), self.from.1 + self.load * (1.0 - self.from.1));
-        (self.load, self.before) = (0.0, None);
+        self.load = 0.0;
         Ok(())
     }
 
@@ -245,16 +220,15 @@ impl<const D: usize> Equilibrium<D> {
         let forces = &self.problem.load;
         let dead = self.from.1 + load * (1.0 - self.from.1);
         let external = |node: usize| forces[node].map(|f| dead * f);
-        let mut balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
-        balance.noise = Noise::of(&self.problem.model, self.size());
+        let balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
         if !balance.energy().is_finite() || !balance.norm.is_finite() {
             return Err(StaticsError::Inverted { load, cell: None });
         }
         Ok(balance)
     }
 
-    /// Contact as it is shown at a displacement.
-    pub(super) fn touch_at(&mut self, displacement: &[[f64; D]]) -> Result<ContactForces<D>, fmc_contact::Error> {
+    /// Contact at a displacement.
+    fn touch_at(&mut self, displacement: &[[f64; D]]) -> Result<ContactForces<D>, fmc_contact::Error> {
         let coords = self.placed(displacement);
         self.evaluations += 1;
         let clock = Instant::now();
@@ -271,14 +245,31 @@ impl<const D: usize> Equilibrium<D> {
     }
 
     pub(super) fn accept(&mut self, displacement: Vec<[f64; D]>, balance: Balance<D>, load: f64) {
-        let last = (std::mem::replace(&mut self.displacement, displacement), self.load);
-        self.before = (load > last.1).then_some(last);
-        (self.balance, self.load) = (balance, load);
+        (self.displacement, self.balance, self.load) = (displacement, balance, load);
     }
 }
 
+/// A vector of all degrees of freedom, by nodes.
+pub(super) fn by_nodes<const D: usize>(vector: &[f64]) -> Vec<[f64; D]> {
+    vector.as_chunks::<D>().0.to_vec()
+}
+
+/// Shortest edge of a facet: where meshes are graded, those in contact are the smallest.
+fn shortest_edge<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> f64 {
+    let length = |p: u32, q: u32| {
+        let squares = (0..D).map(|i| (coords[p as usize][i] - coords[q as usize][i]).powi(2));
+        squares.sum::<f64>().sqrt()
+    };
+    let faces = contact.surface().faces();
+    let edges = faces.into_iter().flat_map(|(_, face)| {
+        let pairs = (1..face.len()).map(|k| length(face[k - 1], face[k]));
+        pairs.collect::<Vec<_>>()
+    });
+    edges.fold(f64::INFINITY, f64::min)
+}
+
 /// Largest side of the box around some points.
-pub(super) fn size<const D: usize>(coords: &[[f64; D]]) -> f64 {
+fn size<const D: usize>(coords: &[[f64; D]]) -> f64 {
     let extent = |axis: usize| {
         let along = coords.iter().map(|x| x[axis]);
         let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));

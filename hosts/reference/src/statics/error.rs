@@ -14,22 +14,8 @@ pub enum StaticsError {
         iterations: usize,
         /// Residual by the forces.
         residual: f64,
-    },
-    /// No part of the step lowers the energy any more.
-    LineSearch {
-        /// Part of the full load.
-        load: f64,
-        /// Residual by the forces.
-        residual: f64,
-    },
-    /// Updates of multipliers have run out before the penetration wanted was reached.
-    Penetrates {
-        /// Part of the full load.
-        load: f64,
-        /// What is left of penetration or of its change, length.
-        penetration: f64,
-        /// Updates made.
-        updates: usize,
+        /// What was in the way.
+        why: String,
     },
     /// Neither supports nor contact hold a body.
     Unsupported {
@@ -82,16 +68,10 @@ pub enum StaticsError {
 impl fmt::Display for StaticsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotConverged { load, iterations, residual } => {
-                write!(f, "not converged at load {load:.4}: residual {residual:.2e} after {iterations} iterations")
-            }
-            Self::LineSearch { load, residual } => {
-                write!(f, "the energy cannot be lowered any more at load {load:.4}, with a residual of {residual:.2e}")
-            }
-            Self::Penetrates { load, penetration, updates } => {
+            Self::NotConverged { load, iterations, residual, why } => {
                 write!(
                     f,
-                    "a penetration of {penetration:.1e} is left at load {load:.4} after {updates} updates of multipliers"
+                    "not converged at load {load:.4}: residual {residual:.2e} after {iterations} iterations: {why}"
                 )
             }
             Self::Unsupported { body, motion } => {

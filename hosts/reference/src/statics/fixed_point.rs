@@ -3,7 +3,7 @@
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
-use super::newton::Watch;
+use super::report::{Watch, tell};
 
 /// Contact forces of the last iterate are dead loads of the next one.
 ///
@@ -63,7 +63,7 @@ impl<const D: usize> Equilibrium<D> {
                 length: settings.relaxation,
                 ..Iteration::at(&balance, load, iteration)
             };
-            self.tell(&told, watch)?;
+            tell(&told, watch)?;
             let touch = balance.contact.forces.clone();
             let last = end.converged || iteration == settings.most_iterations;
             let target = if last { None } else { Some(self.with_dead_contact(&u, &touch, linear, &mut factorised)?) };
@@ -98,25 +98,38 @@ impl<const D: usize> Equilibrium<D> {
             for (node, r) in residual.iter_mut().enumerate() {
                 (0..D).for_each(|i| r[i] -= touch[node][i] + self.problem.load[node][i]);
             }
-            let right: Vec<f64> = self.on_equations(&residual).iter().map(|r| -r).collect();
+            let right = residual.as_flattened().iter().map(|r| -r).collect::<Vec<f64>>();
+            let right = self.matrices.equations.gathered(&right);
             let size = right.iter().map(|r| r * r).sum::<f64>().sqrt();
             if size <= 1e-10 * *first.get_or_insert(size) {
                 break;
             }
             if !(linear && *factorised) {
-                *factorised = self.factorise(&u, Tangent::Elastic)?;
+                self.linearised_at = u.as_flattened().to_vec();
+                let elastic = self.elastic();
+                *factorised = self.matrices.factorise_bodies(&elastic);
             }
-            let step = self.system.solve(&right).filter(|step| {
+            let step = self.matrices.system.solve(&right).filter(|step| {
                 let longest = step.iter().fold(0.0, |most: f64, d| most.max(d.abs()));
                 longest < 1e6 * self.size()
             });
             let Some(step) = step else {
-                return Err(self.unsupported(&u)?.unwrap_or(StaticsError::Unstable { load: 1.0 }));
+                return Err(self.unheld());
             };
             self.iterations += 1;
-            let step = self.on_nodes(&step);
-            u.iter_mut().zip(step).for_each(|(u, d)| (0..D).for_each(|i| u[i] += d[i]));
+            let step = self.matrices.equations.spread(&step);
+            u.as_flattened_mut().iter_mut().zip(step).for_each(|(u, d)| *u += d);
         }
         Ok(u)
+    }
+
+    /// Why the bodies alone have no factors: nothing holds the one at which they end, or else they buckle.
+    fn unheld(&self) -> StaticsError {
+        let Some(equation) = self.matrices.system.failed_at() else { return StaticsError::Unstable { load: 1.0 } };
+        let node = self.matrices.equations.freedom(equation) / D;
+        let parts = self.problem.model.parts().iter().enumerate();
+        let body = parts.filter(|(part, _)| self.problem.model.nodes_of(*part).contains(&node));
+        let body = body.map(|(_, part)| part.name.clone()).collect();
+        StaticsError::Unsupported { body, motion: "rigid motion".to_owned() }
     }
 }

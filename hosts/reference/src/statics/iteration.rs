@@ -1,7 +1,6 @@
 //! What a solver reports of its iterations.
 
 use super::balance::Balance;
-use fmc_contact::contact::TangentPart;
 use std::fmt;
 
 /// One iteration: the state it starts from, and what it did then.
@@ -38,19 +37,6 @@ pub enum Tangent {
     Elastic,
     /// Of the bodies; contact as it is, by iterations of its own.
     Contact,
-}
-
-impl Tangent {
-    /// Which part of the contact's is in it.
-    pub(super) fn part(self) -> TangentPart {
-        if self == Tangent::Full { TangentPart::Full } else { TangentPart::Semidefinite }
-    }
-}
-
-impl From<TangentPart> for Tangent {
-    fn from(part: TangentPart) -> Self {
-        if part == TangentPart::Semidefinite { Tangent::Semidefinite } else { Tangent::Full }
-    }
 }
 
 impl Iteration {

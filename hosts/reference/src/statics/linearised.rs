@@ -98,6 +98,20 @@ impl Linearised {
         }
     }
 
+    /// Adds the forces against which bodies press to theirs, at a displacement; the energy.
+    pub(super) fn add_forces<const D: usize>(&self, forces: &mut [[f64; D]], law: &EnergyLaw, u: &[[f64; D]]) -> f64 {
+        let mut energy = 0.0;
+        for point in &self.points {
+            let length = Self::length(point, u);
+            if length > 0.0 {
+                energy += point.measure * law.energy(length);
+                let force = point.measure * law.energy_gradient(length);
+                point.nodes.iter().zip(point.weights).for_each(|(node, weight)| forces[*node][1] += weight * force);
+            }
+        }
+        energy
+    }
+
     /// Second derivative of the energy at a displacement: row, column and value.
     pub(super) fn tangent<'a, const D: usize>(
         &'a self,

@@ -3,7 +3,8 @@
 use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::Iteration;
-use super::newton::Watch;
+use super::report::Watch;
+use super::search::Reached;
 use std::ops::ControlFlow;
 
 /// Iterations of a turn, at most: it begins near its end, or never gets there.
@@ -37,24 +38,25 @@ impl<const D: usize> Equilibrium<D> {
         for _ in 0..settings.most_turns {
             let u = self.displacement.clone();
             self.keep_patches(&u)?;
-            let balance = self.evaluate(&u, self.load)?;
-            if balance.relative() <= self.settings.tolerance {
-                (self.balance, self.unturned) = (balance, None);
-                break;
-            }
-            self.unturned = Some(balance.relative());
             self.settings.most_iterations = MOST_ITERATIONS_OF_TURN.min(settings.most_iterations);
-            let (mut last, mut stalled) = (f64::INFINITY, None);
+            let (mut first, mut last, mut stalled) = (None, f64::INFINITY, None);
             let mut progress = |at: &Iteration| {
+                first = first.or(at.tangent.map(|_| at.residual));
                 let is_slow = at.residual > LEFT_OVER * last && at.tangent.is_some();
                 (last, stalled) = (at.residual, is_slow.then_some(at.residual));
                 watch(at)?;
                 if is_slow { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
-            let turned = self.newton(u, self.load, &mut progress);
+            let turned = self.search(&u, self.load, false, &mut progress);
             self.settings = settings;
+            self.unturned = first;
             match turned {
-                Ok(found) => (self.displacement, self.balance) = found,
+                Ok(Reached { displacement, balance }) => {
+                    (self.displacement, self.balance) = (displacement, balance);
+                    if self.unturned.is_none() {
+                        break;
+                    }
+                }
                 Err(StaticsError::Interrupted) if stalled.is_none() => return Err(StaticsError::Interrupted),
                 // What was found remains an equilibrium, on patches of its way.
                 Err(_) => {

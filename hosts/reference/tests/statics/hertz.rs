@@ -83,7 +83,8 @@ fn multipliers_take_the_penetration_and_keep_the_pressure() {
         println!("{law:?}: {} updates, {} iterations for {}", at.updates, at.iterations, soft.iterations);
         assert!(soft.true_contact().unwrap().penetration > 4e-4);
         assert!(at.nodal_penetration().unwrap() <= 1e-6 && at.true_contact().unwrap().penetration <= target);
-        assert!(at.iterations <= 2 * soft.iterations, "{} for {}", at.iterations, soft.iterations);
+        // One for every update, and those that the contact takes without any.
+        assert!(at.iterations <= soft.iterations + 3, "{} for {}", at.iterations, soft.iterations);
         is_hertz(&at);
     }
 }

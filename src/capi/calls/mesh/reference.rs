@@ -27,13 +27,37 @@ pub unsafe extern "C" fn fmc_context_set_reference(context: *mut fmc_context, co
     })
 }
 
-/// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry: for the law "depth" a face all of whose nodes are named is no
-/// surface, since the body goes on behind it; of second order those in the middle of its edges, and its own, are named too.
-/// The host holds such nodes in their plane. Replaces what was named before;
-/// `count` 0 names none: all of the surface is surface, and flush faces are not warned of.
+/// Says where `count` planes of symmetry are: `points` and `normals` are dense rows of `dim` numbers, a point in each plane and a vector
+/// across it, of any length. For the law "depth" a face without deformation in one of them is no surface, since the body goes on behind
+/// it. The host holds the nodes of such faces in their plane. Replaces what was said before, by planes or by nodes; `count` 0: all of the
+/// surface is surface, and flush faces are not warned of. With a mesh in parts all ranks say the same.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a normal without length, `FMC_ERROR_UNSUPPORTED` for a body
+/// that would have no surface left; what was said before then stays. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_symmetry_planes(
+    context: *mut fmc_context,
+    points: *const f64,
+    normals: *const f64,
+    count: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and `count` rows.
+        unsafe {
+            write(
+                context,
+                |state| in_either!(&mut state.session, one => one.set_symmetry_planes(points, normals, count)),
+            )
+        }
+    })
+}
+
+/// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry, as `fmc_context_set_symmetry_planes` does by planes: those
+/// in which the faces lie all of whose nodes are named, the fewest that hold all these nodes. A face of the contact surface in a corner
+/// between two planes is none. Of second order those in the middle of edges and faces are named too.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
-/// that would have no surface left; what was named before then stays. Threads: one call at a time on a context.
+/// that would have no surface left, or for nodes of a curved surface; what was named before then stays. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_symmetry_nodes(
     context: *mut fmc_context,

@@ -2,6 +2,7 @@
 
 use super::{Held, Resident};
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::pointer::slice;
 use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 use crate::capi::structs::mesh::Numbering;
 use crate::capi::structs::view::fmc_coords;
@@ -28,6 +29,26 @@ impl<const D: usize> Resident<D> {
     pub(crate) unsafe fn set_reference(&mut self, coords: &fmc_coords, index_base: i32) -> Result<(), Failure> {
         // SAFETY: passed on to the caller.
         unsafe { self.at(coords, index_base, |contact, rows| contact.set_reference(rows)) }
+    }
+
+    /// Says where planes of symmetry are.
+    ///
+    /// # Safety
+    /// The host guarantees that the arrays have `count` rows.
+    pub(crate) unsafe fn set_symmetry_planes(
+        &mut self,
+        points: *const f64,
+        normals: *const f64,
+        count: usize,
+    ) -> Result<(), Failure> {
+        // SAFETY: passed on to the caller.
+        let [points, normals] = unsafe { [slice("points", points, count, D)?, slice("normals", normals, count, D)?] };
+        let rows = points.as_chunks::<D>().0.iter().zip(normals.as_chunks::<D>().0);
+        let planes: Vec<[[f64; D]; 2]> = rows.map(|(point, normal)| [*point, *normal]).collect();
+        Ok(match &mut self.held {
+            Held::Whole(contact) => contact.set_symmetry_planes(&planes),
+            Held::InParts(parts) => parts.set_symmetry_planes(&planes),
+        }?)
     }
 
     /// Names the nodes in planes of symmetry, as the host counts them.

@@ -38,6 +38,7 @@ pub(super) async fn check_host<const D: usize>(asking: Asking<D>, step: LoadStep
             updates: 0,
             penetration: None,
             residuals: Vec::new(),
+            free: Vec::new(),
             warnings,
         }),
         Err(trouble) => Err(Refusal::new(trouble, Vec::new(), 0)),

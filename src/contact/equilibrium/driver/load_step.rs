@@ -31,6 +31,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
             updates: Updates::new(&step.options, is_found, stiffened),
             options: step.options,
             has_friction,
+            free: Vec::new(),
             warnings: Vec::new(),
         },
         Err(trouble) => return Err(Refusal::new(trouble, Vec::new(), host.solves())),

@@ -88,18 +88,16 @@ impl Motions {
             // Multipliers of the host hold a motion as springs as stiff as the bodies do.
             stiffness += (alone.trace() / size) * gram(&|row, col| dot(&constrained[row], &constrained[col]));
         }
-        let (values, vectors) = pencil(&stiffness, &alone);
-        let picked: Vec<usize> = (0..values.len()).filter(|&k| values[k] <= HARDLY).collect();
+        let (picked, are_free) = picked(&stiffness, &alone);
         let (mut found, mut combinations) = (Vec::new(), DMatrix::zeros(count, picked.len()));
-        for (place, &k) in picked.iter().enumerate() {
-            let field = combined(&fields, &vectors.column(k).into_owned());
+        for (place, combination) in picked.into_iter().enumerate() {
+            let field = combined(&fields, &combination);
             let scale = 1.0 / largest(&field).max(f64::MIN_POSITIVE);
-            combinations.set_column(place, &(vectors.column(k) * scale));
+            combinations.set_column(place, &(combination * scale));
             found.push(field.into_iter().map(|entry| entry * scale).collect::<Vec<f64>>());
         }
         let stiffness = combinations.transpose() * &stiffness * &combinations;
         let alone = found.iter().map(|field| weighted(field, field)).collect();
-        let are_free = picked.iter().any(|&k| values[k] <= FREE);
         Ok(Self { fields: found, stiffness, weights: diagonal, diagonal: alone, are_free })
     }
 
@@ -127,6 +125,23 @@ impl Motions {
         }
         (mean, rest)
     }
+}
+
+/// Combinations of motions that are not held, or hardly, and whether nothing at all holds some of them. A translation or rotation that nothing
+/// holds by itself stays what it is: mixed with others it would move bodies along what drives none of them.
+fn picked(stiffness: &DMatrix<f64>, alone: &DMatrix<f64>) -> (Vec<DVector<f64>>, bool) {
+    let count = stiffness.nrows();
+    let (free, held): (Vec<usize>, Vec<usize>) = (0..count).partition(|&k| stiffness[(k, k)] <= FREE * alone[(k, k)]);
+    let unit = |k: usize| DVector::from_fn(count, |row, _| if row == k { 1.0 } else { 0.0 });
+    let mut found: Vec<DVector<f64>> = free.iter().map(|&k| unit(k)).collect();
+    let of_held = |matrix: &DMatrix<f64>| matrix.select_rows(&held).select_columns(&held);
+    let (values, vectors) = pencil(&of_held(stiffness), &of_held(alone));
+    for k in (0..values.len()).filter(|&k| values[k] <= HARDLY) {
+        let mut combination = DVector::zeros(count);
+        held.iter().enumerate().for_each(|(place, &row)| combination[row] = vectors[(place, k)]);
+        found.push(combination);
+    }
+    (found, !free.is_empty() || values.iter().any(|value| *value <= FREE))
 }
 
 /// What motions ask of unknowns that move no coordinate, such as multipliers by which a host holds bodies; zero where it is rounding.

@@ -14,6 +14,8 @@ pub struct DriverOptions {
     /// Whether such steps are the first way also for bodies that springs hardly hold. They lead to an equilibrium that is stable, and that may
     /// be far from the start.
     pub is_condensed_first: bool,
+    /// Whether they are that for bodies that only contact holds, too: the host condenses these on what touches.
+    pub is_condensed_on_contact: bool,
     /// Largest mean penetration of a node that is wanted, a length; 0: a thousandth of the largest elastic displacement, where the
     /// stiffness was found by the search, and what the law leaves where it was given.
     pub penetration: f64,
@@ -38,6 +40,7 @@ impl Default for DriverOptions {
             max_solves: 100,
             is_condensed: false,
             is_condensed_first: false,
+            is_condensed_on_contact: false,
             penetration: 0.0,
             reach: 0.0,
             max_updates: 20,

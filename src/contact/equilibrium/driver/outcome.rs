@@ -40,6 +40,8 @@ pub struct Found<const D: usize> {
     pub penetration: Option<f64>,
     /// Residual by the forces, state by state.
     pub residuals: Vec<f64>,
+    /// How bodies may move that nothing holds there; [`Self::warnings`] has a sentence for each.
+    pub free: Vec<Unheld>,
     /// What the user should know.
     pub warnings: Vec<String>,
 }

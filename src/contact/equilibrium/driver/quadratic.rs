@@ -27,8 +27,22 @@ impl Quadratic {
         0.5 * q.dot(&(&self.stiffness * q)) - self.load.dot(q) + 0.5 * sunk.component_mul(&self.weights).dot(&sunk)
     }
 
+    /// Where it is least while all unknowns but some stay zero.
+    pub(super) fn least_along(&self, some: &[usize]) -> DVector<f64> {
+        let part = Self {
+            load: self.load.select_rows(some),
+            stiffness: self.stiffness.select_rows(some).select_columns(some),
+            gaps: self.gaps.clone(),
+            slopes: self.slopes.select_columns(some),
+            weights: self.weights.clone(),
+        };
+        let (least, mut all) = (part.least(), DVector::zeros(self.load.len()));
+        some.iter().enumerate().for_each(|(place, &k)| all[k] = least[place]);
+        all
+    }
+
     /// Where it is least, by Newton's method with Armijo's rule.
-    pub(super) fn least(&self) -> DVector<f64> {
+    fn least(&self) -> DVector<f64> {
         let mut q = DVector::zeros(self.load.len());
         let mut value = self.value(&q);
         for _ in 0..MOST {

@@ -8,7 +8,7 @@ use super::motions::Motions;
 use super::options::DriverOptions;
 use super::patches::Patches;
 use super::state::State;
-use super::trouble::Trouble;
+use super::trouble::{Trouble, Unheld};
 use super::updates::Updates;
 use std::sync::Arc;
 
@@ -23,6 +23,8 @@ pub(super) struct Search<const D: usize> {
     pub(super) patches: Option<Patches>,
     pub(super) options: DriverOptions,
     pub(super) has_friction: bool,
+    /// Bodies that nothing holds where they have come to rest.
+    pub(super) free: Vec<Unheld>,
     /// What the user should know.
     pub(super) warnings: Vec<String>,
 }
@@ -36,7 +38,9 @@ impl<const D: usize> Search<D> {
     /// Whether steps go to the equilibrium of the contact with linear bodies.
     pub(super) fn is_condensed(&self) -> bool {
         let options = &self.options;
-        let is_held = self.motions.is_empty() || (options.is_condensed_first && !self.motions.are_free);
+        let is_held = self.motions.is_empty()
+            || options.is_condensed_on_contact
+            || (options.is_condensed_first && !self.motions.are_free);
         options.is_condensed && is_held && !options.is_lagged
     }
 

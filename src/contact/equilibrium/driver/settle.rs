@@ -35,6 +35,14 @@ const TURN: f64 = 100.0;
 /// Sizes of the assembly that a body may go before nothing stops it.
 const FARTHEST: f64 = 10.0;
 
+/// What keeps motions apart that move no body by much, beside their way: so little that it does not mix what is symmetric. A body that
+/// comes out of another turns by what is mixed into its way, the more the farther it goes.
+const APART: f64 = 1e-12;
+
+/// Part of the magnitudes of the forces below which a resultant is rounding: nothing drives a body along, and it stays where it is. The
+/// stiffness of what it slides past or comes out of would take it along by what its mesh lacks of symmetry.
+const UNDRIVEN: f64 = 1e-9;
+
 /// Part of the stiffness of a pair with which bodies that are about to touch stick.
 const STICK: f64 = 0.1;
 
@@ -104,8 +112,8 @@ async fn attempt<const D: usize>(
     let by_bodies = if is_counted { 0 } else { BY_BODY * assembly.rows.len() };
     for steps in 0..MOST.max(by_bodies) {
         let mut state = State::at(host, x.clone(), false).await?;
-        let mut load;
-        (load, worst) = resultants(motions, &state);
+        let (mut load, mut parts) = resultants(motions, &state);
+        worst = parts.iter().copied().fold(0.0, f64::max);
         if worst <= LEFT {
             return Ok(Settled { x, steps, is_anew });
         }
@@ -116,7 +124,7 @@ async fn attempt<const D: usize>(
             host.contact(move |contact| contact.begin_step(&coords)).await?;
             is_anew = true;
             state = state.again(host).await?;
-            load = resultants(motions, &state).0;
+            (load, parts) = resultants(motions, &state);
         }
         if largest(&moved(&x, -1.0, start)) > FARTHEST * assembly.size {
             let text = format!("nothing stops it within {FARTHEST} sizes of the assembly");
@@ -124,12 +132,13 @@ async fn attempt<const D: usize>(
         }
         let near = Rows::near(host, &x, 2.0 * length).await?;
         let dear = if worst > ON_ITS_WAY { TURN } else { 1.0 };
-        let way = &mean + dear * &turn + 1e-6 * DMatrix::identity(motions.count(), motions.count());
+        let way = &mean + dear * &turn + APART * DMatrix::identity(motions.count(), motions.count());
         let stiffness =
             &motions.stiffness + tangent_on(host, motions, &x).await? + (0.5 * caution * load.amax() / length) * way;
         let close = has_friction.then_some(1e-3 * length);
         let quadratic = energy(motions, near.as_ref(), (load, stiffness), close, 1e-12 * assembly.size);
-        let step = motions.combined(&quadratic.least());
+        let driven: Vec<usize> = (0..motions.count()).filter(|&k| parts[k] > UNDRIVEN).collect();
+        let step = motions.combined(&quadratic.least_along(&driven));
         let most = largest(&step);
         if most == 0.0 || !most.is_finite() {
             break;
@@ -153,13 +162,12 @@ async fn attempt<const D: usize>(
     Err(lost(host, assembly, &trail, &text))
 }
 
-/// Resultants of the residual on every motion, and the largest by the magnitudes of the forces.
-fn resultants<const D: usize>(motions: &Motions, state: &State<D>) -> (DVector<f64>, f64) {
+/// Resultants of the residual on every motion, and their parts of the magnitudes of the forces.
+fn resultants<const D: usize>(motions: &Motions, state: &State<D>) -> (DVector<f64>, DVector<f64>) {
     let load = -motions.along(&state.residual);
     let all = motions.magnitudes(&state.inside) + motions.magnitudes(&state.forces);
-    let parts = load.iter().zip(all.iter()).map(|(load, all)| if *all > 0.0 { load.abs() / all } else { 0.0 });
-    let worst = parts.fold(0.0, f64::max);
-    (load, worst)
+    let parts = load.zip_map(&all, |load, all| if all > 0.0 { load.abs() / all } else { 0.0 });
+    (load, parts)
 }
 
 /// Energy of the next step: what touches is in the load and the stiffness, what is near in the gaps. Bodies closer than `close` stick.

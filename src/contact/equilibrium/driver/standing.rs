@@ -4,7 +4,7 @@ use super::host::System;
 use super::motions::{combined, pencil};
 use super::search::Search;
 use super::state::State;
-use super::trouble::Trouble;
+use super::trouble::{Trouble, Unheld};
 use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
 
@@ -44,6 +44,9 @@ pub(super) async fn standing<const D: usize>(search: &mut Search<D>, state: &Sta
             let main = mover.direction[mover.direction.iamax()];
             mover.direction *= if main < 0.0 { -1.0 } else { 1.0 };
             search.warn(format!("{what}: {mover}"));
+            if value > FREE {
+                search.free.push(Unheld::from(&mover));
+            }
         }
     }
     Ok(())

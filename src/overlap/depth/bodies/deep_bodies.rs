@@ -4,6 +4,7 @@ use super::cell_integrals::{CellMoments, cell_integrals};
 use super::cell_pieces::CellPieces;
 use crate::Error;
 use crate::depth_field::DepthField;
+use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
@@ -20,6 +21,9 @@ pub(crate) struct DeepBodies<'a, const D: usize> {
     pub(crate) field: &'a DepthField<D>,
     pub(crate) request: &'a DepthRequest,
 }
+
+/// Part of the forces that may be missing where bodies go on behind planes of symmetry.
+const MISTAKEN: f64 = 0.1;
 
 /// Part with which the depth of either body counts.
 pub(crate) const WEIGHT: f64 = 0.5;
@@ -63,6 +67,11 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
             overlap.warnings.push(Warning::FlushFaces { a, b, area: sums.flush });
         }
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
+        let imbalance = self.imbalance(&of_b, &gradient);
+        if self.field.is_surface_told() && imbalance > MISTAKEN {
+            let (a, b) = (overlap.a, overlap.b);
+            overlap.warnings.push(Warning::Unbalanced { a, b, imbalance });
+        }
         Some(DepthIntegral {
             value: value.max(0.0),
             nodes,
@@ -75,6 +84,19 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
             mean_depth: if sides > 0.0 { depth / sides } else { 0.0 },
             overlap,
         })
+    }
+
+    /// The sum of all forces by the larger resultant of a side. Behind a plane of symmetry the overlap goes on, and presses on the plane by
+    /// the part of its depth in its length; faces that are pressed are none of a plane of symmetry, and leave all of their force.
+    fn imbalance(&self, of_b: &[bool], gradient: &[Vector<D>]) -> f64 {
+        let mut sides = [Vector::<D>::zeros(); 2];
+        of_b.iter().zip(gradient).for_each(|(&of_b, g)| sides[usize::from(of_b)] += g);
+        if !self.pair.weighting.is_plain() {
+            // Radial forces are not in balance.
+            sides.iter_mut().for_each(|side| side[0] = 0.0);
+        }
+        let largest = sides[0].norm().max(sides[1].norm());
+        if largest > 0.0 { (sides[0] + sides[1]).norm() / largest } else { 0.0 }
     }
 
     /// The pieces of one side in the region, with their boxes as far as they lie within the bounds.

@@ -157,7 +157,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 *sum += moment;
             }
             if self.request.points {
-                moments.points.add(piece, &areas, &local, &barycentric);
+                moments.points.add(piece, (&areas, &local), &barycentric, inside.corners());
             }
             if self.request.second != SecondDerivative::No {
                 blocks.add(facet, piece, &products, (&local, &moved), values, &mut sums.hessian);

@@ -2,7 +2,7 @@
 
 use crate::depth_field::DepthPiece;
 use crate::geometry::Vector;
-use crate::overlap::depth::points::{DepthPlace, DepthPoint, PlaceInCell};
+use crate::overlap::depth::points::{DepthPlace, DepthPoint, PlaceInCell, no_deeper};
 use crate::overlap::pair::body_facet::BodyFacet;
 
 /// Sums over what a facet has inside the cells of the other body, in parts of its measure.
@@ -13,6 +13,10 @@ pub(crate) struct PointSums<const D: usize>(Vec<InCell<D>>);
 struct InCell<const D: usize> {
     cell: u32,
     slope: Vector<D>,
+    /// The largest depth, and the largest part with a place in it.
+    deepest: f64,
+    largest: f64,
+    inside: DepthPlace<D>,
     /// Sums with the depth, and with 1, for weight.
     pressed: PlaceSums<D>,
     middle: PlaceSums<D>,
@@ -29,22 +33,21 @@ struct PlaceSums<const D: usize> {
 
 impl<const D: usize> PointSums<D> {
     /// Adds what lies inside a piece: ∫ N dA and ∫ N g dA for the corners of the facet, whose coordinates in the piece are
-    /// `barycentric`.
+    /// `barycentric`; `corners` are those of that part on the facet.
     pub(crate) fn add(
         &mut self,
         piece: &DepthPiece<D>,
-        areas: &[f64; D],
-        depths: &[f64; D],
+        (areas, depths): (&[f64; D], &[f64; D]),
         barycentric: &[[f64; 4]; D],
+        corners: &[[f64; D]],
     ) {
         let place = self.0.iter().position(|sums| sums.cell == piece.cell).unwrap_or_else(|| {
-            let [pressed, middle] = [PlaceSums::new(), PlaceSums::new()];
-            let gradients = [Vector::zeros(); 8];
-            self.0.push(InCell { cell: piece.cell, slope: Vector::zeros(), pressed, middle, gradients });
+            self.0.push(InCell::new(piece.cell));
             self.0.len() - 1
         });
         let sums = &mut self.0[place];
         let area: f64 = areas.iter().sum();
+        sums.look_at(piece, area, barycentric, corners);
         sums.slope += piece.gradient * area;
         sums.pressed.add(piece, depths, barycentric);
         sums.middle.add(piece, areas, barycentric);
@@ -69,14 +72,39 @@ impl<const D: usize> PointSums<D> {
             is_pressed.then(|| DepthPoint {
                 of_b,
                 facet: number,
-                pressed: sums.pressed.mean(sums.cell),
-                middle: sums.middle.mean(sums.cell),
+                pressed: sums.pressed.mean(sums.cell).or(sums.middle.mean(sums.cell)).or(sums.inside),
+                middle: sums.middle.mean(sums.cell).or(sums.inside),
                 gradients: sums.gradients.map(|sum| sum / area),
-                depth: depth / area,
+                depth: no_deeper(depth / area, sums.deepest),
                 area: weight * measure * area,
                 slope: sums.slope * (weight * measure),
             })
         })
+    }
+}
+
+impl<const D: usize> InCell<D> {
+    fn new(cell: u32) -> Self {
+        let [pressed, middle] = [PlaceSums::new(), PlaceSums::new()];
+        let other = PlaceInCell { cell, weights: [0.0; 8] };
+        let inside = DepthPlace { weights: [0.0; D], other: Some(other) };
+        let (slope, gradients) = (Vector::zeros(), [Vector::zeros(); 8]);
+        Self { cell, slope, deepest: 0.0, largest: f64::NEG_INFINITY, inside, pressed, middle, gradients }
+    }
+
+    /// Takes note of how deep a part lies, and where, if it is the largest so far. Where walls are flush, sums are rounding, and so would
+    /// be every mean place that is found from them.
+    fn look_at(&mut self, piece: &DepthPiece<D>, area: f64, barycentric: &[[f64; 4]; D], corners: &[[f64; D]]) {
+        let at = |w: &[f64; D]| -> [f64; 4] { std::array::from_fn(|k| (0..D).map(|c| w[c] * barycentric[c][k]).sum()) };
+        let depth = |w: &[f64; D]| -> f64 { at(w).iter().zip(&piece.depths).take(D + 1).map(|(a, g)| a * g).sum() };
+        self.deepest = corners.iter().map(depth).fold(self.deepest, f64::max);
+        if area.abs() <= self.largest || corners.is_empty() {
+            return;
+        }
+        let weights: [f64; D] =
+            std::array::from_fn(|c| corners.iter().map(|w| w[c]).sum::<f64>() / corners.len() as f64);
+        let in_cell = PlaceInCell { cell: self.cell, weights: piece.at_nodes(&at(&weights)) };
+        (self.largest, self.inside) = (area.abs(), DepthPlace { weights, other: Some(in_cell) });
     }
 }
 

@@ -187,7 +187,7 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
         let found = self.distance.at(&middles)?;
         let mut halves = Vec::with_capacity(2 * parts.len());
         for (n, (part, &[p, q])) in parts.iter().zip(&edges).enumerate() {
-            self.distance.check(n, &middles[n], found[n].phi, &part.center, part.at_center)?;
+            self.distance.check(&middles[n], found[n].phi, &part.center, part.at_center)?;
             for replaced in [q, p] {
                 let mut half = part.bare;
                 half.halvings += 1;
@@ -251,7 +251,7 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
             let (center, at_center) = (centers[k], found[k].phi);
             let mut radius = 0.0f64;
             for (x, phi) in bare.points[..=n].iter().zip(&bare.phi) {
-                self.distance.check(k, &center, at_center, x, *phi)?;
+                self.distance.check(&center, at_center, x, *phi)?;
                 radius = radius.max((x - center).norm());
             }
             if at_center >= radius {
@@ -279,7 +279,7 @@ impl<const D: usize, F> Adaptive<'_, D, F> {
         let found = self.distance.at(&points)?;
         for (n, ((k, w, weight), found)) in at.iter().zip(&found).enumerate() {
             let Some(part) = &mut parts[*k] else { continue };
-            self.distance.check(n, &points[n], found.phi, &part.center, part.at_center)?;
+            self.distance.check(&points[n], found.phi, &part.center, part.at_center)?;
             let linear: f64 = w.iter().zip(&part.bare.phi).map(|(w, phi)| w * phi).sum();
             part.bend = part.bend.max((found.phi - linear).abs());
             let in_root = between(&part.bare.corners, w);

@@ -5,7 +5,7 @@ use crate::geometry::facet::area_slopes;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::DepthRequest;
-use crate::overlap::depth::points::{DepthPlace, DepthPoint};
+use crate::overlap::depth::points::{DepthPlace, DepthPoint, no_deeper};
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::second_derivative::SecondDerivative;
 use crate::overlap::sums::block_sum::product;
@@ -87,13 +87,15 @@ impl<const D: usize> FacetMoments<D> {
     /// A facet as a point; `None` where there is no pressure.
     fn point(&self, facet: &BodyFacet<D>) -> Option<DepthPoint<D>> {
         let (area, total): (f64, f64) = (self.area.iter().sum(), self.depth());
+        let place = |weights: [f64; D]| DepthPlace { weights, other: None };
+        let middle = place(self.area.map(|part| part / area)).or(place([1.0 / D as f64; D]));
         (area > 0.0 && total > 0.0).then(|| DepthPoint {
             of_b: false,
             facet: facet.number,
-            pressed: DepthPlace { weights: self.depth.map(|depth| depth / total), other: None },
-            middle: DepthPlace { weights: self.area.map(|part| part / area), other: None },
+            pressed: place(self.depth.map(|depth| depth / total)).or(middle),
+            middle,
             gradients: [Vector::zeros(); 8],
-            depth: total / area,
+            depth: no_deeper(total / area, self.deepest),
             area: area * facet.measure,
             slope: self.slopes.as_flattened().iter().fold(Vector::zeros(), |sum, slope| sum + slope) * facet.measure,
         })

@@ -14,16 +14,28 @@ use super::convex_solid::ConvexSolid;
 use super::convex_volume::DepthSum;
 use super::quadrature::{over_facets, over_volume};
 use crate::Error;
+use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::Piece;
+use crate::geometry::shapes::ImplicitShape;
 use crate::geometry::{Pose, Vector, moment};
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
 use crate::overlap::pair::body_facet::BodyFacet;
+use crate::overlap::pair::distance_slopes::slopes_at_surface;
 use crate::overlap::pair::obstacle_distance::ObstacleDistance;
 use crate::overlap::pair::obstacle_region;
 use crate::overlap::pair::overlap::{MotionGradient, Overlap};
 use crate::overlap::pair::sides::{Counterpart, Pair};
+use crate::overlap::pair::warning::Warning;
 use crate::overlap::sums::block_sum::symmetric_part;
+
+/// An obstacle with this part of the box around it inside a body is there by more than rounding.
+const SWALLOWED: f64 = 1e-6;
+
+/// Slopes of a signed distance that are told: one anywhere at its surface, as smooth edges of a shape have them nowhere; and the largest
+/// of all, where the whole function is scaled.
+const GENTLE: f64 = 0.5;
+const ALL_GENTLE: f64 = 0.99;
 
 /// Facets that a thread takes at once.
 const CHUNK: usize = 64;
@@ -56,8 +68,31 @@ pub(crate) fn of_obstacle<const D: usize>(
             (sums, over_volume(pair, &distance, &within)?)
         }
     };
-    let overlap = sums.overlap(pair, whole.volume, sums.area);
-    Ok(overlap.map(|overlap| assembled(pair, sums, &whole, overlap)))
+    let Some(mut overlap) = sums.overlap(pair, whole.volume, sums.area) else { return Ok(None) };
+    overlap.warnings = warnings(pair, &sums, whole.volume, &within)?;
+    Ok(Some(assembled(pair, sums, &whole, overlap)))
+}
+
+/// What cannot be measured, or is measured too small.
+fn warnings<const D: usize>(
+    pair: &Pair<D>,
+    sums: &FacetSums<D>,
+    volume: f64,
+    within: &Aabb<D>,
+) -> Result<Vec<Warning>, Error> {
+    let ([body, obstacle], mut warnings) = (pair.partners, Vec::new());
+    // Without facets inside the obstacle there is no force. What touches has a volume too, by rounding.
+    if sums.piece_count == 0 && volume > SWALLOWED * within.extent().product() {
+        warnings.push(Warning::SwallowedBody { inner: obstacle, outer: body });
+    }
+    if let Counterpart::Implicit(side) = &pair.counterpart
+        && let ImplicitShape::Function(function) = side.shape
+        && let Some(slopes) = slopes_at_surface(function.as_ref(), side, &pair.a.aabb)?
+        && (slopes[0] < GENTLE || slopes[1] < ALL_GENTLE)
+    {
+        warnings.push(Warning::GentleDistance { obstacle, slopes });
+    }
+    Ok(warnings)
 }
 
 fn in_convex_solid<const D: usize>(

@@ -16,10 +16,18 @@ pub(crate) struct NodalSum {
     pub(crate) penetration: f64,
 }
 
+/// The sums at the nodes of a pair.
+#[derive(Clone, Debug)]
+pub(crate) struct NodalSums {
+    pub(crate) sums: Vec<NodalSum>,
+    /// The largest pressure of the law anywhere: no mean of it is larger.
+    pub(crate) largest_pressure: f64,
+}
+
 impl<const D: usize> ContactPoints<D> {
     /// The sums of all nodes that have contact points around them, ascending; `pressure` is a function of the
     /// penetration.
-    pub(crate) fn nodal_sums(&self, pair: &Pair<D>, pressure: &(dyn Fn(f64) -> f64 + Sync)) -> Vec<NodalSum> {
+    pub(crate) fn nodal_sums(&self, pair: &Pair<D>, pressure: &(dyn Fn(f64) -> f64 + Sync)) -> NodalSums {
         let of = |slope: &(dyn Fn(f64) -> f64 + Sync)| facet_sums(pair, &self.patches.directions, &self.points, slope);
         let (pressures, penetrations) = pair.both(|| of(pressure), || of(&|length| length));
         let mut sums = Vec::new();
@@ -47,6 +55,7 @@ impl<const D: usize> ContactPoints<D> {
             }
             same
         });
-        sums
+        let largest_pressure = self.points.iter().map(|point| pressure(point.length)).fold(0.0, f64::max);
+        NodalSums { sums, largest_pressure }
     }
 }

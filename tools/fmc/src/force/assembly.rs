@@ -86,26 +86,42 @@ impl<const D: usize> Assembly<D> {
     /// Cells of a surface as triangles, each with the cell that it belongs to.
     fn facets(&self) -> impl Iterator<Item = ([u32; D], usize)> {
         self.cells().enumerate().flat_map(|(cell, (cell_type, nodes))| {
-            let pieces = if cell_type == CellType::Quad4 { &HALVES[..] } else { &HALVES[..1] };
-            pieces.iter().map(move |piece| (std::array::from_fn(|k| nodes[piece[k]]), cell))
+            let halves = if cell_type == CellType::Quad4 { &HALVES[..] } else { &HALVES[..1] };
+            // Of a quadrilateral with a repeated node, a triangle, one half is left; what is neither is for the module to name.
+            let is_whole = |half: &&[usize; 3]| {
+                let [a, b, c] = half.map(|k| nodes[k]);
+                a != b && b != c && c != a
+            };
+            let is_triangle = halves.iter().filter(is_whole).count() == 1;
+            let pieces = halves.iter().filter(move |half| !is_triangle || is_whole(half));
+            pieces.map(move |piece| (std::array::from_fn(|k| nodes[piece[k]]), cell))
         })
     }
 
-    /// Mesh that a cell belongs to, and its number in the file.
-    pub(super) fn cell_origin(&self, mut cell: usize) -> (usize, u64) {
-        for (mesh, contents) in self.meshes.iter().enumerate() {
+    /// Where a cell stands, file and instance, and its number there.
+    pub(super) fn cell_origin(&self, mut cell: usize) -> (String, u64) {
+        for contents in &self.meshes {
             match contents.cells().nth(cell) {
-                Some((_, _, tag, _)) => return (mesh, tag),
+                Some((_, nodes, tag, _)) => return (place(contents, nodes[0] as usize), tag),
                 None => cell -= contents.cell_count(),
             }
         }
         unreachable!("cells come from meshes")
     }
 
-    /// Mesh that a node belongs to, and its number in the file.
-    pub(super) fn node_origin(&self, node: usize) -> (usize, u64) {
+    /// Where a node stands, file and instance, and its number there.
+    pub(super) fn node_origin(&self, node: usize) -> (String, u64) {
         let mesh = self.node_starts.partition_point(|&start| start as usize <= node) - 1;
-        (mesh, self.meshes[mesh].node_tags[node - self.node_starts[mesh] as usize])
+        let node = node - self.node_starts[mesh] as usize;
+        (place(&self.meshes[mesh], node), self.meshes[mesh].node_tags[node])
+    }
+}
+
+/// The file, and the instance in it to which a node belongs: numbers are unique within one only.
+fn place(mesh: &Mesh, node: usize) -> String {
+    match mesh.instances.iter().find(|instance| instance.nodes.contains(&node)) {
+        Some(instance) => format!("{}, {}", mesh.file, instance.name),
+        None => mesh.file.clone(),
     }
 }
 

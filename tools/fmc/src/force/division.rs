@@ -6,7 +6,7 @@ use super::explain::explain;
 use anyhow::{Result, bail};
 use clap::ValueEnum;
 use fmc_contact::Surface;
-use fmc_mesh_io::Kind;
+use fmc_mesh_io::{Kind, Mesh};
 use std::collections::BTreeMap;
 
 /// What a body is.
@@ -18,8 +18,21 @@ pub(super) enum DivideBy {
     /// Each connected part is a body
     #[value(alias = "components")]
     Component,
-    /// Each physical group of each file is a body
+    /// Each physical group of each file is a body; of an Abaqus file without parts each element set
     Physical,
+    /// Each instance of a part is a body (Abaqus), and each file without parts
+    Instance,
+}
+
+impl DivideBy {
+    /// What a body is where nobody says it: what the files call parts, else each file, or what hangs together in a single one.
+    pub(super) fn default_of(meshes: &[Mesh]) -> Self {
+        match meshes {
+            _ if meshes.iter().any(|mesh| !mesh.instances.is_empty()) => Self::Instance,
+            [_] => Self::Component,
+            _ => Self::File,
+        }
+    }
 }
 
 /// The bodies, in the order of the files.
@@ -36,6 +49,7 @@ impl Division {
         let mut division = match by {
             DivideBy::File => by_file(assembly),
             DivideBy::Physical => by_group(assembly)?,
+            DivideBy::Instance => by_instance(assembly),
             // Which cavity lies in which body is for the module to find out.
             DivideBy::Component if assembly.kind == Kind::Surface => {
                 let surface = assembly.surface(None).map_err(|error| explain(&error, assembly, &[]))?;
@@ -83,22 +97,39 @@ fn by_group<const D: usize>(assembly: &Assembly<D>) -> Result<Division> {
     for (mesh, contents) in assembly.meshes.iter().enumerate() {
         for (_, _, tag, group) in contents.cells() {
             match group {
-                Some(group) => keys.push((mesh, group)),
+                Some(group) => keys.push((mesh, Some(group))),
                 None => bail!("{}: cell {tag} belongs to no physical group", contents.file),
             }
         }
     }
-    let mut bodies: BTreeMap<(usize, i64), i64> = keys.iter().map(|&key| (key, 0)).collect();
+    Ok(by_keys(assembly, &keys, "group "))
+}
+
+fn by_instance<const D: usize>(assembly: &Assembly<D>) -> Division {
+    let meshes = assembly.meshes.iter().enumerate();
+    let keys: Vec<Key> = meshes
+        .flat_map(|(mesh, m)| m.cells().map(move |cell| (mesh, cell.3.filter(|_| !m.instances.is_empty()))))
+        .collect();
+    by_keys(assembly, &keys, "")
+}
+
+/// A file, and the group of it that is a body, where not all of it is.
+type Key = (usize, Option<i64>);
+
+/// Bodies by the keys of their cells; `kind` stands before the names of groups.
+fn by_keys<const D: usize>(assembly: &Assembly<D>, keys: &[Key], kind: &str) -> Division {
+    let mut bodies: BTreeMap<Key, i64> = keys.iter().map(|&key| (key, 0)).collect();
     let mut names = Vec::new();
     for (body, (&(mesh, group), number)) in bodies.iter_mut().enumerate() {
         *number = body as i64;
-        let group = match assembly.meshes[mesh].group_names.get(&group) {
-            Some(name) => format!("group {name}"),
-            None => format!("group {group}"),
-        };
-        names.push(format!("{}, {group}", mesh_name(assembly, mesh)));
+        let file = mesh_name(assembly, mesh);
+        names.push(match group.map(|group| (group, assembly.meshes[mesh].group_names.get(&group))) {
+            Some((_, Some(name))) => format!("{file}, {kind}{name}"),
+            Some((group, None)) => format!("{file}, {kind}{group}"),
+            None => file,
+        });
     }
-    Ok(Division { cell_bodies: keys.iter().map(|key| bodies[key]).collect(), names })
+    Division { cell_bodies: keys.iter().map(|key| bodies[key]).collect(), names }
 }
 
 /// Reads off a surface which body the facets of every cell belong to.

@@ -1,16 +1,13 @@
 //! Errors of the module in the numbers of the files.
 
 use super::assembly::Assembly;
-use fmc_contact::Error;
+use fmc_contact::{Error, Warning};
 
 /// The sentence for an error about the assembled mesh, with its files and the numbers that they give nodes and cells.
 /// `names` are those of the bodies, as far as known.
 pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, names: &[String]) -> anyhow::Error {
     // Facets of a surface that was given directly are pieces of cells; all other numbers are those of cells.
-    let cell = |number: usize| {
-        let (mesh, tag) = assembly.cell_origin(assembly.cell_of_error(number));
-        (assembly.meshes[mesh].file.as_str(), tag)
-    };
+    let cell = |number: usize| assembly.cell_origin(assembly.cell_of_error(number));
     let node = |number: usize| assembly.node_origin(number).1;
     let between = |nodes: &[usize; 2]| match nodes.map(node) {
         [a, b] if a == b => format!("node {a}"),
@@ -18,12 +15,12 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
     };
     let sentence = match error {
         Error::NonFiniteCoordinate { node: n, axis } => {
-            let file = &assembly.meshes[assembly.node_origin(*n).0].file;
+            let file = assembly.node_origin(*n).0;
             format!("{file}: coordinate {} of node {} is not finite", ["x", "y", "z"][*axis], node(*n))
         }
         Error::RepeatedNode { cell: c, node: n } => {
             format!(
-                "{}: cell {} names node {} twice: leave it out, or repair it in the mesh generator",
+                "{}: cell {} names node {} twice, and is no smaller cell: repair it in the mesh generator",
                 cell(*c).0,
                 cell(*c).1,
                 node(*n)
@@ -36,9 +33,22 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
                 cell(*c).1
             )
         }
+        Error::InvertedCells { cells, bow_ties } => {
+            let (place, first) = cell(cells.first().copied().unwrap_or_default());
+            let what = match bow_ties {
+                0 => "turn the order of their nodes, or move those that are folded over".to_owned(),
+                _ => format!(
+                    "edges cross in {bow_ties} of them (a bow tie): let their nodes go around the quadrilateral"
+                ),
+            };
+            match cells.len() {
+                1 => format!("{place}: cell {first} is inverted: {what}"),
+                count => format!("{place}: {count} cells are inverted, the first is {first}: {what}"),
+            }
+        }
         Error::ZeroMeasure { cell: c } => {
             format!(
-                "{}: cell {} has no {}: leave it out, or merge its nodes",
+                "{}: cell {} has no {}: merge its nodes, or mesh without flat cells",
                 cell(*c).0,
                 cell(*c).1,
                 if D == 2 { "area" } else { "area or volume" }
@@ -58,6 +68,10 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
                 cell(*facet).1,
                 between(nodes)
             )
+        }
+        Error::RepeatedCell { cells } => {
+            let [(place, a), (_, b)] = cells.map(cell);
+            format!("{place}: cells {a} and {b} have the same nodes: one of them is there twice, leave it out")
         }
         Error::InconsistentOrientation { facet, nodes } => format!(
             "{}: cell {} and its neighbour at {} disagree about which side is out: turn the order of nodes of one of them",
@@ -81,4 +95,13 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
         other => other.to_string(),
     };
     anyhow::Error::msg(sentence)
+}
+
+/// Warnings whose nodes have the numbers that the files give them.
+pub(super) fn in_numbers_of_files<const D: usize>(warnings: &mut [Warning], assembly: &Assembly<D>) {
+    for warning in warnings {
+        if let Warning::CoincidingFaces { nodes, .. } = warning {
+            nodes.iter_mut().for_each(|node| *node = assembly.node_origin(*node).1 as usize);
+        }
+    }
 }

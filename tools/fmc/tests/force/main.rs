@@ -1,5 +1,6 @@
 //! The command `fmc force`, run as a user runs it.
 
+mod abaqus;
 mod command;
 mod mixed;
 mod picture;

@@ -52,11 +52,7 @@ fn files_that_are_no_meshes() {
 #[test]
 fn gmsh_files_that_cannot_be_used() {
     let square = msh(2, &CORNERS, 3, &["11 12 13 14"]);
-    assert_file_refused(
-        "old.msh",
-        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n",
-        &["version 2.2", "save it as version 4.1"],
-    );
+    assert_file_refused("old.msh", "$MeshFormat\n4 0 8\n$EndMeshFormat\n", &["version 4;", "save it as version 4.1"]);
     assert_file_refused("new.msh", "$MeshFormat\n5 0 8\n$EndMeshFormat\n", &["version 5", "save it as version 4.1"]);
     assert_file_refused("cut.msh", &square[..square.len() - 30], &["ends"]);
     assert_file_refused("bare.msh", square.split("$Elements").next().unwrap(), &["no $Elements"]);
@@ -103,8 +99,12 @@ fn meshes_that_cannot_be_bodies() {
         &msh(2, &["0 0 0", "1 0 0", "1 nan 0", "0 1 0"], 3, &["11 12 13 14"]),
         &["coordinate y of node 13 is not finite"],
     );
-    assert_file_refused("double.msh", &msh(2, &CORNERS, 3, &["11 12 13 11"]), &["cell 101 names node 11 twice"]);
+    assert_file_refused("double.msh", &msh(2, &CORNERS, 3, &["11 12 11 13"]), &["cell 101 names node 11 twice"]);
     assert_file_refused("thin.msh", &msh(2, &["0 0 0", "1 0 0", "2 0 0"], 2, &["11 12 13"]), &["cell 101 has no area"]);
+    let tie = msh(2, &CORNERS, 3, &["11 12 14 13"]);
+    assert_file_refused("tie.msh", &tie, &["cell 101 is inverted", "bow tie"]);
+    let twice = msh(2, &CORNERS, 3, &["11 12 13 14", "12 13 14 11"]);
+    assert_file_refused("twice.msh", &twice, &["cells 101 and 102 have the same nodes"]);
     let dart = msh(2, &["0 0 0", "1 0 0", "0.1 0.1 0", "0 1 0"], 3, &["11 12 13 14"]);
     assert_file_refused("dart.msh", &dart, &["cell 101 is inverted"]);
     let fan = msh(2, &["0 0 0", "1 0 0", "0 1 0", "0 -1 0", "1 1 0"], 2, &["11 12 13", "12 11 14", "11 12 15"]);

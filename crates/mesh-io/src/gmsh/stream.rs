@@ -1,5 +1,6 @@
 //! Numbers of an MSH file, one after the other, whether written as text or in binary.
 
+use crate::excerpt::shortened;
 use anyhow::{Result, bail, ensure};
 use std::str::FromStr;
 
@@ -41,11 +42,38 @@ impl<'a> Stream<'a> {
         }
     }
 
+    /// An integer of 4 bytes that is not negative.
+    pub(super) fn whole(&mut self) -> Result<u64> {
+        if self.encoding == Encoding::Text {
+            return self.number("a whole number of at least 0");
+        }
+        let at = self.at;
+        let number = self.int()?;
+        match u64::try_from(number) {
+            Ok(number) => Ok(number),
+            Err(_) => bail!("byte {at}: expected a whole number of at least 0, found {number}"),
+        }
+    }
+
+    /// A number of things still to come, on a line of its own: text in binary files too. Checked as [`Self::count`] is.
+    pub(super) fn count_line(&mut self) -> Result<usize> {
+        let place = self.place();
+        let line = self.line().unwrap_or_default();
+        let Ok(count) = line.parse::<usize>() else {
+            bail!("{place}: expected a count, found '{}'", shortened(&line));
+        };
+        self.announce(count as u64, &place)
+    }
+
     /// A number of things still to come, each of which takes at least two bytes. Checked, so that a damaged count ends
     /// here and not in an allocation.
     pub(super) fn count(&mut self) -> Result<usize> {
         let place = self.place();
         let count = self.size()?;
+        self.announce(count, &place)
+    }
+
+    fn announce(&self, count: u64, place: &str) -> Result<usize> {
         let most = (self.bytes.len() - self.at) / 2 + 1;
         ensure!(count <= most as u64, "{place}: the file ends before the {count} entries announced here");
         Ok(count as usize)
@@ -132,9 +160,4 @@ impl<'a> Stream<'a> {
             _ => format!("byte {}", self.at),
         }
     }
-}
-
-/// The start of a text that may be long.
-pub(super) fn shortened(text: &str) -> String {
-    if text.chars().count() <= 40 { text.into() } else { text.chars().take(40).chain("…".chars()).collect() }
 }
