@@ -9,15 +9,16 @@ use fmc_contact::{EnergyLaw, Obstacle, Options, PartitionedContact, Pose, Shape,
 use fmc_shapes::{ball_tet4, disc_tri3, rectangle_quad4};
 use std::sync::Arc;
 
-/// A distance that a host gives: of a bar.
+/// A distance that a host gives: of a bar with waves, nowhere larger than the distance.
 #[derive(Debug)]
 struct Bar;
 
 impl SignedDistance<2> for Bar {
     fn evaluate(&self, x: &[[f64; 2]], phi: &mut [f64], gradient: &mut [[f64; 2]]) -> Result<(), usize> {
         for ((x, phi), gradient) in x.iter().zip(phi).zip(gradient) {
-            *phi = x[1] + 0.1 * (3.0 * x[0]).sin();
-            *gradient = [0.3 * (3.0 * x[0]).cos(), 1.0];
+            let steepest = 0.3f64.hypot(1.0);
+            *phi = (x[1] + 0.1 * (3.0 * x[0]).sin()) / steepest;
+            *gradient = [0.3 * (3.0 * x[0]).cos() / steepest, 1.0 / steepest];
         }
         Ok(())
     }

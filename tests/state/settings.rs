@@ -215,7 +215,12 @@ fn of_mesh(scene: &Scene<2>) -> Vec<Setting> {
             ],
             &[],
         ),
-        new("nodes of symmetry", move |c| c.set_symmetry_nodes(&left), vec![call(|c| c.set_symmetry_nodes(&[]))], &[]),
+        new(
+            "nodes of symmetry",
+            move |c| c.set_symmetry_nodes(&left),
+            vec![call(|c| c.set_symmetry_nodes(&[]))],
+            &["planes of symmetry"],
+        ),
         new(
             "planes of symmetry",
             |c| c.set_symmetry_planes(&[[[0.0; 2], [1.0, 0.0]]]),

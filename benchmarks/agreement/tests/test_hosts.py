@@ -12,6 +12,10 @@ from fmc_agreement.runs import Case, label
 if "FMC" not in os.environ:
     pytest.skip("the environment variable FMC does not name the command fmc", allow_module_level=True)
 
+NARROW = "bodies.upper.mesh.max=[0.9, 1.0]"
+"""The upper block ends before the lower one. Where their walls are flush, rounding says whether the end of one lies in the other: the
+lines of the law "fiber" turn by the penetration over the width, and two equilibria stand on their own lines, 2e-5 apart."""
+
 COARSE = "bodies.disc.mesh.finest=0.1134"
 EVERY = (("skfem", 1), ("getfem", 1), ("dolfinx", 1), ("dolfinx", 3), ("petsc", 1), ("petsc", 2))
 SHORT = [
@@ -58,7 +62,7 @@ def test_hosts_agree_node_by_node(tmp_path, case):
 SECOND_ORDER = [
     Case("hertz", "tri6", (COARSE,)),
     Case("hertz", "depth-quad9", ("bodies.disc.mesh.finest=0.2",)),
-    Case("patch2d", "tri6-quad9"),
+    Case("patch2d", "tri6-quad9", (NARROW,)),
     Case("patch3d", "tet10"),
     Case("hertz3d", "tet10", ("bodies.ball.mesh.edges=3", "bodies.ball.mesh.finest=5e-3")),
 ]

@@ -535,7 +535,8 @@ pub struct fmc_nodal_contact {
     pub friction: *mut f64,
     pub sliding: *mut f64,
     pub status: *mut i32,
-    pub reserved: [u64; 9],
+    pub local_pressure: *mut f64,
+    pub reserved: [u64; 8],
 }
 
 #[repr(C)]
@@ -687,12 +688,7 @@ unsafe extern "C" {
     pub fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status;
     pub fn fmc_context_counts(context: *const fmc_context, node_count: *mut usize, facet_count: *mut usize, body_count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
-    pub fn fmc_context_set_symmetry_planes(
-        context: *mut fmc_context,
-        points: *const f64,
-        normals: *const f64,
-        count: usize,
-    ) -> fmc_status;
+    pub fn fmc_context_set_symmetry_planes(context: *mut fmc_context, points: *const f64, normals: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const c_void, count: usize) -> fmc_status;
     pub fn fmc_csr_init(matrix: *mut fmc_csr) -> fmc_status;
     pub fn fmc_context_set_basis(context: *mut fmc_context, weights: *const fmc_csr, unknown_count: usize) -> fmc_status;

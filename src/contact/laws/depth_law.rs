@@ -41,7 +41,7 @@ impl DepthLaw {
         depth.for_each_share(pair, |node, area, penetration| {
             sums.push(NodalSum { node, area, pressure: self.stiffness * penetration, penetration });
         });
-        NodalSums { sums, largest_pressure: self.stiffness * depth.overlap.penetration.max(0.0) }
+        NodalSums { sums, largest_pressure: self.stiffness * depth.overlap.penetration.max(0.0), is_exact: true }
     }
 }
 

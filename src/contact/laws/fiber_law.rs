@@ -44,7 +44,9 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         Ok(Some(Answer {
             energy: asked.energy.then(|| self.energy_of(&points, measured)).transpose()?,
             tangent: (asked.tangent).map(|part| Tangent::of_points(&points, pair, law, part, measured.obstacle_node())),
-            nodal_sums: asked.nodal_sums.then(|| points.nodal_sums(pair, &pressure)),
+            nodal_sums: asked
+                .nodal_sums
+                .then(|| points.nodal_sums(pair, &pressure, measured.estimator.lines_for(pair).is_none())),
             points: if asked.points || asked.slides {
                 of_contact_points(&points, pair, pressure, |penetration| law.energy_hessian(penetration))
             } else {

@@ -39,8 +39,8 @@ pub struct NodalContact<const D: usize> {
     /// area of contact. Never positive: distances of what is apart are not measured.
     pub gap: Vec<f64>,
     /// Area (2D: length) on which the pressure acts: ∫ N dA over the part of the facets in contact, N being the node's shape
-    /// function. Never larger than ∫ N dA over all of the node's facets; not so small that the pressure would be larger than that
-    /// of the law anywhere.
+    /// function. Never larger than ∫ N dA over all of the node's facets, but for the error of counting by lines; not so small that the
+    /// pressure would be larger than that of the law anywhere.
     pub area: Vec<f64>,
     /// Unit normal, outwards of the node's body, against the nodal force.
     pub normal: Vec<[f64; D]>,
@@ -57,16 +57,17 @@ pub struct NodalContact<const D: usize> {
 #[derive(Clone, Copy)]
 struct NodeTotals<const D: usize> {
     force: Vector<D>,
-    /// ∫ N dA over all of the node's facets, and over what touches of them.
+    /// ∫ N dA over all of the node's facets.
     share: f64,
+    /// The same over what touches of them.
     area: f64,
     pressure: f64,
     penetration: f64,
     /// The largest pressure of the pairs that press the node.
     largest: f64,
     touches: bool,
-    /// Whether the areas are those of facets, not of forces by the pressure of a pair.
-    is_measured: bool,
+    /// Whether some areas were not measured exactly, but counted by lines or found from the pressure of a pair.
+    is_counted: bool,
     /// ∫ N q dA, and the areas over which friction acts and slides.
     friction: Vector<D>,
     rubbed: f64,
@@ -102,6 +103,7 @@ impl<const D: usize> NodalContact<D> {
                 let size = gradient.norm();
                 if size > 0.0 {
                     sum.largest = sum.largest.max(largest);
+                    sum.is_counted |= sums.as_ref().is_none_or(|sums| !sums.is_exact);
                 }
                 if size > 0.0 && sums.is_none() && energy.pressure > 0.0 {
                     let area = size / energy.pressure;
@@ -111,7 +113,6 @@ impl<const D: usize> NodalContact<D> {
             for found in sums.iter().flat_map(|sums| &sums.sums) {
                 let sum = &mut nodes[found.node as usize];
                 sum.add(found.area, found.pressure, found.penetration);
-                sum.is_measured = true;
             }
             for found in friction {
                 nodes[found.node as usize].add_friction(found);
@@ -151,7 +152,7 @@ impl<const D: usize> NodeTotals<D> {
             share,
             largest: 0.0,
             touches: false,
-            is_measured: false,
+            is_counted: false,
             friction,
             rubbed: 0.0,
             sliding: 0.0,
@@ -187,7 +188,7 @@ impl<const D: usize> NodeTotals<D> {
         let force = self.force.norm();
         let least = quotient(force, self.largest);
         match force > 0.0 {
-            true if self.share > 0.0 && self.is_measured => self.area.max(least).min(self.share),
+            true if self.share > 0.0 && !self.is_counted => self.area.max(least).min(self.share),
             true => self.area.max(least),
             false => self.area.clamp(0.0, self.share.max(0.0)),
         }

@@ -22,12 +22,19 @@ pub(crate) struct NodalSums {
     pub(crate) sums: Vec<NodalSum>,
     /// The largest pressure of the law anywhere: no mean of it is larger.
     pub(crate) largest_pressure: f64,
+    /// Whether areas are exact, and not counted by lines.
+    pub(crate) is_exact: bool,
 }
 
 impl<const D: usize> ContactPoints<D> {
     /// The sums of all nodes that have contact points around them, ascending; `pressure` is a function of the
     /// penetration.
-    pub(crate) fn nodal_sums(&self, pair: &Pair<D>, pressure: &(dyn Fn(f64) -> f64 + Sync)) -> NodalSums {
+    pub(crate) fn nodal_sums(
+        &self,
+        pair: &Pair<D>,
+        pressure: &(dyn Fn(f64) -> f64 + Sync),
+        is_exact: bool,
+    ) -> NodalSums {
         let of = |slope: &(dyn Fn(f64) -> f64 + Sync)| facet_sums(pair, &self.patches.directions, &self.points, slope);
         let (pressures, penetrations) = pair.both(|| of(pressure), || of(&|length| length));
         let mut sums = Vec::new();
@@ -56,6 +63,6 @@ impl<const D: usize> ContactPoints<D> {
             same
         });
         let largest_pressure = self.points.iter().map(|point| pressure(point.length)).fold(0.0, f64::max);
-        NodalSums { sums, largest_pressure }
+        NodalSums { sums, largest_pressure, is_exact }
     }
 }
