@@ -94,7 +94,11 @@ fn on_a_flat<const D: usize>(lower: &Mesh<D>, upper: &Mesh<D>) {
             let is_inner = (0..D - 1).all(|i| (0.3..0.7).contains(&x[i])) && x[D - 1] < -0.5 * depth;
             if is_inner {
                 count += 1;
-                assert!((field.pressure[node] / pressure - 1.0).abs() < 1e-9, "{options:?}: {}", field.pressure[node]);
+                let found =
+                    [field.local_pressure[node], field.pressure[node]].map(|found| (found / pressure - 1.0).abs());
+                // The force of the law "depth" depends on the cells below too, by its error of the patch test.
+                let of_force = if is_depth(&options.law) { 1e-3 } else { 1e-9 };
+                assert!(found[0] < 1e-9 && found[1] < of_force, "{options:?}: {found:?}");
                 let off = (field.gap[node] + depth).abs() / depth;
                 // The mean over a pair knows walls too, and lines.
                 let is_of_pair = matches!(options.law, EnergyLaw::Volume { .. });

@@ -3,7 +3,7 @@
 use super::assembly::Assembly;
 use super::host::Host;
 use super::trouble::Trouble;
-use super::unknowns::{dot, largest};
+use super::unknowns::{Unknowns, dot, largest};
 use crate::geometry::Vector;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
@@ -61,6 +61,14 @@ impl Motions {
     pub(super) fn magnitudes(&self, v: &[f64]) -> DVector<f64> {
         let of = |field: &Vec<f64>| field.iter().zip(v).map(|(a, b)| (a * b).abs()).sum::<f64>();
         DVector::from_iterator(self.count(), self.fields.iter().map(of))
+    }
+
+    /// Σ |Φ| |v| over the rows of coordinates, whichever way they look.
+    pub(super) fn whole_magnitudes<const D: usize>(&self, unknowns: &Unknowns<D>, v: &[f64]) -> DVector<f64> {
+        let norms =
+            |v: &[f64]| unknowns.spread(v).into_iter().map(|row| Vector::from(row).norm()).collect::<Vec<f64>>();
+        let v = norms(v);
+        DVector::from_iterator(self.count(), self.fields.iter().map(|field| dot(&norms(field), &v)))
     }
 
     /// Those of all bodies, at a state whose matrix the host has.

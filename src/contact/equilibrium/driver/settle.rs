@@ -39,8 +39,8 @@ const FARTHEST: f64 = 10.0;
 /// comes out of another turns by what is mixed into its way, the more the farther it goes.
 const APART: f64 = 1e-12;
 
-/// Part of the magnitudes of the forces below which a resultant is rounding: nothing drives a body along, and it stays where it is. The
-/// stiffness of what it slides past or comes out of would take it along by what its mesh lacks of symmetry.
+/// Part of the magnitudes of the forces, whichever way they look, below which a resultant is rounding: nothing drives a body along, and it
+/// stays where it is. The stiffness of what it slides past or comes out of would take it along by what its mesh lacks of symmetry.
 const UNDRIVEN: f64 = 1e-9;
 
 /// Part of the stiffness of a pair with which bodies that are about to touch stick.
@@ -112,7 +112,7 @@ async fn attempt<const D: usize>(
     let by_bodies = if is_counted { 0 } else { BY_BODY * assembly.rows.len() };
     for steps in 0..MOST.max(by_bodies) {
         let mut state = State::at(host, x.clone(), false).await?;
-        let (mut load, mut parts) = resultants(motions, &state);
+        let (mut load, mut parts) = resultants(host, motions, &state);
         worst = parts.iter().copied().fold(0.0, f64::max);
         if worst <= LEFT {
             return Ok(Settled { x, steps, is_anew });
@@ -124,7 +124,7 @@ async fn attempt<const D: usize>(
             host.contact(move |contact| contact.begin_step(&coords)).await?;
             is_anew = true;
             state = state.again(host).await?;
-            (load, parts) = resultants(motions, &state);
+            (load, parts) = resultants(host, motions, &state);
         }
         if largest(&moved(&x, -1.0, start)) > FARTHEST * assembly.size {
             let text = format!("nothing stops it within {FARTHEST} sizes of the assembly");
@@ -137,7 +137,7 @@ async fn attempt<const D: usize>(
             &motions.stiffness + tangent_on(host, motions, &x).await? + (0.5 * caution * load.amax() / length) * way;
         let close = has_friction.then_some(1e-3 * length);
         let quadratic = energy(motions, near.as_ref(), (load, stiffness), close, 1e-12 * assembly.size);
-        let driven: Vec<usize> = (0..motions.count()).filter(|&k| parts[k] > UNDRIVEN).collect();
+        let driven: Vec<usize> = (0..motions.count()).filter(|&k| parts[k] > 0.0).collect();
         let step = motions.combined(&quadratic.least_along(&driven));
         let most = largest(&step);
         if most == 0.0 || !most.is_finite() {
@@ -162,11 +162,14 @@ async fn attempt<const D: usize>(
     Err(lost(host, assembly, &trail, &text))
 }
 
-/// Resultants of the residual on every motion, and their parts of the magnitudes of the forces.
-fn resultants<const D: usize>(motions: &Motions, state: &State<D>) -> (DVector<f64>, DVector<f64>) {
+/// Resultants of the residual on every motion, and their parts of the magnitudes of the forces that way; 0 of what is rounding.
+fn resultants<const D: usize>(host: &Host<D>, motions: &Motions, state: &State<D>) -> (DVector<f64>, DVector<f64>) {
     let load = -motions.along(&state.residual);
     let all = motions.magnitudes(&state.inside) + motions.magnitudes(&state.forces);
-    let parts = load.zip_map(&all, |load, all| if all > 0.0 { load.abs() / all } else { 0.0 });
+    let whole = |v: &[f64]| motions.whole_magnitudes(&host.unknowns, v);
+    let rounded = UNDRIVEN * (whole(&state.inside) + whole(&state.forces));
+    let part = |load: f64, all: f64, rounded: f64| if load.abs() > rounded { load.abs() / all } else { 0.0 };
+    let parts = load.zip_zip_map(&all, &rounded, part);
     (load, parts)
 }
 
