@@ -83,11 +83,15 @@ impl<const D: usize> Mesh<D> {
 
     pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         self.surface.refuse_submesh("reference coordinates of a part of a mesh by itself")?;
-        self.surface.set_reference(coords)?;
+        let before = self.surface.set_reference(coords)?;
+        if let Err(error) = self.find_symmetry() {
+            self.surface.restore_reference(before);
+            return Err(error);
+        }
         self.hashes.depths[0] = hash_of(self.surface.reference());
         self.forget_depth();
         self.coinciding = OnceLock::new();
-        self.find_symmetry()
+        Ok(())
     }
 
     pub(crate) fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Error> {

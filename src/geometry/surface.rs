@@ -220,12 +220,12 @@ impl<const D: usize> Surface<D> {
         nodes.into_iter().take(vertices.len()).map(move |node| (node, weight))
     }
 
-    /// Sets them.
+    /// Sets them; returns the points of those before.
     ///
     /// # Errors
     /// [`Error::Unsupported`] for a surface without cells, [`Error::Length`], [`Error::NonFiniteCoordinate`],
     /// [`Error::InvertedCell`], [`Error::ZeroMeasure`].
-    pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
+    pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<Vec<[f64; D]>, Error> {
         let Some(cells) = &self.cells else {
             return Err(Error::Unsupported { what: "reference coordinates of a surface without cells" });
         };
@@ -233,8 +233,12 @@ impl<const D: usize> Surface<D> {
         self.check_coords(&points, true)?;
         self.check_curved(&points)?;
         cells.check_range(0..cells.len(), &points).map_err(|error| self.in_host_numbers(error))?;
-        self.reference = points.into_owned();
-        Ok(())
+        Ok(std::mem::replace(&mut self.reference, points.into_owned()))
+    }
+
+    /// Takes points that it had before.
+    pub(crate) fn restore_reference(&mut self, points: Vec<[f64; D]>) {
+        self.reference = points;
     }
 
     /// Positions of the vertices at `coords`.

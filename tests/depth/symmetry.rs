@@ -2,7 +2,7 @@
 
 use crate::depth;
 use crate::scene::Scene;
-use fmc_contact::{Contact, Warning};
+use fmc_contact::{Contact, Error, Warning};
 use fmc_shapes::{Mesh, cuboid_hex8, cuboid_tet4, cuboid_wedge6, rectangle_quad4};
 
 const DELTA: f64 = 1e-3;
@@ -119,4 +119,23 @@ fn what_is_named_by_mistake_is_told() {
     };
     assert!(!is_told([[0.0; 2], [-3.0, 0.0]]));
     assert!(is_told([[0.5, 0.0], [0.0, 1.0]]));
+}
+
+/// Without deformation a body shrinks into planes that bound it: nothing would be left of its surface.
+#[test]
+fn coordinates_that_leave_no_surface_are_refused_and_change_nothing() {
+    let lower = rectangle_quad4([0.0, -1.0], [2.0, 0.0], [4, 2]);
+    let upper = rectangle_quad4([0.0, -DELTA], [2.0, 2.0], [3, 3]);
+    let scene = Scene::of(&[&lower, &upper]);
+    let bounds = [[[0.0; 2], [1.0, 0.0]], [[1.0; 2], [1.0, 0.0]], [[0.0; 2], [0.0, 1.0]], [[1.0; 2], [0.0, 1.0]]];
+    let mut contact = scene.contact(depth(1.0));
+    contact.set_symmetry_planes(&bounds).expect("bodies with a surface");
+    let before = contact.evaluate(&scene.coords).expect("valid coordinates");
+    let of_upper = scene.nodes_of(1);
+    let mut shrunk = scene.coords.clone();
+    of_upper.for_each(|node| shrunk[node] = [0.5 * shrunk[node][0], (shrunk[node][1] + DELTA) / (2.0 + DELTA)]);
+    assert!(matches!(contact.set_reference(&shrunk), Err(Error::Unsupported { .. })));
+    assert_eq!(contact.evaluate(&scene.coords).expect("valid coordinates"), before);
+    contact.set_reference(&scene.coords).expect("the coordinates before");
+    assert_eq!(contact.evaluate(&scene.coords).expect("valid coordinates"), before);
 }
