@@ -33,9 +33,12 @@ struct Ball<const D: usize> {
     radius: f64,
 }
 
+/// Whether a body goes on behind a facet with these nodes.
+pub(super) type GoesOn<'a> = &'a dyn Fn(&[u32]) -> bool;
+
 impl<const D: usize> Anchors<D> {
     /// Of the own facets, but for those behind which the body goes on: they lie in planes of symmetry, or on an axis.
-    pub(super) fn new(own: &OwnMesh<D>, goes_on: Option<&dyn Fn(&[u32]) -> bool>) -> Self {
+    pub(super) fn new(own: &OwnMesh<D>, goes_on: Option<GoesOn>) -> Self {
         let mut bodies: Vec<BodyFacets<D>> = own.body_ids.iter().map(|_| BodyFacets::default()).collect();
         for surface in own.surface.iter() {
             let points = surface.points(surface.reference());

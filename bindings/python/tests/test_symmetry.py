@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-
 from fmc_contact import Contact
 from fmc_contact.errors import NotPositiveError
 

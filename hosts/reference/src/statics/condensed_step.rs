@@ -6,6 +6,7 @@ use fmc_contact::contact::TangentPart;
 use fmc_contact::contact::equilibrium::{Answer, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState};
 use fmc_contact::sparse::Lower;
 use fmc_contact::{Contact, Error};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Times that contact may spread over more equations than are kept in one step.
@@ -80,7 +81,7 @@ impl<const D: usize> Equilibrium<D> {
         Ok(self.matrices.condensed.keep(equations.collect::<Vec<_>>()))
     }
 
-    /// Keeps what may come to touch when what is prescribed moves: nodes that are nearer to a partner than anything moves.
+    /// Keeps what may come to touch when what is prescribed moves: nodes that are nearer to a partner than anything moves, the nearest first.
     fn expect(&mut self, x: &[f64], moved: &[f64]) {
         let squares = moved.chunks_exact(D).map(|by| by.iter().map(|d| d * d).sum::<f64>());
         let way = squares.fold(0.0, f64::max).sqrt();
@@ -88,13 +89,19 @@ impl<const D: usize> Equilibrium<D> {
             return;
         }
         let Ok(gaps) = self.contact.gap_constraints(&self.placed(&by_nodes(x)), way) else { return };
-        let rows = (0..gaps.gaps.len()).filter(|&row| gaps.gaps[row] < way * gaps.areas[row]);
-        let nodes = rows.flat_map(|row| &gaps.columns[gaps.row_starts[row]..gaps.row_starts[row + 1]]);
-        let freedoms = nodes.flat_map(|&node| (0..D).map(move |axis| node as usize * D + axis));
-        let found: Vec<usize> = freedoms.filter_map(|freedom| self.matrices.equations.of(freedom)).collect();
-        if found.len() <= MOST_EXPECTED {
-            self.matrices.condensed.keep(found);
+        let mean = |row: usize| gaps.gaps[row] / gaps.areas[row];
+        let mut rows: Vec<usize> = (0..gaps.gaps.len()).filter(|&row| gaps.gaps[row] < way * gaps.areas[row]).collect();
+        rows.sort_by(|&p, &q| mean(p).total_cmp(&mean(q)).then(p.cmp(&q)));
+        let mut found = BTreeSet::new();
+        for row in rows {
+            let nodes = &gaps.columns[gaps.row_starts[row]..gaps.row_starts[row + 1]];
+            let freedoms = nodes.iter().flat_map(|&node| (0..D).map(move |axis| node as usize * D + axis));
+            found.extend(freedoms.filter_map(|freedom| self.matrices.equations.of(freedom)));
+            if found.len() >= MOST_EXPECTED {
+                break;
+            }
         }
+        self.matrices.condensed.keep(found);
     }
 
     /// The step with the equations that are kept now.
