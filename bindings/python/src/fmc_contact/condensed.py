@@ -49,12 +49,13 @@ class Unknowns:
         """Coordinates that the contact is shown."""
         return x.reshape(-1, self.inner.dim) if self.contact is self.inner else self.contact.coords(x)
 
-    def near(self, x: np.ndarray, reach: float) -> np.ndarray:
-        """Degrees of freedom of the contact that move nodes whose mean gap is less than a reach, and what they are near."""
+    def near(self, x: np.ndarray, reach: float) -> list[np.ndarray]:
+        """Degrees of freedom of the contact that move nodes whose mean gap is less than a reach, and what they are near: node by node,
+        the nearest first."""
         gaps = self.inner.gap_constraints(self.coords(x), reach)
         (rows,) = np.nonzero(gaps.gap < reach * gaps.area)
-        entries = [np.arange(gaps.indptr[row], gaps.indptr[row + 1]) for row in rows]
-        return np.unique(gaps.indices[np.concatenate(entries)]) if entries else np.empty(0, np.int64)
+        rows = rows[np.argsort(gaps.gap[rows] / gaps.area[rows], kind="stable")]
+        return [gaps.indices[gaps.indptr[row] : gaps.indptr[row + 1]] for row in rows]
 
     def touching(self, x: np.ndarray) -> np.ndarray:
         """Degrees of freedom of the contact in the pattern of its tangent."""
@@ -113,16 +114,20 @@ class Condensed:
 
     def expect(self, x: np.ndarray, moved: np.ndarray) -> None:
         """Where nothing touches yet, adds those that may when what is prescribed is moved: nodes that are nearer to a partner than
-        anything moves. Factors without them would serve for one step."""
+        anything moves, the nearest first. Factors without them would serve for one step."""
         if len(self.dofs) or not moved.any():
             return
         way = np.linalg.norm(moved[self.unknowns.of_freedom].reshape(-1, self.unknowns.inner.dim), axis=1).max()
         try:
-            found = self.unknowns.near(x, float(way))
+            near = self.unknowns.near(x, float(way))
         except FmcError:
             return
-        if len(found) <= MOST_EXPECTED:
-            self._add(found)
+        found: set[int] = set()
+        for freedoms in near:
+            found.update(freedoms[self.free[self.unknowns.of_freedom[freedoms]]].tolist())
+            if len(found) >= MOST_EXPECTED:
+                break
+        self._add(np.array(sorted(found), np.int64))
 
     def _add(self, found: np.ndarray) -> bool:
         found = found[self.free[self.unknowns.of_freedom[found]]]
