@@ -111,8 +111,7 @@ impl<const D: usize> NodalContact<D> {
                 }
             }
             for found in sums.iter().flat_map(|sums| &sums.sums) {
-                let sum = &mut nodes[found.node as usize];
-                sum.add(found.area, found.pressure, found.penetration);
+                nodes[found.node as usize].add(found.area, found.pressure, found.penetration);
             }
             for found in friction {
                 nodes[found.node as usize].add_friction(found);

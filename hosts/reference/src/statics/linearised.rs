@@ -78,14 +78,15 @@ impl Linearised {
         point.weights[0] * u[point.nodes[0]][1] + point.weights[1] * u[point.nodes[1]][1] - point.gap
     }
 
+    /// The points that press at a displacement, and how deep each is.
+    fn pressed<const D: usize>(&self, u: &[[f64; D]]) -> impl Iterator<Item = (&Point, f64)> {
+        self.points.iter().map(|point| (point, Self::length(point, u))).filter(|(_, length)| *length > 0.0)
+    }
+
     /// Adds energy and forces at a displacement.
     pub(super) fn add_to<const D: usize>(&self, touch: &mut ContactForces<D>, law: &EnergyLaw, u: &[[f64; D]]) {
         let mut touched = None;
-        for point in &self.points {
-            let length = Self::length(point, u);
-            if length <= 0.0 {
-                continue;
-            }
+        for (point, length) in self.pressed(u) {
             touch.energy += point.measure * law.energy(length);
             touch.penetration = touch.penetration.max(length);
             touch.contact_area += point.measure;
@@ -101,13 +102,10 @@ impl Linearised {
     /// Adds the forces against which bodies press to theirs, at a displacement; the energy.
     pub(super) fn add_forces<const D: usize>(&self, forces: &mut [[f64; D]], law: &EnergyLaw, u: &[[f64; D]]) -> f64 {
         let mut energy = 0.0;
-        for point in &self.points {
-            let length = Self::length(point, u);
-            if length > 0.0 {
-                energy += point.measure * law.energy(length);
-                let force = point.measure * law.energy_gradient(length);
-                point.nodes.iter().zip(point.weights).for_each(|(node, weight)| forces[*node][1] += weight * force);
-            }
+        for (point, length) in self.pressed(u) {
+            energy += point.measure * law.energy(length);
+            let force = point.measure * law.energy_gradient(length);
+            point.nodes.iter().zip(point.weights).for_each(|(node, weight)| forces[*node][1] += weight * force);
         }
         energy
     }
@@ -118,8 +116,8 @@ impl Linearised {
         law: &'a EnergyLaw,
         u: &'a [[f64; D]],
     ) -> impl Iterator<Item = (usize, usize, f64)> + 'a {
-        self.points.iter().filter(|point| Self::length(point, u) > 0.0).flat_map(move |point| {
-            let stiffness = point.measure * law.energy_hessian(Self::length(point, u));
+        self.pressed(u).flat_map(move |(point, length)| {
+            let stiffness = point.measure * law.energy_hessian(length);
             (0..4).map(move |k| {
                 let (a, b) = (k / 2, k % 2);
                 let value = stiffness * point.weights[a] * point.weights[b];

@@ -23,6 +23,8 @@ const DEPENDENT: f64 = 1e-12;
 /// Motions that are not held, each scaled to a largest entry of 1.
 pub(super) struct Motions {
     pub(super) fields: Vec<Vec<f64>>,
+    /// Their sizes, by row of coordinates.
+    sizes: Vec<Vec<f64>>,
     /// Φᵀ K Φ.
     pub(super) stiffness: DMatrix<f64>,
     /// The diagonal of K.
@@ -65,10 +67,8 @@ impl Motions {
 
     /// Σ |Φ| |v| over the rows of coordinates, whichever way they look.
     pub(super) fn whole_magnitudes<const D: usize>(&self, unknowns: &Unknowns<D>, v: &[f64]) -> DVector<f64> {
-        let norms =
-            |v: &[f64]| unknowns.spread(v).into_iter().map(|row| Vector::from(row).norm()).collect::<Vec<f64>>();
-        let v = norms(v);
-        DVector::from_iterator(self.count(), self.fields.iter().map(|field| dot(&norms(field), &v)))
+        let v = row_sizes(unknowns, v);
+        DVector::from_iterator(self.count(), self.sizes.iter().map(|sizes| dot(sizes, &v)))
     }
 
     /// Those of all bodies, at a state whose matrix the host has.
@@ -106,7 +106,8 @@ impl Motions {
         }
         let stiffness = combinations.transpose() * &stiffness * &combinations;
         let alone = found.iter().map(|field| weighted(field, field)).collect();
-        Ok(Self { fields: found, stiffness, weights: diagonal, diagonal: alone, are_free })
+        let sizes = found.iter().map(|field| row_sizes(&host.unknowns, field)).collect();
+        Ok(Self { fields: found, sizes, stiffness, weights: diagonal, diagonal: alone, are_free })
     }
 
     /// How far bodies go by these motions, by mean, and how much they turn, as quadratic forms.
@@ -133,6 +134,11 @@ impl Motions {
         }
         (mean, rest)
     }
+}
+
+/// Length of every row of coordinates.
+fn row_sizes<const D: usize>(unknowns: &Unknowns<D>, v: &[f64]) -> Vec<f64> {
+    unknowns.spread(v).into_iter().map(|row| Vector::from(row).norm()).collect()
 }
 
 /// Combinations of motions that are not held, or hardly, and whether nothing at all holds some of them. A translation or rotation that nothing

@@ -151,11 +151,9 @@ async fn is_in_order<const D: usize>(search: &mut Search<D>, x: &[f64]) -> Resul
         Err(Trouble::Contact(_) | Trouble::Host(_)) => return Ok(false),
         Err(other) => return Err(other),
     };
-    let free = &search.host.unknowns.free;
-    let norm =
-        |forces: &[f64]| forces.iter().zip(free).filter(|(_, free)| **free).map(|(f, _)| f * f).sum::<f64>().sqrt();
+    let norm = |forces: &[f64]| search.host.unknowns.free_norm(forces);
     let forces = norm(&end.inside).max(norm(&end.forces));
-    Ok(norm(&end.residual) <= IN_ORDER * forces && end.contact.penetration <= search.assembly.finest())
+    Ok(end.norm(&search.host) <= IN_ORDER * forces && end.contact.penetration <= search.assembly.finest())
 }
 
 /// The step that the tangent gives.
