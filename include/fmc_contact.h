@@ -946,6 +946,9 @@ typedef enum {
   // With the law "depth", a signed distance grows more slowly at its surface than a distance; the text gives the slopes.
   // Penetrations, and with them pressures, are too small by that factor.
   FMC_WARNING_GENTLE_DISTANCE = 8,
+  // With the law "depth", the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate;
+  // the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors: take a finer mesh.
+  FMC_WARNING_CURVED_FACES = 9,
 } fmc_warning;
 
 // Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,

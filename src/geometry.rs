@@ -31,6 +31,7 @@ pub(crate) mod shapes;
 pub(crate) mod simplex;
 pub(crate) mod simplex_rule;
 pub(crate) mod submesh;
+mod sags;
 mod surface;
 mod surface_division;
 mod surface_of_facets;

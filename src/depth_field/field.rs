@@ -31,6 +31,8 @@ pub(crate) struct DepthField<const D: usize> {
     connected: Vec<bool>,
     /// Whether it was said which faces are no surface.
     is_surface_told: bool,
+    /// How far the round surface that a facet stands for lies beside it, by facet.
+    sags: Vec<f64>,
 }
 
 /// In the order of their numbers.
@@ -83,7 +85,8 @@ impl<const D: usize> DepthField<D> {
         let division_of = division_of.collect();
         let connected = connected_bodies(cells, surface.body_count());
         let is_surface_told = symmetry.is_some();
-        Some(Self { nodes, anchors, divisions, division_of, connected, is_surface_told })
+        let sags = surface.sags(facet_is_surface);
+        Some(Self { nodes, anchors, divisions, division_of, connected, is_surface_told, sags })
     }
 
     /// The point of the surface that is nearest to a node below it without deformation, as nodes and their weights; `None`
@@ -110,6 +113,11 @@ impl<const D: usize> DepthField<D> {
     /// Whether it was said which faces are no surface.
     pub(crate) fn is_surface_told(&self) -> bool {
         self.is_surface_told
+    }
+
+    /// How far the round surface that a facet stands for lies beside it, by facet of all bodies.
+    pub(crate) fn sags(&self) -> &[f64] {
+        &self.sags
     }
 
     /// Whether a body's cells hang together by faces.

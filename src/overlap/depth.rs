@@ -7,10 +7,11 @@
 //! The first integral is over the facets of A inside the pieces of B on which g_B is linear; the second, and J_B itself,
 //! need the first two moments of A in every such piece.
 //!
-//! `measure` (of a pair) · `integral` (what a law is handed) · `points` (where it presses) · `facet_sums` (over facets) · `simplex_parts` ·
+//! `measure` (of a pair) · `integral` (what a law is handed) · `points` (where it presses) · `facet_sums` (over facets) · `curved_faces` (a warning) · `simplex_parts` ·
 //! `bodies` (two of cells, or one with itself) · `obstacles` (a rigid partner)
 
 mod bodies;
+mod curved_faces;
 pub(crate) mod facet_sums;
 pub(crate) mod integral;
 pub(crate) mod measure;

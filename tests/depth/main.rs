@@ -6,6 +6,7 @@ mod scene;
 mod clearance;
 mod coarse;
 mod corners;
+mod curved;
 mod derivatives;
 mod far;
 mod fields;

@@ -160,6 +160,9 @@ pub enum fmc_warning {
     /// With the law "depth", a signed distance grows more slowly at its surface than a distance; the text gives the slopes.
     /// Penetrations, and with them pressures, are too small by that factor.
     FMC_WARNING_GENTLE_DISTANCE = 8,
+    /// With the law "depth", the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate;
+    /// the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors: take a finer mesh.
+    FMC_WARNING_CURVED_FACES = 9,
 }
 
 fn warning_code(warning: &Warning) -> i32 {
@@ -171,6 +174,7 @@ fn warning_code(warning: &Warning) -> i32 {
         Warning::FlushFaces { .. } => fmc_warning::FMC_WARNING_FLUSH_FACES,
         Warning::CoincidingFaces { .. } => fmc_warning::FMC_WARNING_COINCIDING_FACES,
         Warning::GentleDistance { .. } => fmc_warning::FMC_WARNING_GENTLE_DISTANCE,
+        Warning::CurvedFaces { .. } => fmc_warning::FMC_WARNING_CURVED_FACES,
         Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
     };
     code as i32

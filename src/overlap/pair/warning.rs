@@ -84,6 +84,19 @@ pub enum Warning {
         /// The least and the largest slope that were found at its surface.
         slopes: [f64; 2],
     },
+    /// With the law `depth`, the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate.
+    /// Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors: take a finer mesh.
+    CurvedFaces {
+        /// First body of the pair.
+        a: Partner,
+        /// Second side of the pair.
+        b: Partner,
+        /// Distance of facets from the surface of the same normals at its nodes, without deformation: of both sides together, as a
+        /// mean over the area of contact.
+        sag: f64,
+        /// Mean penetration over that area.
+        penetration: f64,
+    },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
         /// The body inside.
@@ -145,6 +158,11 @@ impl fmt::Display for Warning {
                 f,
                 "the signed distance of {obstacle} changes by {least:.3} to {largest:.3} per length at its surface, not by 1: penetrations \
                  and pressures are too small by this factor; divide it by its slope"
+            ),
+            Warning::CurvedFaces { a, b, sag, penetration } => write!(
+                f,
+                "{a} and {b}: facets in contact lie {sag:.3e} beside the round surfaces that they stand for, and penetrate by {penetration:.3e} \
+                 only; pressures may be wrong by factors where the surfaces conform: take a finer mesh"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }

@@ -137,6 +137,7 @@ FMC_WARNING_UNBALANCED = 5
 FMC_WARNING_FLUSH_FACES = 6
 FMC_WARNING_COINCIDING_FACES = 7
 FMC_WARNING_GENTLE_DISTANCE = 8
+FMC_WARNING_CURVED_FACES = 9
 FMC_REQUEST_FORCES = 0
 FMC_REQUEST_PRODUCT = 1
 FMC_REQUEST_DIAGONAL = 2
@@ -285,6 +286,7 @@ FMC_WARNING: dict[int, str] = {
     6: "flush_faces",
     7: "coinciding_faces",
     8: "gentle_distance",
+    9: "curved_faces",
 }
 
 FMC_EQUILIBRIUM_REQUEST_KIND: dict[int, str] = {

@@ -132,7 +132,7 @@ class ContactWarning:
     ----------
     kind : str
         ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"``, ``"unbalanced"``,
-        ``"flush_faces"``, ``"coinciding_faces"`` or ``"gentle_distance"``.
+        ``"flush_faces"``, ``"coinciding_faces"``, ``"gentle_distance"`` or ``"curved_faces"``.
     text : str
         A sentence.
 

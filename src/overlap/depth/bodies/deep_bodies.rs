@@ -6,6 +6,7 @@ use crate::Error;
 use crate::depth_field::DepthField;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
+use crate::overlap::depth::curved_faces::curved_faces;
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
 use crate::overlap::pair::bounds::Bounds;
@@ -66,6 +67,7 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
             let (a, b) = (overlap.a, overlap.b);
             overlap.warnings.push(Warning::FlushFaces { a, b, area: sums.flush });
         }
+        overlap.warnings.extend(curved_faces(self.pair, &sums.facets));
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         let imbalance = self.imbalance(&of_b, &gradient);
         if self.field.is_surface_told() && imbalance > MISTAKEN {

@@ -18,6 +18,7 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::shapes::ImplicitShape;
 use crate::geometry::{Pose, Vector, moment};
+use crate::overlap::depth::curved_faces::curved_faces;
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};
 use crate::overlap::pair::body_facet::BodyFacet;
@@ -85,6 +86,7 @@ fn warnings<const D: usize>(
     if sums.piece_count == 0 && volume > SWALLOWED * within.extent().product() {
         warnings.push(Warning::SwallowedBody { inner: obstacle, outer: body });
     }
+    warnings.extend(curved_faces(pair, &sums.facets));
     if let Counterpart::Implicit(side) = &pair.counterpart
         && let ImplicitShape::Function(function) = side.shape
         && let Some(slopes) = slopes_at_surface(function.as_ref(), side, &pair.a.aabb)?
