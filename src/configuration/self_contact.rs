@@ -75,7 +75,9 @@ impl<const D: usize> FacetSide<'_, D> {
         if is_beside(x, of_f, y, of_g, &q.area, tolerance) || is_beside(y, of_g, x, of_f, &p.area, tolerance) {
             return false;
         }
-        let (Some(v), 1) = (shared().next(), shared().count()) else { return true };
+        let (Some(v), 1) = (shared().next(), shared().count()) else {
+            return shared().count() > 0 || !are_apart_across_edges(x, y, tolerance);
+        };
         let from = |of: &[u32; D], corners: &[Vector<D>; D]| -> Vec<Vector<D>> {
             let others = of.iter().zip(corners).filter(|(w, _)| *w != v);
             others.map(|(_, x)| x - self.points[*v as usize]).collect()
@@ -101,6 +103,23 @@ fn are_apart<const D: usize>(one: &[Vector<D>], other: &[Vector<D>], tolerance: 
         normal += units[behind];
     }
     false
+}
+
+/// Whether two facets are apart along a direction across an edge of either: with those of `is_beside` these are all directions in which
+/// triangles can be apart (the separating axis theorem; Gottschalk, Lin, Manocha 1996, section 5).
+fn are_apart_across_edges<const D: usize>(x: &[Vector<D>; D], y: &[Vector<D>; D], tolerance: f64) -> bool {
+    let edges =
+        |corners: &[Vector<D>; D]| -> [Vector<D>; D] { std::array::from_fn(|k| corners[(k + 1) % D] - corners[k]) };
+    let extent = |axis: &Vector<D>, corners: &[Vector<D>; D]| {
+        let heights = corners.each_ref().map(|corner| axis.dot(&(corner - x[0])));
+        [heights.into_iter().fold(f64::INFINITY, f64::min), heights.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+    };
+    let of_y = edges(y);
+    D == 3
+        && edges(x).iter().flat_map(|e| of_y.iter().map(move |f| cross(e, f))).any(|axis| {
+            let ([low_x, high_x], [low_y, high_y]) = (extent(&axis, x), extent(&axis, y));
+            (low_x - high_y).max(low_y - high_x) > tolerance * axis.norm()
+        })
 }
 
 /// Whether the corners `x` that are not shared lie on one side of the plane of `y`, or beside one of its edges, and

@@ -121,6 +121,15 @@ mod tests {
         assert_eq!(upright_and_crossing(&ball, &ball.facets(), &cap()), [true, false]);
     }
 
+    /// Facets of two faces that meet at an edge of a block along the axes have boxes that touch, and no plane of either between them.
+    #[test]
+    fn facets_about_the_edges_of_a_block_along_the_axes_do_not_cross() {
+        for cells in [[1, 1, 1], [3, 2, 4], [5, 6, 7]] {
+            let block = cuboid_surface([0.0; 3], [1.0, 0.8, 1.3], cells);
+            assert_eq!(upright_and_crossing(&block, &block.facets(), &everywhere(&block)), [true, false], "{cells:?}");
+        }
+    }
+
     #[test]
     fn inside_out_is_not_upright() {
         let ball = icosphere(1.0, 3);

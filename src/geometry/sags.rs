@@ -27,7 +27,8 @@ impl<const D: usize> Surface<D> {
             at_vertex[start..].iter().take_while(move |[of, _]| *of == vertex).map(|[_, facet]| *facet as usize)
         };
         let normal_at = |vertex: u32, own: &Vector<D>| {
-            let smooth = around(vertex).filter(|&facet| areas[facet].dot(own) > SMOOTH * areas[facet].norm() * own.norm());
+            let smooth =
+                around(vertex).filter(|&facet| areas[facet].dot(own) > SMOOTH * areas[facet].norm() * own.norm());
             let sum = smooth.fold(Vector::<D>::zeros(), |sum, facet| sum + areas[facet]);
             sum.try_normalize(0.0).unwrap_or_else(Vector::zeros)
         };
@@ -40,7 +41,8 @@ impl<const D: usize> Surface<D> {
             let rise = |k: usize| {
                 let [i, j] = [corners[k], corners[(k + 1) % corners.len()]];
                 let along = (points[j as usize] - points[i as usize]) * 0.25;
-                let [of_i, of_j] = [-along.dot(&normal_at(i, &areas[number])), along.dot(&normal_at(j, &areas[number]))];
+                let [of_i, of_j] =
+                    [-along.dot(&normal_at(i, &areas[number])), along.dot(&normal_at(j, &areas[number]))];
                 if of_i * of_j > 0.0 { of_i.abs().min(of_j.abs()) } else { 0.0 }
             };
             sags[number] = (0..corners.len()).map(rise).fold(0.0, f64::max);

@@ -20,7 +20,9 @@ fn sector<const D: usize>(mut mesh: Mesh<D>) -> Mesh<D> {
 
 fn told<const D: usize>(found: &ContactForces<D>) -> Option<[f64; 2]> {
     found.warnings.iter().find_map(|warning| match warning {
-        &Warning::CurvedFaces { a: Partner::Body(0), b: Partner::Body(1), sag, penetration } => Some([sag, penetration]),
+        &Warning::CurvedFaces { a: Partner::Body(0), b: Partner::Body(1), sag, penetration } => {
+            Some([sag, penetration])
+        }
         _ => None,
     })
 }
@@ -41,7 +43,9 @@ fn rings_with_an_interference() {
         assert_eq!(plane.is_some(), is_told, "{delta}: {plane:?}");
         let along = |from: f64, to: f64, cells| ([0.0, from, 0.0], [1.0, to, 0.2], cells);
         let [(a, b, n), (c, d, m)] = [along(0.6, 1.0 + delta, [8, 2, 1]), along(1.0, 1.4, [11, 2, 1])];
-        for [inner, outer] in [[cuboid_hex8(a, b, n), cuboid_hex8(c, d, m)], [cuboid_tet4(a, b, n), cuboid_tet4(c, d, m)]] {
+        for [inner, outer] in
+            [[cuboid_hex8(a, b, n), cuboid_hex8(c, d, m)], [cuboid_tet4(a, b, n), cuboid_tet4(c, d, m)]]
+        {
             let inner = sector(inner);
             let found = told(&Scene::of(&[&inner, &sector(outer)]).evaluate(depth(1.0)));
             assert_eq!(found.is_some(), is_told, "{delta}: {found:?}");
