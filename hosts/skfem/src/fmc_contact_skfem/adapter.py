@@ -73,6 +73,7 @@ class SkfemContact:
             raise ValueError("there is no basis")
         self._dofs = np.concatenate([one.dofs for one in fields])
         self._undeformed = np.concatenate([one.coords for one in fields])
+        self._fields = fields
         self._vertices: list[slice] = []
         blocks, first = [], 0
         for one in fields:
@@ -301,6 +302,31 @@ class SkfemContact:
         free = rows.col >= held
         entries = (rows.data[free], (rows.row[free], self._dofs.ravel()[rows.col[free] - held]))
         return found, csr_matrix(entries, (len(found), self.size))
+
+    def set_symmetry_boundaries(self, *names: str) -> None:
+        """Names the boundaries that lie in planes of symmetry. See ``Mesh.set_symmetry_nodes``.
+
+        Parameters
+        ----------
+        *names : str
+            Names of ``mesh.boundaries``, of the mesh of any basis. Without a name there is no plane of symmetry.
+
+        Raises
+        ------
+        ValueError
+            If no mesh has a boundary of such a name.
+
+        Examples
+        --------
+        >>> contact.set_symmetry_boundaries("left", "bottom")
+        """
+        known = {name for one in self._fields for name in one.basis.mesh.boundaries or {}}
+        for name in names:
+            if name not in known:
+                raise ValueError(f"no mesh has a boundary {name!r}; there are {sorted(known)}")
+        firsts = np.cumsum([0] + [len(one.coords) for one in self._fields])
+        nodes = [one.nodes_on(name) + first for name in names for one, first in zip(self._fields, firsts)]
+        self.contact.mesh.set_symmetry_nodes(np.unique(np.concatenate([np.empty(0, np.int64), *nodes])))
 
     def begin_step(self, u: np.ndarray) -> None:
         """Begins a step with friction. See ``FrictionSteps.begin_step``.

@@ -58,6 +58,17 @@ class Field(NamedTuple):
     """One more than the last degree of freedom in the vectors of the whole problem."""
     matrix: csr_matrix | None = None
     """From unknowns to nodes, where unknowns are not the nodes."""
+    carrier: Field | None = None
+    """The field whose unknowns are the nodes, where those of this one are not."""
+
+    def nodes_on(self, boundary: str) -> np.ndarray:
+        """Numbers of the nodes on a named boundary of the mesh, ascending; none where the mesh has no such name."""
+        if self.carrier is not None:
+            return self.carrier.nodes_on(boundary)
+        if boundary not in (self.basis.mesh.boundaries or {}):
+            return np.empty(0, np.int64)
+        first = self.dofs[:, 0] - (self.reach - self.basis.N)
+        return np.flatnonzero(np.isin(first, self.basis.get_dofs(boundary).all()))
 
 
 def cells_of(mesh: skfem.Mesh) -> tuple[str, np.ndarray]:
@@ -123,7 +134,7 @@ def _other(basis: CellBasis, straight: str, offset: int) -> Field:
     order = next(order for _, name, order in _CELLS if name == straight)
     corners = basis.elem.elem.refdom.p.T[order]
     matrix, dofs = from_unknowns(basis, nodes.cell_type, corners, nodes.conn)
-    return Field(basis, nodes.cell_type, nodes.conn, dofs + offset, nodes.coords, basis.N + offset, matrix)
+    return Field(basis, nodes.cell_type, nodes.conn, dofs + offset, nodes.coords, basis.N + offset, matrix, nodes)
 
 
 def _second_order(basis: CellBasis, straight: str) -> tuple[str, np.ndarray, np.ndarray]:

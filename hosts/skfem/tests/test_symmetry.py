@@ -1,0 +1,52 @@
+"""Planes of symmetry by the names of a mesh's boundaries."""
+
+import numpy as np
+import pytest
+from fmc_contact_skfem import SkfemContact
+from scenes import blocks, displacement, joined
+from skfem import Basis, ElementQuadP, ElementTriP3, ElementVector
+
+
+def named(bases):
+    """The same bases with the wall at x = 0 of the lower block and that at x = 0.1 of the upper one by name."""
+    for basis, places in zip(bases, ({"foot": 0.0}, {"wall": 0.1})):
+        mesh = basis.mesh.with_boundaries({name: lambda x, at=at: np.isclose(x[0], at) for name, at in places.items()})
+        yield Basis(mesh, basis.elem)
+
+
+@pytest.mark.parametrize("element", ["P1", "Q1", "P2", "Q2", "P1 3D", "Q2 3D"])
+def test_boundaries_are_planes(element):
+    bases = list(named(blocks(element)))
+    # Pressed flat, so that the walls matter.
+    u = displacement(bases, bulge=0.0)
+    found = []
+    for how in (None, "names", "planes"):
+        contact = SkfemContact(joined(bases), stiffness=1e4)
+        normal = np.eye(contact.contact.dim)[0]
+        if how == "names":
+            contact.set_symmetry_boundaries("foot", "wall")
+        elif how == "planes":
+            contact.contact.mesh.set_symmetry_planes([(0.0 * normal, normal), (0.1 * normal, normal)])
+        found.append(contact.force(u))
+    without, by_names, by_planes = found
+    assert np.abs(by_names - without).max() > 1e-3 * np.abs(without).max()
+    assert np.array_equal(by_names, by_planes)
+
+
+@pytest.mark.parametrize("element, kind", [(ElementTriP3(), "P2"), (ElementQuadP(3), "Q2")])
+def test_of_elements_whose_unknowns_are_no_nodes(element, kind):
+    bases = [Basis(basis.mesh, ElementVector(element)) for basis in named(blocks(kind))]
+    contact = SkfemContact(joined(bases), stiffness=1e4)
+    u = np.zeros(contact.size)
+    forces = []
+    for names in ((), ("foot", "wall"), ()):
+        contact.set_symmetry_boundaries(*names)
+        forces.append(contact.force(u))
+    assert np.abs(forces[1] - forces[0]).max() > 1e-3 * np.abs(forces[0]).max()
+    assert np.array_equal(forces[0], forces[2])
+
+
+def test_a_name_that_no_mesh_has():
+    contact = SkfemContact(joined(list(named(blocks("P1")))), stiffness=1e4)
+    with pytest.raises(ValueError, match="'top'; there are .'foot', 'wall'"):
+        contact.set_symmetry_boundaries("wall", "top")
