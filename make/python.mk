@@ -1,7 +1,7 @@
 # The Python package and the examples, each in an environment of its own.
 #
 # make python    the Python package, in an environment of its own under target/, and its tests
-# make python-lint   ruff over all Python, mypy --strict on the package
+# make python-lint   ruff over all Python, mypy --strict on the package, plain English on the pages
 # make examples  NGSolve and FElupe with contact, and the notebook, in an environment of their own
 
 PYTHON ?= python3
@@ -23,6 +23,7 @@ LINT = $(TARGET)/lint
 python-lint:
 	@$(call ENVIRONMENT,$(LINT))
 	@$(LINT)/bin/python -m pip install -q 'ruff>=0.14' 'mypy>=1.19' 'numpy>=2.0'
+	.ci/plain-english check
 	$(LINT)/bin/ruff check .
 	cd bindings/python && $(abspath $(LINT))/bin/mypy
 
