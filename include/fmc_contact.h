@@ -322,7 +322,7 @@ typedef struct {
   // messages. Default 0. Bodies, obstacles, pairs and warnings count from 0.
   int32_t index_base;
   // 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
-  // whole rings: everything counts 2 pi r. Default 0. Not with friction, nor isotropic fibers.
+  // whole rings: everything counts 2 pi r. Default 0. Not with isotropic fibers.
   int32_t axisymmetric;
   // Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Refused
   // with any other law.
@@ -936,8 +936,8 @@ typedef enum {
   FMC_WARNING_UNBALANCED = 5,
   // With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
   // symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
-  // gives the area. Beside a plane of symmetry that is taken for surface the pressure is too low, by about twice the
-  // penetration by the size of the cells.
+  // gives the area. Beside a plane of symmetry that is taken for surface the nodal forces are too low, by about the ratio of
+  // penetration and cell size.
   FMC_WARNING_FLUSH_FACES = 6,
   // Faces of one body lie on one another and look at each other, without deformation: nodes were not merged there, a flat cell
   // was left out, or a crack is meant. The text gives the area and nodes, counted from `index_base`. The law "depth" takes such

@@ -83,7 +83,7 @@ pub struct fmc_options {
     /// messages. Default 0. Bodies, obstacles, pairs and warnings count from 0.
     pub index_base: i32,
     /// 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
-    /// whole rings: everything counts 2 pi r. Default 0. Not with friction, nor isotropic fibers.
+    /// whole rings: everything counts 2 pi r. Default 0. Not with isotropic fibers.
     pub axisymmetric: i32,
     /// Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Refused
     /// with any other law.

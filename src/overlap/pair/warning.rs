@@ -56,8 +56,8 @@ pub enum Warning {
     },
     /// With the law `depth`, faces of both bodies lie in one plane, look the same way and reach into the overlap, as planes
     /// of symmetry do; and the host has not said which nodes lie in such planes (`Contact::set_symmetry_nodes`, with no
-    /// nodes if there are none). Beside a plane of symmetry that is taken for surface the pressure is too low, by about
-    /// twice the penetration by the size of the cells.
+    /// nodes if there are none). Beside a plane of symmetry that is taken for surface the nodal forces are too low, by
+    /// about the ratio of penetration and cell size.
     FlushFaces {
         /// First body of the pair.
         a: Partner,

@@ -106,7 +106,7 @@ class Options(OtherOptions, total=False):
         Excludes ``friction_stiffness``.
     axisymmetric : bool
         Axisymmetry in 2D: coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of whole rings.
-        Default: False. Not with friction.
+        Default: False. Not with isotropic fibers.
     check_cells : bool
         Whether every evaluation checks the orientation of every cell. Default: True.
     threads : int
