@@ -40,7 +40,7 @@ install: build
 	for file in fmc_contactConfig fmc_contactConfigVersion; do \
 	  $(FILL) hosts/c/package/$$file.cmake.in > $(LIB)/cmake/fmc_contact/$$file.cmake || exit 1; \
 	done
-	@[ -n "$(DESTDIR)" ] || printf '%s\n' "fmc_contact $(VERSION) is in $(PREFIX). Next, in README.md: First force." \
+	@[ -n "$(DESTDIR)" ] || printf '%s\n' "fmc_contact $(VERSION) is in $(PREFIX). Next, in README.md: Quick start." \
 	  "  Not found at compile time: export PKG_CONFIG_PATH=$(PREFIX)/$(LIBDIR)/pkgconfig" \
 	  "  Not found at run time: ldconfig as root if $(PREFIX)/$(LIBDIR) is one of the system's, else link with -Wl,-rpath,$(PREFIX)/$(LIBDIR)"
 

@@ -87,10 +87,19 @@ B = np.kron(np.eye(2), parts)
 x, cells = B @ q, np.arange(18).reshape(2, 9)
 """
 
+TWO_SQUARES = """
+import numpy as np
+
+coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.99, 0.1], [1.99, 0.1], [1.99, 0.9], [0.99, 0.9]])
+squares = np.array([[0, 1, 2, 3], [4, 5, 6, 7]])
+"""
+
 # What stands before a piece, what is checked behind it; None: the tests named run it.
 PIECES = {
     "first-contact.md": [
         ("", "assert abs(result.bodies[1].force[0] - 794) < 1"),
+        # Two springs of 1e4 in a row, shorter by 0.01.
+        (TWO_SQUARES, "assert abs(found.result.bodies[1].force[0] - 50) < 0.1 and found.iterations == 3, found"),
         None,  # hosts/skfem/tests/test_examples.py
         None,  # hosts/dolfinx/tests/test_examples.py
     ],
