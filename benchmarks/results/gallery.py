@@ -1,4 +1,4 @@
-"""The page docs/gallery.md: cases with their pictures, their files, and what came out beside the references."""
+"""The page docs/gallery.md: cases with their pictures, their files, and computed figures next to their references."""
 
 from pathlib import Path
 
@@ -6,19 +6,19 @@ import tomllib
 
 CASES = Path(__file__).parents[1] / "cases"
 SHOWN = [
-    ("star", "", "star.gif", "Explicit dynamics: fall, impact and rebound."),
-    ("bar", "", "", "An impact with a closed form: the wave runs up the bar and back."),
-    ("hertz", "", "hertz.png", "A curved body on a flat one, with a pressure that is known in closed form."),
-    ("hertz3d", "", "", "Two elastic balls; the reference takes into account that they are of finite size."),
-    ("patch2d", "", "", "Meshes that do not match pass a pressure on exactly."),
-    ("wedge", "", "wedge.png", "A sharp tip: master and slave nodes fail here."),
-    ("cone", "", "cone.png", "The same in space."),
-    ("punch", "", "", "Flat on flat, with pressure that is infinite at the corners in theory."),
-    ("ironing", "", "ironing-fibers.png", "A die is pressed in and slides: contact moves over element after element."),
-    ("corner", "", "", "A cube is pressed corner-first into a block, more than a cell deep."),
-    ("snap", "", "snap.svg", "A hook snaps in and is pulled out again: the energy of the contact comes back."),
-    ("cattaneo", "coarse", "cattaneo.svg", "Half-discs stick inside and slip outside."),
-    ("cgs4", "", "", "The NAFEMS benchmark of friction, finite sliding over meshes that do not match."),
+    ("star", "depth", "star.gif", "Explicit dynamics: fall, impact and rebound, with one contact evaluation per time step."),
+    ("bar", "", "", "An impact with a closed form: a wave runs up the bar and back."),
+    ("hertz", "", "hertz.png", "A curved body on a flat one. The pressure is known in closed form."),
+    ("hertz3d", "", "", "Two elastic balls. The reference accounts for their finite size."),
+    ("patch2d", "", "", "Non-matching meshes transmit a uniform pressure exactly."),
+    ("wedge", "", "wedge.png", "Contact at a sharp tip."),
+    ("cone", "", "cone.png", "The same problem in 3D."),
+    ("punch", "", "", "Flat on flat. In theory the pressure is infinite at the corners."),
+    ("ironing", "", "ironing-fibers.png", "A die is pressed in and slides. The contact moves over one element after another."),
+    ("corner", "", "", "A cube is pressed corner-first into a block, deeper than one element."),
+    ("snap", "", "snap.svg", "A hook snaps in and is pulled out again. The contact returns its energy."),
+    ("cattaneo", "coarse", "cattaneo.svg", "Half-discs stick in the inner zone and slip in the outer zone. The picture is from the page [friction](friction.md)."),
+    ("cgs4", "", "", "The NAFEMS benchmark for friction: finite sliding over non-matching meshes."),
     ("stop", "", "", "Friction stops a sliding block."),
 ]
 
@@ -39,7 +39,7 @@ def chapter(results, name, variant, picture, about):
     lines += [f"[{name}.toml](../benchmarks/cases/{name}.toml) · `fmc run {run}`", ""]
     if picture:
         lines += [f"![{case['title']}]({picture})", ""]
-    lines += ["| figure | found | reference | from |", "| --- | --- | --- | --- |"]
+    lines += ["| figure | computed | reference | source of the reference |", "| --- | --- | --- | --- |"]
     for check in results.run(run)["checks"]:
         missed = "" if check["ok"] else " (missed)"
         label = check["name"].replace("_", " ")
@@ -49,8 +49,8 @@ def chapter(results, name, variant, picture, about):
 
 def page(results):
     """The text of the page."""
-    lines = ["# Gallery", "", "Part of the documentation of [fmc-contact](../README.md). Written by `make figures`.", ""]
-    lines += ["Every case is a file; the figures are those of the reference host, in the units of the file.", ""]
+    lines = ["# Gallery", "", "Every case is a file; `fmc run` computes its figures, in the units of the file. `make figures` writes this page.", ""]
+    lines += ["Wang, Xu and Xue: *Solving contact problems using Fiber Monte Carlo*.", ""]
     for shown in SHOWN:
         lines += chapter(results, *shown)
     return "\n".join(lines).rstrip() + "\n"
