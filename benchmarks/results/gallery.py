@@ -17,7 +17,7 @@ SHOWN = [
     ("ironing", "", "ironing-fibers.png", "A die is pressed in and slides. The contact moves over one element after another."),
     ("corner", "", "", "A cube is pressed corner-first into a block, deeper than one element."),
     ("snap", "", "snap.svg", "A hook snaps in and is pulled out again. The contact returns its energy."),
-    ("cattaneo", "coarse", "cattaneo.svg", "Half-discs stick in the inner zone and slip in the outer zone. The picture is from the page [friction](friction.md)."),
+    ("cattaneo", "coarse", "cattaneo.svg", "Half-discs stick in the inner zone and slip in the outer one. Picture: [friction](friction.md)."),
     ("cgs4", "", "", "The NAFEMS benchmark for friction: finite sliding over non-matching meshes."),
     ("stop", "", "", "Friction stops a sliding block."),
 ]

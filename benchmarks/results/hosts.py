@@ -1,4 +1,4 @@
-"""The table of docs/hosts.md: cases in all hosts, as `make agree` has found them."""
+"""The table of docs/hosts.md: cases in all hosts, as `make agree` records them."""
 
 from fields import number
 
@@ -31,9 +31,9 @@ HOSTS = {
 }
 BY_SNES = {("hertz", "dolfinx"): "FEniCSx ⁶, 1, 2, 3, 4 ranks"}
 SMALL = {("hertz", "dolfinx"), ("hertz", "petsc")}
-"""Their seconds are those of one rank, footnote 2."""
+"""Their seconds are measured on one rank, footnote 2."""
 
-COLUMNS = ("case", "host", "displacement", "force", "same bits ¹", "checks met", "iterations", "time", "in contact")
+COLUMNS = ("case", "host", "displacement", "force", "bit-identical ¹", "checks met", "iterations", "time", "in contact")
 
 
 def table(results):

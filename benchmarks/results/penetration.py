@@ -1,4 +1,4 @@
-"""The tables of docs/hosts.md beside the agreement: penetration that is wanted, and the cost of the Python hosts."""
+"""More tables of docs/hosts.md: the penetration tolerance, and the cost of the Python hosts."""
 
 from fields import number
 
@@ -18,8 +18,8 @@ CASES = {
 
 
 def table(results):
-    """Both ways of every case, where `python -m fmc_agreement.penetration` has found them."""
-    head = ("case", "host", "wanted", "penetration by the law", "reached", "iterations", "of the contact", "factorisations", "updates", "force")
+    """Every case without and with a tolerance, as `python -m fmc_agreement.penetration` records it."""
+    head = ("case", "host", "tolerance", "without", "reached", "iterations", "contact iterations", "factorisations", "updates", "change of force")
     lines = [head, ["---"] * len(head)]
     for case, host, figures in _found(results, "penetration"):
         pair = {key: " · ".join(number(figures[f"{key}_{way}"], ".0f") for way in ("law", "wanted")) for key in COUNTS}
@@ -34,8 +34,8 @@ COUNTS = ("iterations", "contact_iterations", "factorisations")
 
 
 def beside(results):
-    """Iterations and time, where `python -m fmc_agreement.beside` has found them."""
-    head = ("case", "host", "iterations", "by the reference's", "factorisations", "time", "by the reference's", "with imports")
+    """Iterations and time, as `python -m fmc_agreement.beside` records them."""
+    head = ("case", "host", "iterations", "ratio to reference", "factorisations", "time", "ratio to reference", "with imports")
     lines, theirs = [head, ["---"] * len(head)], {}
     for case, host, figures in _found(results, "beside"):
         is_first = host == HOSTS["reference"]
