@@ -14,10 +14,10 @@ mod next_step;
 const AFTER_HELP: &str = "To begin with:
   Forces between two meshes, and a picture of them:
     fmc force examples/star.msh examples/block.msh --stiffness 2.8e7
-  The cases that come along, and one of them, an equilibrium beside its closed form:
+  List the cases, and run one of them, an equilibrium compared with a closed form:
     fmc list
     fmc run hertz
-  All of them on one page, in less than a minute:
+  Run all of them and write one page, in less than a minute:
     fmc report --quick
   Every option of a command, with examples:
     fmc COMMAND --help

@@ -67,7 +67,7 @@ def is_met(row: dict[str, Any], theirs: dict[str, Any]) -> bool:
 
 def markdown(rows: list[dict[str, Any]]) -> str:
     lines = [
-        "| case | host | iterations | by the reference's | of the contact | factorisations | time | by the reference's | with imports |",
+        "| case | host | iterations | ratio to reference | contact iterations | factorisations | time | ratio to reference | with imports |",
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- |",
     ]
     theirs: dict[str, Any] = {}
@@ -85,7 +85,7 @@ def markdown(rows: list[dict[str, Any]]) -> str:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="fmc_agreement.beside", description="Iterations and time beside the reference host's.")
+    parser = argparse.ArgumentParser(prog="fmc_agreement.beside", description="Iterations and time compared with the reference host.")
     parser.add_argument("folder", type=Path, help="where beside.md and beside.json are written")
     given = with_cases(parser, sorted({case.name for case in CASES}))
     given.folder.mkdir(parents=True, exist_ok=True)

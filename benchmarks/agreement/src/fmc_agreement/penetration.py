@@ -75,7 +75,7 @@ def is_met(row: dict[str, Any]) -> bool:
 
 def markdown(rows: list[dict[str, Any]]) -> str:
     lines = [
-        "| case | host | wanted | penetration: law, reached | iterations | of the contact | factorisations | updates | force |",
+        "| case | host | tolerance | penetration: without, reached | iterations | contact iterations | factorisations | updates | force |",
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- |",
     ]
     shown = None

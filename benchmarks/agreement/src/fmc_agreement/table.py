@@ -73,7 +73,7 @@ def is_met(row: dict[str, Any]) -> bool:
 def markdown(all_rows: list[dict[str, Any]]) -> str:
     """The table of a run; docs/hosts.md has the same of the recorded one."""
     lines = [
-        "| case | host | displacement | force | same bits | checks met | iterations | time | in contact |",
+        "| case | host | displacement | force | bit-identical | checks met | iterations | time | in contact |",
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- |",
     ]
     shown = None

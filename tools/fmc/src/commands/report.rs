@@ -10,10 +10,10 @@ use std::process::ExitCode;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-/// Run every example of the paper and put it on one page: pictures, plots, and our figures beside all others
+/// Run every example and write one page: pictures, plots, and figures compared with all references
 ///
-/// The page is OUT/report.html and needs no other file; what the runs leave is in OUT/runs. Ctrl-C stops after the current
-/// step; the same command goes on from there. What is finished is not run again unless its case or the program has changed.
+/// The page is OUT/report.html and needs no other file; the results of the runs are in OUT/runs. Ctrl-C stops after the current
+/// step; the same command resumes there. A finished run is not repeated unless its case or the program has changed.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:\n  \
     fmc report --quick\n  \
@@ -26,7 +26,7 @@ pub(crate) struct ReportArgs {
     #[arg(value_name = "EXAMPLE")]
     examples: Vec<String>,
 
-    /// Every example, but few variants, and no run longer than a limit: some minutes
+    /// Every example, but few variants, and no run longer than a limit: less than a minute
     #[arg(long)]
     quick: bool,
 
