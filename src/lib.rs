@@ -16,7 +16,7 @@
 //! (volume and contact points, sampled or exact) · [`sparse`] (matrices of hosts, factorised) · `configuration` (the bodies at
 //! given coordinates) · `depth_field` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · `ranks`
 //! (work that is shared) · [`geometry`] (surfaces, crossings, obstacles) · `dimension` (2D and 3D behind one interface) ·
-//! [`Error`]. `ARCHITECTURE.md` has the drawing, the way of a coordinate and a glossary.
+//! [`Error`]. `ARCHITECTURE.md` has the drawing, the path of a coordinate and a glossary.
 //!
 //! Same input, same bits, for any number of threads: there is no clock, no global state and no arrival order anywhere.
 
