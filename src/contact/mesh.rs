@@ -8,7 +8,7 @@ use crate::Error;
 use crate::contact::partners::MeshHashes;
 use crate::depth_field::DepthField;
 use crate::geometry::submesh::hash_of;
-use crate::geometry::symmetry::{Symmetry, SymmetryPlane, planes_of};
+use crate::geometry::symmetry::{Symmetry, SymmetryPlane, check_bodies, planes_of};
 use crate::geometry::{Basis, CoincidingFaces, Surface, Weighting};
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -136,9 +136,7 @@ impl<const D: usize> Mesh<D> {
                 Symmetry { planes, marks: marks.clone() }
             }
         };
-        if self.surface.has_body_without(&symmetry) {
-            return Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" });
-        }
+        check_bodies(&self.surface.bodies_with_surface(&symmetry))?;
         self.tell_symmetry(symmetry.hash());
         self.mark_symmetry(symmetry);
         Ok(())

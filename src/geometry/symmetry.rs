@@ -121,14 +121,25 @@ pub(crate) fn planes_of<const D: usize>(mut faces: Vec<NamedFace<D>>) -> Result<
     Ok(found)
 }
 
+/// Refuses planes of symmetry that leave a body without surface.
+///
+/// # Errors
+/// [`Error::Unsupported`].
+pub(crate) fn check_bodies(has_surface: &[bool]) -> Result<(), Error> {
+    match has_surface.contains(&false) {
+        true => Err(Error::Unsupported { what: "a body whose whole surface lies in planes of symmetry" }),
+        false => Ok(()),
+    }
+}
+
 impl<const D: usize> Surface<D> {
-    /// Whether all faces of a body lie in planes of symmetry.
-    pub(crate) fn has_body_without(&self, symmetry: &Symmetry<D>) -> bool {
-        let mut has_surface = vec![false; self.body_count()];
+    /// Which bodies have a face that lies in no plane of symmetry. All of a surface without cells, whose planes are not looked at.
+    pub(crate) fn bodies_with_surface(&self, symmetry: &Symmetry<D>) -> Vec<bool> {
+        let mut has_surface = vec![self.cells.is_none(); self.body_count()];
         for facet in self.facets_of_nodes(symmetry.marks.len()) {
             has_surface[facet.body] |= !symmetry.has(&facet.nodes, &facet.corners);
         }
-        self.cells.is_some() && has_surface.contains(&false)
+        has_surface
     }
 
     /// The facets all of whose nodes are marked, with the numbers of these.

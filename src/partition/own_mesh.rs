@@ -4,6 +4,7 @@ use super::mesh_part::MeshPart;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::submesh::Whole;
+use crate::geometry::symmetry::Symmetry;
 use crate::geometry::{Bodies, CellType, Surface, Vector};
 use crate::ranks::packed;
 use rustc_hash::FxHashMap;
@@ -149,6 +150,15 @@ impl<const D: usize> OwnMesh<D> {
     /// Index of a body of the own surface among all.
     pub(super) fn body_of(&self, surface: &Surface<D>, body: usize) -> usize {
         self.body_ids.partition_point(|id| *id < surface.body_ids()[body])
+    }
+
+    /// Bodies of the whole mesh of which a face that lies in no plane of symmetry is here.
+    pub(super) fn bodies_with_surface(&self, symmetry: &Symmetry<D>) -> Vec<u64> {
+        let of_surface = |surface: &Surface<D>| -> Vec<u64> {
+            let found = surface.bodies_with_surface(symmetry).into_iter().enumerate().filter(|(_, has)| *has);
+            found.map(|(body, _)| self.body_of(surface, body) as u64).collect()
+        };
+        self.surface.as_ref().map_or_else(Vec::new, of_surface)
     }
 
     /// Places of the vertices on the surface of the whole mesh, by body.

@@ -12,7 +12,7 @@ use crate::configuration::CellCheck;
 use crate::contact::{Contact, Needed, Options, hash_in_common, needed};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::symmetry::{NamedFace, Symmetry, SymmetryPlane, planes_of};
+use crate::geometry::symmetry::{NamedFace, Symmetry, SymmetryPlane, check_bodies, planes_of};
 use crate::ranks::{Communicator, Ranks, packed};
 use std::collections::BTreeMap;
 
@@ -215,7 +215,8 @@ impl<const D: usize> PartitionedContact<D> {
     /// have them. All ranks call it together, and bring the mesh to its coordinates again after it.
     ///
     /// # Errors
-    /// [`Error::NodeOutOfRange`].
+    /// [`Error::NodeOutOfRange`]; [`Error::Unsupported`] on all ranks for a body of the whole mesh that would have no surface left, or for
+    /// nodes of a curved surface. What was named before then stays.
     pub fn set_symmetry_nodes(&mut self, nodes: &[u32]) -> Result<(), Error> {
         let node_count = self.own.node_count();
         let mut marked = vec![false; node_count];
@@ -234,7 +235,8 @@ impl<const D: usize> PartitionedContact<D> {
     /// its coordinates again after it.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a normal without length.
+    /// [`Error::NotPositive`] for a normal without length; [`Error::Unsupported`] on all ranks for a body of the whole mesh that would
+    /// have no surface left. What was said before then stays.
     pub fn set_symmetry_planes(&mut self, planes: &[[[f64; D]; 2]]) -> Result<(), Error> {
         let planes = planes.iter().map(|[point, normal]| SymmetryPlane::new(point, normal)).collect::<Result<_, _>>();
         let planes: Vec<SymmetryPlane<D>> = self.ranks()?.agree(planes, 6)?;
@@ -242,6 +244,10 @@ impl<const D: usize> PartitionedContact<D> {
     }
 
     fn take_symmetry(&mut self, symmetry: Symmetry<D>) -> Result<(), Error> {
+        let with_surface = self.own.bodies_with_surface(&symmetry);
+        let with_surface = self.ranks()?.gather_lists(&with_surface)?.concat();
+        let has_surface = |body: usize| with_surface.contains(&(body as u64));
+        check_bodies(&(0..self.own.body_ids.len()).map(has_surface).collect::<Vec<_>>())?;
         let of_ranks = self.ranks()?.gather_lists(&[symmetry.hash()])?.concat();
         self.contact.mesh.tell_symmetry(of_ranks.into_iter().fold(0, u64::wrapping_add));
         self.symmetry = Some(symmetry);

@@ -3,7 +3,7 @@
 use crate::communicator::on_ranks;
 use crate::parts::Part;
 use crate::scene::{Scene, exact};
-use fmc_contact::{Contact, Error, Obstacle, PartitionedContact, Pose, Shape};
+use fmc_contact::{Contact, EnergyLaw, Error, Obstacle, Options, PartitionedContact, Pose, Shape};
 use fmc_shapes::rectangle_quad4;
 
 fn scene() -> Scene<2> {
@@ -77,4 +77,59 @@ fn places_and_calls_that_do_not_fit() {
         before.volume.to_bits()
     });
     assert_eq!(told[0], told[1]);
+}
+
+/// Planes of symmetry that leave a body without surface are refused as of the whole mesh, on all ranks alike, and what was said before stays. A
+/// rank whose own part of a body has no surface left is fine where another has some.
+#[test]
+fn bodies_without_surface() {
+    let scene = scene();
+    let (across, up) = ([1.0, 0.0], [0.0, 1.0]);
+    let upper = [[[0.2, 0.0], across], [[1.7, 0.0], across], [[0.0, 0.99], up], [[0.0, 3.9], up]];
+    let on_rank = |rank: usize, own, is_by_nodes: bool| {
+        // The upper third of the upper body is on rank 0, with its top and parts of its sides.
+        let part = Part::of(&scene, |_, x| usize::from(x[1] < 2.9) == rank);
+        let mut parts = PartitionedContact::new(own, &part.given(&part.blocks()), by_depth(), 0.0).unwrap();
+        let before = bits(&mut parts, &part.coords);
+        let on = |planes: &[[[f64; 2]; 2]], x: &[f64; 2]| {
+            let height = |[point, normal]: &[[f64; 2]; 2]| (0..2).map(|i| (x[i] - point[i]) * normal[i]).sum::<f64>();
+            x[1] > 0.985 && planes.iter().any(|plane| height(plane).abs() < 1e-9)
+        };
+        let name = |parts: &mut PartitionedContact<2>, planes: &[[[f64; 2]; 2]]| match is_by_nodes {
+            false => parts.set_symmetry_planes(planes),
+            true => {
+                let named = part.coords.iter().enumerate().filter(|(_, x)| on(planes, x)).map(|(node, _)| node as u32);
+                parts.set_symmetry_nodes(&named.collect::<Vec<_>>())
+            }
+        };
+        let refused = name(&mut parts, &upper);
+        assert!(
+            matches!(refused, Err(Error::Unsupported { what }) if what.contains("whole surface")),
+            "{rank}: {refused:?}"
+        );
+        assert_eq!(bits(&mut parts, &part.coords), before);
+        // But for the bottom, which rank 1 has.
+        let but_for_bottom = [upper[0], upper[1], upper[3]];
+        name(&mut parts, &but_for_bottom).unwrap();
+        bits(&mut parts, &part.coords)
+    };
+    let planes = on_ranks(2, None, |rank, own| on_rank(rank, own, false));
+    assert_eq!(planes[0], planes[1]);
+    let nodes = on_ranks(2, None, |rank, own| on_rank(rank, own, true));
+    assert_eq!(nodes[0], nodes[1]);
+    // As with the whole mesh.
+    let mut whole = scene.contact(by_depth());
+    assert!(matches!(whole.set_symmetry_planes(&upper), Err(Error::Unsupported { .. })));
+    whole.set_symmetry_planes(&[upper[0], upper[1], upper[3]]).unwrap();
+    assert_eq!(whole.evaluate(&scene.coords).unwrap().energy.to_bits(), planes[0]);
+}
+
+/// Of the energy, once the mesh is at its coordinates.
+fn bits(parts: &mut PartitionedContact<2>, coords: &[[f64; 2]]) -> u64 {
+    parts.set_coords(coords).unwrap();
+    parts.contact().evaluate(parts.coords()).unwrap().energy.to_bits()
+}
+
+fn by_depth() -> Options {
+    Options { law: EnergyLaw::depth(1.0), ..exact() }
 }
