@@ -195,6 +195,11 @@ typedef enum {
   FMC_ERROR_RESERVED_FIELD = 62,
   // The contact has no stiffness: option `stiffness` is 0, and none was found from the bodies' matrix.
   FMC_ERROR_NO_STIFFNESS = 63,
+  // The call was ended by the host (`fmc_context_set_interrupt`).
+  FMC_ERROR_INTERRUPTED = 64,
+  // Memory that the call needs for large arrays cannot be had. Memory that runs out for small ones, or that a system grants and does
+  // not have, ends the process.
+  FMC_ERROR_MEMORY = 65,
 } fmc_status;
 
 // Class of a status: what a host does about it.
@@ -509,6 +514,11 @@ typedef struct {
   size_t facet_count;
 } fmc_facet_block;
 
+// Whether the call that is running is to end: 0 to go on. `user` is the pointer given with it.
+//
+// It is called on the thread that called the library. It must not call a function of the same context, throw, or jump out.
+typedef int32_t (*fmc_interrupt_callback)(void *user);
+
 // Sets the callback that receives messages; NULL, the default: none. The library never prints.
 //
 // The callback and `user` must outlive the context, or be replaced before they end. They are called on the thread that
@@ -578,6 +588,18 @@ fmc_status fmc_context_counts(const fmc_context *context,
                               size_t *node_count,
                               size_t *facet_count,
                               size_t *body_count);
+
+// Sets a callback that is asked some twenty times a second, while a call computes, whether it is to end; NULL, the default: none.
+//
+// A call that is ended returns `FMC_ERROR_INTERRUPTED`; the context is as it was before, and may be used on. A search for an equilibrium
+// is refused then. The callback is asked while pairs are measured, lines laid and depths found; not within a factorisation or a contact
+// step's linear algebra, and not while ranks share the work, which would wait for one another.
+//
+// The callback and `user` must outlive the context, or be replaced before they end. Errors: `FMC_ERROR_NULL_POINTER`,
+// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_set_interrupt(fmc_context *context,
+                                     fmc_interrupt_callback callback,
+                                     void *user);
 
 // ---- The mesh without deformation, and unknowns of the host ----------------------------------------------
 
@@ -1058,8 +1080,11 @@ typedef struct {
   double stick_area;
   // Area (2D: length) that slides.
   double slip_area;
+  // Force of the first side on the second, friction included; in 2D the last entry is 0. The force of the second on the first is
+  // its negative. 0 for a body that overlaps itself.
+  double force[3];
   // Zero.
-  uint64_t reserved[4];
+  uint64_t reserved[1];
 } fmc_pair_result;
 
 // Contact forces at `coords`, the current coordinates of all nodes of the mesh.

@@ -239,6 +239,15 @@ pub enum Error {
         /// What it returned.
         code: i32,
     },
+    /// The caller ended the call ([`Contact::set_interrupt`](crate::Contact::set_interrupt)).
+    Interrupted,
+    /// Memory that a call needs cannot be had.
+    Memory {
+        /// What it is for.
+        what: &'static str,
+        /// Bytes.
+        bytes: usize,
+    },
     /// An elastic slip is NaN or infinite.
     NonFiniteSlip {
         /// Facet, counted over the surface.
@@ -314,7 +323,8 @@ pub enum Error {
         /// The limit.
         limit: usize,
     },
-    /// A result lies outside the range of a double: a stiffness times an overlap, or the volume of bodies 1e120 wide.
+    /// A result lies outside the range of a double: a stiffness times an overlap; or all coordinates are below 1e-75, or some above
+    /// 1e75, of which volumes and energies are powers.
     Overflow {
         /// What overflowed.
         quantity: &'static str,
@@ -356,6 +366,27 @@ pub enum Error {
 }
 
 impl Error {
+    /// An empty list with room for so many entries, for what comes in large numbers: a list that grows ends the process where there is
+    /// no memory.
+    pub(crate) fn room<T>(what: &'static str, count: usize) -> Result<Vec<T>, Self> {
+        let mut list = Vec::new();
+        let bytes = count.saturating_mul(size_of::<T>());
+        list.try_reserve_exact(count).map_err(|_| Error::Memory { what, bytes })?;
+        Ok(list)
+    }
+
+    /// A list of so many entries.
+    pub(crate) fn collected<T>(what: &'static str, entries: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>, Self> {
+        let mut list = Self::room(what, entries.len())?;
+        list.extend(entries);
+        Ok(list)
+    }
+
+    /// Whether some bytes can be had at all, before work begins that takes them by and by.
+    pub(crate) fn check_room(what: &'static str, bytes: usize) -> Result<(), Self> {
+        Self::room::<u8>(what, bytes).map(drop)
+    }
+
     /// Refuses a number that is negative, or none.
     pub(crate) fn check_not_negative(name: &'static str, value: f64) -> Result<(), Self> {
         if value.is_finite() && value >= 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }

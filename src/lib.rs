@@ -43,7 +43,7 @@ pub use geometry::{
 };
 pub use overlap::{Estimator, FiberOptions, LineWeights, Resolution, Warning};
 pub use partition::{CarriedSlip, GatheredCounts, MeshPart, PartitionedContact};
-pub use ranks::{AllToAll, Communicator, RankCounts};
+pub use ranks::{AllToAll, Asked, Communicator, RankCounts};
 pub use sampling::FiberPattern;
 
 /// The documentation's Rust code, run by the tests.

@@ -24,6 +24,7 @@ module fmc_contact
   public
   ! Procedures of the type: their names remain the host's.
   private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_reference, &
+             set_interrupt, &
              set_symmetry_planes, set_symmetry_nodes, set_basis, evaluate, tangent, evaluate_tangent, stable_step, body, &
              obstacle, pair, warning, add_obstacle, add_half_space, add_polytope, &
              add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
@@ -38,6 +39,7 @@ module fmc_contact
   contains
     procedure :: from_cells, from_blocks, from_facets, free
     procedure :: set_options, set_pair_options, set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
+    procedure :: set_interrupt
     procedure :: evaluate, tangent, evaluate_tangent, stable_step
     procedure :: body, obstacle, pair, warning
     procedure :: add_obstacle, add_half_space, add_polytope, add_convex_hull, add_signed_distance
@@ -165,6 +167,15 @@ contains
     type(fmc_options), intent(in) :: options
     integer, intent(out), optional :: stat
     call checked(fmc_context_set_options(self%handle, options), stat)
+  end subroutine
+
+  ! A function bind(c) of interface fmc_interrupt_callback, which is asked some twenty times a second whether the call that is
+  ! running is to end: 0 to go on. A call that is ended gives FMC_ERROR_INTERRUPTED.
+  subroutine set_interrupt(self, asked, stat)
+    class(contact), intent(inout) :: self
+    procedure(fmc_interrupt_callback) :: asked
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_interrupt(self%handle, c_funloc(asked), c_null_ptr), stat)
   end subroutine
 
   ! Options of one pair, from fmc_pair_options_init; kinds FMC_PARTNER_BODY and FMC_PARTNER_OBSTACLE.

@@ -83,6 +83,8 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_OPTIONS_CONFLICT = 61
   integer(c_int32_t), parameter :: FMC_ERROR_RESERVED_FIELD = 62
   integer(c_int32_t), parameter :: FMC_ERROR_NO_STIFFNESS = 63
+  integer(c_int32_t), parameter :: FMC_ERROR_INTERRUPTED = 64
+  integer(c_int32_t), parameter :: FMC_ERROR_MEMORY = 65
   integer(c_int32_t), parameter :: FMC_CLASS_OK = 0
   integer(c_int32_t), parameter :: FMC_CLASS_INPUT = 1
   integer(c_int32_t), parameter :: FMC_CLASS_GEOMETRY = 2
@@ -321,7 +323,8 @@ module fmc_contact_c
     real(c_double) :: friction_dissipation
     real(c_double) :: stick_area
     real(c_double) :: slip_area
-    integer(c_int64_t) :: reserved(4)
+    real(c_double) :: force(3)
+    integer(c_int64_t) :: reserved(1)
   end type
 
   type, bind(c) :: fmc_step_limit
@@ -589,6 +592,11 @@ module fmc_contact_c
       integer(c_int32_t), value :: level
       character(kind=c_char), intent(in) :: text(*)
     end subroutine
+    function fmc_interrupt_callback(user) bind(c)
+      import
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: fmc_interrupt_callback
+    end function
     function fmc_signed_distance(user, n, x, phi, grad) bind(c)
       import
       type(c_ptr), value :: user
@@ -725,6 +733,13 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: facet_count
       integer(c_size_t), intent(inout), optional :: body_count
       integer(c_int32_t) :: fmc_context_counts
+    end function
+    function fmc_context_set_interrupt(context, callback, user) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(c_funptr), value :: callback
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: fmc_context_set_interrupt
     end function
     function fmc_context_set_reference(context, coords) bind(c)
       import

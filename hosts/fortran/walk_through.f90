@@ -5,6 +5,12 @@ module slope
   use fmc_contact
   implicit none
 contains
+  ! Whether a call is to end: never.
+  integer(c_int32_t) function goes_on(user) bind(c)
+    type(c_ptr), value :: user
+    goes_on = merge(1, 0, c_associated(user))
+  end function
+
   ! Signed distance from a plane through the origin that rises by 3 in 4: negative below.
   integer(c_int32_t) function distance(user, n, x, phi, grad) bind(c)
     type(c_ptr), value :: user
@@ -61,6 +67,7 @@ contains
 
     ! Forces, added to what is there, and resultants.
     forces = 1
+    call squares%set_interrupt(goes_on)
     call squares%evaluate(x, forces, found, add=.true.)
     body = squares%body(2)
     pair = squares%pair(1)

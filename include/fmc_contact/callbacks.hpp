@@ -15,6 +15,9 @@ namespace fmc {
 // Receives messages: `FMC_LOG_WARNING`, and a sentence.
 using Log = std::function<void(int32_t level, const char *text)>;
 
+// Whether the call that is running is to end; what it throws ends it, and comes out of it.
+using Interrupt = std::function<bool()>;
+
 // Signed distance at a point x of dim numbers: returns it, negative inside, positive outside, with slope of at most 1, and
 // writes its gradient, of any length; where it is 0 that is the outward normal.
 using SignedDistance = std::function<double(View<const double> x, View<double> gradient)>;
@@ -47,12 +50,14 @@ struct PlaceCall {
 
 struct DistanceCall;
 struct LogCall;
+struct InterruptCall;
 using Distances = std::vector<std::unique_ptr<DistanceCall>>;
 
 // The functions of one context, and what one of them has thrown in the call that is running.
 struct Callbacks {
   std::exception_ptr thrown;
   std::unique_ptr<LogCall> log;
+  std::unique_ptr<InterruptCall> interrupt;
   // Of every obstacle that has any, those of its shape.
   std::map<std::size_t, Distances> distances;
 
@@ -72,6 +77,21 @@ struct LogCall {
       self.function(level, text);
     } catch (...) {
       self.callbacks->thrown = std::current_exception();
+    }
+  }
+};
+
+struct InterruptCall {
+  Interrupt function;
+  Callbacks *callbacks;
+
+  static int32_t run(void *user) noexcept {
+    auto &self = *static_cast<InterruptCall *>(user);
+    try {
+      return self.function() ? 1 : 0;
+    } catch (...) {
+      if (!self.callbacks->thrown) self.callbacks->thrown = std::current_exception();
+      return 1;
     }
   }
 };

@@ -81,6 +81,15 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_set_log(get(), next ? detail::LogCall::run : nullptr, next.get()));
     callbacks_->log = std::move(next);
   }
+  // Asked some twenty times a second whether the call that is running is to end, on its thread; empty: no more. A call that is ended
+  // throws `FMC_ERROR_INTERRUPTED`, or what the function threw, and the context is as it was before.
+  void set_interrupt(Interrupt asked) {
+    auto next = asked
+        ? std::make_unique<detail::InterruptCall>(detail::InterruptCall{std::move(asked), callbacks_.get()})
+        : nullptr;
+    call(fmc_context_set_interrupt(get(), next ? detail::InterruptCall::run : nullptr, next.get()));
+    callbacks_->interrupt = std::move(next);
+  }
 
   // Forces at the current coordinates of all nodes, into the host's array or, with the flag `FMC_EVALUATE_ADD`, onto what it holds.
   fmc_result evaluate(Coords coords, Forces forces, uint32_t flags = 0) {

@@ -61,8 +61,9 @@ impl<const D: usize> Mesh<D> {
     }
 
     /// How deep the cells of bodies lie below their surfaces, where there are cells.
-    pub(crate) fn depth_field(&self, weighting: Weighting) -> Option<&DepthField<D>> {
-        let new = || DepthField::new(&self.surface, self.symmetry.as_ref(), weighting);
+    /// It is found at the first call; `check` may end that.
+    pub(crate) fn depth_field(&self, weighting: Weighting, check: &dyn Fn()) -> Option<&DepthField<D>> {
+        let new = || DepthField::new(&self.surface, self.symmetry.as_ref(), weighting, check);
         self.depth.get_or_init(new).as_ref()
     }
 

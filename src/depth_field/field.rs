@@ -35,14 +35,22 @@ pub(crate) struct DepthField<const D: usize> {
     sags: Vec<f64>,
 }
 
+/// Cells between two looks at whether the work is to end.
+pub(super) const CELLS_BETWEEN: usize = 256;
+
 /// In the order of their numbers.
 const TYPES: [CellType; 6] =
     [CellType::Tri3, CellType::Quad4, CellType::Tet4, CellType::Hex8, CellType::Wedge6, CellType::Pyramid5];
 
 impl<const D: usize> DepthField<D> {
     /// The field of a surface that has cells; `None` for one that has none. Faces in planes of symmetry are no surface, nor is what
-    /// lies on an axis.
-    pub(crate) fn new(surface: &Surface<D>, symmetry: Option<&Symmetry<D>>, weighting: Weighting) -> Option<Self> {
+    /// lies on an axis. `check` is called now and then, and may unwind.
+    pub(crate) fn new(
+        surface: &Surface<D>,
+        symmetry: Option<&Symmetry<D>>,
+        weighting: Weighting,
+        check: &dyn Fn(),
+    ) -> Option<Self> {
         let cells = surface.cells.as_ref()?;
         let coords = surface.reference();
         let rounding = match weighting {
@@ -71,11 +79,14 @@ impl<const D: usize> DepthField<D> {
             is_surface && !goes_on(&nodes.map(|(node, _)| node).collect::<Vec<_>>())
         };
         let distances = Distances::new(surface, coords, facet_is_surface);
-        let (nodes, anchors) = node_depths(cells, coords, &surface_faces, &distances);
+        let (nodes, anchors) = node_depths(cells, coords, &surface_faces, &distances, check);
         let mut divisions = Divisions::default();
         TYPES.into_iter().for_each(|cell_type| add_ordinary(&mut divisions, cell_type));
         let near = NearSurface::new(cells, coords, &nodes, &surface_faces, &distances);
         let division_of = (0..cells.len()).map(|cell| {
+            if cell % CELLS_BETWEEN == 0 {
+                check();
+            }
             if cells.nodes(cell).iter().all(|&n| nodes[n as usize] > 0.0) {
                 return TYPES.iter().position(|t| *t == cells.cell_type(cell)).unwrap_or(0) as u32;
             }

@@ -1,6 +1,7 @@
 //! Depth of nodes.
 
 use super::distances::Distances;
+use super::field::CELLS_BETWEEN;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
 use crate::geometry::hanging::HangingNode;
@@ -11,6 +12,7 @@ pub(super) fn node_depths<const D: usize>(
     coords: &[[f64; D]],
     surface_faces: &[u8],
     distances: &Distances<D>,
+    check: &dyn Fn(),
 ) -> (Vec<f64>, Vec<u32>) {
     const UNSEEN: f64 = -1.0;
     let (mut depths, mut anchors) = (vec![UNSEEN; coords.len()], vec![0; coords.len()]);
@@ -20,6 +22,9 @@ pub(super) fn node_depths<const D: usize>(
         }
     }
     for cell in 0..cells.len() {
+        if cell % CELLS_BETWEEN == 0 {
+            check();
+        }
         let nodes = cells.nodes(cell);
         for &node in nodes {
             if depths[node as usize] != UNSEEN {

@@ -180,7 +180,7 @@ mod tests {
         let mesh = meshes[0].1;
         let surface = Surface::from_cells(&mesh.coords, &blocks, Bodies::Connected).unwrap();
         let (field, cells) =
-            (DepthField::new(&surface, None, Weighting::Plain).unwrap(), surface.cells.as_ref().unwrap());
+            (DepthField::new(&surface, None, Weighting::Plain, &|| ()).unwrap(), surface.cells.as_ref().unwrap());
         let mut pieces: Vec<DepthPiece<D>> = Vec::new();
         (0..cells.len()).for_each(|cell| field.for_each_piece(cells, cell, &mesh.coords, |piece| pieces.push(piece)));
         let volume: f64 = pieces.iter().map(|piece| piece.sign * piece.measure).sum();

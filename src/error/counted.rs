@@ -75,6 +75,8 @@ impl Error {
             | Error::EmptyCompound
             | Error::Unsupported { what: _ }
             | Error::TooManyFibers { needed: _, limit: _ }
+            | Error::Interrupted
+            | Error::Memory { what: _, bytes: _ }
             | Error::Overflow { quantity: _, value: _ }
             | Error::Communication { code: _ }
             | Error::Threads { threads: _ } => {}

@@ -179,6 +179,8 @@ impl fmt::Display for Error {
                      {limit} pieces: a mesh is folded through itself, or a step of the host has run away"
                 )
             }
+            Error::Interrupted => write!(f, "the call was ended by its caller"),
+            Error::Memory { what, bytes } => write!(f, "{bytes} bytes for {what} cannot be had"),
             Error::Overflow { quantity, value } => {
                 write!(f, "the {quantity} is {value}: beyond the range of a double")
             }

@@ -106,6 +106,8 @@ impl<const D: usize> Surface<D> {
     }
 
     pub(super) fn of_straight_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
+        let numbers = blocks.iter().map(|block| block.conn.len()).fold(coords.len(), usize::saturating_add);
+        Error::check_room("cells and their surface", numbers.saturating_mul(BYTES_PER_NUMBER))?;
         let mut cells = Cells::new::<D>(coords.len(), blocks)?;
         check_finite(coords, (0..cells.len()).flat_map(|cell| cells.nodes(cell).iter().copied()))?;
         let body_ids = cells.connect(coords, bodies)?;
@@ -269,8 +271,9 @@ impl<const D: usize> Surface<D> {
         }
         // Nodes that nothing uses may be anything; that they are is rare.
         // Blocks without a branch for every number: a look at all of them is what every evaluation pays.
-        let are_finite = |block: &[f64]| block.iter().fold(true, |all, x| all & x.is_finite());
-        if coords.as_flattened().chunks(512).all(are_finite) {
+        let are_in_range = |block: &[f64]| block.iter().fold(true, |all, x| all & (x.abs() <= LARGEST));
+        let is_small = |x: &f64| x.abs() < SMALLEST;
+        if coords.as_flattened().chunks(512).all(are_in_range) && !coords.as_flattened().iter().all(is_small) {
             return Ok(());
         }
         match &self.cells {
@@ -353,11 +356,32 @@ fn from_cells_in_space(coords: &[[f64; 3]], blocks: &[CellBlock], bodies: Bodies
     Surface::of_cells(coords, blocks, bodies)
 }
 
+/// What a node or a node of a cell comes to in cells, faces and depths, some 600 bytes for a hexahedron.
+const BYTES_PER_NUMBER: usize = 80;
+
+/// Coordinates beyond this have powers that a double does not hold: an energy is a volume by a length, a sixth power stands in between.
+/// What comes of them would be wrong, or zero, without a word.
+const LARGEST: f64 = 1e75;
+
+/// Meshes whose coordinates are all below it: as above.
+const SMALLEST: f64 = 1e-75;
+
+/// Checks that the coordinates of these nodes are finite, and that their powers are numbers.
 pub(super) fn check_finite<const D: usize>(coords: &[[f64; D]], nodes: impl Iterator<Item = u32>) -> Result<(), Error> {
+    let mut largest = 0.0f64;
     for node in nodes {
-        if let Some(axis) = coords[node as usize].iter().position(|x| !x.is_finite()) {
+        let x = &coords[node as usize];
+        if let Some(axis) = x.iter().position(|x| !x.is_finite()) {
             return Err(Error::NonFiniteCoordinate { node: node as usize, axis });
         }
+        largest = x.iter().fold(largest, |most, x| most.max(x.abs()));
+    }
+    // All zero is a mesh of cells without measure, which is told as such.
+    if largest > LARGEST || largest > 0.0 && largest < SMALLEST {
+        return Err(Error::Overflow {
+            quantity: "largest coordinate, of which volumes and energies are powers,",
+            value: largest,
+        });
     }
     Ok(())
 }

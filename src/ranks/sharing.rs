@@ -1,5 +1,6 @@
 //! By whom a piece of work is done.
 
+use super::interrupt::Interrupt;
 use super::packed::Packed;
 use super::shared_work::Ranks;
 use rayon::prelude::*;
@@ -8,14 +9,21 @@ use rayon::prelude::*;
 #[derive(Clone, Copy)]
 pub(crate) enum Sharing<'a> {
     /// By the thread that calls.
-    Alone,
+    Alone(Option<&'a Interrupt>),
     /// By the threads of the pool that calls.
-    Threads,
+    Threads(Option<&'a Interrupt>),
     /// By all ranks, and on each by the threads of a pool if there is one. Called on the thread that evaluates.
     Ranks { ranks: &'a Ranks, pool: Option<&'a rayon::ThreadPool> },
 }
 
 impl Sharing<'_> {
+    /// Ends the work if its caller wishes; ranks, which wait for one another, go on.
+    pub(crate) fn check(&self) {
+        if let Sharing::Alone(Some(interrupt)) | Sharing::Threads(Some(interrupt)) = self {
+            interrupt.check();
+        }
+    }
+
     /// Two pieces of work, on two threads if there are some; ranks do both.
     pub(crate) fn both<T: Send, U: Send>(
         &self,
@@ -23,9 +31,9 @@ impl Sharing<'_> {
         second: impl FnOnce() -> U + Send,
     ) -> (T, U) {
         match self {
-            Sharing::Threads => rayon::join(first, second),
+            Sharing::Threads(_) => rayon::join(first, second),
             // What is in them may be shared among ranks, one after the other.
-            Sharing::Alone | Sharing::Ranks { .. } => (first(), second()),
+            Sharing::Alone(_) | Sharing::Ranks { .. } => (first(), second()),
         }
     }
 
@@ -36,9 +44,13 @@ impl Sharing<'_> {
         size: usize,
         work: impl Fn(&[T]) -> U + Send + Sync,
     ) -> Vec<U> {
+        let work = |chunk: &[T]| {
+            self.check();
+            work(chunk)
+        };
         match self {
-            Sharing::Alone => items.chunks(size).map(work).collect(),
-            Sharing::Threads => items.par_chunks(size).map(work).collect(),
+            Sharing::Alone(_) => items.chunks(size).map(work).collect(),
+            Sharing::Threads(_) => items.par_chunks(size).map(work).collect(),
             Sharing::Ranks { pool, .. } => {
                 let chunks: Vec<&[T]> = items.chunks(size).collect();
                 on_pool(*pool, &chunks, |chunk| work(chunk))
@@ -74,7 +86,7 @@ impl Sharing<'_> {
     /// Sorts keys that all differ.
     pub(crate) fn sort<T: Ord + Send>(&self, keys: &mut [T]) {
         match self {
-            Sharing::Threads => keys.par_sort_unstable(),
+            Sharing::Threads(_) => keys.par_sort_unstable(),
             _ => keys.sort_unstable(),
         }
     }

@@ -20,6 +20,7 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/mesh/facet_block",
             "calls/options/context_options",
             "calls/mesh/counts",
+            "calls/options/interrupt",
         ],
     ),
     (

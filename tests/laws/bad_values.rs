@@ -4,7 +4,8 @@ use crate::bad_meshes::refused;
 use crate::scene::{Scene, exact, fibers, lines};
 use fmc_contact::contact::TangentPart;
 use fmc_contact::{
-    Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, Obstacle, Options, Pose, Resolution, Shape,
+    Bodies, CellBlock, Contact, EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, Obstacle, Options, Pose,
+    Resolution, Shape, Surface,
 };
 use fmc_shapes::{cuboid_surface, cuboid_tet4, rectangle_quad4};
 use std::sync::Arc;
@@ -157,6 +158,41 @@ fn threads_lines_and_lengths_have_limits() {
     let pattern = FiberPattern::Isotropic { length: Some(1e300) };
     let long = FiberOptions { pattern, resolution: Resolution::Count(1000), ..FiberOptions::default() };
     assert!(matches!(scene.contact(fibers(long)).evaluate(&scene.coords), Err(Error::Overflow { .. })));
+}
+
+/// Two blocks in whatever unit: their overlap, or a word that a double does not hold it; never none.
+#[test]
+fn sizes_are_measured_or_refused() {
+    fn at<const D: usize>(scene: &Scene<D>, law: EnergyLaw, power: i32) -> Option<f64> {
+        let size = 10f64.powi(power);
+        let coords: Vec<[f64; D]> = scene.coords.iter().map(|x| x.map(|x| x * size)).collect();
+        let blocks: Vec<_> =
+            scene.blocks.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
+        let surface = Surface::from_cells(&coords, &blocks, Bodies::Ids(&scene.ids));
+        let contact = surface.and_then(|surface| Contact::new(surface, Options::new(law)));
+        let found = contact.and_then(|contact| contact.evaluate(&coords));
+        match found {
+            Ok(found) => Some(found.volume / size.powi(D as i32)),
+            Err(Error::Overflow { .. } | Error::ZeroMeasure { .. }) => None,
+            Err(other) => panic!("{power}: {other}"),
+        }
+    }
+    let plane =
+        Scene::of(&[&rectangle_quad4([0.0; 2], [1.0; 2], [2, 2]), &rectangle_quad4([0.3, 0.9], [1.5; 2], [1, 1])]);
+    let solid = Scene::of(&[&cuboid_tet4([0.0; 3], [1.0; 3], [1; 3]), &cuboid_tet4([0.3, 0.3, 0.9], [1.5; 3], [1; 3])]);
+    for law in [EnergyLaw::depth(1.0), EnergyLaw::fiber(1.0), EnergyLaw::volume(1.0)] {
+        let [flat, deep] = [at(&plane, law, 0), at(&solid, law, 0)].map(Option::unwrap);
+        assert!(flat > 0.05 && deep > 0.03);
+        let mut told = 0;
+        for power in (60..308).step_by(3).flat_map(|power| [power, -power]) {
+            for (found, expected) in [(at(&plane, law, power), flat), (at(&solid, law, power), deep)] {
+                // Powers of ten are not powers of two: digits are rounded anew.
+                assert!(found.is_none_or(|found| (found / expected - 1.0).abs() < 1e-9), "{law:?}, {power}: {found:?}");
+                told += usize::from(found.is_none());
+            }
+        }
+        assert!(told > 200, "{told}");
+    }
 }
 
 #[test]

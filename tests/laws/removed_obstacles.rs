@@ -35,8 +35,22 @@ fn as_if_never_there<const D: usize>(scene: &Scene<D>, options: Options) {
     assert_eq!(found.obstacles.len(), 3);
     assert_eq!([found.obstacles[0].force, found.obstacles[2].force], [0, 1].map(|o| expected.obstacles[o].force));
     assert_eq!((found.obstacles[1].force, found.obstacles[1].moment), ([0.0; D], [0.0; 3]));
+    // The force of a pair is that on its second side: those on an obstacle add up to all that acts on it.
+    let mut sums = vec![[0.0; D]; found.obstacles.len()];
+    for pair in &found.pairs {
+        if let Rigid(obstacle) = pair.b {
+            (0..D).for_each(|axis| sums[obstacle][axis] += pair.force[axis]);
+        }
+    }
+    let largest = sums.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
+    for (resultant, sum) in found.obstacles.iter().zip(&sums) {
+        assert!(
+            (0..D).all(|axis| (resultant.force[axis] - sum[axis]).abs() <= 1e-12 * largest),
+            "{resultant:?} {sum:?}"
+        );
+    }
     let sides =
-        |pairs: &[fmc_contact::contact::PairForces]| pairs.iter().map(|pair| (pair.a, pair.b)).collect::<Vec<_>>();
+        |pairs: &[fmc_contact::contact::PairForces<D>]| pairs.iter().map(|pair| (pair.a, pair.b)).collect::<Vec<_>>();
     let renumbered = sides(&expected.pairs).into_iter().map(|(a, b)| (a, if b == Rigid(1) { Rigid(2) } else { b }));
     assert_eq!(sides(&found.pairs), renumbered.collect::<Vec<_>>());
 

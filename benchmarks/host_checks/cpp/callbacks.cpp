@@ -123,7 +123,36 @@ int main() try {
   gone.set_log({});
   EXPECT(gone.evaluate(square).warning_count == 1 && heard.size() == 1);
 
-  // 6. Functions end with their obstacle, when they are replaced, where they were refused, and with the context.
+  // 6. A call that takes long is ended, on one thread and on three; the context is as it was.
+  for (const int32_t threads : {1, 3}) {
+    auto fine = options;
+    fine.law = FMC_LAW_VOLUME;
+    fine.estimator = FMC_ESTIMATOR_FIBERS;
+    fine.spacing = 2e-7;
+    fine.threads = static_cast<decltype(fine.threads)>(threads);
+    std::vector<double> two = square;
+    for (std::size_t k = 0; k < square.size(); ++k) two.push_back(square[k] + 0.5);
+    std::vector<int64_t> both = {0, 1, 2, 3, 4, 5, 6, 7}, ids = {0, 1};
+    fmc::Context slow(2, two, {{FMC_QUAD4, both}}, fine, ids);
+    int asked = 0;
+    slow.set_interrupt([&] { return ++asked > 2; });
+    EXPECT(refused(FMC_ERROR_INTERRUPTED, "ended by its caller", [&] { slow.evaluate(two); }));
+    EXPECT(asked == 3);
+    slow.set_interrupt([]() -> bool { throw std::runtime_error("enough"); });
+    std::string said;
+    try {
+      slow.evaluate(two);
+    } catch (const std::runtime_error &error) {
+      said = error.what();
+    }
+    EXPECT(said == "enough");
+    slow.set_interrupt({});
+    fine.spacing = 0.01;
+    slow.set_options(fine);
+    EXPECT(std::abs(slow.evaluate(two).volume - 0.25) < 2.5e-3);
+  }
+
+  // 7. Functions end with their obstacle, when they are replaced, where they were refused, and with the context.
   const auto held = std::make_shared<int>(0);
   {
     fmc::Context last(2, square, {{FMC_QUAD4, quad}}, options);

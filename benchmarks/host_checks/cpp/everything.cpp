@@ -46,6 +46,11 @@ void forces_and_getters() {
   contact.set_options(options);
   EXPECT(close(contact.evaluate(coords).energy, 2 * result.energy, 1e-14));
 
+  // Nobody ends a call.
+  contact.set_interrupt([] { return false; });
+  EXPECT(close(contact.evaluate(coords).energy, 2 * result.energy, 1e-14));
+  contact.set_interrupt({});
+
   // The pair with a law of its own, left out, and as before.
   const auto a = fmc::Partner::body(0), b = fmc::Partner::body(1);
   fmc::PairOptions own;

@@ -78,6 +78,8 @@ pub const FMC_ERROR_UNKNOWN_FLAG: i32 = 60;
 pub const FMC_ERROR_OPTIONS_CONFLICT: i32 = 61;
 pub const FMC_ERROR_RESERVED_FIELD: i32 = 62;
 pub const FMC_ERROR_NO_STIFFNESS: i32 = 63;
+pub const FMC_ERROR_INTERRUPTED: i32 = 64;
+pub const FMC_ERROR_MEMORY: i32 = 65;
 pub const FMC_CLASS_OK: i32 = 0;
 pub const FMC_CLASS_INPUT: i32 = 1;
 pub const FMC_CLASS_GEOMETRY: i32 = 2;
@@ -173,6 +175,8 @@ pub struct fmc_condensation {
 }
 
 pub type fmc_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, level: i32, text: *const c_char)>;
+
+pub type fmc_interrupt_callback = Option<unsafe extern "C" fn(user: *mut c_void) -> i32>;
 
 pub type fmc_signed_distance = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32>;
 
@@ -367,7 +371,8 @@ pub struct fmc_pair_result {
     pub friction_dissipation: f64,
     pub stick_area: f64,
     pub slip_area: f64,
-    pub reserved: [u64; 4],
+    pub force: [f64; 3],
+    pub reserved: [u64; 1],
 }
 
 #[repr(C)]
@@ -688,6 +693,7 @@ unsafe extern "C" {
     pub fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status;
     pub fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status;
     pub fn fmc_context_counts(context: *const fmc_context, node_count: *mut usize, facet_count: *mut usize, body_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_interrupt(context: *mut fmc_context, callback: fmc_interrupt_callback, user: *mut c_void) -> fmc_status;
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_set_symmetry_planes(context: *mut fmc_context, points: *const f64, normals: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const c_void, count: usize) -> fmc_status;

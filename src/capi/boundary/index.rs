@@ -5,6 +5,7 @@ use super::pointer::slice;
 use super::status::fmc_status::{
     FMC_ERROR_INDEX_SIZE, FMC_ERROR_LENGTH, FMC_ERROR_MISALIGNED_POINTER, FMC_ERROR_NULL_POINTER,
 };
+use crate::Error;
 use std::borrow::Cow;
 use std::ffi::c_void;
 
@@ -63,7 +64,7 @@ impl IndexSize {
         Ok(match self {
             Self::Four => {
                 let given = unsafe { slice(name, pointer.cast::<i32>(), count, each) }?;
-                Cow::Owned(given.iter().map(|&number| number.into()).collect())
+                Cow::Owned(Error::collected("numbers of the host", given.iter().map(|&number| number.into()))?)
             }
             Self::Eight => Cow::Borrowed(unsafe { slice(name, pointer.cast::<i64>(), count, each) }?),
         })

@@ -139,6 +139,11 @@ pub enum fmc_status {
     FMC_ERROR_RESERVED_FIELD = 62,
     /// The contact has no stiffness: option `stiffness` is 0, and none was found from the bodies' matrix.
     FMC_ERROR_NO_STIFFNESS = 63,
+    /// The call was ended by the host (`fmc_context_set_interrupt`).
+    FMC_ERROR_INTERRUPTED = 64,
+    /// Memory that the call needs for large arrays cannot be had. Memory that runs out for small ones, or that a system grants and does
+    /// not have, ends the process.
+    FMC_ERROR_MEMORY = 65,
 }
 
 use fmc_status::*;
@@ -209,6 +214,8 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_OPTIONS_CONFLICT, c"FMC_ERROR_OPTIONS_CONFLICT"),
     (FMC_ERROR_RESERVED_FIELD, c"FMC_ERROR_RESERVED_FIELD"),
     (FMC_ERROR_NO_STIFFNESS, c"FMC_ERROR_NO_STIFFNESS"),
+    (FMC_ERROR_INTERRUPTED, c"FMC_ERROR_INTERRUPTED"),
+    (FMC_ERROR_MEMORY, c"FMC_ERROR_MEMORY"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -251,6 +258,8 @@ impl From<&Error> for fmc_status {
             Error::Place { .. } => FMC_ERROR_PLACE,
             Error::NoStep => FMC_ERROR_NO_STEP,
             Error::NoStiffness => FMC_ERROR_NO_STIFFNESS,
+            Error::Interrupted => FMC_ERROR_INTERRUPTED,
+            Error::Memory { .. } => FMC_ERROR_MEMORY,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
             Error::TooFewHeights { .. } => FMC_ERROR_TOO_FEW_HEIGHTS,
             Error::NonFiniteHeight { .. } => FMC_ERROR_NON_FINITE_HEIGHT,
@@ -294,7 +303,7 @@ mod tests {
         for (code, name) in NAMES {
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_NO_STIFFNESS);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_MEMORY);
     }
 
     #[test]

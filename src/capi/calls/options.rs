@@ -1,6 +1,7 @@
 //! Options by their names, those of pairs, and a stiffness for a law.
 
 pub(super) mod context_options;
+pub(super) mod interrupt;
 pub(super) mod option_keys;
 pub(super) mod pair_options;
 pub(super) mod stiffness;

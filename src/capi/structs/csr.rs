@@ -1,5 +1,6 @@
 //! A sparse matrix of the host.
 
+use crate::Error;
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
@@ -94,7 +95,7 @@ impl fmc_csr {
         if row_count > 0 {
             // SAFETY: passed on to the caller.
             let given = unsafe { size.list("row_offsets", self.row_offsets, row_count.saturating_add(1), 1) }?;
-            offsets = given.iter().map(zero_based).collect();
+            offsets = Error::collected("row offsets", given.iter().map(zero_based))?;
         }
         if offsets[0] != 0 || !offsets.is_sorted() {
             let text = format!("the row offsets do not ascend from {}", self.index_base);
@@ -104,6 +105,6 @@ impl fmc_csr {
         // SAFETY: passed on to the caller.
         let (cols, values) =
             unsafe { (size.list("cols", self.cols, count, 1)?, slice("values", self.values, count, 1)?) };
-        Ok(Matrix { offsets, cols: cols.iter().map(zero_based).collect(), values })
+        Ok(Matrix { offsets, cols: Error::collected("columns", cols.iter().map(zero_based))?, values })
     }
 }

@@ -128,8 +128,11 @@ pub struct fmc_pair_result {
     pub stick_area: f64,
     /// Area (2D: length) that slides.
     pub slip_area: f64,
+    /// Force of the first side on the second, friction included; in 2D the last entry is 0. The force of the second on the first is
+    /// its negative. 0 for a body that overlaps itself.
+    pub force: [f64; 3],
     /// Zero.
-    pub reserved: [u64; 4],
+    pub reserved: [u64; 1],
 }
 
 /// Kind of a warning.
@@ -249,7 +252,7 @@ pub(crate) fn side_of(partner: Partner) -> (i32, usize) {
     }
 }
 
-fn pair(found: &PairForces) -> fmc_pair_result {
+fn pair<const D: usize>(found: &PairForces<D>) -> fmc_pair_result {
     let ((a_kind, a), (b_kind, b)) = (side_of(found.a), side_of(found.b));
     fmc_pair_result {
         struct_size: size_of::<fmc_pair_result>(),
@@ -268,6 +271,7 @@ fn pair(found: &PairForces) -> fmc_pair_result {
         friction_dissipation: found.friction.dissipated,
         stick_area: found.friction.stick_area,
         slip_area: found.friction.slip_area,
-        reserved: [0; 4],
+        force: padded(&found.force),
+        reserved: [0; 1],
     }
 }

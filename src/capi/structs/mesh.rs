@@ -113,7 +113,11 @@ impl Numbering {
                 }
             }
         };
-        ids.iter().enumerate().map(convert).collect()
+        let mut list = Error::room("node numbers", ids.len())?;
+        for numbered in ids.iter().enumerate().map(convert) {
+            list.push(numbered?);
+        }
+        Ok(list)
     }
 }
 

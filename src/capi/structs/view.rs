@@ -1,5 +1,6 @@
 //! Arrays of the host: nodes by axes, with strides, so that rows, padded rows and columns go in without a copy.
 
+use crate::Error;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::check;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BUFFER_TOO_SMALL, FMC_ERROR_LENGTH, FMC_ERROR_STRIDE};
@@ -101,6 +102,8 @@ impl fmc_coords {
             return Ok(unsafe { std::slice::from_raw_parts(self.data.cast(), self.node_count) });
         }
         scratch.clear();
+        let bytes = self.node_count.saturating_mul(size_of::<[f64; D]>());
+        scratch.try_reserve(self.node_count).map_err(|_| Error::Memory { what: "coordinates", bytes })?;
         scratch.extend((0..self.node_count).map(|node| {
             // SAFETY: the offset is addressable, and the caller guarantees every entry of the view.
             std::array::from_fn(|axis| unsafe { self.data.offset(strides.offset(node, axis)).read() })

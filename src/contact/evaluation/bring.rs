@@ -8,6 +8,7 @@ use crate::Error;
 use crate::configuration::Configuration;
 use crate::contact::laws::FoundPatches;
 use crate::geometry::aabb::Aabb;
+use crate::ranks::caught;
 
 /// Calls `work` with the bodies at `coords`.
 ///
@@ -22,7 +23,7 @@ pub(crate) fn with_state<const D: usize, T>(
         .and_then(|()| check_radii(contact, &state.configuration))
         .and_then(|()| check_gathered(contact, &state.configuration, coords));
     let result = match contact.work.ranks() {
-        None => brought.and_then(|()| work(&state)),
+        None => brought.and_then(|()| caught(contact.work.interrupt(), || work(&state))),
         Some(ranks) => {
             let begun = ranks.agree(brought, hash_in_common(contact, coords, std::any::type_name::<T>()));
             begun.and_then(|()| ranks.agree(work(&state), 0))

@@ -7,6 +7,7 @@ use crate::Error;
 use crate::contact::laws::Measured;
 use crate::contact::partners::Partners;
 use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
+use crate::ranks::on_threads_of;
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
@@ -36,8 +37,9 @@ pub(crate) fn for_each_pair_within<const D: usize, T: Send>(
         };
         // A signed distance function belongs to the host and is called on the calling thread.
         let is_marched = |partners: &[Partner; 2]| contact.partners.is_marched(partners);
-        let mut found: Vec<Option<Result<Option<T>, Error>>> =
-            pool.install(|| pairs.par_iter().map(|partners| (!is_marched(partners)).then(|| work(partners))).collect());
+        let mut found: Vec<Option<Result<Option<T>, Error>>> = on_threads_of(pool, contact.work.interrupt(), || {
+            pairs.par_iter().map(|partners| (!is_marched(partners)).then(|| work(partners))).collect()
+        });
         for (partners, found) in pairs.iter().zip(&mut found).filter(|(_, found)| found.is_none()) {
             *found = Some(work(partners));
         }
@@ -113,13 +115,14 @@ fn with_pair<const D: usize, T>(
         },
         (Partner::Obstacle(_), None) => return Ok(None),
     };
+    let sharing = contact.work.within_pair(counterpart.is_marched());
+    sharing.check();
     let law = contact.partners.law_of(&partners, method);
     // Friction asks for depths with a law that has no points of its own.
     let is_rubbed = !law.is_local() && contact.partners.friction_of(&partners, method.options()).is_active();
     let weighting = method.weighting();
-    let depth = if law.needs_depth() || is_rubbed { mesh.depth_field(weighting) } else { None };
+    let depth = if law.needs_depth() || is_rubbed { mesh.depth_field(weighting, &|| sharing.check()) } else { None };
     let clearance = if parallel.is_some() { 0.0 } else { -table.gap_offset(&partners) };
-    let sharing = contact.work.within_pair(counterpart.is_marched());
     let (surface, coords, region) = (&mesh.surface, configuration.coords(), OnceLock::new());
     let pair = Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, weighting, sharing, region };
     let kept = history.patches.of(&partners);

@@ -10,7 +10,7 @@ use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::symmetry::SymmetryPlane;
 use crate::geometry::{Basis, BoundaryFacet, Obstacle, PointWeights, Pose, Surface};
 use crate::overlap::{FiberTrace, Overlap, Partner};
-use crate::ranks::{Communicator, RankCounts};
+use crate::ranks::{Asked, Communicator, RankCounts};
 
 impl<const D: usize> Contact<D> {
     /// Contact between the bodies of `surface`.
@@ -377,6 +377,13 @@ impl<const D: usize> Contact<D> {
     pub fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Error> {
         self.mesh.surface.refuse_submesh("another communicator for a mesh that is given in parts")?;
         self.work.set_communicator(communicator)
+    }
+
+    /// Takes a function that is asked some twenty times a second, on the thread that calls, whether what is computed is to end; `None`: no
+    /// more. Where it says so the call gives [`Error::Interrupted`], and the contact is as it was before. It is asked while pairs are
+    /// measured, lines laid and depths found, not within factorisations, and not where ranks share the work.
+    pub fn set_interrupt(&mut self, asked: Option<Asked>) {
+        self.work.set_interrupt(asked);
     }
 
     /// What was shared since the communicator was set; zeros without one.

@@ -25,7 +25,7 @@ pub struct Resultant<const D: usize> {
 
 /// One overlapping pair.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PairForces {
+pub struct PairForces<const D: usize> {
     /// First side.
     pub a: Partner,
     /// Second side; equal to `a` for a body that overlaps itself.
@@ -52,6 +52,11 @@ pub struct PairForces {
     pub penetration: f64,
     /// Spacing of the fibers; 0 for `exact`. Given back as `Resolution::Spacing`, it keeps the pattern.
     pub spacing: f64,
+    /// Force of the first side on the second, friction included; the second's on the first is its negative, up to what the estimator
+    /// leaves unbalanced.
+    pub force: [f64; D],
+    /// Moment of that force about the origin, as [`Resultant::moment`] has it.
+    pub moment: [f64; 3],
     /// Its friction.
     pub friction: FrictionTotals,
 }
@@ -87,7 +92,7 @@ pub struct ContactForces<const D: usize> {
     /// Friction, summed over the pairs.
     pub friction: FrictionTotals,
     /// The overlapping pairs.
-    pub pairs: Vec<PairForces>,
+    pub pairs: Vec<PairForces<D>>,
     /// What the user should know.
     pub warnings: Vec<Warning>,
 }
@@ -140,6 +145,7 @@ impl<const D: usize> ContactForces<D> {
     /// The same without moments, which cancel around an axis.
     pub(crate) fn without_moments(mut self) -> Self {
         self.bodies.iter_mut().chain(&mut self.obstacles).for_each(|resultant| resultant.moment = [0.0; 3]);
+        self.pairs.iter_mut().for_each(|pair| pair.moment = [0.0; 3]);
         self
     }
 
@@ -164,16 +170,23 @@ impl<const D: usize> ContactForces<D> {
 
     fn add(&mut self, coords: &[[f64; D]], pair: &PairEnergy<D>) {
         let overlap = &pair.overlap;
+        let mut on_b = Resultant::none(0, 0);
         for ((&node, gradient), &of_b) in pair.nodes.iter().zip(&pair.gradient).zip(&pair.of_b) {
             let force = -gradient;
             for axis in 0..D {
                 self.forces[node as usize][axis] += force[axis];
             }
             let x = Vector::from(coords[node as usize]);
-            self.resultant(if of_b { overlap.b } else { overlap.a }).add(&force, &moment(&x, &force));
+            let moment = moment(&x, &force);
+            self.resultant(if of_b { overlap.b } else { overlap.a }).add(&force, &moment);
+            if of_b {
+                on_b.add(&force, &moment);
+            }
         }
         if let Some(pose) = &pair.pose_gradient {
-            self.resultant(overlap.b).add(&-pose.position, &pose.rotation.map(|m| -m));
+            let (force, moment) = (-pose.position, pose.rotation.map(|m| -m));
+            self.resultant(overlap.b).add(&force, &moment);
+            on_b.add(&force, &moment);
         }
         let pair = PairForces {
             a: overlap.a,
@@ -185,6 +198,8 @@ impl<const D: usize> ContactForces<D> {
             contact_area: overlap.contact_area,
             penetration: overlap.penetration,
             spacing: overlap.spacing,
+            force: on_b.force,
+            moment: on_b.moment,
             friction: FrictionTotals::default(),
         };
         self.volume += pair.volume;
@@ -201,18 +216,26 @@ impl<const D: usize> ContactForces<D> {
 
     fn add_friction(&mut self, coords: &[[f64; D]], pair: &Tractions<D>) {
         let [a, b] = pair.partners;
+        let mut on_b = Resultant::none(0, 0);
         for ((&node, force), &of_b) in pair.nodes.iter().zip(&pair.forces).zip(&pair.of_b) {
             for axis in 0..D {
                 self.forces[node as usize][axis] += force[axis];
             }
             let x = Vector::from(coords[node as usize]);
-            self.resultant(if of_b { b } else { a }).add_friction(force, &moment(&x, force));
+            let moment = moment(&x, force);
+            self.resultant(if of_b { b } else { a }).add_friction(force, &moment);
+            if of_b {
+                on_b.add(force, &moment);
+            }
         }
         let (force, moment) = &pair.on_obstacle;
         self.resultant(b).add_friction(force, moment);
+        on_b.add(force, moment);
         self.friction = self.friction.plus(pair.totals);
         if let Some(found) = self.pairs.iter_mut().find(|found| (found.a, found.b) == (a, b)) {
             found.friction = pair.totals;
+            found.force = std::array::from_fn(|axis| found.force[axis] + on_b.force[axis]);
+            found.moment = std::array::from_fn(|axis| found.moment[axis] + on_b.moment[axis]);
         }
     }
 
@@ -225,6 +248,10 @@ impl<const D: usize> ContactForces<D> {
 }
 
 impl<const D: usize> Resultant<D> {
+    fn none(id: i64, node_count: usize) -> Self {
+        Self { id, force: [0.0; D], moment: [0.0; 3], friction: [0.0; D], node_count }
+    }
+
     fn add_friction(&mut self, force: &Vector<D>, moment: &[f64; 3]) {
         self.add(force, moment);
         for axis in 0..D {

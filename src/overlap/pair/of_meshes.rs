@@ -34,7 +34,7 @@ pub(crate) fn with_pair<T>(a: &Mesh<3>, b: &Mesh<3>, work: impl FnOnce(&Pair<3>)
         depth: None,
         clearance: 0.0,
         weighting: Weighting::Plain,
-        sharing: Sharing::Alone,
+        sharing: Sharing::Alone(None),
         region: OnceLock::new(),
     })
 }

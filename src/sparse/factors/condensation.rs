@@ -96,7 +96,9 @@ impl Condensation {
 
     /// S on the kept equations, row by row. Errors: [`Error::NotFactorised`].
     pub fn complement(&self) -> Result<Vec<f64>, Error> {
-        Ok(self.complement_of(self.kept()?.len()))
+        let count = self.kept()?.len();
+        Error::check_room("a dense matrix", count.saturating_mul(count).saturating_mul(2 * size_of::<f64>()))?;
+        Ok(self.complement_of(count))
     }
 
     fn complement_of(&self, count: usize) -> Vec<f64> {

@@ -78,6 +78,8 @@ FMC_ERROR_UNKNOWN_FLAG = 60
 FMC_ERROR_OPTIONS_CONFLICT = 61
 FMC_ERROR_RESERVED_FIELD = 62
 FMC_ERROR_NO_STIFFNESS = 63
+FMC_ERROR_INTERRUPTED = 64
+FMC_ERROR_MEMORY = 65
 FMC_CLASS_OK = 0
 FMC_CLASS_INPUT = 1
 FMC_CLASS_GEOMETRY = 2
@@ -222,6 +224,8 @@ FMC_STATUS: dict[int, str] = {
     61: "error_options_conflict",
     62: "error_reserved_field",
     63: "error_no_stiffness",
+    64: "error_interrupted",
+    65: "error_memory",
 }
 
 FMC_STATUS_CLASS_VALUE: dict[int, str] = {

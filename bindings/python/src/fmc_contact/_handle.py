@@ -9,8 +9,10 @@ from typing import Any, Callable, TypeVar
 
 import numpy as np
 
+from ._constants import FMC_ERROR_UNSUPPORTED
+from ._ctrl_c import CtrlC
 from ._library import check, library
-from ._structs import fmc_context
+from ._structs import fmc_context, fmc_interrupt_callback
 from .errors import BusyError
 
 Row = TypeVar("Row", bound=Structure)
@@ -54,6 +56,13 @@ class Handle:
         finalizer.atexit = False
         self._lock = threading.Lock()
         self._callbacks: dict[object, object] = {}
+        self._ctrl_c = CtrlC()
+        ask = fmc_interrupt_callback(self._ctrl_c.ask)
+        status = library.fmc_context_set_interrupt(self.pointer, ask, None)
+        # Ranks that hold a mesh in parts wait for one another.
+        if status != FMC_ERROR_UNSUPPORTED:
+            check(status)
+            self.keep("interrupt", ask)
 
     def __enter__(self) -> None:
         if not self._lock.acquire(blocking=False):
@@ -63,8 +72,9 @@ class Handle:
         self._lock.release()
 
     def call(self, function: Callable[..., int], *arguments: object) -> None:
-        """Calls a function of the library. A callback's exception takes precedence over the status that it caused."""
-        status = function(self.pointer, *arguments)
+        """Calls a function of the library. A callback's exception takes precedence over the status that it caused, Ctrl-C over both."""
+        with self._ctrl_c:
+            status = function(self.pointer, *arguments)
         self._raise_again()
         check(status)
 

@@ -35,6 +35,8 @@ class fmc_condensation(c_void_p):
 
 fmc_log_callback = CFUNCTYPE(None, c_void_p, c_int32, c_char_p)
 
+fmc_interrupt_callback = CFUNCTYPE(c_int32, c_void_p)
+
 fmc_signed_distance = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double), POINTER(c_double))
 
 fmc_place = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double))
@@ -228,7 +230,8 @@ class fmc_pair_result(Structure):
         ("friction_dissipation", c_double),
         ("stick_area", c_double),
         ("slip_area", c_double),
-        ("reserved", c_uint64 * 4),
+        ("force", c_double * 3),
+        ("reserved", c_uint64 * 1),
     ]
 
 

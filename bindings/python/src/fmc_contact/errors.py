@@ -298,14 +298,23 @@ class NoStiffnessError(FmcError, RuntimeError):
     """The contact has no stiffness: none was given, and none was found from the bodies' matrix."""
 
 
+class EndedError(FmcError, RuntimeError):
+    """The call was ended by its caller."""
+
+
+class OutOfMemoryError(FmcError, RuntimeError):
+    """Memory for large arrays cannot be had."""
+
+
 class NotFactorisedError(FmcError, RuntimeError):
     """There are no factors of a matrix: none was given, or the last one had none."""
 
 
 def _named(status: str) -> str:
-    """Name of the class for ``error_null_pointer``. OverflowError is taken."""
+    """Name of the class for ``error_null_pointer``. Some names are taken by Python."""
     words = status.replace("error_", "").title().replace("_", "")
-    return f"{'Range' if words == 'Overflow' else words}Error"
+    taken = {"Overflow": "Range", "Interrupted": "Ended", "Memory": "OutOfMemory"}
+    return f"{taken.get(words, words)}Error"
 
 
 _CLASSES = {name: one for name, one in list(globals().items()) if isinstance(one, type) and issubclass(one, FmcError)}

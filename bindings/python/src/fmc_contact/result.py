@@ -104,6 +104,8 @@ class Pair:
         Spacing of the fibers; 0 for the estimator ``"exact"``. As the option ``spacing`` it gives the same pattern again.
     friction : Friction
         Friction of the pair. Its ``largest_slip`` is that of all pairs.
+    force : ndarray, (dim,)
+        Force of ``a`` on ``b``, friction included; that of ``b`` on ``a`` is its negative. 0 for a body that overlaps itself.
 
     Examples
     --------
@@ -122,6 +124,7 @@ class Pair:
     penetration: float
     spacing: float
     friction: Friction
+    force: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -216,7 +219,7 @@ def _friction(found: Any, largest_slip: float) -> Friction:
     return Friction(found.friction_energy, found.friction_dissipation, *areas, largest_slip)
 
 
-def _pair(handle: Handle, index: int, largest_slip: float) -> Pair:
+def _pair(handle: Handle, index: int, largest_slip: float, dim: int) -> Pair:
     found = fmc_pair_result()
     handle.call(library.fmc_context_pair_result, index, byref(found))
     return Pair(
@@ -230,6 +233,7 @@ def _pair(handle: Handle, index: int, largest_slip: float) -> Pair:
         found.penetration,
         found.spacing,
         _friction(found, largest_slip),
+        np.array(found.force[:dim]),
     )
 
 
@@ -255,6 +259,6 @@ def gather(handle: Handle, forces: np.ndarray, found: fmc_result, dim: int) -> R
         _friction(found, found.largest_slip),
         tuple(_resultant(handle, body, index, dim) for index in range(found.body_count)),
         tuple(_resultant(handle, obstacle, index, dim) for index in range(found.obstacle_count)),
-        tuple(_pair(handle, index, found.largest_slip) for index in range(found.pair_count)),
+        tuple(_pair(handle, index, found.largest_slip, dim) for index in range(found.pair_count)),
         tuple(_warning(handle, index) for index in range(found.warning_count)),
     )

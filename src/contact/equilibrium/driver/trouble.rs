@@ -55,6 +55,10 @@ impl std::fmt::Display for Trouble {
 
 impl From<Error> for Trouble {
     fn from(error: Error) -> Self {
-        Trouble::Contact(error)
+        match error {
+            // Not to be tried another way.
+            Error::Interrupted => Trouble::Failed(error.to_string()),
+            error => Trouble::Contact(error),
+        }
     }
 }

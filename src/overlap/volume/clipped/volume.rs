@@ -163,11 +163,15 @@ impl<const D: usize> ClippedPair<'_, D> {
         };
         let of_chunk = |facets: &[u32]| -> Vec<Clipped<D>> {
             let mut clipper = Clipper::new(self.pair.weighting);
-            facets.iter().filter_map(|facet| clip(&mut clipper, facet)).collect()
+            let clipped = |facet| {
+                self.pair.sharing.check();
+                clip(&mut clipper, facet)
+            };
+            facets.iter().filter_map(clipped).collect()
         };
         match self.pair.sharing {
             // One clipper for all.
-            Sharing::Alone => of_chunk(facets),
+            Sharing::Alone(_) => of_chunk(facets),
             _ => self.pair.in_chunks(facets, CHUNK, of_chunk).into_iter().flatten().collect(),
         }
     }

@@ -1,0 +1,62 @@
+//! The end of a call that takes long, as the host wishes.
+
+use crate::Asked;
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
+use crate::capi::context::state::{fmc_context, write};
+use std::ffi::c_void;
+
+/// Whether the call that is running is to end: 0 to go on. `user` is the pointer given with it.
+///
+/// It is called on the thread that called the library. It must not call a function of the same context, throw, or jump out.
+pub type fmc_interrupt_callback = Option<unsafe extern "C" fn(user: *mut c_void) -> i32>;
+
+/// What a host gave.
+#[derive(Clone, Copy)]
+struct Host {
+    callback: unsafe extern "C" fn(user: *mut c_void) -> i32,
+    user: *mut c_void,
+}
+
+// SAFETY: the pointer is handed through, never followed; the host promises in `fmc_context_set_interrupt` that the callback may be called
+// from whichever thread calls the library.
+unsafe impl Send for Host {}
+// SAFETY: as above.
+unsafe impl Sync for Host {}
+
+impl Host {
+    fn is_asked(&self) -> bool {
+        // SAFETY: the host gave a function that keeps to its contract, and its own pointer.
+        unsafe { (self.callback)(self.user) != 0 }
+    }
+}
+
+/// Sets a callback that is asked some twenty times a second, while a call computes, whether it is to end; NULL, the default: none.
+///
+/// A call that is ended returns `FMC_ERROR_INTERRUPTED`; the context is as it was before, and may be used on. A search for an equilibrium
+/// is refused then. The callback is asked while pairs are measured, lines laid and depths found; not within a factorisation or a contact
+/// step's linear algebra, and not while ranks share the work, which would wait for one another.
+///
+/// The callback and `user` must outlive the context, or be replaced before they end. Errors: `FMC_ERROR_NULL_POINTER`,
+/// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_interrupt(
+    context: *mut fmc_context,
+    callback: fmc_interrupt_callback,
+    user: *mut c_void,
+) -> fmc_status {
+    entry(|| {
+        let asked = callback.map(|callback| {
+            let host = Host { callback, user };
+            Box::new(move || host.is_asked()) as Asked
+        });
+        // SAFETY: the host passes a context.
+        unsafe {
+            write(context, |state| {
+                in_either!(&mut state.session, one => one.contact_mut()?.set_interrupt(asked));
+                Ok(())
+            })
+        }
+    })
+}
