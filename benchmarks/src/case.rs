@@ -20,6 +20,7 @@ mod load_steps;
 mod meshing;
 mod obstacle;
 mod place;
+mod size;
 mod time;
 
 pub use body::{Body, CellKind, Material, MaterialLaw, MeshSource, QuadrilateralPart};
@@ -33,4 +34,5 @@ pub use key::Key;
 pub use load_steps::LoadSteps;
 pub use obstacle::{Obstacle, ShapeName};
 pub use place::{Axis, Load, Place, Side, Support};
+pub use size::{MOST_LOAD_STEPS, MOST_NODES, MOST_STEPS};
 pub use time::Time;

@@ -7,7 +7,7 @@
 //! OUT/forces.png       and .svg: contact forces on bodies and obstacles over time
 //! OUT/animation.gif    the deformed bodies coloured by von Mises stress (2D, where the case asks for it)
 //! OUT/summary.json     figures and checks
-//! OUT/checkpoint.*     of a run that was interrupted, or still runs
+//! OUT/checkpoint.*     where a run stands; what it has cost only until it is at its end
 //! OUT/iterations.csv   every iteration of an equilibrium
 //! OUT/equilibrium.vtu  its fields
 //! OUT/fibers.vtu       fibers through the contact, their stretches inside both bodies, and their crossings as points

@@ -1,5 +1,6 @@
 //! What a case must fulfil beyond the types of its values.
 
+use super::size::{MOST_LOAD_STEPS, MOST_NODES, MOST_STEPS};
 use super::{Case, Key, LawName, Load, Obstacle, Place, Support};
 use fmc_contact::Shape;
 
@@ -80,7 +81,16 @@ impl Check<'_> {
             }
             self.vector(&key.then("initial_velocity"), body.initial_velocity.as_ref());
             self.vector(&key.then("position"), body.position.as_ref());
+            if !body.rotation.is_finite() {
+                self.flaw(&key.then("rotation"), format!("it must be finite, not {}", body.rotation));
+            }
+            let before = self.flaws.len();
             self.mesh(&key.then("mesh"), &body.mesh);
+            let nodes = body.mesh.node_estimate();
+            if self.flaws.len() == before && !(nodes <= MOST_NODES) {
+                let message = format!("it would have some {nodes:.0e} nodes; at most {MOST_NODES:.0e} are made");
+                self.flaw(&key.then("mesh"), message);
+            }
         }
     }
 
@@ -199,6 +209,13 @@ impl Check<'_> {
             if steps.count == 0 {
                 self.flaw(&key.then("count"), "it must be at least 1".into());
             }
+            for (name, &count) in
+                std::iter::once(("count", &steps.count)).chain(steps.then.iter().map(|count| ("then", count)))
+            {
+                if count > MOST_LOAD_STEPS {
+                    self.flaw(&key.then(name), format!("it must be at most {MOST_LOAD_STEPS}, not {count}"));
+                }
+            }
             if !time.is_absent() {
                 self.flaw(&key, "a case has load steps or time, not both".into());
             }
@@ -224,6 +241,9 @@ impl Check<'_> {
         }
         if time.step.is_some_and(|step| step > time.end) {
             self.flaw(&key.then("step"), format!("it must be at most end = {}", time.end));
+        }
+        if time.step.is_some_and(|step| time.end / step > MOST_STEPS) {
+            self.flaw(&key.then("end"), format!("it must be at most {MOST_STEPS:.0e} steps away, not {}", time.end));
         }
     }
 

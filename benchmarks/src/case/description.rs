@@ -195,6 +195,17 @@ impl Default for Output {
 }
 
 impl Case {
+    /// Whether the case fulfils what a file must: for one that was changed after it was read.
+    ///
+    /// # Errors
+    /// What is wrong with it first.
+    pub fn check(&self) -> anyhow::Result<()> {
+        match super::check::flaws(self).into_iter().next() {
+            Some((key, message)) => anyhow::bail!("{}: {message}", key.0.join(".")),
+            None => Ok(()),
+        }
+    }
+
     /// Index of a body by its name.
     pub fn body(&self, name: &str) -> Option<usize> {
         self.bodies.iter().position(|body| body.name == name)

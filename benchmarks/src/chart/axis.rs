@@ -28,7 +28,10 @@ impl Axis {
 
     /// Range around all places, with a margin of a twentieth.
     pub fn range(&self, places: impl Iterator<Item = f64>) -> Range<f64> {
-        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        let finite = places.filter(|x| x.is_finite());
+        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        // Nothing to show: a picture without a curve is a picture all the same.
+        let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
         // A curve that is constant gets a range as wide as its number, not one of rounding errors.
         let width = (high - low).max(0.02 * high.abs()).max(0.02);
         low - 0.05 * width..high + 0.05 * width
@@ -62,5 +65,11 @@ mod tests {
         assert_eq!([0.25, -0.5, -1e-17, 3.0].map(|x| linear.tick(x)), ["0.25", "−0.5", "0", "3"]);
         assert_eq!([-12.0, 0.0, 5.0, 0.5].map(|x| log.tick(x)), ["10⁻¹²", "10⁰", "10⁵", ""]);
         assert_eq!(log.place(1e-3), -3.0);
+        for axis in [linear, log] {
+            for nothing in [&[][..], &[f64::NAN], &[f64::INFINITY, f64::NEG_INFINITY]] {
+                let range = axis.range(nothing.iter().copied());
+                assert!(range.start < range.end && (range.end - range.start).is_finite(), "{range:?}");
+            }
+        }
     }
 }

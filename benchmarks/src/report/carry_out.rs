@@ -70,7 +70,9 @@ fn of_case(
 ) -> Result<Option<Record>> {
     let options = RunOptions { out: folder.to_owned(), threads: setting.threads, resume };
     match ending(document, case, &options, setting)? {
-        Ending::Finished(summary) => Ok(Some(finished(&summary, case, document, camera, stamp, folder)?)),
+        Ending::Finished(summary) | Ending::FinishedBefore(summary) => {
+            Ok(Some(finished(&summary, case, document, camera, stamp, folder)?))
+        }
         Ending::Interrupted { .. } if setting.stop.load(Ordering::SeqCst) => Ok(None),
         Ending::Interrupted { .. } => {
             let granted = setting.limit.unwrap_or_default().as_secs();

@@ -15,6 +15,8 @@ pub(super) struct Frames {
 impl Frames {
     /// `intervals` intervals over so many steps, fewer if there are fewer steps; 0 for no fields.
     pub(super) fn new(intervals: u64, step_count: u64, step_size: f64) -> Self {
+        // One for every step is the most: a file may ask for more than there is memory for.
+        let intervals = intervals.min(step_count);
         let at = |frame: u64| (u128::from(frame) * u128::from(step_count) / u128::from(intervals)) as u64;
         let mut steps: Vec<u64> = if intervals == 0 { Vec::new() } else { (0..=intervals).map(at).collect() };
         steps.dedup();
@@ -63,6 +65,7 @@ mod tests {
         assert_eq!(frames.until(100).count(), 8);
         assert_eq!(frames.until(14).last().unwrap().0, 7.0);
         assert_eq!(Frames::new(50, 3, 1.0).until(3).count(), 4);
+        assert_eq!(Frames::new(u64::MAX, 3, 1.0), Frames::new(3, 3, 1.0));
         assert_eq!(Frames::new(0, 3, 1.0).until(3).count(), 0);
     }
 }

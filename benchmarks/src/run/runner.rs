@@ -7,8 +7,8 @@ use super::frames::Frames;
 use super::history::History;
 use super::summary::{Costs, Summary};
 use super::{fields, plots};
-use crate::case::{Case, Document};
-use anyhow::{Context, Result, bail};
+use crate::case::{Case, Document, MOST_STEPS};
+use anyhow::{Context, Result, bail, ensure};
 use fmc_mesh_io::write_whole;
 use fmc_solid::dynamics::{Sample, Simulation, Step};
 use std::fs;
@@ -49,6 +49,8 @@ pub struct Progress {
 pub enum Ending {
     /// At its end.
     Finished(Box<Summary>),
+    /// At its end already when it was to be gone on with; nothing is written.
+    FinishedBefore(Box<Summary>),
     /// Where it was asked to stop; it can be resumed.
     Interrupted {
         /// Steps made.
@@ -82,6 +84,9 @@ fn run_in<const D: usize>(
     watch: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Result<Ending> {
     let mut run = Run::<D>::start(document, case, options)?;
+    if options.resume && run.simulation.state().step >= run.step_count && options.out.join(SUMMARY).is_file() {
+        return Ok(Ending::FinishedBefore(Box::new(run.summary(document, case))));
+    }
     let stopped = run.advance(watch);
     // Pictures show what there is, also of a run that was interrupted or failed.
     let closed_form = run.motion.closed_form(case);
@@ -99,9 +104,12 @@ fn run_in<const D: usize>(
                 animation::write(&run.out.join("animation.gif"), &case.title, run.simulation.model(), frames)?;
             }
             let summary = run.summary(document, case);
-            let path = run.out.join("summary.json");
+            let path = run.out.join(SUMMARY);
             write_whole(&path, serde_json::to_string_pretty(&summary)? + "\n")?;
-            remove(&run.out, &CHECKPOINT)?;
+            // The state stays, by which a run that is at its end is known; what it cost stands in the summary.
+            let [state, costs] = CHECKPOINT;
+            run.simulation.save(&run.out.join(state))?;
+            remove(&run.out, &[costs])?;
             Ok(Ending::Finished(Box::new(summary)))
         }
     }
@@ -110,8 +118,11 @@ fn run_in<const D: usize>(
 /// The state, and what it cost to get there.
 const CHECKPOINT: [&str; 2] = ["checkpoint.state", "checkpoint.json"];
 
+/// Figures and checks, of a run that came to its end.
+const SUMMARY: &str = "summary.json";
+
 /// What an earlier run may have left.
-const RESULTS: [&str; 3] = ["summary.json", "animation.gif", "fields.pvd"];
+const RESULTS: [&str; 3] = [SUMMARY, "animation.gif", "fields.pvd"];
 
 /// A run under way.
 struct Run<const D: usize> {
@@ -150,7 +161,8 @@ impl<const D: usize> Run<D> {
             }
             let simulation = Simulation::resume(setup, &state)?;
             let history = History::resume(&table, &bodies, &obstacles, simulation.state().step)?;
-            let costs = fs::read_to_string(&costs).ok().and_then(|text| serde_json::from_str(&text).ok());
+            let read = |path: &Path| fs::read_to_string(path).ok().and_then(|text| serde_json::from_str(&text).ok());
+            let costs = read(&costs).or_else(|| read(&out.join(SUMMARY)));
             (simulation, history, costs.unwrap_or_default())
         } else {
             let simulation = Simulation::start(setup)?;
@@ -160,6 +172,11 @@ impl<const D: usize> Run<D> {
             (simulation, history, Costs::default())
         };
         let step_count = case.time.steps(simulation.step_size());
+        ensure!(
+            step_count as f64 <= MOST_STEPS,
+            "steps of {:.3e} s reach time.end after {step_count}; at most {MOST_STEPS:.0e} are made",
+            simulation.step_size()
+        );
         let fastest = (0..D).max_by(|a, b| motion.velocity[*a].abs().total_cmp(&motion.velocity[*b].abs()));
         let frames = Frames::new(case.output.frames, step_count, simulation.step_size());
         let direction = fastest.unwrap_or(0);

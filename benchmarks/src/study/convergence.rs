@@ -65,7 +65,7 @@ impl Convergence {
         for &factor in &self.meshes {
             watch(&format!("mesh × {factor}"));
             let mut case = self.with(EstimatorName::Exact, spacing);
-            case.bodies.iter_mut().for_each(|body| refine(&mut body.mesh, factor));
+            refine_bodies(&mut case, factor)?;
             rows.push(self.solve::<D>(&case, false, factor, &expected)?.0);
         }
         watch("exact");
@@ -113,21 +113,42 @@ impl Convergence {
     }
 }
 
-/// Makes cells larger by a factor.
-fn refine(mesh: &mut MeshSource, factor: f64) {
+/// Makes the cells of all bodies larger by a factor.
+fn refine_bodies(case: &mut Case, factor: f64) -> Result<()> {
+    ensure!(factor.is_finite() && factor > 0.0, "a factor of the mesh size must be positive, not {factor}");
+    if factor == 1.0 {
+        return Ok(());
+    }
+    for body in &mut case.bodies {
+        // Figures of the mesh as it is, put down as those of another one, would be wrong.
+        ensure!(
+            refine(&mut body.mesh, factor),
+            "the mesh of body '{}' {}, whose cells cannot be made {factor} times as large; leave it with factor 1 (--meshes 1)",
+            body.name,
+            if matches!(body.mesh, MeshSource::File { .. }) { "is that of a file" } else { "is of a shape" }
+        );
+    }
+    case.check().with_context(|| format!("meshes {factor} times as coarse"))
+}
+
+/// Makes cells larger by a factor, if that can be done with such a mesh.
+fn refine(mesh: &mut MeshSource, factor: f64) -> bool {
     let fewer = |count: &mut usize| *count = ((*count as f64 / factor).round() as usize).max(1);
     match mesh {
         MeshSource::Rectangle { cells, .. } | MeshSource::Quadrilateral { cells, .. } => {
             cells.iter_mut().for_each(fewer)
         }
+        MeshSource::Quadrilaterals { parts, .. } => parts.iter_mut().flat_map(|part| &mut part.cells).for_each(fewer),
         MeshSource::Cuboid { cells, .. } => cells.iter_mut().for_each(fewer),
+        MeshSource::Tetrahedron { edges, .. } => fewer(edges),
         MeshSource::GradedHalfDisc { finest, growth, .. } => {
             *finest *= factor;
             // As many cells fewer everywhere.
             *growth *= factor.sqrt();
         }
-        _ => {}
+        _ => return false,
     }
+    true
 }
 
 impl Refined {

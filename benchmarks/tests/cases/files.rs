@@ -1,7 +1,7 @@
 //! What a run leaves can be read, and an interruption leaves no trace.
 
 use super::{Folder, carry_out, document, finish};
-use fmc_benchmarks::run::Ending;
+use fmc_benchmarks::run::{Ending, RunOptions, run};
 use fmc_mesh_io as mesh;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -107,6 +107,26 @@ fn an_interruption_leaves_no_trace() {
         summary
     });
     assert_eq!(summaries[0], summaries[1]);
+}
+
+/// A run that is at its end is not made again, and says so; its files stay as they are.
+#[test]
+fn a_finished_run_is_not_resumed() {
+    let folder = Folder::new("finished");
+    let short = document("star", &["time.end=4e-4", "output.frames=3", "output.animation=false"]);
+    let first = finish(&short, &folder.0);
+    let content =
+        || names(&folder.0).iter().map(|name| std::fs::read(folder.0.join(name)).unwrap()).collect::<Vec<_>>();
+    let before = content();
+    let again = carry_out(&short, &folder.0, (1, true), &mut |_| panic!("no step is left"));
+    let Ending::FinishedBefore(summary) = again else { panic!("{again:?}") };
+    assert_eq!(*summary, first);
+    assert!(content() == before);
+    // Another case is not taken for it.
+    let other = document("star", &["time.end=4e-4", "bodies.star.material.young=1e6"]);
+    let options = RunOptions { out: folder.0.clone(), threads: 1, resume: true };
+    let refused = run(&other, &other.case().unwrap(), &options, &mut |_| ControlFlow::Continue(())).unwrap_err();
+    assert!(format!("{refused:#}").contains("another"), "{refused:#}");
 }
 
 /// Files of a folder and of its `fields`, sorted.

@@ -7,6 +7,7 @@ mod driven;
 mod files;
 mod friction;
 mod mistakes;
+mod mutated;
 mod short_runs;
 
 use fmc_benchmarks::case::{Case, CaseError, Document};
@@ -37,7 +38,7 @@ fn carry_out(
 /// Runs a case to its end.
 fn finish(document: &Document, out: &Path) -> Summary {
     match carry_out(document, out, (1, false), &mut |_| ControlFlow::Continue(())) {
-        Ending::Finished(summary) => *summary,
+        Ending::Finished(summary) | Ending::FinishedBefore(summary) => *summary,
         Ending::Interrupted { step, .. } => panic!("interrupted at step {step}"),
     }
 }

@@ -13,6 +13,7 @@ use std::path::Path;
 mod element_type;
 mod excerpt;
 mod fibers;
+mod folder_lock;
 mod gmsh;
 mod inp;
 mod vtu;
@@ -21,6 +22,7 @@ mod vtu_write;
 mod whole_file;
 
 pub use fibers::{fiber_grid, read_fibers};
+pub use folder_lock::FolderLock;
 pub use vtu_write::{VtkCell, VtuWriter, in_space};
 pub use whole_file::write_whole;
 
@@ -230,6 +232,42 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// A file that is small, and whose arrays are not: a line of zeros, compressed.
+    #[test]
+    fn files_that_inflate_are_refused_before_they_do() {
+        use base64::Engine;
+        use std::io::Write;
+        let zeros = vec![0u8; 1 << 15];
+        let piece = {
+            let mut encoder = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::best());
+            encoder.write_all(&zeros).unwrap();
+            encoder.finish().unwrap()
+        };
+        let array = |pieces: u32, size: u32| {
+            let words = [pieces, size, 0].into_iter().chain((0..pieces).map(|_| piece.len() as u32));
+            let counts: Vec<u8> = words.flat_map(u32::to_le_bytes).collect();
+            let encode = |bytes: &[u8]| base64::prelude::BASE64_STANDARD.encode(bytes);
+            encode(&counts) + &encode(&piece.repeat(pieces as usize))
+        };
+        let file = |points: usize, data: &str| {
+            format!(
+                "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid>\
+                 <Piece NumberOfPoints=\"{points}\" NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" \
+                 NumberOfComponents=\"3\" format=\"binary\">{data}</DataArray></Points></Piece></UnstructuredGrid></VTKFile>"
+            )
+        };
+        let said = |text: String| format!("{:#}", parse(text.as_bytes()).unwrap_err());
+        // As many points as the zeros make, 700 times the file; as many as nobody can count; pieces that claim more than they hold.
+        let honest = said(file(2000 * zeros.len() / 24, &array(2000, zeros.len() as u32)));
+        assert!(honest.contains("100 times") && honest.contains("damaged"), "{honest}");
+        assert!(said(file(usize::MAX, "AAAA")).contains("100 times"));
+        let claimed = said(file(8, &array(1000, u32::MAX)));
+        assert!(claimed.contains("100 times"), "{claimed}");
+        // What is small in any case is read: here the points are there, and no cells.
+        let small = said(file(zeros.len() / 24 * 10, &array(1, zeros.len() as u32)));
+        assert!(!small.contains("100 times"), "{small}");
     }
 
     #[test]

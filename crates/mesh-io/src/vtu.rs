@@ -15,7 +15,7 @@ const GROUP_ARRAYS: [&str; 4] = ["body", "gmsh:physical", "medit:ref", "CellEnti
 pub(super) fn parse(bytes: &[u8]) -> Result<Mesh> {
     let (xml, appended) = split_appended(bytes)?;
     let document = Document::parse(&xml).context("it is not well-formed XML")?;
-    let (encoding, piece) = opened(&document, appended)?;
+    let (encoding, piece) = opened(&document, appended, bytes.len())?;
     let Topology { points, conn, ends, types } = Topology::read(&encoding, piece)?;
     let node_tags = (0..points.len() as u64).collect();
     let mut mesh = Mesh { points, node_tags, ..Mesh::default() };
@@ -39,6 +39,8 @@ impl Topology {
     fn read(encoding: &Encoding, piece: Node) -> Result<Self> {
         let point_count = size(&piece, "NumberOfPoints").context("the number of points cannot be read")?;
         let cell_count = size(&piece, "NumberOfCells").context("the number of cells cannot be read")?;
+        encoding.check_size(point_count, 3 * size_of::<f64>()).context("its points")?;
+        encoding.check_size(cell_count, size_of::<i64>()).context("its cells")?;
         let points = child(piece, "Points")?.children().find(|n| n.has_tag_name("DataArray"));
         let points = encoding.floats(points.context("it has no array of points")?)?;
         ensure!(
@@ -61,7 +63,7 @@ impl Topology {
 pub(super) fn cells_of_type(bytes: &[u8], wanted: i64, name: &str) -> Result<Vec<(i64, Vec<[f64; 3]>)>> {
     let (xml, appended) = split_appended(bytes)?;
     let document = Document::parse(&xml).context("it is not well-formed XML")?;
-    let (encoding, piece) = opened(&document, appended)?;
+    let (encoding, piece) = opened(&document, appended, bytes.len())?;
     let Topology { points, conn, ends, types } = Topology::read(&encoding, piece)?;
     let numbers = array(child(piece, "CellData")?, name).with_context(|| format!("it has no array '{name}'"))?;
     let numbers = encoding.integers(numbers)?;
@@ -82,7 +84,11 @@ pub(super) fn cells_of_type(bytes: &[u8], wanted: i64, name: &str) -> Result<Vec
 }
 
 /// How arrays are encoded, and the one piece of the grid.
-fn opened<'a>(document: &'a Document, appended: Option<Appended<'a>>) -> Result<(Encoding<'a>, Node<'a, 'a>)> {
+fn opened<'a>(
+    document: &'a Document,
+    appended: Option<Appended<'a>>,
+    file_size: usize,
+) -> Result<(Encoding<'a>, Node<'a, 'a>)> {
     let root = document.root_element();
     ensure!(root.has_tag_name("VTKFile"), "it is not a VTK file");
     let kind = root.attribute("type").unwrap_or_default();
@@ -95,6 +101,7 @@ fn opened<'a>(document: &'a Document, appended: Option<Appended<'a>>) -> Result<
         compressor: root.attribute("compressor").filter(|name| !name.is_empty()),
         appended,
         offsets,
+        file_size,
     };
     let grid = child(root, "UnstructuredGrid")?;
     let mut pieces = grid.children().filter(|n| n.has_tag_name("Piece") && size(n, "NumberOfCells") != Some(0));
@@ -112,7 +119,7 @@ fn size(node: &Node, name: &str) -> Option<usize> {
 pub(super) fn floats(bytes: &[u8], name: &str) -> Result<Vec<f64>> {
     let (xml, appended) = split_appended(bytes)?;
     let document = Document::parse(&xml).context("it is not well-formed XML")?;
-    let (encoding, piece) = opened(&document, appended)?;
+    let (encoding, piece) = opened(&document, appended, bytes.len())?;
     let data = ["PointData", "CellData"].into_iter().filter_map(|kind| child(piece, kind).ok());
     let found = data.into_iter().find_map(|data| array(data, name));
     encoding.floats(found.with_context(|| format!("it has no array '{name}'"))?)

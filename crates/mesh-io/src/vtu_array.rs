@@ -16,9 +16,30 @@ pub(super) struct Encoding<'a> {
     pub(super) appended: Option<(&'a [u8], bool)>,
     /// Where appended arrays begin, ascending.
     pub(super) offsets: Vec<usize>,
+    /// Bytes of the file.
+    pub(super) file_size: usize,
 }
 
+/// Bytes of an array by those of the file, at most. Arrays that say the same of every cell shrink to a thousandth, but the nodes of
+/// cells and their places do not: compressors leave a tenth of them or more.
+const MOST_INFLATION: usize = 100;
+
+/// Bytes that an array may have in any file, however small.
+const ALWAYS_ALLOWED: usize = 1 << 20;
+
 impl Encoding<'_> {
+    /// Whether a number of things of which each has this many bytes may be meant by a file of this size.
+    pub(super) fn check_size(&self, count: usize, bytes: usize) -> Result<()> {
+        let most = self.file_size.saturating_mul(MOST_INFLATION).max(ALWAYS_ALLOWED);
+        match count.checked_mul(bytes).filter(|size| *size <= most) {
+            Some(_) => Ok(()),
+            None => bail!(
+                "{count} numbers of {bytes} bytes are more than {MOST_INFLATION} times the {} bytes of the file: it is damaged",
+                self.file_size
+            ),
+        }
+    }
+
     /// Floating point numbers of an array.
     pub(super) fn floats(&self, array: Node) -> Result<Vec<f64>> {
         match array.attribute("type").unwrap_or_default() {
@@ -94,6 +115,11 @@ impl Encoding<'_> {
         };
         let (pieces, size, last) = if count(0)? == 0 { (0, 0, 0) } else { (count(0)?, count(1)?, count(2)?) };
         ensure!(pieces <= block.len(), SHORT);
+        // All that is asked for below, before any of it is.
+        self.check_size(
+            (pieces.saturating_sub(1)).saturating_mul(size).saturating_add(if last > 0 { last } else { size }),
+            1,
+        )?;
         let mut rest = if pieces == 0 { &[] } else { block.get((3 + pieces) * self.header_size..).context(SHORT)? };
         let mut data = Vec::new();
         for piece in 0..pieces {

@@ -4,6 +4,7 @@
 //! and written. The arithmetic of contact is all in `fmc-contact`; here are files, names and numbers only.
 
 use crate::estimator_args::{EstimatorArgs, positive};
+use crate::folder;
 use anyhow::{Context, Result, ensure};
 use assembly::Assembly;
 use clap::Args;
@@ -17,6 +18,7 @@ use stages::Stages;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+use unit::Unit;
 
 mod assembly;
 mod components;
@@ -27,14 +29,17 @@ mod picture;
 mod pictures;
 mod placement;
 mod report;
+mod sizes;
 mod stages;
+mod unit;
 
 /// Calls of [`Stages::begin`].
 const STAGES: u64 = 6;
 
 const EXAMPLES: &str = "\
-Units: lengths are in the unit of the mesh. With metres, forces are in N in 3D, in
-N per m of thickness in 2D. K is a pressure by penetration, in Pa/m: 10 E / h with
+Units: lengths are in the unit of the mesh, which --unit names. With metres, forces
+are in N in 3D, in N per m of thickness in 2D. K is a pressure by penetration, in
+Pa/m (with millimetres in MPa/mm): 10 E / h with
 Young's modulus E and facets of size h. With --law volume and exponent 1 it is a
 pressure in Pa, which must exceed the peak contact pressure, or the bodies pass
 through one another; with another exponent M in Pa / (length^D)^(M-1), D = 2 or 3.
@@ -66,6 +71,10 @@ pub(crate) struct ForceArgs {
     /// Stiffness K: pressure by penetration [Pa/length]; for --law volume, w = K V^m, a pressure for m = 1 [Pa]
     #[arg(long, value_name = "K", value_parser = positive)]
     stiffness: f64,
+
+    /// Unit of length of the meshes, for what is printed: no number changes, K is then a force by this length cubed
+    #[arg(long, value_enum, value_name = "UNIT", default_value_t)]
+    unit: Unit,
 
     /// Moves a mesh, given by its place on the command line from 1: --translate 2=0,-0.1 or 2=0,0,-0.1 [length]
     #[arg(long, value_name = "MESH=X,Y[,Z]")]
@@ -163,7 +172,7 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind, sta
     let at_nodes = contact.nodal_contact(&assembly.coords).map_err(explained)?;
 
     stages.begin("writing");
-    std::fs::create_dir_all(&args.out).with_context(|| format!("{} cannot be created", args.out.display()))?;
+    let _lock = folder::taken(&args.out)?;
     let pictures = [args.out.join("forces.vtu"), args.out.join("fibers.vtu")];
     pictures::forces(&assembly, &division, &forces.forces, &at_nodes).write(&pictures[0])?;
     fiber_grid(&traces, args.fibers_shown).write(&pictures[1])?;
@@ -179,6 +188,9 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind, sta
 
     let obstacles: Vec<&str> = args.obstacle.iter().map(|obstacle| obstacle.text.as_str()).collect();
     let mut report = Report::new(&forces, &division.names, &obstacles, seconds);
+    if let Some(sentence) = sizes::unlike(&assembly, &division) {
+        report.warn(&sentence);
+    }
     if division.names.len() == 1 && obstacles.is_empty() && !args.estimator.self_contact {
         report.warn("there is one body only, which nothing can touch: see --bodies, --obstacle and --self-contact");
     }
@@ -193,7 +205,7 @@ fn evaluate<const D: usize>(args: &ForceArgs, meshes: Vec<Mesh>, kind: Kind, sta
             "{D}D, nodes: {nodes}, cells: {cells}, facets: {facet_count}, bodies: {}\n\n{}\n\
              written: {drawn}\n         {} (for ParaView)\n         {} ({shown})\n",
             division.names.len(),
-            report.text(),
+            report.text(&args.unit.units(D)),
             pictures[0].display(),
             pictures[1].display(),
         ))?;

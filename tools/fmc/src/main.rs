@@ -6,6 +6,7 @@ use std::process::ExitCode;
 #[cfg(feature = "statics")]
 mod commands;
 mod estimator_args;
+mod folder;
 mod force;
 mod man;
 mod next_step;

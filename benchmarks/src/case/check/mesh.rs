@@ -111,7 +111,7 @@ impl Check<'_> {
             let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 4]);
             (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
         };
-        if !(0..4).all(|k| turn(k) > 0.0) {
+        if !(0..4).all(|k| turn(k) > 0.0 && turn(k).is_finite()) {
             let message = "they must make a convex quadrilateral, counter-clockwise".into();
             self.flaw(&key.then("corners"), message);
         }

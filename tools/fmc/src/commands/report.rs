@@ -1,6 +1,7 @@
 //! `fmc report`: every example on one page.
 
 use super::interrupt;
+use crate::folder;
 use anyhow::{Context, Result};
 use clap::value_parser;
 use fmc_benchmarks::report::{self, Example, Outcome, Plan, Record, Setting, Size, Stamp};
@@ -52,6 +53,7 @@ pub(crate) fn run(args: &ReportArgs) -> Result<ExitCode> {
     let plan = Plan::built_in()?;
     let size = if args.quick { Size::Quick } else { Size::Full };
     let examples = report::examples(&plan, size, &args.examples)?;
+    let _lock = folder::taken(&args.out)?;
     let folder = args.out.join("runs");
     std::fs::create_dir_all(&folder).with_context(|| format!("{} cannot be made", folder.display()))?;
     // Draws on standard error, and only if that is a terminal.

@@ -3,6 +3,7 @@
 use super::interrupt;
 use super::time_left::TimeLeft;
 use crate::estimator_args::{EstimatorKind, positive};
+use crate::folder;
 use anyhow::{Context, Result, bail};
 use clap::{ValueEnum, value_parser};
 use fmc_benchmarks::case::Document;
@@ -17,7 +18,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Run a case: history, fields for ParaView, pictures, figures and checks
 ///
-/// Ctrl-C stops it after the current step; --resume goes on from there, with the same results bit for bit.
+/// Ctrl-C stops it after the current step; --resume goes on from there, with the same results bit for bit. A run that is
+/// at its end stays as it is.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:\n  \
     fmc run star\n  \
@@ -181,8 +183,12 @@ impl Outcome {
 /// Runs one variant and reports it.
 fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Outcome> {
     let case = document.case()?;
+    if args.resume && case.load_steps.is_some() && !args.quiet {
+        eprintln!("an equilibrium is not gone on with: it is sought from the start");
+    }
     let name = document.variant.as_ref().map_or(document.name.clone(), |v| format!("{}-{v}", document.name));
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&name));
+    let _lock = folder::taken(&out)?;
     let options = RunOptions { out: out.clone(), threads: args.threads.into(), resume: args.resume };
     let bar = if args.quiet { ProgressBar::hidden() } else { ProgressBar::new(1) };
     bar.set_style(ProgressStyle::with_template("{bar:24} {pos}/{len} {eta} left | {msg}")?);
@@ -224,6 +230,13 @@ fn report(args: &RunArgs, title: &str, out: &std::path::Path, ending: Ending) ->
                 );
             }
             Ok(Outcome::Interrupted)
+        }
+        Ending::FinishedBefore(summary) => {
+            if !args.quiet {
+                eprintln!("this run is at its end already; nothing is left to do");
+            }
+            print(args, title, out, &summary)?;
+            Ok(Outcome::Finished(summary))
         }
         Ending::Finished(summary) => {
             print(args, title, out, &summary)?;

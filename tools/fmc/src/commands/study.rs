@@ -1,6 +1,7 @@
 //! `fmc study`: a problem solved in several ways, side by side.
 
 use crate::estimator_args::positive;
+use crate::folder;
 use anyhow::Result;
 use clap::{Args, Subcommand, value_parser};
 use fmc_benchmarks::case::{Case, Document};
@@ -84,7 +85,7 @@ struct NewtonArgs {
     iterations: u32,
 
     /// Part of a step of the loop that is made; 1 is the paper's algorithm as printed; may be repeated
-    #[arg(long, value_name = "R", default_values_t = [1.0, 0.1])]
+    #[arg(long, value_name = "R", value_parser = positive, default_values_t = [1.0, 0.1])]
     relaxation: Vec<f64>,
 
     /// Change a value of the case; may be repeated
@@ -107,11 +108,11 @@ struct ConvergenceArgs {
     case: String,
 
     /// Factors of the mesh size
-    #[arg(long, value_name = "F", default_values_t = [4.0, 2.0, 1.0])]
+    #[arg(long, value_name = "F", value_parser = positive, default_values_t = [4.0, 2.0, 1.0])]
     meshes: Vec<f64>,
 
     /// Factors of the distance between fibers
-    #[arg(long, value_name = "F", default_values_t = [16.0, 8.0, 4.0, 2.0, 1.0])]
+    #[arg(long, value_name = "F", value_parser = positive, default_values_t = [16.0, 8.0, 4.0, 2.0, 1.0])]
     fibers: Vec<f64>,
 
     /// Change a value of the case; may be repeated
@@ -167,6 +168,7 @@ fn next(bar: &ProgressBar, what: &str) {
 
 fn newton(args: &NewtonArgs) -> Result<()> {
     let (case, folder) = case(&args.case, &args.overrides)?;
+    let _lock = folder::taken(&args.out)?;
     let title = case.title.clone();
     let (most_iterations, relaxations) = (args.iterations as usize, args.relaxation.clone());
     let study = SolverStudy { case, folder, most_iterations, relaxations, threads: args.threads.into() };
@@ -181,6 +183,7 @@ fn newton(args: &NewtonArgs) -> Result<()> {
 
 fn convergence(args: &ConvergenceArgs) -> Result<()> {
     let (case, folder) = case(&args.case, &args.overrides)?;
+    let _lock = folder::taken(&args.out)?;
     let title = case.title.clone();
     let (meshes, fibers) = (args.meshes.clone(), args.fibers.clone());
     let study = Convergence { case, folder, meshes, fibers, threads: args.threads.into() };
@@ -200,6 +203,7 @@ fn impact(args: &ImpactArgs) -> Result<()> {
     for assignment in &args.overrides {
         document.override_with("--override", assignment)?;
     }
+    let _lock = folder::taken(&args.out)?;
     let impact = Impact {
         case: document.case()?,
         folder: document.folder.clone(),

@@ -1,5 +1,6 @@
 //! The result as text and as JSON.
 
+use super::unit::Units;
 use fmc_contact::ContactForces;
 use fmc_contact::contact::Resultant;
 use fmc_contact::overlap::Partner;
@@ -55,6 +56,10 @@ struct PairReport {
     penetration: f64,
     /// Spacing of the fibers; 0 for exact.
     spacing: f64,
+    /// Force of `a` on `b`, `dim` numbers; 0 for a body that overlaps itself.
+    force: Vec<f64>,
+    /// Moment of that force about the origin.
+    moment: Vec<f64>,
 }
 
 impl Report {
@@ -68,10 +73,11 @@ impl Report {
         let index = |partner: Partner| match partner {
             Partner::Body(index) | Partner::Obstacle(index) => index,
         };
+        let turns = |moment: &[f64; 3]| if D == 2 { vec![moment[2]] } else { moment.to_vec() };
         let part = |resultant: &Resultant<D>, name: &str| BodyReport {
             name: name.to_owned(),
             force: resultant.force.to_vec(),
-            moment: if D == 2 { vec![resultant.moment[2]] } else { resultant.moment.to_vec() },
+            moment: turns(&resultant.moment),
             nodes: resultant.node_count,
         };
         let pairs = found.pairs.iter().map(|pair| PairReport {
@@ -85,6 +91,8 @@ impl Report {
             contact_area: pair.contact_area,
             penetration: pair.penetration,
             spacing: pair.spacing,
+            force: pair.force.to_vec(),
+            moment: turns(&pair.moment),
         });
         Self {
             dim: D,
@@ -109,45 +117,87 @@ impl Report {
     }
 
     /// The result as a person reads it.
-    pub(super) fn text(&self) -> String {
+    pub(super) fn text(&self, units: &Units) -> String {
         let mut text = String::new();
-        self.write_text(&mut text).expect("writing into a string");
+        self.write_text(&mut text, units).expect("writing into a string");
         text
     }
 
-    fn write_text(&self, out: &mut String) -> std::fmt::Result {
-        let [volume, energy, area, force, moment] = match self.dim {
-            2 => ["m²", "J/m", "m", "N/m", "N"],
-            _ => ["m³", "J", "m²", "N", "N·m"],
-        };
+    fn write_text(&self, out: &mut String, units: &Units) -> std::fmt::Result {
+        let Units { length, area, volume, force, moment, energy, in_words } = units;
         let error = format!("± {:.1e}, its standard error", self.volume_standard_error);
         let error = if self.volume_standard_error == 0.0 { "" } else { &error };
         writeln!(out, "overlap volume  {:>14.6e} {volume} {error}", self.volume)?;
         writeln!(out, "contact energy  {:>14.6e} {energy}", self.energy)?;
         writeln!(out, "contact area    {:>14.6e} {area}", self.contact_area)?;
-        writeln!(out, "penetration     {:>14.6e} m", self.penetration)?;
+        writeln!(out, "penetration     {:>14.6e} {length}", self.penetration)?;
         writeln!(out, "fibers          {:>14}", self.fibers)?;
         writeln!(out, "crossings       {:>14}", self.crossings)?;
         writeln!(out, "evaluation      {:>14.3} ms\n", 1e3 * self.seconds)?;
-        let width = self.bodies.iter().chain(&self.obstacles).map(|b| b.name.chars().count()).fold(4, usize::max);
-        let axes = if self.dim == 2 { ["x", "y"].as_slice() } else { &["x", "y", "z"] };
-        let turns = if self.dim == 2 { ["z"].as_slice() } else { &["x", "y", "z"] };
-        write!(out, "{:width$}", "body")?;
-        axes.iter().try_for_each(|axis| write!(out, " {:>14}", format!("force {axis}, {force}")))?;
-        turns.iter().try_for_each(|axis| write!(out, " {:>15}", format!("moment {axis}, {moment}")))?;
-        writeln!(out, " {:>8}", "nodes")?;
-        for body in self.bodies.iter().chain(&self.obstacles) {
-            write!(out, "{:width$}", body.name)?;
-            body.force.iter().try_for_each(|value| write!(out, " {value:>14.6e}"))?;
-            body.moment.iter().try_for_each(|value| write!(out, " {value:>15.6e}"))?;
-            writeln!(out, " {:>8}", body.nodes)?;
+        let rows: Vec<Row> = self.bodies.iter().chain(&self.obstacles).map(BodyReport::row).collect();
+        self.write_rows(out, "body", [force, moment], &rows, Some("nodes"))?;
+        if !self.pairs.is_empty() {
+            let rows: Vec<Row> = self.pairs.iter().map(|pair| self.pair_row(pair)).collect();
+            writeln!(out)?;
+            self.write_rows(out, "force of on", [force, moment], &rows, None)?;
         }
-        writeln!(
-            out,
-            "\nUnits: for lengths in m and K in Pa/m (law volume, exponent 1: in Pa). Moments: about the origin."
-        )?;
+        writeln!(out, "\nUnits: {in_words}. Moments: about the origin.")?;
         writeln!(out, "Nodes: those on the surface, and middles of faces of second order that have none.")?;
         self.warnings.iter().try_for_each(|warning| writeln!(out, "\nwarning: {warning}"))
+    }
+
+    /// What the first side of a pair does to the second.
+    fn pair_row(&self, pair: &PairReport) -> Row {
+        let name = |index: usize| self.bodies[index].name.as_str();
+        let second = if pair.obstacle { self.obstacles[pair.b].name.as_str() } else { name(pair.b) };
+        let title = if !pair.obstacle && pair.a == pair.b {
+            format!("{} on itself", name(pair.a))
+        } else {
+            format!("{} on {second}", name(pair.a))
+        };
+        Row { title, force: pair.force.clone(), moment: pair.moment.clone(), nodes: None }
+    }
+
+    /// Forces and moments, a line each.
+    fn write_rows(
+        &self,
+        out: &mut String,
+        head: &str,
+        [force, moment]: [&str; 2],
+        rows: &[Row],
+        last: Option<&str>,
+    ) -> std::fmt::Result {
+        let width = rows.iter().map(|row| row.title.chars().count()).fold(head.len(), usize::max);
+        let axes = if self.dim == 2 { ["x", "y"].as_slice() } else { &["x", "y", "z"] };
+        let turns = if self.dim == 2 { ["z"].as_slice() } else { &["x", "y", "z"] };
+        write!(out, "{head:width$}")?;
+        axes.iter().try_for_each(|axis| write!(out, " {:>14}", format!("force {axis}, {force}")))?;
+        turns.iter().try_for_each(|axis| write!(out, " {:>15}", format!("moment {axis}, {moment}")))?;
+        last.iter().try_for_each(|last| write!(out, " {last:>8}"))?;
+        writeln!(out)?;
+        for row in rows {
+            write!(out, "{:width$}", row.title)?;
+            row.force.iter().try_for_each(|value| write!(out, " {value:>14.6e}"))?;
+            row.moment.iter().try_for_each(|value| write!(out, " {value:>15.6e}"))?;
+            row.nodes.iter().try_for_each(|nodes| write!(out, " {nodes:>8}"))?;
+            writeln!(out)?;
+        }
+        Ok(())
+    }
+}
+
+/// A line of a table of forces.
+struct Row {
+    title: String,
+    force: Vec<f64>,
+    moment: Vec<f64>,
+    nodes: Option<usize>,
+}
+
+impl BodyReport {
+    fn row(&self) -> Row {
+        let BodyReport { name, force, moment, nodes } = self;
+        Row { title: name.clone(), force: force.clone(), moment: moment.clone(), nodes: Some(*nodes) }
     }
 }
 

@@ -63,6 +63,88 @@ fn exit_status_tells_checks_from_mistakes() {
     assert!(String::from_utf8_lossy(&nothing.stderr).contains("no checkpoint"));
 }
 
+/// A folder takes one run at a time; what was finished is not made again.
+#[test]
+fn a_folder_has_one_run() {
+    let folder = Folder::new("one-run");
+    let out = folder.0.to_str().unwrap();
+    let arguments = ["run", "bar", "--out", out, "--override", "output.frames=0", "--end", "0.2"];
+    let taken = fmc_mesh_io::FolderLock::take(&folder.0).unwrap();
+    let refused = fmc(&arguments);
+    let said = String::from_utf8_lossy(&refused.stderr);
+    assert_eq!(refused.status.code(), Some(2), "{said}");
+    assert!(
+        said.contains(&format!("written into by process {}", std::process::id())) && said.contains("--out"),
+        "{said}"
+    );
+    drop(taken);
+    // As a process leaves it that was killed.
+    std::fs::write(folder.0.join(".lock"), "4711").unwrap();
+    let first = fmc(&arguments);
+    let said = String::from_utf8_lossy(&first.stderr);
+    assert!(
+        first.status.code() < Some(2) && said.contains("process 4711") && said.contains("did not come to its end"),
+        "{said}"
+    );
+    let again = fmc(&[&arguments[..], &["--resume"]].concat());
+    let said = String::from_utf8_lossy(&again.stderr);
+    assert_eq!(again.status.code(), first.status.code(), "{said}");
+    assert!(said.contains("at its end already"), "{said}");
+    let figures = |run: &Output| {
+        let text = String::from_utf8_lossy(&run.stdout).into_owned();
+        text.lines().filter(|line| line.starts_with('|')).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(figures(&again), figures(&first));
+}
+
+/// Counts beyond all meaning, and factors that are none: a sentence each.
+#[test]
+fn counts_have_bounds() {
+    let folder = Folder::new("counts");
+    let out = folder.0.to_str().unwrap();
+    for (arguments, parts) in [
+        (
+            &["run", "bar", "--override", "bodies.bar.mesh.cells=[1000000000, 1000000000]"][..],
+            &["bodies.bar.mesh", "1e18 nodes"][..],
+        ),
+        (&["run", "bar", "--override", "time.step=1e-300"], &["time.end", "1e7 steps"]),
+        (&["run", "patch2d", "--override", "load_steps.count=1000000000000"], &["load_steps.count", "at most 100000"]),
+        (&["study", "convergence", "patch2d", "--meshes", "0"], &["positive"]),
+        (&["study", "convergence", "patch2d", "--meshes", "1e-9"], &["bodies.0.mesh", "nodes"]),
+        (&["study", "newton", "--relaxation", "nan"], &["positive"]),
+    ] {
+        let refused = fmc(&[arguments, &["--out", out]].concat());
+        let said = String::from_utf8_lossy(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(!said.contains("panicked"), "{said}");
+        assert!(parts.iter().all(|part| said.contains(part)), "{arguments:?}: {said}");
+    }
+}
+
+/// Cells of a file keep their size: a study says so instead of calling the same mesh a coarser one.
+#[test]
+fn bodies_from_files_are_not_refined() {
+    let folder = Folder::new("from-file");
+    let mesh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 0.5 0 0\n3 1 0 0\n4 0 0.5 0\n5 0.5 0.5 0\n6 1 0.5 0\n\
+                $EndNodes\n$Elements\n2\n1 3 2 1 1 1 2 5 4\n2 3 2 1 1 2 3 6 5\n$EndElements\n";
+    std::fs::write(folder.0.join("lower.msh"), mesh).unwrap();
+    let text = include_str!("../../../../benchmarks/cases/patch2d.toml");
+    let start = text.find("mesh = {").unwrap();
+    let end = start + text[start..].find('\n').unwrap();
+    let text = format!("{}mesh = {{ shape = \"file\", path = \"lower.msh\" }}{}", &text[..start], &text[end..]);
+    let case = folder.0.join("case.toml");
+    std::fs::write(&case, text).unwrap();
+    let study = |meshes: &str| {
+        let (case, out) = (case.to_str().unwrap(), folder.0.join("out"));
+        fmc(&["study", "convergence", case, "--meshes", meshes, "--fibers", "4", "--out", out.to_str().unwrap()])
+    };
+    let refused = study("2");
+    let said = String::from_utf8_lossy(&refused.stderr);
+    assert!(refused.status.code() == Some(2) && said.contains("body 'lower'") && said.contains("--meshes 1"), "{said}");
+    let made = study("1");
+    assert_eq!(made.status.code(), Some(0), "{}", String::from_utf8_lossy(&made.stderr));
+}
+
 #[test]
 fn another_law_comes_with_its_stiffness() {
     let folder = Folder::new("law");

@@ -57,6 +57,81 @@ fn blocks_press_with_stiffness_times_area() {
     }
 }
 
+/// The forces of pairs add up to those of bodies, and each is told once: in the table, and as JSON.
+#[test]
+fn pairs_add_up_to_bodies() {
+    for words in
+        [STAR, "examples/two_blocks.msh --stiffness 1e6", "examples/ball.vtu --stiffness 1e6 --obstacle half-space"]
+    {
+        let found = json("pairs_add_up_to_bodies", words);
+        let pairs = found["pairs"].as_array().unwrap();
+        assert!(!pairs.is_empty());
+        let bodies = found["bodies"].as_array().unwrap();
+        for key in ["force", "moment"] {
+            let mut sums: Vec<Vec<f64>> = bodies.iter().map(|body| vec![0.0; numbers(&body[key]).len()]).collect();
+            for pair in pairs {
+                let [a, b] = ["a", "b"].map(|side| pair[side].as_u64().unwrap() as usize);
+                for (axis, x) in numbers(&pair[key]).into_iter().enumerate() {
+                    sums[a][axis] -= x;
+                    if pair["obstacle"] == false {
+                        sums[b][axis] += x;
+                    }
+                }
+            }
+            for (body, sum) in bodies.iter().zip(&sums) {
+                let whole = numbers(&body[key]);
+                let size = whole.iter().fold(1e-3, |most: f64, x| most.max(x.abs()));
+                assert!(whole.iter().zip(sum).all(|(a, b)| (a - b).abs() <= 1e-9 * size), "{key}: {whole:?} {sum:?}");
+            }
+        }
+    }
+    let table = force("pairs_add_up_to_bodies", STAR).stdout;
+    assert!(table.contains("force of on") && table.contains("star.msh on block.msh"), "{table}");
+}
+
+/// The unit is a name: no number changes, and it is spelled in words.
+#[test]
+fn units_are_named() {
+    let numbers_of = |text: &str| -> Vec<String> {
+        let words = text.split_whitespace().filter(|word| word.contains("e-") || word.contains("e0"));
+        words.map(str::to_owned).collect()
+    };
+    let [metres, millimetres] =
+        ["", "--unit mm"].map(|unit| force("units_are_named", &format!("{STAR} {unit}")).stdout);
+    assert_eq!(numbers_of(&metres), numbers_of(&millimetres));
+    assert!(metres.contains("lengths in metres") && metres.contains("m²"), "{metres}");
+    assert!(
+        millimetres.contains("lengths in millimetres") && millimetres.contains("cubic millimetre"),
+        "{millimetres}"
+    );
+    assert!(
+        millimetres.contains("mm²") && millimetres.contains("N/mm") && !millimetres.contains("J/m"),
+        "{millimetres}"
+    );
+}
+
+/// A body in millimetres beside one in metres.
+#[test]
+fn sizes_that_are_no_match_are_told() {
+    let folder = folder("sizes");
+    let block = |size: f64| {
+        let corners =
+            [[0.0, 0.0], [size, 0.0], [size, size], [0.0, size]].map(|[x, y]| format!("{x} {y} 0\n")).concat();
+        format!(
+            "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n{corners}$EndNodes\n$Elements\n\
+             1 1 1 1\n2 1 3 1\n1 1 2 3 4\n$EndElements\n"
+        )
+    };
+    for (large, told) in [(1000.0, true), (50.0, false)] {
+        std::fs::write(folder.join("small.msh"), block(1.0)).unwrap();
+        std::fs::write(folder.join("large.msh"), block(large)).unwrap();
+        let found = json("sizes", "{}/small.msh {}/large.msh --stiffness 1");
+        let said = found["warnings"].to_string();
+        assert_eq!(said.contains("same unit of length"), told, "{said}");
+        assert!(!told || said.contains("1000 times") && said.contains("large.msh"), "{said}");
+    }
+}
+
 /// The same blocks by their depth, exactly without being told: F = K · 0.02 · 0.25 less what the rim of the contact lacks, 14 %
 /// where it is as deep as the balls in the cells of 0.125 along it are wide.
 #[test]
