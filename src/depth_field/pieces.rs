@@ -10,7 +10,7 @@ use crate::geometry::facet_slopes::cross;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DepthPiece<const D: usize> {
     pub(crate) cell: u32,
-    /// D + 1 corners.
+    /// D + 1 corners, the least deep first.
     pub(crate) corners: [Vector<D>; 4],
     /// Depth at the corners; less the clearance, where the contact begins below the surface, so that it may be negative.
     pub(crate) depths: [f64; 4],
@@ -24,6 +24,8 @@ pub(crate) struct DepthPiece<const D: usize> {
     pub(crate) measure: f64,
     /// +1, or −1 where the cell is inverted.
     pub(crate) sign: f64,
+    /// +1 where the corners in their order enclose a positive measure, or −1.
+    pub(crate) turn: f64,
     /// Whether the depth is the height above a facet of the body, which the piece has for a face.
     pub(crate) is_at_surface: bool,
 }
@@ -38,7 +40,8 @@ impl<const D: usize> DepthPiece<D> {
     ) -> Option<Self> {
         let (slopes, signed) = slopes(&corners)?;
         let gradient = (0..=D).fold(Vector::zeros(), |sum, k| sum + slopes[k] * depths[k]);
-        let sign = if flipped { -signed.signum() } else { signed.signum() };
+        let turn = signed.signum();
+        let sign = if flipped { -turn } else { turn };
         Some(Self {
             cell,
             corners,
@@ -48,6 +51,7 @@ impl<const D: usize> DepthPiece<D> {
             gradient,
             measure: signed.abs(),
             sign,
+            turn,
             is_at_surface: false,
         })
     }
@@ -109,23 +113,44 @@ impl<const D: usize> DepthField<D> {
         let mut order: [usize; MOST_NODES] = std::array::from_fn(|k| k);
         order[..count].sort_unstable_by_key(|&k| nodes[k]);
         for simplex in simplices {
-            let (mut corners, mut depths) = ([Vector::zeros(); 4], [0.0; 4]);
-            let mut weights = [[0.0; MOST_NODES]; 4];
+            let depth_of = |corner: u8| match (corner as usize).checked_sub(count) {
+                Some(point) => points[point].depth(depth, count),
+                None => depth(corner as usize),
+            };
+            let (numbers, depths, is_odd) = by_depth::<D>(simplex.corners, depth_of);
+            let (mut corners, mut weights) = ([Vector::zeros(); 4], [[0.0; MOST_NODES]; 4]);
             for k in 0..=D {
-                let number = simplex.corners[k] as usize;
+                let number = numbers[k] as usize;
                 if let Some(point) = number.checked_sub(count).map(|point| &points[point]) {
                     corners[k] =
                         order[..count].iter().fold(Vector::zeros(), |sum, &n| sum + at_nodes[n] * point.weights[n]);
-                    (depths[k], weights[k]) = (point.depth(depth, count), point.weights);
+                    weights[k] = point.weights;
                 } else {
-                    (corners[k], depths[k], weights[k][number]) = (at_nodes[number], depth(number), 1.0);
+                    (corners[k], weights[k][number]) = (at_nodes[number], 1.0);
                 }
             }
-            if let Some(piece) = DepthPiece::new(cell as u32, corners, depths, weights, flipped) {
+            if let Some(piece) = DepthPiece::new(cell as u32, corners, depths, weights, flipped != is_odd) {
                 visit(DepthPiece { is_at_surface: simplex.is_at_surface, ..piece });
             }
         }
     }
+}
+
+/// Corners of a simplex, the least deep first, with their depths, and whether an odd number of swaps has brought them there.
+fn by_depth<const D: usize>(corners: [u8; 4], depth: impl Fn(u8) -> f64) -> ([u8; 4], [f64; 4], bool) {
+    let (mut corners, mut depths, mut is_odd) = (corners, [0.0; 4], false);
+    for k in 0..=D {
+        depths[k] = depth(corners[k]);
+        for place in (1..=k).rev() {
+            if depths[place - 1] <= depths[place] {
+                break;
+            }
+            depths.swap(place - 1, place);
+            corners.swap(place - 1, place);
+            is_odd = !is_odd;
+        }
+    }
+    (corners, depths, is_odd)
 }
 
 /// Gradients of the barycentric coordinates of a simplex, and its signed measure; `None` where it is flat.

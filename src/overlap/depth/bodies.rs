@@ -1,15 +1,21 @@
-//! The law `depth` of bodies by exact clipping: facets by the pieces of the other body on which its depth is linear, and
-//! the pieces of either by those of the other.
+//! The law `depth` of bodies by exact clipping: facets by the pieces of the other body on which its depth is linear; from what is left
+//! of them, how much of every piece lies in the overlap.
 //!
-//! `cell_pieces` (the pieces near by) · `facet_clip`, `facet_integrals`, `facet_blocks`, `point_sums` (over the facets inside
-//! the other) · `piece_moments`, `cell_integrals` (over the overlap) · `deep_bodies`, `two_bodies` (both sides together)
+//! `cell_pieces` (the pieces near by) · `facet_clip`, `facet_part`, `facet_integrals`, `facet_blocks`, `point_sums` (over the facets
+//! inside the other) · `boundary_moments`, `inside_moments`, `piece_moments`, `cell_integrals` (over the overlap) · `deep_bodies`,
+//! `two_bodies` (both sides together)
 
+#[cfg(test)]
+mod against_clipping;
+mod boundary_moments;
 mod cell_integrals;
 mod cell_pieces;
 mod deep_bodies;
 mod facet_blocks;
 mod facet_clip;
 mod facet_integrals;
+mod facet_part;
+mod inside_moments;
 mod piece_moments;
 mod point_sums;
 mod two_bodies;

@@ -31,16 +31,34 @@ struct Row<const D: usize> {
 }
 
 impl<const D: usize> Row<D> {
-    fn add(&mut self, col: u32, value: &[[f64; D]; D]) {
-        match self.cols.iter().position(|c| *c == col) {
-            Some(place) => add_to(&mut self.values[place], value),
-            None => {
-                self.cols.push(col);
-                self.values.push(*value);
+    /// Adds several. Nodes of one cell came here together, and mostly stand side by side.
+    fn add_all(&mut self, cols: &[u32], values: &[[[f64; D]; D]]) {
+        let mut next = 0;
+        for (&col, value) in cols.iter().zip(values) {
+            if self.cols.get(next) != Some(&col) {
+                next = self.place_of(col);
             }
+            add_to(&mut self.values[next], value);
+            next += 1;
         }
     }
+
+    fn add(&mut self, col: u32, value: &[[f64; D]; D]) {
+        let place = self.place_of(col);
+        add_to(&mut self.values[place], value);
+    }
+
+    fn place_of(&mut self, col: u32) -> usize {
+        self.cols.iter().position(|c| *c == col).unwrap_or_else(|| {
+            self.cols.push(col);
+            self.values.push([[0.0; D]; D]);
+            self.cols.len() - 1
+        })
+    }
 }
+
+/// Columns for which a row has room from the start.
+const ROOM: usize = 32;
 
 fn add_to<const D: usize>(sum: &mut [[f64; D]; D], value: &[[f64; D]; D]) {
     for (sum, value) in sum.iter_mut().zip(value) {
@@ -71,7 +89,8 @@ impl<const D: usize> Packed for BlockSum<D> {
 impl<const D: usize> BlockSum<D> {
     fn row(&mut self, node: u32) -> &mut Row<D> {
         let place = *self.place.entry(node).or_insert_with(|| {
-            self.rows.push(Row { node, cols: Vec::new(), values: Vec::new() });
+            let (cols, values) = (Vec::with_capacity(ROOM), Vec::with_capacity(ROOM));
+            self.rows.push(Row { node, cols, values });
             self.rows.len() as u32 - 1
         });
         &mut self.rows[place as usize]
@@ -89,11 +108,13 @@ impl<const D: usize> BlockSum<D> {
 
     /// Adds a square of blocks: `values[r * nodes.len() + c]` in the row of node r and the column of node c.
     pub(crate) fn add_square(&mut self, nodes: &[u32], values: &[[[f64; D]; D]]) {
-        for (&node, values) in nodes.iter().zip(values.chunks_exact(nodes.len().max(1))) {
-            let row = self.row(node);
-            for (&col, value) in nodes.iter().zip(values) {
-                row.add(col, value);
-            }
+        self.add_rectangle(nodes, nodes, values);
+    }
+
+    /// Adds blocks: `values[r * cols.len() + c]` in the row of node r and the column of node c.
+    pub(crate) fn add_rectangle(&mut self, rows: &[u32], cols: &[u32], values: &[[[f64; D]; D]]) {
+        for (&node, values) in rows.iter().zip(values.chunks_exact(cols.len().max(1))) {
+            self.row(node).add_all(cols, values);
         }
     }
 
@@ -104,10 +125,7 @@ impl<const D: usize> BlockSum<D> {
             return;
         }
         for Row { node, cols, values } in other.rows {
-            let row = self.row(node);
-            for (col, value) in cols.iter().zip(&values) {
-                row.add(*col, value);
-            }
+            self.row(node).add_all(&cols, &values);
         }
     }
 

@@ -9,11 +9,18 @@ use crate::overlap::pair::bounds::Bounds;
 use crate::overlap::pair::sides::Pair;
 use rustc_hash::FxHashSet;
 
+/// Least part of the height of a piece that is taken for one that rounding may bring about; and how many times the rounding of a
+/// coordinate.
+const NEAR: f64 = 1e-9;
+const DIGITS: f64 = 4.0;
+
 /// Pieces on which the depth of a body is linear, to be found by place.
 pub(crate) struct CellPieces<const D: usize> {
     pub(crate) pieces: Vec<DepthPiece<D>>,
     pub(crate) boxes: Vec<Aabb<D>>,
     pub(crate) tree: Tree<D>,
+    /// Barycentric coordinates of each that are no more than this may be rounding.
+    pub(crate) near: Vec<f64>,
 }
 
 impl<const D: usize> CellPieces<D> {
@@ -42,8 +49,12 @@ impl<const D: usize> CellPieces<D> {
                 }
             });
         }
-        let tree = Tree::new(&boxes);
-        Self { pieces, boxes, tree }
+        let (tree, rounding) = (Tree::new(&boxes), region.rounding());
+        let near = pieces.iter().map(|piece: &DepthPiece<D>| {
+            let steepest = piece.slopes[..=D].iter().fold(0.0f64, |most, slope| most.max(slope.norm_squared()));
+            (DIGITS * rounding * steepest.sqrt()).max(NEAR)
+        });
+        Self { near: near.collect(), pieces, boxes, tree }
     }
 }
 

@@ -26,6 +26,9 @@ pub(crate) struct DeepBodies<'a, const D: usize> {
 /// Part of the forces that may be missing where bodies go on behind planes of symmetry.
 const MISTAKEN: f64 = 0.1;
 
+/// Facets, or pieces, that a thread takes at once.
+pub(super) const CHUNK: usize = 64;
+
 /// Part with which the depth of either body counts.
 pub(crate) const WEIGHT: f64 = 0.5;
 

@@ -1,8 +1,11 @@
 //! ∫ over the facets of one body inside another of the other's depth, with its derivatives.
 
+use super::boundary_moments::share;
 use super::cell_pieces::CellPieces;
-use super::facet_blocks::{FacetBlocks, MOST};
-use super::facet_clip::clip;
+use super::facet_blocks::{FacetBlocks, FacetProducts};
+use super::facet_clip::{Found, clip};
+use super::facet_part::FacetPart;
+use super::piece_moments::Moments;
 use super::point_sums::PointSums;
 use crate::configuration::FacetSide;
 use crate::depth_field::DepthPiece;
@@ -14,12 +17,17 @@ use crate::overlap::depth::integral::DepthRequest;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::bounds::Bounds;
 use crate::overlap::pair::second_derivative::SecondDerivative;
+use crate::ranks::Packed;
 
 /// Cosine of an angle between normals that is rounding.
 const SAME_WAY: f64 = 1.0 - 1e-9;
 
 /// A facet that is no deeper than this part of its size lies in the other's face.
 const FLAT: f64 = 1e-9;
+
+/// A facet that comes nearer to the last corner of a piece than this part of its size may have it on either side by rounding. That is
+/// several thousand times as much as rounding is, and rare.
+const NEAR: f64 = 1e-9;
 
 /// The facets of one side, and the other body.
 pub(crate) struct FacetsInCells<'a, const D: usize> {
@@ -41,133 +49,191 @@ pub(crate) struct FacetsInCells<'a, const D: usize> {
     pub(crate) bounds: &'a Bounds<D>,
 }
 
+/// What facets have inside the pieces of the other body: sums over the facets, and what they tell of the pieces.
+pub(crate) struct FacetsFound<M, const D: usize> {
+    pub(crate) sums: FacetSums<D>,
+    /// What every part of a facet adds to the moments of a piece: see `boundary_moments`.
+    pub(crate) shares: Vec<(u32, M)>,
+    /// Pieces of which rounding might decide where a facet passes.
+    pub(crate) doubtful: Vec<u32>,
+}
+
+impl<M: Moments, const D: usize> Packed for FacetsFound<M, D> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        self.sums.pack(bytes);
+        self.shares.pack(bytes);
+        self.doubtful.pack(bytes);
+    }
+
+    fn unpack(bytes: &mut &[u8]) -> Option<Self> {
+        let (sums, shares) = (FacetSums::unpack(bytes)?, Vec::unpack(bytes)?);
+        Some(Self { sums, shares, doubtful: Vec::unpack(bytes)? })
+    }
+
+    fn blank() -> Self {
+        Self { sums: FacetSums::default(), shares: Vec::new(), doubtful: Vec::new() }
+    }
+}
+
 impl<const D: usize> FacetsInCells<'_, D> {
     /// The integrals over some facets.
-    pub(crate) fn integrals(&self, facets: &[u32], rounding: f64) -> FacetSums<D> {
-        let mut sums = FacetSums::default();
-        let mut scratch = Scratch { work: Piece::default(), values: Vec::new() };
+    pub(crate) fn integrals<M: Moments>(&self, facets: &[u32], rounding: f64) -> FacetsFound<M, D> {
+        let mut found = FacetsFound::blank();
+        let mut scratch = Scratch {
+            work: Piece::default(),
+            part: FacetPart::default(),
+            blocks: FacetProducts::default(),
+            values: Vec::new(),
+        };
         for &number in facets {
             let Some(facet) = BodyFacet::new(self.surface, self.side, number) else { continue };
-            if self.weighting.is_axis(&facet.corners, rounding) {
-                continue;
-            }
+            let is_axis = self.weighting.is_axis(&facet.corners, rounding);
             let aabb = self.bounds.box_of_part(&facet.corners);
             if aabb.is_empty() {
                 continue;
             }
-            let before = sums.piece_count;
-            let mut moments = Moments { area: [0.0; D], depth: [0.0; D], points: PointSums::default() };
+            let near = aabb.inflated(NEAR * facet.size() + rounding);
+            let before = found.sums.piece_count;
+            let mut moments = FacetMoments { area: [0.0; D], depth: [0.0; D], points: PointSums::default() };
             self.other.tree.visit(
-                |node| node.meets(&aabb),
+                |node| node.meets(&near),
                 |j| {
                     let piece = &self.other.pieces[j as usize];
+                    if !self.other.boxes[j as usize].meets(&near) {
+                        return;
+                    }
+                    let (may_meet, may_hold_last) = facet.stands_to(piece, rounding);
+                    if may_hold_last {
+                        found.doubtful.push(j);
+                    }
                     let is_own = self.own_cell.is_some_and(|cells| cells[number as usize] == piece.cell);
-                    if !is_own && self.other.boxes[j as usize].meets(&aabb) && facet.may_meet(piece, rounding) {
-                        self.add(&facet, piece, &mut scratch, &mut moments, &mut sums);
+                    if may_meet && !is_own && !is_axis {
+                        self.add(&facet, (j, piece), &mut scratch, &mut moments, &mut found);
                     }
                 },
             );
-            if sums.piece_count > before {
+            if found.sums.piece_count > before {
                 let side = (self.of_b, self.weight);
-                sums.add_to_nodes(&facet, &moments.area, &moments.depth, side);
-                sums.points.extend(moments.points.into_points(&facet, side));
+                if self.request.second != SecondDerivative::No {
+                    let Scratch { blocks, values, .. } = &mut scratch;
+                    self.blocks().add(&facet, blocks, values, &mut found.sums.hessian);
+                }
+                found.sums.add_to_nodes(&facet, &moments.area, &moments.depth, side);
+                found.sums.points.extend(moments.points.into_points(&facet, side));
             }
         }
-        sums
+        found
     }
 
     /// Adds what a facet has inside a piece.
-    fn add(
+    fn add<M: Moments>(
         &self,
         facet: &BodyFacet<D>,
-        piece: &DepthPiece<D>,
+        (number, piece): (u32, &DepthPiece<D>),
         scratch: &mut Scratch<D>,
-        moments: &mut Moments<D>,
-        sums: &mut FacetSums<D>,
+        moments: &mut FacetMoments<D>,
+        found: &mut FacetsFound<M, D>,
     ) {
-        let blocks = FacetBlocks {
-            cells: self.cells,
-            weight: self.weight,
-            weighting: self.weighting,
-            second: self.request.second,
-        };
         let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
-        let Scratch { work, values } = scratch;
+        let Scratch { work, part, blocks, .. } = scratch;
+        let FacetsFound { sums, shares, doubtful } = found;
         let is_same_way = piece.is_at_surface && facet.normal.dot(&piece.gradient) < -SAME_WAY * piece.gradient.norm();
-        let flat = FLAT * facet.measure.powf(1.0 / (D - 1) as f64);
-        let coordinates =
-            |w: &[f64; D]| -> [f64; 4] { std::array::from_fn(|k| (0..D).map(|c| w[c] * barycentric[c][k]).sum()) };
         let depth = |at: &[f64; 4]| -> f64 { (0..=D).map(|k| at[k] * piece.depths[k]).sum() };
         let at_corners: [f64; D] = std::array::from_fn(|c| depth(&barycentric[c]));
-        clip(&facet.corners, &barycentric, &facet.area, piece, work, |inside, part| {
-            let part = part * piece.sign;
-            if is_same_way {
-                self.weighting.for_each_simplex(&facet.corners, inside.corners(), |corners, share, _| {
-                    let is_flat = |w: &[f64; D]| (depth(&coordinates(w)) + self.clearance).abs() <= flat;
-                    if corners.iter().all(|w| is_flat(w)) {
-                        sums.flush += share * part * facet.measure;
-                    }
-                });
-            }
-            let mut below = Piece::default();
-            let inside = if piece.is_cut() {
-                below.clone_from(inside);
-                if !below.cut(&at_corners.map(|depth| -depth)) {
-                    return;
-                }
-                &below
-            } else {
-                inside
+        clip(&facet.corners, &barycentric, &facet.area, piece, (part, work), |part| {
+            let (inside, counts) = match part {
+                Found::Part(inside, counts) => (inside, counts),
+                Found::Border(inside) => return shares.push((number, share::<M, D>(inside))),
+                Found::Doubt => return doubtful.push(number),
             };
+            let part = counts * piece.sign;
+            if is_same_way {
+                sums.flush += part * self.flush(facet, piece, inside);
+            }
+            if piece.is_cut() && !inside.cut_where(&piece.depths) {
+                return;
+            }
             sums.piece_count += 1;
-            let (mut areas, mut local) = ([0.0; D], [0.0; D]);
-            // Products of the functions that move with nodes.
-            let mut products = [[0.0; MOST]; MOST];
-            let mut moved = [[0.0; D]; D];
-            let count = facet.nodes.len() + self.cells.nodes(piece.cell as usize).len();
-            sums.deepest = inside.corners().iter().fold(sums.deepest, |most, w| most.max(depth(&coordinates(w))));
-            self.weighting.for_each_simplex(&facet.corners, inside.corners(), |corners, share, bare| {
-                let share = share * part;
-                let at = corners.map(&coordinates);
-                let g: [f64; D] = std::array::from_fn(|c| depth(&at[c]));
-                let total: f64 = g.iter().sum();
-                sums.area += share * facet.measure;
-                sums.depth += share * facet.measure * total / D as f64;
-                let norm = share / (D * (D + 1)) as f64;
-                for (a, moment) in local.iter_mut().enumerate() {
-                    let same: f64 = (0..D).map(|c| g[c] * corners[c][a]).sum();
-                    let sum: f64 = (0..D).map(|c| corners[c][a]).sum();
-                    *moment += norm * (same + total * sum);
-                    moments.area[a] += share * sum / D as f64;
-                    areas[a] += share * sum / D as f64;
-                }
-                if self.request.second != SecondDerivative::No {
-                    let of_corners: [[f64; MOST]; D] =
-                        std::array::from_fn(|c| blocks.shapes(facet, piece, corners[c], &at[c]));
-                    add_products(&mut products, &of_corners, count, norm);
-                    if !self.weighting.is_plain() {
-                        let by = bare * part * g[0];
-                        for (row, a) in moved.iter_mut().zip(corners[0]) {
-                            row.iter_mut().zip(corners[0]).for_each(|(sum, c)| *sum += by * a * c);
-                        }
-                    }
-                }
-            });
-            for (sum, moment) in moments.depth.iter_mut().zip(&local) {
-                *sum += moment;
+            sums.deepest = inside.in_piece().iter().fold(sums.deepest, |most, at| most.max(depth(at)));
+            let Products { products, moved } = self.products(facet, inside.on_facet(), &at_corners);
+            let products = products.map(|row| row.map(|m| m * part));
+            let areas = products.map(|row| row.iter().sum::<f64>());
+            let local = products.map(|row| row.iter().zip(&at_corners).map(|(m, g)| m * g).sum::<f64>());
+            sums.area += facet.measure * areas.iter().sum::<f64>();
+            sums.depth += facet.measure * local.iter().sum::<f64>();
+            for a in 0..D {
+                moments.area[a] += areas[a];
+                moments.depth[a] += local[a];
             }
             if self.request.points {
-                moments.points.add(piece, (&areas, &local), &barycentric, inside.corners());
+                moments.points.add(piece, (&areas, &local), &barycentric, inside.on_facet());
             }
             if self.request.second != SecondDerivative::No {
-                blocks.add(facet, piece, &products, (&local, &moved), values, &mut sums.hessian);
+                let moved = moved.map(|row| row.map(|m| m * part));
+                self.blocks().gather(facet, piece, &barycentric, (&products, &local, &moved), blocks);
             }
         });
     }
+
+    fn blocks(&self) -> FacetBlocks<'_> {
+        let (cells, weight, weighting, second) = (self.cells, self.weight, self.weighting, self.request.second);
+        FacetBlocks { cells, weight, weighting, second }
+    }
+
+    /// ∫ of the products of the facet's coordinates over a part of it, and ∫ g of them without the weight, given the depth g at its
+    /// corners.
+    fn products(&self, facet: &BodyFacet<D>, part: &[[f64; D]], depths: &[f64; D]) -> Products<D> {
+        let (mut products, mut moved) = ([[0.0; D]; D], [[0.0; D]; D]);
+        let is_plain = self.weighting.is_plain();
+        self.weighting.for_each_simplex(&facet.corners, part, |corners, share, bare| {
+            let norm = share / (D * (D + 1)) as f64;
+            let sums: [f64; D] = std::array::from_fn(|a| corners.iter().map(|w| w[a]).sum());
+            for a in 0..D {
+                for b in a..D {
+                    let same: f64 = corners.iter().map(|w| w[a] * w[b]).sum();
+                    products[a][b] += norm * (same + sums[a] * sums[b]);
+                }
+            }
+            if !is_plain {
+                let w = corners[0];
+                let by = bare * w.iter().zip(depths).map(|(w, g)| w * g).sum::<f64>();
+                moved.iter_mut().zip(w).for_each(|(row, a)| row.iter_mut().zip(w).for_each(|(m, c)| *m += by * a * c));
+            }
+        });
+        for a in 0..D {
+            for b in 0..a {
+                products[a][b] = products[b][a];
+            }
+        }
+        Products { products, moved }
+    }
+
+    /// Measure of the part of a facet that is in the other's face.
+    fn flush(&self, facet: &BodyFacet<D>, piece: &DepthPiece<D>, inside: &FacetPart<D>) -> f64 {
+        let flat = FLAT * facet.size();
+        let depths: [f64; D] = facet.corners.each_ref().map(|x| {
+            let at = piece.barycentric(x);
+            (0..=D).map(|k| at[k] * piece.depths[k]).sum::<f64>() + self.clearance
+        });
+        let mut flush = 0.0;
+        self.weighting.for_each_simplex(&facet.corners, inside.on_facet(), |corners, share, _| {
+            let is_flat = |w: &[f64; D]| w.iter().zip(&depths).map(|(w, g)| w * g).sum::<f64>().abs() <= flat;
+            if corners.iter().all(|w| is_flat(w)) {
+                flush += share * facet.measure;
+            }
+        });
+        flush
+    }
+}
+
+/// ∫ of products of two of a facet's coordinates.
+struct Products<const D: usize> {
+    products: [[f64; D]; D],
+    moved: [[f64; D]; D],
 }
 
 /// ∫ N_a and ∫ g N_a over what a facet has inside, in parts of its measure, and its points.
-struct Moments<const D: usize> {
+struct FacetMoments<const D: usize> {
     area: [f64; D],
     depth: [f64; D],
     points: PointSums<D>,
@@ -176,33 +242,24 @@ struct Moments<const D: usize> {
 /// Memory that is used again.
 struct Scratch<const D: usize> {
     work: Piece<D>,
+    part: FacetPart<D>,
+    blocks: FacetProducts<D>,
     values: Vec<[[f64; D]; D]>,
 }
 
 impl<const D: usize> BodyFacet<D> {
-    /// False only if the piece keeps clear of the facet's plane.
-    fn may_meet(&self, piece: &DepthPiece<D>, rounding: f64) -> bool {
-        let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
-        for x in &piece.corners[..=D] {
-            let height = self.normal.dot(&(x - self.corners[0]));
-            (least, largest) = (least.min(height), largest.max(height));
-        }
-        least <= rounding && largest >= -rounding
+    fn size(&self) -> f64 {
+        self.measure.powf(1.0 / (D - 1) as f64)
     }
-}
 
-/// Adds ∫ of all products of two of the first `count` functions that are linear on a simplex, given at its corners.
-fn add_products<const D: usize>(
-    products: &mut [[f64; MOST]; MOST],
-    at_corners: &[[f64; MOST]; D],
-    count: usize,
-    norm: f64,
-) {
-    let sums: [f64; MOST] = std::array::from_fn(|i| at_corners.iter().map(|f| f[i]).sum());
-    for i in 0..count {
-        for j in 0..count {
-            let same: f64 = at_corners.iter().map(|f| f[i] * f[j]).sum();
-            products[i][j] += norm * (same + sums[i] * sums[j]);
+    /// How it stands to a piece: whether it may meet it, which is false only if the piece keeps clear of its plane; and whether it may
+    /// hold the piece's last corner.
+    fn stands_to(&self, piece: &DepthPiece<D>, rounding: f64) -> (bool, bool) {
+        let (mut least, mut largest, mut last) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+        for x in &piece.corners[..=D] {
+            last = self.normal.dot(&(x - self.corners[0]));
+            (least, largest) = (least.min(last), largest.max(last));
         }
+        (least <= rounding && largest >= -rounding, last.abs() <= NEAR * (largest - least) + rounding)
     }
 }

@@ -7,9 +7,14 @@ use crate::overlap::depth::simplex_parts::measure;
 use crate::ranks::Packed;
 
 /// Moments of a part of a simplex, in the simplex' barycentric coordinates.
-pub(crate) trait Moments: Copy + Default + Send + Packed {
-    /// Adds those of a simplex, given the coordinates of its corners.
-    fn add_simplex<const D: usize>(&mut self, measure: f64, x: &[[f64; 4]; 4]);
+pub(crate) trait Moments: Copy + Default + Send + Sync + Packed {
+    /// Adds those of a simplex of this dimension, given the coordinates of its corners; in its own units, so that a measure may be
+    /// negative.
+    fn add_simplex(&mut self, dimension: usize, measure: f64, x: &[[f64; 4]; 4]);
+
+    /// Those of the cone, which has this dimension, between corner `apex` of the simplex and what lies in the face opposite to it, of
+    /// which these are the moments in units of that face.
+    fn cone(&self, apex: usize, dimension: usize) -> Self;
 
     /// Those of coordinate `order[k]` from those of number k, times a factor.
     fn in_order(&self, order: &[usize; 4], factor: f64) -> Self;
@@ -20,14 +25,24 @@ pub(crate) trait Moments: Copy + Default + Send + Packed {
     fn is_zero(&self) -> bool;
 
     fn add(&mut self, other: &Self);
+
+    fn times(&self, factor: f64) -> Self;
 }
 
 /// ∫ of every coordinate.
 impl Moments for [f64; 4] {
-    fn add_simplex<const D: usize>(&mut self, measure: f64, x: &[[f64; 4]; 4]) {
+    fn add_simplex(&mut self, dimension: usize, measure: f64, x: &[[f64; 4]; 4]) {
+        let norm = measure / (dimension + 1) as f64;
         for (i, sum) in self.iter_mut().enumerate() {
-            *sum += measure * (0..=D).map(|c| x[c][i]).sum::<f64>() / (D + 1) as f64;
+            *sum += norm * x[..=dimension].iter().map(|corner| corner[i]).sum::<f64>();
         }
+    }
+
+    fn cone(&self, apex: usize, dimension: usize) -> Self {
+        let norm = 1.0 / (dimension + 1) as f64;
+        let mut moments = self.map(|m| norm * dimension as f64 * m);
+        moments[apex] += norm * self.iter().sum::<f64>();
+        moments
     }
 
     fn in_order(&self, order: &[usize; 4], factor: f64) -> Self {
@@ -51,18 +66,37 @@ impl Moments for [f64; 4] {
     fn add(&mut self, other: &Self) {
         self.iter_mut().zip(other).for_each(|(sum, m)| *sum += m);
     }
+
+    fn times(&self, factor: f64) -> Self {
+        self.map(|m| m * factor)
+    }
 }
 
 impl Moments for Products {
-    fn add_simplex<const D: usize>(&mut self, measure: f64, x: &[[f64; 4]; 4]) {
-        let norm = measure / ((D + 1) * (D + 2)) as f64;
-        let sums: [f64; 4] = std::array::from_fn(|i| (0..=D).map(|c| x[c][i]).sum());
+    fn add_simplex(&mut self, dimension: usize, measure: f64, x: &[[f64; 4]; 4]) {
+        let norm = measure / ((dimension + 1) * (dimension + 2)) as f64;
+        let corners = &x[..=dimension];
+        let sums: [f64; 4] = std::array::from_fn(|i| corners.iter().map(|corner| corner[i]).sum());
         for (i, row) in self.iter_mut().enumerate() {
             for (j, product) in row.iter_mut().enumerate() {
-                let same: f64 = (0..=D).map(|c| x[c][i] * x[c][j]).sum();
+                let same: f64 = corners.iter().map(|corner| corner[i] * corner[j]).sum();
                 *product += norm * (same + sums[i] * sums[j]);
             }
         }
+    }
+
+    /// ∫ d t^(d−1) λ λᵀ dt with λ = (1 − t) of the apex + t of the face.
+    fn cone(&self, apex: usize, dimension: usize) -> Self {
+        let d = dimension as f64;
+        let norm = 1.0 / ((d + 1.0) * (d + 2.0));
+        let mut products = self.map(|row| row.map(|m| d / (d + 2.0) * m));
+        let first = self.map(|row| row.iter().sum::<f64>());
+        for (k, m) in first.iter().enumerate() {
+            products[apex][k] += d * norm * m;
+            products[k][apex] += d * norm * m;
+        }
+        products[apex][apex] += 2.0 * norm * first.iter().sum::<f64>();
+        products
     }
 
     fn in_order(&self, order: &[usize; 4], factor: f64) -> Self {
@@ -85,6 +119,10 @@ impl Moments for Products {
 
     fn add(&mut self, other: &Self) {
         self.iter_mut().zip(other).for_each(|(sum, m)| sum.add(m));
+    }
+
+    fn times(&self, factor: f64) -> Self {
+        self.map(|row| row.times(factor))
     }
 }
 
@@ -231,7 +269,7 @@ fn add_inside<M: Moments, const D: usize>(
         }
         return;
     }
-    sums.add_simplex::<D>(measure(D, &x), &x);
+    sums.add_simplex(D, measure(D, &x), &x);
 }
 
 #[cfg(test)]
